@@ -1,0 +1,2 @@
+//! The `percuss` command.
+fn main() {}

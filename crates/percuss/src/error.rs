@@ -1,0 +1,80 @@
+//! The one error type of an analysis.
+
+use std::fmt;
+
+/// Why an analysis gave up.
+#[derive(Debug)]
+pub struct Error {
+    kind: ErrorKind,
+}
+
+#[derive(Debug)]
+enum ErrorKind {
+    NoConvergence { time: f64, step: f64, residual: f64, place: String },
+    Singular { time: f64, place: String },
+    Recorder(crate::record::RecorderError),
+    Settings(String),
+}
+
+impl Error {
+    /// Newton's iteration failed down to the smallest step.
+    pub(crate) fn no_convergence(time: f64, step: f64, residual: f64, place: String) -> Self {
+        Self { kind: ErrorKind::NoConvergence { time, step, residual, place } }
+    }
+
+    /// The tangent cannot be factorised.
+    pub(crate) fn singular(time: f64, place: String) -> Self {
+        Self { kind: ErrorKind::Singular { time, place } }
+    }
+
+    /// The recorder failed.
+    pub(crate) fn recorder(source: crate::record::RecorderError) -> Self {
+        Self { kind: ErrorKind::Recorder(source) }
+    }
+
+    /// Model and settings do not fit together.
+    pub(crate) fn settings(message: String) -> Self {
+        Self { kind: ErrorKind::Settings(message) }
+    }
+
+    /// Whether Newton's iteration failed down to the smallest step.
+    pub fn is_no_convergence(&self) -> bool {
+        matches!(self.kind, ErrorKind::NoConvergence { .. })
+    }
+
+    /// Whether the tangent was singular.
+    pub fn is_singular(&self) -> bool {
+        matches!(self.kind, ErrorKind::Singular { .. })
+    }
+
+    /// Whether the recorder failed (for instance because the disk is full).
+    pub fn is_recorder(&self) -> bool {
+        matches!(self.kind, ErrorKind::Recorder(_))
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            ErrorKind::NoConvergence { time, step, residual, place } => write!(
+                f,
+                "no convergence at t = {time:.9e} s with a step of {step:.3e} s: \
+                 scaled residual {residual:.3e}, largest at {place}; try a smaller step"
+            ),
+            ErrorKind::Singular { time, place } => {
+                write!(f, "singular tangent at t = {time:.9e} s, at {place}")
+            }
+            ErrorKind::Recorder(source) => write!(f, "the results could not be written: {source}"),
+            ErrorKind::Settings(message) => f.write_str(message),
+        }
+    }
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match &self.kind {
+            ErrorKind::Recorder(source) => Some(source.as_ref()),
+            _ => None,
+        }
+    }
+}

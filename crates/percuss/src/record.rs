@@ -1,0 +1,87 @@
+//! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
+
+/// A column of the history.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Channel {
+    /// Name in the form `<kind>.<name>.<quantity>`, for instance `projectile.mass.velocity_2`.
+    pub name: String,
+    /// Unit in plain ASCII: `m`, `m/s`, `N`, `N*s`, `J`, `kg*m/s`, `1/m`, `s`, or `1`.
+    pub unit: &'static str,
+    /// One sentence that says what the column holds.
+    pub description: String,
+}
+
+/// Whether a run goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// Go on.
+    Continue,
+    /// Stop after this row; the run ends as interrupted.
+    Stop,
+}
+
+/// An error of a recorder, passed through the run to its caller.
+pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
+
+/// Receives the rows of a run.
+pub trait Recorder {
+    /// Called once before the first row.
+    ///
+    /// # Errors
+    /// Whatever keeps the recorder from recording; the run then ends as failed.
+    fn begin(&mut self, channels: &[Channel]) -> Result<(), RecorderError> {
+        let _ = channels;
+        Ok(())
+    }
+
+    /// Called for the initial state and for every recorded step, `values[k]` belonging to `channels[k]`;
+    /// `values[0]` is the time.
+    ///
+    /// # Errors
+    /// Whatever keeps the recorder from recording; the run then ends as failed.
+    fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
+        let _ = values;
+        Ok(())
+    }
+
+    /// Called after every step, recorded or not, with the time reached \[s\].
+    fn progress(&mut self, time: f64) -> Flow {
+        let _ = time;
+        Flow::Continue
+    }
+}
+
+/// Records nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoRecorder;
+
+impl Recorder for NoRecorder {}
+
+/// Keeps every row in memory.
+#[derive(Clone, Debug, Default)]
+pub struct MemoryRecorder {
+    /// The columns.
+    pub channels: Vec<Channel>,
+    /// Values, shape (n_rows, n_channels), row by row.
+    pub values: Vec<f64>,
+}
+
+impl MemoryRecorder {
+    /// The column called `name`, if there is one.
+    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
+        let k = self.channels.iter().position(|c| c.name == name)?;
+        Some(self.values.chunks_exact(self.channels.len()).map(|row| row[k]).collect())
+    }
+}
+
+impl Recorder for MemoryRecorder {
+    fn begin(&mut self, channels: &[Channel]) -> Result<(), RecorderError> {
+        self.channels = channels.to_vec();
+        Ok(())
+    }
+
+    fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
+        self.values.extend_from_slice(values);
+        Ok(())
+    }
+}
