@@ -3,7 +3,7 @@
 use crate::error::Error;
 
 /// How a run ended.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub enum Termination {
     /// Not run yet.
     #[default]
@@ -165,7 +165,7 @@ pub struct PointSummary {
 }
 
 /// The result of a run.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct RunSummary {
     /// How it ended.
     pub termination: Termination,
