@@ -1,5 +1,7 @@
 //! How a transient analysis is carried out.
 
+use crate::model::{Fault, Model};
+
 /// Time integration scheme (theory, section 3).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Scheme {
@@ -61,5 +63,57 @@ impl Settings {
             impacts: ImpactResolution::Event,
             record_every: 1,
         }
+    }
+}
+
+impl Settings {
+    /// Every fault of the settings for `model`; paths are those of the scenario file (`time.step`).
+    pub fn validate(&self, model: &Model) -> Vec<Fault> {
+        let mut out = Vec::new();
+        let mut add = |path: &str, found: String, expected: &str| {
+            out.push(Fault::new(path, found, expected));
+        };
+        let positive = |x: f64| x > 0.0 && x.is_finite();
+        if !positive(self.end) {
+            add("time.end", format!("{} s", self.end), "an end after time zero");
+        }
+        if !positive(self.step) {
+            add("time.step", format!("{} s", self.step), "a step above zero");
+        } else if positive(self.end) && self.step > self.end * (1.0 + 1e-9) {
+            let found = format!("a step of {} s, longer than the run of {} s", self.step, self.end);
+            add("time.step", found, "a step no longer than the run");
+        } else if self.end / self.step > 1e12 {
+            let found = format!("{:.3e} steps", self.end / self.step);
+            add("time.step", found, "a run of at most 1e12 steps");
+        }
+        if self.record_every == 0 {
+            add("record.every", "0".into(), "a row every 1 or more steps");
+        }
+        if let ImpactResolution::TimeStepping { closed_tolerance } = self.impacts
+            && !(closed_tolerance >= 0.0 && closed_tolerance.is_finite())
+        {
+            let found = format!("{closed_tolerance} m");
+            add("time.closed_tolerance", found, "a length of zero or above");
+        }
+        if let Scheme::GeneralizedAlpha { spectral_radius } = self.scheme
+            && !(0.0..=1.0).contains(&spectral_radius)
+        {
+            let found = spectral_radius.to_string();
+            add("integrator.spectral_radius", found, "a radius from 0 to 1");
+        }
+        if self.scheme.advances_accelerations() && model.has_rigid_projectile() {
+            let found = "a scheme that advances accelerations, with a rigid projectile";
+            let expected = "energy-momentum, strain-rate or midpoint: \
+                            an impulse has no acceleration";
+            add("integrator.scheme", found.into(), expected);
+        }
+        out
+    }
+}
+
+impl Scheme {
+    /// Whether the scheme carries nodal accelerations from step to step (Newmark's family).
+    pub fn advances_accelerations(self) -> bool {
+        matches!(self, Self::Newmark | Self::GeneralizedAlpha { .. })
     }
 }

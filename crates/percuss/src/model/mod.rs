@@ -1,13 +1,13 @@
 //! From definitions to the frozen [`Model`].
 
 mod builder;
+mod check;
+mod constrain;
 mod definition;
 mod fault;
+pub(crate) mod frozen;
 
 pub use builder::ModelBuilder;
 pub use definition::*;
 pub use fault::Fault;
-
-/// What is simulated; never changes once built.
-#[derive(Clone, Debug)]
-pub struct Model {}
+pub use frozen::Model;

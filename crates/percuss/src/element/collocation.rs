@@ -1,0 +1,48 @@
+//! Forces of the strain energy at one configuration between the ends of the step: implicit midpoint (`theta = 1/2`),
+//! Newmark (`theta = 1`), generalized-alpha (`theta = 1 - alpha_f`), statics (`theta = 1`).
+
+use super::point::{form_a, form_b, PointResponse, SectionLaw, StepPoint, Stress, StressRate};
+use super::strain::{gradient, strains};
+use crate::math::vec2::add;
+use crate::scalar::Real;
+
+/// Gradient of the strain energy at `x_0 + theta Dx`.
+#[inline(always)]
+pub fn response<S: Real, const TANGENT: bool>(
+    law: &SectionLaw<S>,
+    point: &StepPoint<S>,
+    theta: f64,
+) -> PointResponse<S> {
+    let slope = [
+        point.slope_0[0] + point.d_slope[0] * theta,
+        point.slope_0[1] + point.d_slope[1] * theta,
+    ];
+    let p = [
+        point.bend_0[0] + point.d_bend[0] * theta,
+        point.bend_0[1] + point.d_bend[1] * theta,
+    ];
+    let g = add(point.tangent, slope);
+    let strain = strains(law.measure, point.tangent, point.curvature, slope, p);
+    let c = gradient(law.measure, g, p);
+    let stress = Stress {
+        axial: law.axial * strain.membrane,
+        moment: law.bending * strain.bending,
+        alpha: c.alpha,
+        c1: c.c1,
+        c2: c.c2,
+    };
+    if !TANGENT {
+        return stress.forces(g, p);
+    }
+    let (a, b) = (form_a(g), form_b(g, p));
+    let weight = S::constant(theta);
+    let rate = StressRate {
+        axial: a.times(law.axial * c.alpha * weight),
+        moment: b.times(law.bending * c.c1 * weight).plus(law.bending * c.c2 * weight, a),
+        alpha: a.times(c.alpha_a * weight),
+        c1: a.times(c.c1_a * weight),
+        c2: a.times(c.c2_a * weight).plus(c.c2_b * weight, b),
+        theta,
+    };
+    stress.forces_and_tangent(&rate, g, p)
+}

@@ -1,0 +1,205 @@
+//! What goes in and out at a Gauss point.
+//!
+//! Generalised forces are conjugate to the tangent `g = x'` and to `p = x''`: the virtual work per length of any
+//! scheme is `force_g . dg + force_p . dp`.
+
+use crate::math::vec2::{cross, dot, rot90};
+use crate::model::StrainMeasure;
+use crate::scalar::Real;
+
+/// Section constants of a beam.
+#[derive(Clone, Copy, Debug)]
+pub struct SectionLaw<S> {
+    /// Axial stiffness EA \[N\].
+    pub axial: S,
+    /// Bending stiffness EI \[N m^2\].
+    pub bending: S,
+    /// Rotary inertia per length rhoI \[kg m\].
+    pub rotary: S,
+    /// Strain measure.
+    pub measure: StrainMeasure,
+}
+
+/// The two ends of a step at a Gauss point.
+#[derive(Clone, Copy, Debug)]
+pub struct StepPoint<S> {
+    /// Reference tangent X', of unit length \[1\].
+    pub tangent: [S; 2],
+    /// Reference curvature X' x X'' \[1/m\].
+    pub curvature: S,
+    /// Displacement gradient u' at the start of the step \[1\].
+    pub slope_0: [S; 2],
+    /// Second derivative x'' at the start of the step \[1/m\].
+    pub bend_0: [S; 2],
+    /// Increment of u' over the step \[1\].
+    pub d_slope: [S; 2],
+    /// Increment of x'' over the step \[1/m\].
+    pub d_bend: [S; 2],
+}
+
+/// Membrane strain \[1\] and bending strain \[1/m\].
+#[derive(Clone, Copy, Debug)]
+pub struct Strains<S> {
+    /// Membrane strain eps \[1\].
+    pub membrane: S,
+    /// Bending strain kappa \[1/m\].
+    pub bending: S,
+}
+
+/// A linear form over `(dg, dp)`.
+#[derive(Clone, Copy, Debug)]
+pub struct Form<S> {
+    /// Coefficients of dg.
+    pub g: [S; 2],
+    /// Coefficients of dp.
+    pub p: [S; 2],
+}
+
+/// `d(a/2) = g . dg`.
+#[inline(always)]
+pub fn form_a<S: Real>(g: [S; 2]) -> Form<S> {
+    let zero = S::constant(0.0);
+    Form { g, p: [zero, zero] }
+}
+
+/// `db = dg x p + g x dp`.
+#[inline(always)]
+pub fn form_b<S: Real>(g: [S; 2], p: [S; 2]) -> Form<S> {
+    Form { g: [p[1], -p[0]], p: rot90(g) }
+}
+
+impl<S: Real> Form<S> {
+    /// `self + s other`.
+    #[inline(always)]
+    pub fn plus(self, s: S, other: Self) -> Self {
+        Self {
+            g: [self.g[0] + s * other.g[0], self.g[1] + s * other.g[1]],
+            p: [self.p[0] + s * other.p[0], self.p[1] + s * other.p[1]],
+        }
+    }
+
+    /// `s self`.
+    #[inline(always)]
+    pub fn times(self, s: S) -> Self {
+        Self { g: [s * self.g[0], s * self.g[1]], p: [s * self.p[0], s * self.p[1]] }
+    }
+
+    /// The zero form.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let zero = S::constant(0.0);
+        Self { g: [zero, zero], p: [zero, zero] }
+    }
+
+    /// Value on increments of g and p.
+    #[inline(always)]
+    pub fn on(&self, dg: [S; 2], dp: [S; 2]) -> S {
+        dot(self.g, dg) + dot(self.p, dp)
+    }
+}
+
+/// Generalised forces at a Gauss point and their derivatives with respect to (g, p) at the end of the step.
+#[derive(Clone, Copy, Debug)]
+pub struct PointResponse<S> {
+    /// Force conjugate to g \[N\].
+    pub force_g: [S; 2],
+    /// Force conjugate to p \[N m\].
+    pub force_p: [S; 2],
+    /// Derivatives of (force_g, force_p), row by row, with respect to (g, p).
+    pub tangent: [[S; 4]; 4],
+}
+
+/// Generalised forces of `N deps + B dkappa` with `deps = alpha G`, `dkappa = c1 P + c2 G`, where `G = form_a(g)` and
+/// `P = form_b(g, p)` at the configuration (g, p) of evaluation.
+///
+/// Every scheme has this shape; they differ in the coefficients and in how these depend on the end of the step.
+#[derive(Clone, Copy, Debug)]
+pub struct Stress<S> {
+    /// Axial stress resultant conjugate to the membrane strain \[N\].
+    pub axial: S,
+    /// Moment conjugate to the bending strain \[N m\].
+    pub moment: S,
+    /// alpha.
+    pub alpha: S,
+    /// c1.
+    pub c1: S,
+    /// c2.
+    pub c2: S,
+}
+
+/// Derivatives of [`Stress`] with respect to (g, p) at the end of the step.
+#[derive(Clone, Copy, Debug)]
+pub struct StressRate<S> {
+    /// d axial.
+    pub axial: Form<S>,
+    /// d moment.
+    pub moment: Form<S>,
+    /// d alpha.
+    pub alpha: Form<S>,
+    /// d c1.
+    pub c1: Form<S>,
+    /// d c2.
+    pub c2: Form<S>,
+    /// Weight of the end of the step in the configuration of evaluation: 1/2 at the midpoint.
+    pub theta: f64,
+}
+
+impl<S: Real> Stress<S> {
+    /// Forces at the configuration (g, p) of evaluation.
+    #[inline(always)]
+    pub fn forces(&self, g: [S; 2], p: [S; 2]) -> PointResponse<S> {
+        let on_g = self.axial * self.alpha + self.moment * self.c2;
+        let on_p = self.moment * self.c1;
+        let b = form_b(g, p);
+        let zero = S::constant(0.0);
+        PointResponse {
+            force_g: [on_g * g[0] + on_p * b.g[0], on_g * g[1] + on_p * b.g[1]],
+            force_p: [on_p * b.p[0], on_p * b.p[1]],
+            tangent: [[zero; 4]; 4],
+        }
+    }
+
+    /// Forces and tangent: `H = G (x) X + P (x) Y + theta [(N alpha + B c2) dG + B c1 dP]`.
+    #[inline(always)]
+    pub fn forces_and_tangent(
+        &self,
+        rate: &StressRate<S>,
+        g: [S; 2],
+        p: [S; 2],
+    ) -> PointResponse<S> {
+        let mut response = self.forces(g, p);
+        let x = rate
+            .axial
+            .times(self.alpha)
+            .plus(self.axial, rate.alpha)
+            .plus(self.c2, rate.moment)
+            .plus(self.moment, rate.c2);
+        let y = rate.moment.times(self.c1).plus(self.moment, rate.c1);
+        let b = form_b(g, p);
+        let h = &mut response.tangent;
+        for i in 0..2 {
+            for j in 0..2 {
+                h[i][j] = g[i] * x.g[j] + b.g[i] * y.g[j];
+                h[i][2 + j] = g[i] * x.p[j] + b.g[i] * y.p[j];
+                h[2 + i][j] = b.p[i] * y.g[j];
+                h[2 + i][2 + j] = b.p[i] * y.p[j];
+            }
+        }
+        let on_g = (self.axial * self.alpha + self.moment * self.c2) * rate.theta;
+        let on_p = (self.moment * self.c1) * rate.theta;
+        h[0][0] += on_g;
+        h[1][1] += on_g;
+        // dP = (-J dp, J dg)
+        h[0][3] += on_p;
+        h[1][2] += -on_p;
+        h[2][1] += -on_p;
+        h[3][0] += on_p;
+        response
+    }
+}
+
+/// `g x p`, the numerator of the bending strain.
+#[inline(always)]
+pub fn b_of<S: Real>(g: [S; 2], p: [S; 2]) -> S {
+    cross(g, p)
+}

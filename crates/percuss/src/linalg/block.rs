@@ -1,0 +1,111 @@
+//! 4 x 4 blocks on the stack.
+
+/// A 4 x 4 matrix, row by row.
+pub type Block = [[f64; 4]; 4];
+
+/// The zero block.
+pub const ZERO: Block = [[0.0; 4]; 4];
+
+/// `a b`.
+#[inline(always)]
+pub fn mul(a: &Block, b: &Block) -> Block {
+    let mut c = ZERO;
+    for i in 0..4 {
+        for k in 0..4 {
+            for j in 0..4 {
+                c[i][j] += a[i][k] * b[k][j];
+            }
+        }
+    }
+    c
+}
+
+/// `c -= a b`.
+#[inline(always)]
+pub fn sub_mul(c: &mut Block, a: &Block, b: &Block) {
+    for i in 0..4 {
+        for k in 0..4 {
+            for j in 0..4 {
+                c[i][j] -= a[i][k] * b[k][j];
+            }
+        }
+    }
+}
+
+/// `a x`.
+#[inline(always)]
+pub fn apply(a: &Block, x: &[f64; 4]) -> [f64; 4] {
+    let mut y = [0.0; 4];
+    for i in 0..4 {
+        y[i] = a[i][0] * x[0] + a[i][1] * x[1] + a[i][2] * x[2] + a[i][3] * x[3];
+    }
+    y
+}
+
+/// Inverse by Gauss-Jordan elimination with partial pivoting; `None` if a pivot vanishes or is not finite.
+#[inline]
+pub fn inverse(a: &Block) -> Option<Block> {
+    let mut m = *a;
+    let mut perm = [0_usize; 4];
+    for k in 0..4 {
+        let mut p = k;
+        for i in k + 1..4 {
+            if m[i][k].abs() > m[p][k].abs() {
+                p = i;
+            }
+        }
+        if p != k {
+            m.swap(k, p);
+        }
+        perm[k] = p;
+        let pivot = m[k][k];
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        let inv = 1.0 / pivot;
+        m[k][k] = 1.0;
+        for j in 0..4 {
+            m[k][j] *= inv;
+        }
+        let row = m[k];
+        for (i, target) in m.iter_mut().enumerate() {
+            if i != k {
+                let factor = target[k];
+                target[k] = 0.0;
+                for j in 0..4 {
+                    target[j] -= factor * row[j];
+                }
+            }
+        }
+    }
+    for k in (0..4).rev() {
+        if perm[k] != k {
+            for row in &mut m {
+                row.swap(k, perm[k]);
+            }
+        }
+    }
+    Some(m)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverse_needs_a_pivot_search_and_finds_it() {
+        let a = [
+            [0.0, 2.0, 0.5, 1.0],
+            [1.0, 0.0, -0.3, 0.2],
+            [0.0, 0.0, 0.0, 4.0],
+            [0.1, 0.2, 3.0, 0.0],
+        ];
+        let unit = mul(&a, &inverse(&a).unwrap());
+        for i in 0..4 {
+            for j in 0..4 {
+                assert!((unit[i][j] - f64::from(u8::from(i == j))).abs() < 1e-15);
+            }
+        }
+        assert!(inverse(&ZERO).is_none());
+    }
+}

@@ -1,0 +1,80 @@
+//! Small dense systems: the border of constraints.
+
+/// A dense LU factorisation with partial pivoting; storage is reused from one factorisation to the next.
+#[derive(Clone, Debug, Default)]
+pub struct DenseLu {
+    n: usize,
+    lu: Vec<f64>,
+    pivots: Vec<usize>,
+}
+
+impl DenseLu {
+    /// Factors the `n` x `n` matrix `a`, row by row; `false` if it is singular.
+    pub fn factor(&mut self, n: usize, a: &[f64]) -> bool {
+        self.n = n;
+        self.lu.clear();
+        self.lu.extend_from_slice(a);
+        self.pivots.clear();
+        for k in 0..n {
+            let mut p = k;
+            for i in k + 1..n {
+                if self.lu[i * n + k].abs() > self.lu[p * n + k].abs() {
+                    p = i;
+                }
+            }
+            self.pivots.push(p);
+            for j in 0..n {
+                self.lu.swap(k * n + j, p * n + j);
+            }
+            let pivot = self.lu[k * n + k];
+            if pivot == 0.0 || !pivot.is_finite() {
+                return false;
+            }
+            for i in k + 1..n {
+                let factor = self.lu[i * n + k] / pivot;
+                self.lu[i * n + k] = factor;
+                for j in k + 1..n {
+                    self.lu[i * n + j] -= factor * self.lu[k * n + j];
+                }
+            }
+        }
+        true
+    }
+
+    /// Solves in place.
+    pub fn solve(&self, x: &mut [f64]) {
+        let n = self.n;
+        for k in 0..n {
+            x.swap(k, self.pivots[k]);
+        }
+        for k in 0..n {
+            for j in 0..k {
+                x[k] -= self.lu[k * n + j] * x[j];
+            }
+        }
+        for k in (0..n).rev() {
+            for j in k + 1..n {
+                x[k] -= self.lu[k * n + j] * x[j];
+            }
+            x[k] /= self.lu[k * n + k];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn solves_with_row_exchanges() {
+        let a = [0.0, 2.0, 1.0, 1.0, 1.0, 0.0, 3.0, 0.0, 1.0];
+        let mut lu = DenseLu::default();
+        assert!(lu.factor(3, &a));
+        let mut x = [7.0, 3.0, 6.0];
+        lu.solve(&mut x);
+        for (row, b) in a.chunks(3).zip([7.0, 3.0, 6.0]) {
+            assert!((row[0] * x[0] + row[1] * x[1] + row[2] * x[2] - b).abs() < 1e-14);
+        }
+        assert!(!lu.factor(2, &[1.0, 2.0, 2.0, 4.0]));
+    }
+}
