@@ -1,1 +1,19 @@
-//! Placeholder, being written.
+//! What a run leaves on disk: the history, the summary, the report and its pictures.
+//!
+//! This crate knows files, not the terminal. A run goes to a [`RunDirectory`], its rows through a
+//! [`HistoryWriter`], its result through [`summary_value`] and [`write_summary`], and
+//! [`report::write`] makes the page and the pictures from what the files say.
+
+mod csv_text;
+mod directory;
+mod error;
+mod files;
+mod history;
+mod summary;
+
+pub use directory::RunDirectory;
+pub use error::Error;
+pub use history::{
+    Channel, History, HistoryFile, HistoryFormat, HistoryWriter, read as read_history,
+};
+pub use summary::{RunInfo, read_summary, summary_value, write_summary};

@@ -1,0 +1,34 @@
+//! Whole files: written under a temporary name, then renamed, so that no half file bears the final name.
+
+use std::fs::{self, File};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use crate::error::Error;
+
+/// Temporary name beside `path` (`.summary.json.partial`).
+pub(crate) fn partial(path: &Path) -> PathBuf {
+    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    path.with_file_name(format!(".{name}.partial"))
+}
+
+/// Writes `bytes` to `path`, entirely or not at all.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let temporary = partial(path);
+    let written = File::create(&temporary).and_then(|mut file| file.write_all(bytes));
+    if let Err(source) = written {
+        let _ = fs::remove_file(&temporary);
+        return Err(Error::io(path, "write", source));
+    }
+    rename(&temporary, path)
+}
+
+/// Renames `from` to `to`, replacing it.
+pub(crate) fn rename(from: &Path, to: &Path) -> Result<(), Error> {
+    fs::rename(from, to).map_err(|source| Error::io(to, "put the finished file in place", source))
+}
+
+/// Reads a text file.
+pub(crate) fn read_text(path: &Path) -> Result<String, Error> {
+    fs::read_to_string(path).map_err(|source| Error::io(path, "read", source))
+}

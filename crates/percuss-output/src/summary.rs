@@ -1,0 +1,192 @@
+//! `summary.json`: what a run amounts to.
+
+use std::path::Path;
+
+use percuss::{
+    ContactInterval, ContactRecord, ContactSummary, Impact, ImpactResolution, Peak, PointSummary,
+    ProjectileSummary, RunSummary, Scheme, Settings, Termination,
+};
+use serde_json::{Map, Value, json};
+
+use crate::error::Error;
+use crate::files;
+
+const SUMMARY: &str = "summary.json";
+
+/// What a summary says beside the numbers of the run.
+#[derive(Clone, Copy, Debug)]
+pub struct RunInfo<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// How the run was carried out.
+    pub settings: &'a Settings,
+    /// Time the run took \[s\].
+    pub wall_seconds: f64,
+}
+
+/// The content of `summary.json`; NaN and infinities become `null`.
+pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
+    let mut summary = json!({
+        "percuss_version": env!("CARGO_PKG_VERSION"),
+        "title": info.title,
+        "status": status(&run.termination),
+        "time": run.time,
+        "steps": run.steps,
+        "solver_steps": run.solver_steps,
+        "step_cuts": run.step_cuts,
+        "newton_iterations": run.newton_iterations,
+        "factorizations": run.factorizations,
+        "rows": run.rows,
+        "wall_seconds": info.wall_seconds,
+        "settings": settings(info.settings),
+        "energy": {
+            "initial": run.energy.initial,
+            "final": run.energy.final_,
+            "work_loads": run.energy.work_loads,
+            "work_supports": run.energy.work_supports,
+            "loss_impacts": run.energy.loss_impacts,
+            "scale": run.energy.scale,
+            "residual_max": run.energy.residual_max,
+        },
+        "momentum": {
+            "linear_scale": run.momentum.linear_scale,
+            "linear_residual_max": run.momentum.linear_residual_max,
+            "angular_scale": run.momentum.angular_scale,
+            "angular_residual_max": run.momentum.angular_residual_max,
+        },
+        "audit": {
+            "curvature_drift_max": run.audit.curvature_drift_max,
+            "membrane_drift_max": run.audit.membrane_drift_max,
+        },
+        "projectile": named(&run.projectiles, |p| &p.name, projectile),
+        "contact": named(&run.contacts, |c| &c.name, contact),
+        "point": named(&run.points, |p| &p.name, point),
+    });
+    if let Termination::Failed(error) = &run.termination {
+        summary["error"] = Value::from(error.to_string());
+    }
+    summary
+}
+
+/// Writes `summary.json` into `dir`.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_summary(dir: impl AsRef<Path>, summary: &Value) -> Result<(), Error> {
+    files::write(&dir.as_ref().join(SUMMARY), format!("{summary:#}\n").as_bytes())
+}
+
+/// Reads `summary.json` in `dir`.
+///
+/// # Errors
+/// If the file is not there or is not a JSON object.
+pub fn read_summary(dir: impl AsRef<Path>) -> Result<Value, Error> {
+    let path = dir.as_ref().join(SUMMARY);
+    let summary: Value = serde_json::from_str(&files::read_text(&path)?)
+        .map_err(|e| Error::content(&path, e.to_string()))?;
+    if summary.is_object() {
+        Ok(summary)
+    } else {
+        Err(Error::content(&path, "is not a summary (no JSON object)"))
+    }
+}
+
+fn status(termination: &Termination) -> &'static str {
+    match termination {
+        Termination::Unsolved => "unsolved",
+        Termination::Completed => "completed",
+        Termination::Interrupted { .. } => "interrupted",
+        Termination::Failed(_) => "failed",
+    }
+}
+
+fn settings(settings: &Settings) -> Value {
+    let (scheme, spectral_radius) = match settings.scheme {
+        Scheme::EnergyMomentum => ("energy-momentum", None),
+        Scheme::StrainRate => ("strain-rate", None),
+        Scheme::Midpoint => ("midpoint", None),
+        Scheme::Newmark => ("newmark", None),
+        Scheme::GeneralizedAlpha { spectral_radius } => {
+            ("generalized-alpha", Some(spectral_radius))
+        }
+    };
+    let (impacts, closed_tolerance) = match settings.impacts {
+        ImpactResolution::Event => ("event", None),
+        ImpactResolution::TimeStepping { closed_tolerance } => {
+            ("time-stepping", Some(closed_tolerance))
+        }
+    };
+    let mut value = json!({
+        "end": settings.end,
+        "step": settings.step,
+        "record_every": settings.record_every,
+        "scheme": scheme,
+        "impacts": impacts,
+    });
+    if let Some(radius) = spectral_radius {
+        value["spectral_radius"] = Value::from(radius);
+    }
+    if let Some(tolerance) = closed_tolerance {
+        value["closed_tolerance"] = Value::from(tolerance);
+    }
+    value
+}
+
+fn named<T>(items: &[T], name: fn(&T) -> &String, value: fn(&T) -> Value) -> Value {
+    Value::Object(items.iter().map(|item| (name(item).clone(), value(item))).collect::<Map<_, _>>())
+}
+
+fn projectile(projectile: &ProjectileSummary) -> Value {
+    json!({
+        "velocity_final": projectile.velocity_final,
+        "momentum_transferred": projectile.momentum_transferred,
+        "energy_transferred": projectile.energy_transferred,
+    })
+}
+
+fn contact(contact: &ContactSummary) -> Value {
+    let mut value = json!({
+        "effective_mass": contact.effective_mass,
+        "effective_mass_limit": contact.effective_mass_limit,
+    });
+    match &contact.record {
+        ContactRecord::Smooth { peak_force, intervals } => {
+            value["peak_force"] = peak(peak_force);
+            value["intervals"] = intervals.iter().map(interval).collect();
+        }
+        ContactRecord::Nonsmooth { impacts, impact_count, impulse_total, intervals } => {
+            value["impacts"] = impacts.iter().map(impact).collect();
+            value["impact_count"] = Value::from(*impact_count);
+            value["impulse_total"] = Value::from(*impulse_total);
+            value["intervals"] = intervals.iter().map(interval).collect();
+        }
+    }
+    value
+}
+
+fn point(point: &PointSummary) -> Value {
+    json!({
+        "displacement_max": {
+            "component_1": peak(&point.displacement_max[0]),
+            "component_2": peak(&point.displacement_max[1]),
+        }
+    })
+}
+
+fn peak(peak: &Peak) -> Value {
+    json!({ "value": peak.value, "time": peak.time })
+}
+
+fn interval(interval: &ContactInterval) -> Value {
+    json!({ "start": interval.start, "end": interval.end, "impulse": interval.impulse })
+}
+
+fn impact(impact: &Impact) -> Value {
+    json!({
+        "time": impact.time,
+        "impulse": impact.impulse,
+        "approach_velocity": impact.approach_velocity,
+        "separation_velocity": impact.separation_velocity,
+        "energy_lost": impact.energy_lost,
+    })
+}
