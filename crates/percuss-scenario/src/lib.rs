@@ -1,1 +1,46 @@
-//! Placeholder, being written.
+//! Scenario files: TOML with units in, [`percuss::Model`] and [`percuss::Settings`] out.
+//!
+//! ```
+//! let text = percuss_scenario::templates()[0].text;
+//! let scenario = percuss_scenario::read(text, "elastic.toml")?;
+//! assert_eq!(scenario.content().beam[0].name, "girder");
+//! let again = percuss_scenario::read(&scenario.to_toml(), "again.toml")?;
+//! assert_eq!(again.content(), scenario.content());
+//! # Ok::<(), percuss_scenario::Diagnostics>(())
+//! ```
+//!
+//! Every fault of a file is reported at once, each with its line, what was found and what would be
+//! right; the semantics are checked by [`percuss::ModelBuilder::build`], whose faults are mapped back to
+//! the lines of the file.
+
+mod compile;
+#[macro_use]
+mod declare;
+pub mod content;
+mod diagnostic;
+mod format;
+mod measure;
+mod node;
+mod overrides;
+mod point;
+mod quantity;
+mod scenario;
+mod schema;
+mod source;
+mod suggest;
+mod table;
+mod template;
+pub mod units;
+mod words;
+mod write;
+
+pub use compile::Compiled;
+pub use content::Content;
+pub use diagnostic::{Diagnostic, Diagnostics};
+pub use overrides::apply_overrides;
+pub use point::Point;
+pub use scenario::{Scenario, load, read};
+pub use schema::schema;
+pub use table::Named;
+pub use template::{Template, templates};
+pub use words::Contact;

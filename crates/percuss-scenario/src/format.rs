@@ -1,0 +1,291 @@
+//! How the value of a key is written in a file: one type per form, for reader, writer and schema.
+
+use std::marker::PhantomData;
+
+use serde_json::{Value as Json, json};
+
+use crate::node::{Node, Reader};
+use crate::suggest;
+use crate::write::{self, Writer};
+
+/// A form in which a value stands behind a key.
+pub(crate) trait Format {
+    /// What it is read into.
+    type Value;
+    /// Reads it; a fault is told to the reader.
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value>;
+    /// A harmless value that stands in for one at fault, so that the rest can be checked.
+    fn placeholder() -> Self::Value;
+    /// What is expected, with an example.
+    fn expected() -> String;
+    /// JSON Schema.
+    fn schema() -> Json;
+}
+
+/// A form that fits behind an equals sign and into a list.
+pub(crate) trait Inline: Format {
+    /// SI unit of a bare number.
+    const UNIT: &'static str = "";
+    /// The value as TOML; `None` for one that is left out.
+    fn text(value: &Self::Value) -> Option<String>;
+}
+
+/// A form that can be written: behind an equals sign, or as a table of its own.
+pub(crate) trait Written: Format {
+    /// Writes `key = value`, or a table.
+    fn write(value: &Self::Value, key: &str, out: &mut Writer);
+    /// The value as TOML, if it fits behind an equals sign.
+    fn default_text(value: &Self::Value) -> Option<String>;
+}
+
+impl<F: Inline> Written for F {
+    fn write(value: &Self::Value, key: &str, out: &mut Writer) {
+        if let Some(text) = F::text(value) {
+            out.line(key, &text, F::UNIT);
+        }
+    }
+
+    fn default_text(value: &Self::Value) -> Option<String> {
+        F::text(value)
+    }
+}
+
+/// Any number of values.
+pub(crate) struct List<F>(PhantomData<F>);
+
+impl<F: Inline> Format for List<F> {
+    type Value = Vec<F::Value>;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
+        let Some(elements) = node.elements() else {
+            reader.wrong(node, node.found(), Self::expected());
+            return None;
+        };
+        // Every element is read before the first missing one ends it: all faults at once.
+        let read: Vec<_> = elements.iter().map(|e| F::read(e, reader)).collect();
+        read.into_iter().collect()
+    }
+
+    fn placeholder() -> Self::Value {
+        vec![F::placeholder(), F::placeholder()]
+    }
+
+    fn expected() -> String {
+        format!("a list `[...]`, each entry {}", F::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "type": "array", "items": F::schema() })
+    }
+}
+
+impl<F: Inline> Inline for List<F> {
+    const UNIT: &'static str = F::UNIT;
+
+    fn text(value: &Self::Value) -> Option<String> {
+        let items: Vec<String> = value.iter().filter_map(F::text).collect();
+        Some(format!("[{}]", items.join(", ")))
+    }
+}
+
+/// Exactly two values.
+pub(crate) struct Pair<F>(PhantomData<F>);
+
+impl<F: Inline> Format for Pair<F> {
+    type Value = [F::Value; 2];
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
+        match node.elements().as_deref() {
+            Some([first, second]) => {
+                let (first, second) = (F::read(first, reader), F::read(second, reader));
+                Some([first?, second?])
+            }
+            _ => {
+                reader.wrong(node, node.found(), Self::expected());
+                None
+            }
+        }
+    }
+
+    fn placeholder() -> Self::Value {
+        [F::placeholder(), F::placeholder()]
+    }
+
+    fn expected() -> String {
+        format!("a list of two, each {}", F::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "type": "array", "items": F::schema(), "minItems": 2, "maxItems": 2 })
+    }
+}
+
+impl<F: Inline> Inline for Pair<F> {
+    const UNIT: &'static str = F::UNIT;
+
+    fn text(value: &Self::Value) -> Option<String> {
+        Some(format!("[{}, {}]", F::text(&value[0])?, F::text(&value[1])?))
+    }
+}
+
+/// A value that may be left out and has no default.
+pub(crate) struct Maybe<F>(PhantomData<F>);
+
+impl<F: Inline> Format for Maybe<F> {
+    type Value = Option<F::Value>;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
+        F::read(node, reader).map(Some)
+    }
+
+    fn placeholder() -> Self::Value {
+        None
+    }
+
+    fn expected() -> String {
+        F::expected()
+    }
+
+    fn schema() -> Json {
+        F::schema()
+    }
+}
+
+impl<F: Inline> Inline for Maybe<F> {
+    const UNIT: &'static str = F::UNIT;
+
+    fn text(value: &Self::Value) -> Option<String> {
+        F::text(value.as_ref()?)
+    }
+}
+
+/// A whole number of zero or above.
+pub(crate) struct Count;
+
+impl Format for Count {
+    type Value = usize;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<usize> {
+        let number = node.value.as_integer();
+        let count = number.and_then(|n| usize::from_str_radix(n.as_str(), n.radix()).ok());
+        if count.is_none() {
+            reader.wrong(node, node.found(), Self::expected());
+        }
+        count
+    }
+
+    fn placeholder() -> usize {
+        1
+    }
+
+    fn expected() -> String {
+        "a whole number above zero, such as 6".into()
+    }
+
+    fn schema() -> Json {
+        json!({ "type": "integer", "minimum": 1 })
+    }
+}
+
+impl Inline for Count {
+    fn text(value: &usize) -> Option<String> {
+        Some(value.to_string())
+    }
+}
+
+/// Free text.
+pub(crate) struct Text;
+
+impl Format for Text {
+    type Value = String;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<String> {
+        let text = node.value.as_str().map(str::to_string);
+        if text.is_none() {
+            reader.wrong(node, node.found(), Self::expected());
+        }
+        text
+    }
+
+    fn placeholder() -> String {
+        String::new()
+    }
+
+    fn expected() -> String {
+        "a text in quotes".into()
+    }
+
+    fn schema() -> Json {
+        json!({ "type": "string" })
+    }
+}
+
+impl Inline for Text {
+    fn text(value: &String) -> Option<String> {
+        Some(write::text(value))
+    }
+}
+
+/// A kind of table that others refer to by name.
+pub(crate) trait Kind {
+    /// Its name in the file.
+    const NAME: &'static str;
+}
+
+/// `material`.
+pub(crate) struct MaterialName;
+/// `section`.
+pub(crate) struct SectionName;
+
+impl Kind for MaterialName {
+    const NAME: &'static str = "material";
+}
+
+impl Kind for SectionName {
+    const NAME: &'static str = "section";
+}
+
+/// The name of a table of some kind.
+pub(crate) struct NameOf<K>(PhantomData<K>);
+
+impl<K: Kind> Format for NameOf<K> {
+    type Value = String;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<String> {
+        let name = Text::read(node, reader)?;
+        known_name(K::NAME, &name, node, reader).then_some(name)
+    }
+
+    fn placeholder() -> String {
+        String::new()
+    }
+
+    fn expected() -> String {
+        format!("the name of a {}", K::NAME)
+    }
+
+    fn schema() -> Json {
+        json!({ "type": "string" })
+    }
+}
+
+impl<K: Kind> Inline for NameOf<K> {
+    fn text(value: &String) -> Option<String> {
+        Some(write::text(value))
+    }
+}
+
+/// Whether a table of that kind has that name; tells the reader otherwise.
+pub(crate) fn known_name(kind: &str, name: &str, node: &Node<'_>, reader: &mut Reader<'_>) -> bool {
+    if reader.names(kind).contains(&name) {
+        return true;
+    }
+    let expected = if reader.names(kind).is_empty() {
+        format!("a table [{kind}.{}]", write::key(name))
+    } else {
+        suggest::one_of(name, reader.names(kind).iter().copied())
+    };
+    let found = format!("the unknown {kind} {name:?}");
+    reader.misplaced(&node.path, node.span.clone(), found, expected);
+    false
+}

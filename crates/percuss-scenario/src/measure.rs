@@ -1,0 +1,74 @@
+//! The measures of the format: what dimension each value must have and what it is called.
+
+use crate::units::Dimension;
+
+/// What a value measures.
+pub(crate) trait Measure {
+    /// Its dimension.
+    const DIMENSION: Dimension;
+    /// Its name, with the article.
+    const NAME: &'static str;
+    /// Its SI unit; empty for a pure number.
+    const UNIT: &'static str;
+    /// An example as it stands in a file.
+    const EXAMPLE: &'static str;
+}
+
+/// Declares the measures, and the list that names a dimension in messages.
+macro_rules! measures {
+    ($($name:ident = ($m:literal, $kg:literal, $s:literal) $about:literal, $unit:literal, $example:literal;)*) => {
+        $(
+            #[doc = $about]
+            pub(crate) struct $name;
+
+            impl Measure for $name {
+                const DIMENSION: Dimension = Dimension::new($m, $kg, $s);
+                const NAME: &'static str = $about;
+                const UNIT: &'static str = $unit;
+                const EXAMPLE: &'static str = $example;
+            }
+        )*
+
+        const KNOWN: &[(Dimension, &str, &str)] =
+            &[$((Dimension::new($m, $kg, $s), $about, $unit),)*];
+    };
+}
+
+measures! {
+    Ratio = (0, 0, 0) "a pure number", "", "0.8";
+    Length = (1, 0, 0) "a length", "m", "\"3 m\"";
+    Area = (2, 0, 0) "an area", "m^2", "\"1e3 cm^2\"";
+    Inertia = (4, 0, 0) "a second moment of area", "m^4", "\"8330 cm^4\"";
+    Mass = (0, 1, 0) "a mass", "kg", "\"500 kg\"";
+    Time = (0, 0, 1) "a time", "s", "\"0.15 s\"";
+    Velocity = (1, 0, -1) "a velocity", "m/s", "\"20 m/s\"";
+    Acceleration = (1, 0, -2) "an acceleration", "m/s^2", "\"9.81 m/s^2\"";
+    Density = (-3, 1, 0) "a density", "kg/m^3", "\"3000 kg/m^3\"";
+    Pressure = (-1, 1, -2) "a pressure", "Pa", "\"0.2e10 Pa\"";
+    Force = (1, 1, -2) "a force", "N", "\"5 kN\"";
+    Moment = (2, 1, -2) "a moment", "N*m", "\"80 N*m\"";
+    Stiffness = (0, 1, -2) "a stiffness", "N/m", "\"7.5e5 N/m\"";
+    LineInertia = (1, 1, 0) "a rotary inertia per length", "kg*m", "\"10 kg*m\"";
+}
+
+/// Dimensions no key of the format has, which people write nevertheless.
+const OTHERS: &[(Dimension, &str, &str)] = &[
+    (Dimension::new(3, 0, 0), "a volume", "m^3"),
+    (Dimension::new(0, 0, -1), "a frequency", "1/s"),
+    (Dimension::new(2, 1, -3), "a power", "W"),
+    (Dimension::new(1, 1, -1), "an impulse", "N*s"),
+    (Dimension::new(-1, 1, 0), "a mass per length", "kg/m"),
+    (Dimension::new(-2, 1, 0), "a mass per area", "kg/m^2"),
+    (Dimension::new(2, 1, 0), "a mass moment of inertia", "kg*m^2"),
+    (Dimension::new(3, 1, -2), "a bending stiffness", "N*m^2"),
+    (Dimension::new(0, 1, -1), "a damping constant", "N*s/m"),
+];
+
+/// `an area (m^2)`; a dimension without a name by its unit.
+pub(crate) fn name(dimension: Dimension) -> String {
+    match KNOWN.iter().chain(OTHERS).find(|known| known.0 == dimension) {
+        Some((_, name, "")) => (*name).to_string(),
+        Some((_, name, unit)) => format!("{name} ({unit})"),
+        None => format!("a quantity in {dimension}"),
+    }
+}

@@ -1,0 +1,169 @@
+//! The spanned tree of a file and the reader that collects its faults.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::source::join;
+
+/// A value of the file with its place.
+#[derive(Clone, Debug)]
+pub(crate) struct Node<'s> {
+    /// Dotted path.
+    pub path: String,
+    /// Bytes of the value; of a table the bytes of its header.
+    pub span: Range<usize>,
+    /// The value.
+    pub value: &'s DeValue<'s>,
+}
+
+impl<'s> Node<'s> {
+    /// The elements of an array; their path is that of the array.
+    pub fn elements(&self) -> Option<Vec<Node<'s>>> {
+        let element = |v: &'s toml::Spanned<DeValue<'s>>| Node {
+            path: self.path.clone(),
+            span: v.span(),
+            value: v.get_ref(),
+        };
+        Some(self.value.as_array()?.iter().map(element).collect())
+    }
+
+    /// The value in words, for the middle of a message.
+    pub fn found(&self) -> String {
+        match self.value {
+            DeValue::String(text) => format!("the text {:?}", shortened(text)),
+            DeValue::Integer(number) => format!("the number {number}"),
+            DeValue::Float(number) => format!("the number {number}"),
+            DeValue::Boolean(value) => format!("`{value}`"),
+            DeValue::Datetime(_) => "a date".into(),
+            DeValue::Array(items) if items.len() == 1 => "a list of 1 entry".into(),
+            DeValue::Array(items) => format!("a list of {} entries", items.len()),
+            DeValue::Table(_) => "a table".into(),
+        }
+    }
+}
+
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(60) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_string(),
+    }
+}
+
+/// A table of the file.
+#[derive(Clone, Debug)]
+pub(crate) struct Body<'s> {
+    /// Dotted path; empty at the root.
+    pub path: String,
+    /// Bytes of the header.
+    pub span: Range<usize>,
+    table: &'s DeTable<'s>,
+}
+
+impl<'s> Body<'s> {
+    /// The file itself.
+    pub fn root(table: &'s DeTable<'s>) -> Self {
+        Self { path: String::new(), span: 0..0, table }
+    }
+
+    /// The table at a node, if it is one.
+    pub fn of(node: &Node<'s>) -> Option<Self> {
+        let table = node.value.as_table()?;
+        Some(Self { path: node.path.clone(), span: node.span.clone(), table })
+    }
+
+    /// The value under `key`.
+    pub fn get(&self, key: &str) -> Option<Node<'s>> {
+        let value = self.table.get(key)?;
+        Some(Node { path: join(&self.path, key), span: value.span(), value: value.get_ref() })
+    }
+
+    /// Keys with their places, in the order of the file.
+    pub fn keys(&self) -> Vec<(&'s str, Range<usize>)> {
+        let mut keys: Vec<_> =
+            self.table.iter().map(|(k, _)| (k.get_ref().as_ref(), k.span())).collect();
+        keys.sort_by_key(|(_, span)| span.start);
+        keys
+    }
+}
+
+/// What a fault is about: a file with syntax errors keeps only the faults of values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum About {
+    /// A value that is wrong wherever it stands.
+    Value,
+    /// A key or name that something else in the file decides about.
+    Context,
+}
+
+/// A fault before it has got its line and column.
+#[derive(Clone, Debug)]
+pub(crate) struct Raw {
+    pub about: About,
+    pub path: String,
+    pub span: Range<usize>,
+    pub found: String,
+    pub expected: String,
+}
+
+/// Collects faults, and the names that values may refer to.
+#[derive(Debug, Default)]
+pub(crate) struct Reader<'s> {
+    /// The text, to look at values as they were written.
+    pub text: &'s str,
+    /// Faults so far.
+    pub faults: Vec<Raw>,
+    /// Paths at which a placeholder stands for a value that could not be read.
+    pub tainted: BTreeSet<String>,
+    names: BTreeMap<&'static str, Vec<&'s str>>,
+}
+
+impl<'s> Reader<'s> {
+    pub fn new(text: &'s str, root: &Body<'s>) -> Self {
+        let mut names = BTreeMap::new();
+        for kind in ["material", "section", "beam"] {
+            let table = root.get(kind).as_ref().and_then(Body::of);
+            let keys = table.map(|t| t.keys()).unwrap_or_default();
+            names.insert(kind, keys.into_iter().map(|(name, _)| name).collect());
+        }
+        Self { text, names, ..Self::default() }
+    }
+
+    /// Names under `material`, `section` or `beam`.
+    pub fn names(&self, kind: &str) -> &[&'s str] {
+        self.names.get(kind).map_or(&[], Vec::as_slice)
+    }
+
+    /// A fault of a value.
+    pub fn wrong(
+        &mut self,
+        node: &Node<'_>,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        self.add(About::Value, &node.path, node.span.clone(), found.into(), expected.into());
+    }
+
+    /// A fault of a key or name.
+    pub fn misplaced(
+        &mut self,
+        path: &str,
+        span: Range<usize>,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        self.add(About::Context, path, span, found.into(), expected.into());
+    }
+
+    fn add(
+        &mut self,
+        about: About,
+        path: &str,
+        span: Range<usize>,
+        found: String,
+        expected: String,
+    ) {
+        self.faults.push(Raw { about, path: path.into(), span, found, expected });
+    }
+}

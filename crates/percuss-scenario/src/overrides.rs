@@ -1,0 +1,153 @@
+//! `--set path=value`: changes to a scenario file, comments kept.
+
+use serde_json::Value as Json;
+use toml::de::DeTable;
+use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::scenario;
+use crate::schema::schema;
+use crate::source::Source;
+use crate::suggest;
+
+/// Sets values in a scenario file, each override as `path=value`: `time.step=1e-5 s`.
+///
+/// The value is TOML; what is not TOML is taken for a text. Tables that stand once are added where
+/// they are missing, tables with names must exist. `name` stands for the file in messages.
+///
+/// # Errors
+/// Every path that the format or the file does not know; the syntax errors of a file that has some.
+pub fn apply_overrides(
+    text: &str,
+    name: &str,
+    overrides: &[String],
+) -> Result<String, Diagnostics> {
+    if overrides.is_empty() {
+        return Ok(text.to_string());
+    }
+    let source = Source::new(name, text);
+    let (_, errors) = DeTable::parse_recoverable(text);
+    if !errors.is_empty() {
+        let all = scenario::syntax_faults(&source, &errors);
+        return Err(Diagnostics::new(source, all));
+    }
+    let mut document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| {
+        let span = error.span().unwrap_or(0..0);
+        let one = Diagnostic::at(&source, span, "", error.message(), "valid TOML");
+        Diagnostics::new(source, vec![one])
+    })?;
+    let schema = schema();
+    let apply = |one: &String| apply(&mut document, &schema, one).err();
+    let faults: Vec<Diagnostic> = overrides.iter().filter_map(apply).collect();
+    if faults.is_empty() {
+        return Ok(document.to_string());
+    }
+    Err(Diagnostics::new(Source::new("--set", ""), faults))
+}
+
+fn fault(path: &str, found: impl Into<String>, expected: impl Into<String>) -> Diagnostic {
+    Diagnostic { path: path.into(), ..Diagnostic::of_file(found, expected) }
+}
+
+fn apply(document: &mut DocumentMut, schema: &Json, text: &str) -> Result<(), Diagnostic> {
+    let example = "path=value, such as time.step=1e-5";
+    let (path, value) =
+        text.split_once('=').ok_or_else(|| fault("", format!("`{text}`"), example))?;
+    let (path, value) = (path.trim(), value.trim());
+    let parts: Vec<&str> = path.split('.').map(str::trim).collect();
+    let Some(top) = schema["properties"].get(parts[0]) else {
+        let expected = suggest::one_of(parts[0], keys(schema).into_iter());
+        return Err(fault(path, format!("the unknown key `{}`", parts[0]), expected));
+    };
+    let value = value.parse().unwrap_or_else(|_| Value::from(value));
+    let named = top.get("additionalProperties").filter(|inner| inner.is_object());
+    let inner = named.unwrap_or(top);
+    match (parts.as_slice(), named.is_some(), keys(inner).is_empty()) {
+        ([key], false, true) => put(document.as_table_mut(), key, value),
+        ([table, key], false, false) => {
+            check_key(path, key, inner)?;
+            let root = document.as_table_mut();
+            let item = root.entry(table).or_insert_with(|| Item::Table(Table::new()));
+            put(table_like(path, item)?, key, value);
+        }
+        ([kind, name, key], true, _) => {
+            check_key(path, key, inner)?;
+            put(existing(document, path, kind, name)?, key, value);
+        }
+        _ => {
+            let form = match (named.is_some(), keys(inner).is_empty()) {
+                (true, _) => format!("{}.NAME.KEY=value", parts[0]),
+                (false, false) => format!("{}.KEY=value", parts[0]),
+                (false, true) => format!("{}=value", parts[0]),
+            };
+            return Err(fault(path, format!("a path of {} parts", parts.len()), form));
+        }
+    }
+    Ok(())
+}
+
+/// Keys of a table in the schema, whatever its kind; none if it is no table.
+fn keys(schema: &Json) -> Vec<&str> {
+    let mut out: Vec<&str> = Vec::new();
+    let variants = schema.get("oneOf").and_then(Json::as_array).into_iter().flatten();
+    for table in [schema].into_iter().chain(variants) {
+        let properties = table.get("properties").and_then(Json::as_object);
+        for key in properties.into_iter().flat_map(|p| p.keys()) {
+            if !out.contains(&key.as_str()) {
+                out.push(key);
+            }
+        }
+    }
+    out
+}
+
+fn check_key(path: &str, key: &str, table: &Json) -> Result<(), Diagnostic> {
+    let keys = keys(table);
+    if keys.contains(&key) {
+        return Ok(());
+    }
+    Err(fault(path, format!("the unknown key `{key}`"), suggest::one_of(key, keys.into_iter())))
+}
+
+fn table_like<'d>(path: &str, item: &'d mut Item) -> Result<&'d mut dyn TableLike, Diagnostic> {
+    let found = format!("a {} in the file", item.type_name());
+    item.as_table_like_mut().ok_or_else(|| fault(path, found, "a table"))
+}
+
+fn existing<'d>(
+    document: &'d mut DocumentMut,
+    path: &str,
+    kind: &str,
+    name: &str,
+) -> Result<&'d mut dyn TableLike, Diagnostic> {
+    let names: Vec<String> = document
+        .get(kind)
+        .and_then(Item::as_table_like)
+        .map(|table| table.iter().map(|(name, _)| name.to_string()).collect())
+        .unwrap_or_default();
+    if !names.iter().any(|n| n == name) {
+        let found = format!("no [{kind}.{name}] in the file");
+        let expected = suggest::one_of(name, names.iter().map(String::as_str));
+        return Err(fault(path, found, expected));
+    }
+    match document.get_mut(kind).and_then(|table| table.get_mut(name)) {
+        Some(item) => table_like(path, item),
+        None => Err(fault(path, format!("no [{kind}.{name}] in the file"), "an existing table")),
+    }
+}
+
+/// Sets a key; the blanks and the comment round the old value stay.
+fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
+    value.decor_mut().clear();
+    match table.get_mut(key) {
+        Some(item) => {
+            if let Some(old) = item.as_value() {
+                *value.decor_mut() = old.decor().clone();
+            }
+            *item = Item::Value(value);
+        }
+        None => {
+            table.insert(key, Item::Value(value));
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! A scenario: its content and the file it came from.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use toml::de::DeTable;
+
+use crate::compile;
+use crate::content::{Content, ProjectileKind};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::node::{About, Body, Raw, Reader};
+use crate::source::{Places, Source};
+use crate::table::{self, Table};
+use crate::write::Writer;
+
+/// A scenario without reading faults, with every default filled in.
+#[derive(Clone, Debug)]
+pub struct Scenario {
+    pub(crate) content: Content,
+    pub(crate) source: Arc<Source>,
+    pub(crate) places: Arc<Places>,
+}
+
+impl Scenario {
+    /// What the file contains.
+    pub fn content(&self) -> &Content {
+        &self.content
+    }
+
+    /// The scenario as a file with every default written out, in SI units.
+    pub fn to_toml(&self) -> String {
+        let mut out = Writer::default();
+        self.content.write(&mut out);
+        out.finish()
+    }
+
+    /// The same scenario with another coefficient of restitution for every rigid projectile.
+    pub fn with_restitution(&self, coefficient: f64) -> Self {
+        let mut other = self.clone();
+        for projectile in &mut other.content.projectile {
+            if let ProjectileKind::Rigid { restitution } = &mut projectile.table.kind {
+                *restitution = coefficient;
+            }
+        }
+        other
+    }
+}
+
+/// Reads a scenario from a file.
+///
+/// # Errors
+/// The file cannot be read, is not UTF-8, or has faults.
+pub fn load(path: impl AsRef<Path>) -> Result<Scenario, Diagnostics> {
+    let source = Source::load(path.as_ref())?;
+    read(&source.text, &source.name)
+}
+
+/// Reads a scenario; `name` stands for the file in messages.
+///
+/// # Errors
+/// Every fault of the text and, as far as the sound part of it goes, of the model it describes.
+pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
+    let source = Source::new(name, text);
+    if text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}').is_empty() {
+        let empty =
+            Diagnostic::of_file("an empty file", "a scenario, with a beam and [time] at least");
+        return Err(Diagnostics::new(source, vec![empty]));
+    }
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let syntax = syntax_faults(&source, &errors);
+    let places = Places::new(root.get_ref());
+    let body = Body::root(root.get_ref());
+    let mut reader = Reader::new(text, &body);
+    let content = table::read::<Content>(&body, &mut reader).unwrap_or_else(Content::placeholder);
+    let Reader { faults, tainted, .. } = reader;
+    if !syntax.is_empty() {
+        return Err(with_syntax_errors(source, syntax, faults));
+    }
+    if faults.is_empty() {
+        return Ok(Scenario { content, source: Arc::new(source), places: Arc::new(places) });
+    }
+    let mut all: Vec<Diagnostic> = faults.into_iter().map(|raw| place(&source, raw)).collect();
+    all.extend(compile::sound_part(&content, &tainted, &source, &places));
+    Err(Diagnostics::new(source, all))
+}
+
+fn place(source: &Source, raw: Raw) -> Diagnostic {
+    Diagnostic::at(source, raw.span, raw.path, raw.found, raw.expected)
+}
+
+/// Syntax errors of a text, each once.
+pub(crate) fn syntax_faults(source: &Source, errors: &[toml::de::Error]) -> Vec<Diagnostic> {
+    errors.iter().map(|error| syntax_fault(source, error)).collect()
+}
+
+fn syntax_fault(source: &Source, error: &toml::de::Error) -> Diagnostic {
+    let span = error.span().unwrap_or(0..0);
+    let (found, expected) = match error.message().split_once(", expected ") {
+        Some((found, expected)) => (found, expected),
+        None if error.message() == "duplicate key" => ("a key given twice", "each key once"),
+        None => (error.message(), "valid TOML"),
+    };
+    let span = span.start..span.end.max(span.start);
+    Diagnostic::at(source, span, "", format!("invalid TOML: {found}"), expected)
+}
+
+/// With syntax errors, what stands where is uncertain: only values that are wrong in themselves are
+/// reported besides, and none if a header is broken or one stands on a broken line.
+fn with_syntax_errors(source: Source, syntax: Vec<Diagnostic>, faults: Vec<Raw>) -> Diagnostics {
+    let lines: Vec<&str> = source.text.split('\n').collect();
+    let header = |d: &Diagnostic| {
+        lines.get(d.line.saturating_sub(1)).is_some_and(|l| l.trim_start().starts_with('['))
+    };
+    let uncertain = syntax.iter().any(header);
+    let placed = faults.into_iter().filter(|raw| raw.about == About::Value && !uncertain);
+    let mut all: Vec<Diagnostic> = placed.map(|raw| place(&source, raw)).collect();
+    all.retain(|d| syntax.iter().all(|s| s.line != d.line));
+    all.extend(syntax);
+    Diagnostics::new(source, all)
+}

@@ -1,0 +1,112 @@
+//! The text of a scenario file and where things lie in it.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+
+/// A scenario file as text, with its name for messages.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Source {
+    pub name: String,
+    pub text: String,
+}
+
+impl Source {
+    pub fn new(name: &str, text: &str) -> Self {
+        Self { name: name.into(), text: text.into() }
+    }
+
+    /// Reads a file from disk.
+    pub fn load(path: &Path) -> Result<Self, Diagnostics> {
+        let name = path.display().to_string();
+        let whole = |found: &str, expected: &str| {
+            let empty = Self::new(&name, "");
+            Diagnostics::new(empty, vec![Diagnostic::of_file(found, expected)])
+        };
+        if path.is_dir() {
+            return Err(whole("a directory", "a scenario file"));
+        }
+        let bytes = std::fs::read(path).map_err(|error| match error.kind() {
+            std::io::ErrorKind::NotFound => whole("no such file", "a scenario file"),
+            _ => whole(&format!("a file that cannot be read ({error})"), "a readable file"),
+        })?;
+        Self::decode(&name, bytes)
+    }
+
+    /// Takes bytes for text.
+    pub fn decode(name: &str, bytes: Vec<u8>) -> Result<Self, Diagnostics> {
+        let error = match String::from_utf8(bytes) {
+            Ok(text) => return Ok(Self { name: name.into(), text }),
+            Err(error) => error,
+        };
+        let at = error.utf8_error().valid_up_to();
+        let bad = error.as_bytes().get(at).copied().unwrap_or_default();
+        let source = Self::new(name, &String::from_utf8_lossy(error.as_bytes()));
+        let found = format!("the byte 0x{bad:02x}, which is not UTF-8");
+        let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
+        let one = Diagnostic::at(&source, at..end, "", found, "a text saved as UTF-8");
+        Err(Diagnostics::new(source, vec![one]))
+    }
+
+    /// Line and column of a byte, both from 1; the column counts characters.
+    pub fn position(&self, at: usize) -> (usize, usize) {
+        let before = &self.text[..floor(&self.text, at)];
+        let line = before.matches('\n').count() + 1;
+        let start = before.rfind('\n').map_or(0, |i| i + 1);
+        let mark = usize::from(start == 0 && before.starts_with('\u{feff}'));
+        (line, before[start..].chars().count() + 1 - mark)
+    }
+
+    /// The same span within the text and on the boundaries of characters.
+    pub fn clamp(&self, span: Range<usize>) -> Range<usize> {
+        let start = floor(&self.text, span.start);
+        start..floor(&self.text, span.end).max(start)
+    }
+}
+
+/// The boundary of a character at or before `at`.
+fn floor(text: &str, at: usize) -> usize {
+    (0..=at.min(text.len())).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)
+}
+
+/// Where every key of a file has its value, by dotted path.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Places(BTreeMap<String, Range<usize>>);
+
+impl Places {
+    pub fn new(root: &DeTable<'_>) -> Self {
+        let mut places = Self::default();
+        places.add("", root);
+        places
+    }
+
+    fn add(&mut self, parent: &str, table: &DeTable<'_>) {
+        for (key, value) in table {
+            let path = join(parent, key.get_ref());
+            if let DeValue::Table(inner) = value.get_ref() {
+                self.add(&path, inner);
+            }
+            self.0.insert(path, value.span());
+        }
+    }
+
+    /// The value at `path`, or the innermost table around it that stands in the file.
+    pub fn find(&self, path: &str) -> Option<Range<usize>> {
+        let mut path = path;
+        loop {
+            if let Some(span) = self.0.get(path) {
+                return Some(span.clone());
+            }
+            path = path.rsplit_once('.')?.0;
+        }
+    }
+}
+
+/// `parent.key`, or `key` at the root.
+pub(crate) fn join(parent: &str, key: &str) -> String {
+    if parent.is_empty() { key.to_string() } else { format!("{parent}.{key}") }
+}

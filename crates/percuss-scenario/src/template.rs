@@ -1,0 +1,43 @@
+//! Commented scenarios to start from.
+
+/// A commented scenario to start from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Template {
+    /// Its name.
+    pub name: &'static str,
+    /// What it shows, in one line.
+    pub summary: &'static str,
+    /// The file.
+    pub text: &'static str,
+}
+
+/// Every template, the simplest first.
+pub fn templates() -> &'static [Template] {
+    &[
+        Template {
+            name: "elastic",
+            summary: "a mass behind a spring strikes a clamped beam",
+            text: include_str!("../templates/elastic.toml"),
+        },
+        Template {
+            name: "rigid",
+            summary: "a rigid mass strikes a clamped beam again and again",
+            text: include_str!("../templates/rigid.toml"),
+        },
+        Template {
+            name: "frame",
+            summary: "a mass behind a spring strikes the column of a frame",
+            text: include_str!("../templates/frame.toml"),
+        },
+        Template {
+            name: "flying-beam",
+            summary: "a free beam, thrown and spun by a force and a moment that end",
+            text: include_str!("../templates/flying-beam.toml"),
+        },
+        Template {
+            name: "bouncing-ball",
+            summary: "a ball bounces on a fixed beam until it rests",
+            text: include_str!("../templates/bouncing-ball.toml"),
+        },
+    ]
+}

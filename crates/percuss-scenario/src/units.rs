@@ -1,0 +1,448 @@
+//! Quantities with units: `"8330 cm^4"`, `"7.5e5 N/m"`, `"36 km/h"`.
+//!
+//! Units combine by blanks, `*`, `.`, `·` and `/`, take exponents (`m^2`, `m²`, `m2`, `s^-1`), SI
+//! prefixes and brackets. Powers of ten move into the exponent of the number before it is parsed, so
+//! `"20 cm"` has the very bits of `0.2`.
+
+use std::fmt;
+use std::ops::Range;
+
+use crate::suggest;
+
+/// Exponents of metre, kilogram and second.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Dimension {
+    /// Exponent of the metre.
+    pub metre: i32,
+    /// Exponent of the kilogram.
+    pub kilogram: i32,
+    /// Exponent of the second.
+    pub second: i32,
+}
+
+impl Dimension {
+    /// A dimension from its three exponents.
+    pub const fn new(metre: i32, kilogram: i32, second: i32) -> Self {
+        Self { metre, kilogram, second }
+    }
+}
+
+impl fmt::Display for Dimension {
+    /// Writes the coherent SI unit, for instance `kg*m/s^2`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let bases = [("kg", self.kilogram), ("m", self.metre), ("s", self.second)];
+        let side = |above: bool| -> Vec<String> {
+            let one = |&(name, n): &(&str, i32)| match n.abs() {
+                1 => name.to_string(),
+                n => format!("{name}^{n}"),
+            };
+            bases.iter().filter(|b| b.1 != 0 && (b.1 > 0) == above).map(one).collect()
+        };
+        let (above, below) = (side(true), side(false));
+        f.write_str(if above.is_empty() { "1" } else { "" })?;
+        f.write_str(&above.join("*"))?;
+        match below.len() {
+            0 => Ok(()),
+            1 => write!(f, "/{}", below[0]),
+            _ => write!(f, "/({})", below.join("*")),
+        }
+    }
+}
+
+/// A value in SI units with its dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Value in the coherent SI unit; finite.
+    pub value: f64,
+    /// Dimension.
+    pub dimension: Dimension,
+}
+
+/// Why a text is not a quantity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnitFault {
+    /// The bytes of the text at fault.
+    pub span: Range<usize>,
+    /// What was found.
+    pub found: String,
+    /// What would be right.
+    pub expected: String,
+}
+
+/// Reads a quantity.
+///
+/// # Errors
+/// The first fault: no number, an unknown unit, an ambiguous quotient, a value beyond the range of numbers.
+pub fn parse(text: &str) -> Result<Quantity, UnitFault> {
+    let mut cursor = Cursor { text, at: 0 };
+    cursor.blanks();
+    let number = cursor.number()?;
+    let unit = cursor.product(0)?;
+    if cursor.at < text.len() {
+        return Err(
+            cursor.fault_here("no unit to its left", "an opening bracket for each closing one")
+        );
+    }
+    let whole = 0..text.len();
+    let exponent = number.exponent.saturating_add(i64::from(unit.power10));
+    let scaled: f64 = format!("{}e{exponent}", number.mantissa).parse().unwrap_or(f64::NAN);
+    let value = scaled * unit.numerator / unit.denominator;
+    if !value.is_finite() {
+        return Err(fault(
+            whole,
+            format!("`{text}`, beyond the range of numbers"),
+            "a finite value",
+        ));
+    }
+    if value == 0.0 && number.mantissa.contains(|c: char| ('1'..='9').contains(&c)) {
+        return Err(fault(
+            whole,
+            format!("`{text}`, too small a number"),
+            "zero, or 1e-300 and above",
+        ));
+    }
+    Ok(Quantity { value, dimension: unit.dimension })
+}
+
+fn fault(span: Range<usize>, found: impl Into<String>, expected: impl Into<String>) -> UnitFault {
+    UnitFault { span, found: found.into(), expected: expected.into() }
+}
+
+/// A decimal number before it is scaled by its unit.
+struct Decimal {
+    mantissa: String,
+    exponent: i64,
+}
+
+/// A unit as `10^power10 * numerator / denominator` of the coherent SI unit.
+#[derive(Clone, Copy)]
+struct Unit {
+    dimension: Dimension,
+    power10: i32,
+    numerator: f64,
+    denominator: f64,
+}
+
+impl Unit {
+    const ONE: Self = Self::new(0, 0, 0, 0, 1.0, 1.0);
+
+    const fn new(m: i32, kg: i32, s: i32, power10: i32, numerator: f64, denominator: f64) -> Self {
+        Self { dimension: Dimension::new(m, kg, s), power10, numerator, denominator }
+    }
+
+    fn times(self, other: Self) -> Self {
+        let (a, b) = (self.dimension, other.dimension);
+        Self {
+            dimension: Dimension::new(
+                a.metre.saturating_add(b.metre),
+                a.kilogram.saturating_add(b.kilogram),
+                a.second.saturating_add(b.second),
+            ),
+            power10: self.power10.saturating_add(other.power10),
+            numerator: self.numerator * other.numerator,
+            denominator: self.denominator * other.denominator,
+        }
+    }
+
+    fn power(self, n: i32) -> Self {
+        let mut out = Self::ONE;
+        for _ in 0..n.abs() {
+            out = out.times(self);
+        }
+        if n >= 0 {
+            return out;
+        }
+        let d = out.dimension;
+        Self {
+            dimension: Dimension::new(-d.metre, -d.kilogram, -d.second),
+            power10: -out.power10,
+            numerator: out.denominator,
+            denominator: out.numerator,
+        }
+    }
+}
+
+/// Units that take SI prefixes.
+const PREFIXABLE: &[(&str, Unit)] = &[
+    ("m", Unit::new(1, 0, 0, 0, 1.0, 1.0)),
+    ("g", Unit::new(0, 1, 0, -3, 1.0, 1.0)),
+    ("s", Unit::new(0, 0, 1, 0, 1.0, 1.0)),
+    ("N", Unit::new(1, 1, -2, 0, 1.0, 1.0)),
+    ("Nm", Unit::new(2, 1, -2, 0, 1.0, 1.0)),
+    ("Ns", Unit::new(1, 1, -1, 0, 1.0, 1.0)),
+    ("Pa", Unit::new(-1, 1, -2, 0, 1.0, 1.0)),
+    ("J", Unit::new(2, 1, -2, 0, 1.0, 1.0)),
+    ("W", Unit::new(2, 1, -3, 0, 1.0, 1.0)),
+    ("Hz", Unit::new(0, 0, -1, 0, 1.0, 1.0)),
+    ("rad", Unit::new(0, 0, 0, 0, 1.0, 1.0)),
+    ("bar", Unit::new(-1, 1, -2, 5, 1.0, 1.0)),
+];
+
+/// Units that stand alone.
+const PLAIN: &[(&str, Unit)] = &[
+    ("min", Unit::new(0, 0, 1, 0, 60.0, 1.0)),
+    ("h", Unit::new(0, 0, 1, 0, 3600.0, 1.0)),
+    ("t", Unit::new(0, 1, 0, 3, 1.0, 1.0)),
+    ("deg", Unit::new(0, 0, 0, 0, std::f64::consts::PI, 180.0)),
+    ("°", Unit::new(0, 0, 0, 0, std::f64::consts::PI, 180.0)),
+    ("rpm", Unit::new(0, 0, -1, 0, std::f64::consts::PI, 30.0)),
+    ("in", Unit::new(1, 0, 0, 0, 0.0254, 1.0)),
+    ("ft", Unit::new(1, 0, 0, 0, 0.3048, 1.0)),
+    ("lb", Unit::new(0, 1, 0, 0, 0.453_592_37, 1.0)),
+    ("lbf", Unit::new(1, 1, -2, 0, 4.448_221_615_260_5, 1.0)),
+    ("kip", Unit::new(1, 1, -2, 0, 4_448.221_615_260_5, 1.0)),
+    ("psi", Unit::new(-1, 1, -2, 0, 6_894.757_293_168_361, 1.0)),
+    ("ksi", Unit::new(-1, 1, -2, 0, 6_894_757.293_168_361, 1.0)),
+];
+
+const PREFIXES: &[(&str, i32)] = &[
+    ("p", -12),
+    ("n", -9),
+    ("u", -6),
+    ("µ", -6), // micro sign
+    ("μ", -6), // Greek mu
+    ("m", -3),
+    ("c", -2),
+    ("d", -1),
+    ("h", 2),
+    ("k", 3),
+    ("M", 6),
+    ("G", 9),
+    ("T", 12),
+];
+
+/// Words people write instead of symbols.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("meter", "m"),
+    ("metre", "m"),
+    ("inch", "in"),
+    ("foot", "ft"),
+    ("feet", "ft"),
+    ("sec", "s"),
+    ("second", "s"),
+    ("gram", "g"),
+    ("kilogram", "kg"),
+    ("kilo", "kg"),
+    ("newton", "N"),
+    ("pascal", "Pa"),
+    ("joule", "J"),
+    ("hour", "h"),
+    ("minute", "min"),
+    ("ton", "t"),
+    ("tonne", "t"),
+    ("lbs", "lb"),
+    ("degree", "deg"),
+];
+
+fn symbol(text: &str) -> Option<Unit> {
+    let find = |list: &[(&str, Unit)], name: &str| list.iter().find(|u| u.0 == name).map(|u| u.1);
+    if let Some(unit) = find(PLAIN, text).or_else(|| find(PREFIXABLE, text)) {
+        return Some(unit);
+    }
+    PREFIXES.iter().find_map(|(prefix, power)| {
+        let mut unit = find(PREFIXABLE, text.strip_prefix(prefix)?)?;
+        unit.power10 += power;
+        Some(unit)
+    })
+}
+
+/// The unit somebody probably meant.
+fn meant(text: &str) -> Option<String> {
+    let lower = text.to_lowercase();
+    let singular = lower.strip_suffix('s').unwrap_or(&lower);
+    if let Some(known) = SYNONYMS.iter().find(|s| s.0 == lower || s.0 == singular) {
+        return Some(known.1.to_string());
+    }
+    let prefixed = PREFIXABLE.iter().flat_map(|(name, _)| {
+        let of = move |(prefix, _): &(&str, i32)| format!("{prefix}{name}");
+        PREFIXES.iter().map(of).chain([name.to_string()])
+    });
+    let all: Vec<String> = PLAIN.iter().map(|u| u.0.to_string()).chain(prefixed).collect();
+    suggest::nearest(text, all.iter().map(String::as_str)).map(str::to_string)
+}
+
+/// Deepest nesting of brackets.
+const DEPTH: usize = 8;
+/// Largest exponent of a unit.
+const EXPONENT: i32 = 12;
+
+struct Cursor<'t> {
+    text: &'t str,
+    at: usize,
+}
+
+impl Cursor<'_> {
+    fn peek(&self) -> Option<char> {
+        self.text[self.at..].chars().next()
+    }
+
+    fn eat(&mut self, accept: impl Fn(char) -> bool) -> Option<char> {
+        let c = self.peek().filter(|&c| accept(c))?;
+        self.at += c.len_utf8();
+        Some(c)
+    }
+
+    fn blanks(&mut self) -> bool {
+        let from = self.at;
+        while self.eat(char::is_whitespace).is_some() {}
+        self.at > from
+    }
+
+    fn digits(&mut self) -> String {
+        let mut out = String::new();
+        while let Some(c) = self.eat(|c| c.is_ascii_digit()) {
+            out.push(c);
+            let rest = self.text[self.at..].strip_prefix('_');
+            if rest.is_some_and(|r| r.starts_with(|c: char| c.is_ascii_digit())) {
+                self.at += 1; // 1_000
+            }
+        }
+        out
+    }
+
+    fn sign(&mut self) -> &'static str {
+        match self.eat(|c| matches!(c, '+' | '-' | '−')) {
+            Some('+') | None => "",
+            Some(_) => "-",
+        }
+    }
+
+    fn fault_here(&self, found: &str, expected: &str) -> UnitFault {
+        let end = self.at + self.peek().map_or(0, char::len_utf8);
+        let found = match self.peek() {
+            Some(c) => format!("`{c}` with {found}"),
+            None => found.to_string(),
+        };
+        fault(self.at..end, found, expected)
+    }
+
+    fn number(&mut self) -> Result<Decimal, UnitFault> {
+        let from = self.at;
+        let mut mantissa = self.sign().to_string();
+        let whole = self.digits();
+        let dot = self.eat(|c| c == '.').is_some();
+        let fraction = if dot { self.digits() } else { String::new() };
+        if whole.is_empty() && fraction.is_empty() {
+            let found = format!("`{}`, which does not begin with a number", self.text);
+            return Err(fault(from..self.text.len(), found, "a number, then its unit"));
+        }
+        if self.peek() == Some(',') {
+            return Err(fault(self.at..self.at + 1, "a comma in a number", "a decimal point"));
+        }
+        mantissa.push_str(if whole.is_empty() { "0" } else { &whole });
+        mantissa.push('.');
+        mantissa.push_str(if fraction.is_empty() { "0" } else { &fraction });
+        Ok(Decimal { mantissa, exponent: self.decimal_exponent() })
+    }
+
+    /// `e-4`; leaves an `e` without digits for the unit.
+    fn decimal_exponent(&mut self) -> i64 {
+        let from = self.at;
+        if self.eat(|c| c == 'e' || c == 'E').is_none() {
+            return 0;
+        }
+        let sign = self.sign();
+        let digits = self.digits();
+        if digits.is_empty() {
+            self.at = from;
+            return 0;
+        }
+        let size = digits.parse::<i64>().unwrap_or(i64::MAX).min(1_000_000);
+        if sign == "-" { -size } else { size }
+    }
+
+    fn product(&mut self, depth: usize) -> Result<Unit, UnitFault> {
+        let mut out = Unit::ONE;
+        let (mut first, mut divided) = (true, false);
+        loop {
+            self.blanks();
+            let Some(next) = self.peek() else { return Ok(out) };
+            if next == ')' {
+                return Ok(out);
+            }
+            let divides = next == '/';
+            let from = self.at;
+            if divides || matches!(next, '*' | '.' | '·' | '⋅' | '×') {
+                self.at += next.len_utf8();
+                self.blanks();
+            }
+            if divided && !divides {
+                let found = format!("`{}`, which has a factor after a quotient", self.text.trim());
+                let expected =
+                    "brackets round the divisor, `N/(m s)`, or its factors first, `N s/m`";
+                return Err(fault(from..self.text.len(), found, expected));
+            }
+            if first && from < self.at && !divides {
+                return Err(fault(from..self.at, format!("`{next}` before the unit"), "a unit"));
+            }
+            let unit = self.factor(depth)?;
+            out = out.times(if divides { unit.power(-1) } else { unit });
+            divided |= divides;
+            first = false;
+        }
+    }
+
+    fn factor(&mut self, depth: usize) -> Result<Unit, UnitFault> {
+        let from = self.at;
+        let unit = if self.eat(|c| c == '(').is_some() {
+            if depth >= DEPTH {
+                return Err(fault(from..self.at, "too many brackets", "a simpler unit"));
+            }
+            let inner = self.product(depth + 1)?;
+            if self.eat(|c| c == ')').is_none() {
+                return Err(fault(from..self.text.len(), "an open bracket", "a closing bracket"));
+            }
+            inner
+        } else if self.eat(|c| c == '1').is_some() {
+            if self.peek().is_some_and(|c| c.is_ascii_digit()) {
+                return Err(fault(from..self.text.len(), "a second number", "one number"));
+            }
+            return Ok(Unit::ONE);
+        } else {
+            while self.eat(|c| c.is_alphabetic() || c == '°').is_some() {}
+            let name = &self.text[from..self.at];
+            if name.is_empty() {
+                return Err(self.fault_here("no unit before it", "a unit, such as m, kg, s, N, Pa"));
+            }
+            symbol(name).ok_or_else(|| unknown(name, from..self.at))?
+        };
+        Ok(unit.power(self.exponent()?))
+    }
+
+    fn exponent(&mut self) -> Result<i32, UnitFault> {
+        let from = self.at;
+        let written = self.eat(|c| c == '^').is_some();
+        let bracket = written && self.eat(|c| c == '(').is_some();
+        let mut text = if written { self.sign().to_string() } else { String::new() };
+        text.push_str(&self.digits());
+        if !written && text.is_empty() {
+            while let Some(c) = self.eat(|c| superscript(c).is_some()) {
+                text.extend(superscript(c));
+            }
+        }
+        if text.is_empty() && !written {
+            return Ok(1);
+        }
+        let closed = !bracket || self.eat(|c| c == ')').is_some();
+        match text.parse::<i32>() {
+            Ok(n) if n.abs() <= EXPONENT && closed => Ok(n),
+            _ => {
+                let found = format!("the exponent `{}`", &self.text[from..self.at]);
+                Err(fault(from..self.at, found, format!("a whole number up to {EXPONENT}")))
+            }
+        }
+    }
+}
+
+fn superscript(c: char) -> Option<char> {
+    const PLAIN: &[u8] = b"0123456789-";
+    "⁰¹²³⁴⁵⁶⁷⁸⁹⁻".chars().position(|s| s == c).map(|i| char::from(PLAIN[i]))
+}
+
+fn unknown(name: &str, span: Range<usize>) -> UnitFault {
+    let expected = match meant(name) {
+        Some(known) => format!("a known unit (did you mean `{known}`?)"),
+        None => "a known unit, such as m, kg, s, N, Pa, J, W, Hz, deg, in, lbf".into(),
+    };
+    fault(span, format!("the unknown unit `{name}`"), expected)
+}

@@ -1,0 +1,256 @@
+//! Values that are one word out of a few, and those that mix words with numbers.
+
+use std::marker::PhantomData;
+
+use percuss::{Component, ContactForce, JointKind, RotaryInertia, StrainMeasure};
+use serde_json::{Value as Json, json};
+use toml::de::DeValue;
+
+use crate::format::{Format, Inline};
+use crate::measure::{LineInertia, Time};
+use crate::node::{Node, Reader};
+use crate::quantity::Quantity;
+use crate::suggest;
+use crate::write;
+
+/// A value that is one word out of a few.
+pub(crate) trait Words {
+    /// What it is read into.
+    type Value: Copy + PartialEq + 'static;
+    /// Words, what they mean and what they are about.
+    const WORDS: &'static [(&'static str, Self::Value, &'static str)];
+    /// Words known but not available, with what to say of them.
+    const REFUSED: &'static [(&'static str, &'static str)] = &[];
+}
+
+/// One word out of a few.
+pub(crate) struct Word<W>(PhantomData<W>);
+
+impl<W: Words> Format for Word<W> {
+    type Value = W::Value;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<W::Value> {
+        let words = W::WORDS.iter().map(|w| w.0);
+        let Some(text) = node.value.as_str() else {
+            reader.wrong(node, node.found(), suggest::one_of("", words));
+            return None;
+        };
+        if let Some(refused) = W::REFUSED.iter().find(|r| r.0 == text) {
+            reader.wrong(node, format!("\"{text}\", {}", refused.1), suggest::one_of("", words));
+            return None;
+        }
+        let found = W::WORDS.iter().find(|w| w.0 == text).map(|w| w.1);
+        if found.is_none() {
+            reader.wrong(node, node.found(), suggest::one_of(text, words));
+        }
+        found
+    }
+
+    fn placeholder() -> W::Value {
+        W::WORDS[0].1
+    }
+
+    fn expected() -> String {
+        suggest::one_of("", W::WORDS.iter().map(|w| w.0))
+    }
+
+    fn schema() -> Json {
+        let word = |w: &(&str, W::Value, &str)| json!({ "const": w.0, "description": w.2 });
+        json!({ "oneOf": W::WORDS.iter().map(word).collect::<Vec<_>>() })
+    }
+}
+
+impl<W: Words> Inline for Word<W> {
+    fn text(value: &W::Value) -> Option<String> {
+        W::WORDS.iter().find(|w| w.1 == *value).map(|w| write::text(w.0))
+    }
+}
+
+/// Strain measure.
+pub(crate) struct Strain;
+
+impl Words for Strain {
+    type Value = StrainMeasure;
+    const WORDS: &'static [(&'static str, StrainMeasure, &'static str)] = &[
+        ("green", StrainMeasure::Green, "eps = (|x'|^2 - 1) / 2, the paper's"),
+        ("engineering", StrainMeasure::Engineering, "eps = |x'| - 1"),
+    ];
+}
+
+/// What a joint shares.
+pub(crate) struct Joined;
+
+impl Words for Joined {
+    type Value = JointKind;
+    const WORDS: &'static [(&'static str, JointKind, &'static str)] = &[
+        ("rigid", JointKind::Rigid, "position shared, angle between the beams kept"),
+        ("hinge", JointKind::Hinge, "position shared"),
+    ];
+}
+
+/// Evaluation of an elastic projectile's force.
+pub(crate) struct Force;
+
+impl Words for Force {
+    type Value = ContactForce;
+    const WORDS: &'static [(&'static str, ContactForce, &'static str)] = &[
+        ("conserving", ContactForce::Conserving, "conserves energy, opening and closing included"),
+        ("midpoint", ContactForce::Midpoint, "the paper's"),
+    ];
+}
+
+/// Where a projectile touches a beam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Contact {
+    /// At a fixed material point.
+    #[default]
+    Point,
+}
+
+/// Where a projectile touches.
+pub(crate) struct Touch;
+
+impl Words for Touch {
+    type Value = Contact;
+    const WORDS: &'static [(&'static str, Contact, &'static str)] =
+        &[("point", Contact::Point, "a fixed material point of the beam")];
+    const REFUSED: &'static [(&'static str, &'static str)] =
+        &[("surface", "which is not available in this version")];
+}
+
+/// A component that a support holds: a word, or 1 and 2 for the displacements.
+pub(crate) struct Held;
+
+const HELD: &[(&str, Component)] = &[
+    ("displacement_1", Component::Displacement1),
+    ("displacement_2", Component::Displacement2),
+    ("rotation", Component::Rotation),
+    ("stretch", Component::Stretch),
+];
+
+impl Format for Held {
+    type Value = Component;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Component> {
+        let word = match node.value {
+            DeValue::Integer(number) if number.radix() == 10 => {
+                format!("displacement_{}", number.as_str())
+            }
+            DeValue::String(text) => text.to_string(),
+            _ => String::new(),
+        };
+        let held = HELD.iter().find(|h| h.0 == word).map(|h| h.1);
+        if held.is_none() {
+            let near =
+                suggest::nearest(node.value.as_str().unwrap_or(""), HELD.iter().map(|h| h.0));
+            let near = near.map(|n| format!(" (did you mean `{n}`?)")).unwrap_or_default();
+            reader.wrong(node, node.found(), Self::expected() + &near);
+        }
+        held
+    }
+
+    fn placeholder() -> Component {
+        Component::Rotation
+    }
+
+    fn expected() -> String {
+        "1, 2, \"rotation\" or \"stretch\"".into()
+    }
+
+    fn schema() -> Json {
+        let words = HELD.iter().map(|h| json!(h.0));
+        let all: Vec<Json> = [json!(1), json!(2)].into_iter().chain(words).collect();
+        json!({ "enum": all })
+    }
+}
+
+impl Inline for Held {
+    fn text(value: &Component) -> Option<String> {
+        Some(match value {
+            Component::Displacement1 => "1".into(),
+            Component::Displacement2 => "2".into(),
+            Component::Rotation => "\"rotation\"".into(),
+            Component::Stretch => "\"stretch\"".into(),
+        })
+    }
+}
+
+/// `true`, `false` or a value per length.
+pub(crate) struct Rotary;
+
+impl Format for Rotary {
+    type Value = RotaryInertia;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<RotaryInertia> {
+        match node.value {
+            DeValue::Boolean(true) => Some(RotaryInertia::Density),
+            DeValue::Boolean(false) => Some(RotaryInertia::Neglected),
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) => {
+                Quantity::<LineInertia>::read(node, reader).map(RotaryInertia::Given)
+            }
+            _ => {
+                reader.wrong(node, node.found(), Self::expected());
+                None
+            }
+        }
+    }
+
+    fn placeholder() -> RotaryInertia {
+        RotaryInertia::Density
+    }
+
+    fn expected() -> String {
+        format!("true, false or {}", Quantity::<LineInertia>::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "type": ["boolean", "number", "string"] })
+    }
+}
+
+impl Inline for Rotary {
+    fn text(value: &RotaryInertia) -> Option<String> {
+        Some(match value {
+            RotaryInertia::Density => "true".into(),
+            RotaryInertia::Neglected => "false".into(),
+            RotaryInertia::Given(value) => write::number(*value),
+        })
+    }
+}
+
+/// A time, or `"forever"`.
+pub(crate) struct Until;
+
+const FOREVER: &str = "forever";
+
+impl Format for Until {
+    type Value = f64;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<f64> {
+        match node.value.as_str() {
+            Some(FOREVER) => Some(f64::INFINITY),
+            _ => Quantity::<Time>::read(node, reader),
+        }
+    }
+
+    fn placeholder() -> f64 {
+        f64::INFINITY
+    }
+
+    fn expected() -> String {
+        format!("\"{FOREVER}\" or {}", Quantity::<Time>::expected())
+    }
+
+    fn schema() -> Json {
+        Quantity::<Time>::schema()
+    }
+}
+
+impl Inline for Until {
+    fn text(value: &f64) -> Option<String> {
+        match value.is_finite() {
+            true => Some(write::number(*value)),
+            false => Some(write::text(FOREVER)),
+        }
+    }
+}

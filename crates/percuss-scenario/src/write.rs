@@ -1,0 +1,46 @@
+//! Writes a scenario back as TOML.
+
+/// Text of a file in the making.
+#[derive(Debug, Default)]
+pub(crate) struct Writer {
+    text: String,
+}
+
+impl Writer {
+    /// `key = value`, with the unit as a comment.
+    pub fn line(&mut self, key: &str, value: &str, unit: &str) {
+        let comment = if unit.is_empty() { String::new() } else { format!("  # {unit}") };
+        self.text.push_str(&format!("{key} = {value}{comment}\n"));
+    }
+
+    /// `[kind]` or `[kind.name]`.
+    pub fn header(&mut self, kind: &str, name: Option<&str>) {
+        let separator = if self.text.is_empty() { "" } else { "\n" };
+        let name = name.map(|n| format!(".{}", key(n))).unwrap_or_default();
+        self.text.push_str(&format!("{separator}[{kind}{name}]\n"));
+    }
+
+    /// The file.
+    pub fn finish(self) -> String {
+        self.text
+    }
+}
+
+/// The shortest number that reads back the same bits.
+pub(crate) fn number(value: f64) -> String {
+    let text = format!("{value:?}");
+    match text.strip_suffix(".0") {
+        Some(whole) if whole != "-0" => whole.to_string(),
+        _ => text,
+    }
+}
+
+/// A text in quotes.
+pub(crate) fn text(value: &str) -> String {
+    toml_edit::Value::from(value).to_string()
+}
+
+/// A key, in quotes where it needs them.
+pub(crate) fn key(name: &str) -> String {
+    toml_edit::Key::new(name).to_string()
+}

@@ -1,0 +1,74 @@
+//! The templates and the two files of the paper.
+
+use percuss_scenario::{load, read, templates};
+
+const ELASTIC: &str = include_str!("files/elastic.toml");
+const RIGID: &str = include_str!("files/rigid.toml");
+
+#[test]
+fn every_template_reads_and_compiles_without_faults() {
+    for template in templates() {
+        let name = format!("{}.toml", template.name);
+        let scenario = read(template.text, &name).unwrap_or_else(|e| panic!("{e}"));
+        let compiled = scenario.compile().unwrap_or_else(|e| panic!("{e}"));
+        assert!(!compiled.title.is_empty() && !template.summary.is_empty());
+    }
+}
+
+#[test]
+fn templates_of_the_paper_say_the_same_as_its_files() {
+    for (file, name) in [(ELASTIC, "elastic"), (RIGID, "rigid")] {
+        let template = templates().iter().find(|t| t.name == name).unwrap();
+        let (a, b) = (read(file, "a").unwrap(), read(template.text, "b").unwrap());
+        assert_eq!(a.content(), b.content());
+    }
+}
+
+#[test]
+fn written_out_scenarios_read_back_the_same_model() {
+    for text in templates().iter().map(|t| t.text).chain([ELASTIC, RIGID]) {
+        let scenario = read(text, "a").unwrap();
+        let written = scenario.to_toml();
+        let again = read(&written, "b").unwrap_or_else(|e| panic!("{written}\n{e}"));
+        assert_eq!(again.content(), scenario.content());
+        assert_eq!(again.to_toml(), written);
+        let (one, two) = (scenario.compile().unwrap(), again.compile().unwrap());
+        assert_eq!(one.settings, two.settings);
+        assert_eq!(format!("{:?}", one.model), format!("{:?}", two.model));
+    }
+}
+
+#[test]
+fn written_out_scenarios_name_every_default() {
+    let text = read(RIGID, "rigid.toml").unwrap().to_toml();
+    for line in [
+        "strain = \"green\"",
+        "rotary_inertia = true",
+        "area = 0.1  # m^2",
+        "inertia = 8.33e-5  # m^4",
+        "contact = \"point\"",
+        "impacts = \"event\"",
+        "scheme = \"energy-momentum\"",
+        "every = 1",
+        "points = []",
+    ] {
+        assert!(text.lines().any(|l| l == line), "`{line}` is not in\n{text}");
+    }
+}
+
+#[test]
+fn another_restitution_reaches_every_rigid_projectile() {
+    let scenario = read(RIGID, "rigid.toml").unwrap().with_restitution(0.25);
+    assert!(scenario.to_toml().contains("restitution = 0.25"));
+    let elastic = read(ELASTIC, "elastic.toml").unwrap();
+    assert_eq!(elastic.with_restitution(0.25).content(), elastic.content());
+}
+
+#[test]
+fn files_load_and_missing_ones_say_so() {
+    let files = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files");
+    assert!(load(format!("{files}/elastic.toml")).is_ok());
+    let missing = load(format!("{files}/none.toml")).unwrap_err().to_string();
+    assert!(missing.ends_with("none.toml: found no such file, expected a scenario file"));
+    assert!(load(files).unwrap_err().to_string().contains("found a directory"));
+}
