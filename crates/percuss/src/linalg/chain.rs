@@ -35,6 +35,26 @@ impl Chain {
         self.lower.fill(ZERO);
     }
 
+    /// Adds `left^T k right` on the nodes `a` and `a + 1`: a 2 x 2 matrix between interpolated values, whose weights are
+    /// ordered (value at a, slope at a, value at a + 1, slope at a + 1).
+    pub fn add_outer(&mut self, a: usize, left: &[f64; 4], right: &[f64; 4], k: &[[f64; 2]; 2]) {
+        let add = |block: &mut Block, l: &[f64], r: &[f64]| {
+            for (p, lp) in l.iter().enumerate() {
+                for (q, rq) in r.iter().enumerate() {
+                    for i in 0..2 {
+                        for j in 0..2 {
+                            block[2 * p + i][2 * q + j] += lp * rq * k[i][j];
+                        }
+                    }
+                }
+            }
+        };
+        add(&mut self.diag[a], &left[..2], &right[..2]);
+        add(&mut self.upper[a], &left[..2], &right[2..]);
+        add(&mut self.lower[a], &left[2..], &right[..2]);
+        add(&mut self.diag[a + 1], &left[2..], &right[2..]);
+    }
+
     /// Block LU factorisation in place, pivoting inside the blocks.
     ///
     /// # Errors

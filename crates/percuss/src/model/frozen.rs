@@ -27,7 +27,7 @@ pub struct Model {
     pub(crate) point_loads: Vec<PointLoadData>,
     /// Recorded points, each once.
     pub(crate) points: Vec<MaterialPoint>,
-    /// Names of support reactions and joints are not needed inside; total mass is, as a scale \[kg\].
+    /// Mass of beams and projectiles, a scale \[kg\].
     pub(crate) total_mass: f64,
 }
 
@@ -201,6 +201,12 @@ impl Model {
     pub fn beam_nodes(&self, name: &str) -> Option<&[[f64; 2]]> {
         let beam = self.beams.iter().find(|b| b.name == name)?;
         Some(&self.nodes[beam.nodes.clone()])
+    }
+
+    /// Reference tangent at a node.
+    pub(crate) fn tangent_at_node(&self, node: usize) -> [f64; 2] {
+        let beam = self.beams.partition_point(|b| b.nodes.end <= node);
+        self.beams[beam].table.tangent
     }
 
     /// Whether any projectile is rigid, so that impacts with impulses can occur.

@@ -1,0 +1,383 @@
+//! The transient analysis: steps of the given size, cut where Newton's iteration fails, recorded row by row.
+
+use super::channels;
+use super::impacts::Advance;
+use super::monitor::Monitor;
+use crate::contact::effective_mass;
+use crate::error::Error;
+use crate::ledger::{Books, Measures};
+use crate::math::vec2::{dot, scale};
+use crate::model::{Fault, Model};
+use crate::record::{Channel, Flow, Recorder};
+use crate::settings::Settings;
+use crate::state::State;
+use crate::step::commit;
+use crate::step::external;
+use crate::step::integration::Integration;
+use crate::step::newton::{Effort, Failure};
+use crate::step::tangent::Singular;
+use crate::step::workspace::Workspace;
+use crate::summary::*;
+
+/// A step is cut down to this share of its size before the analysis gives up.
+const SMALLEST_SHARE: f64 = 1e-6;
+/// Ends of steps closer than this share of the step are the same instant.
+pub(super) const SAME_INSTANT: f64 = 1e-9;
+
+/// A transient analysis in progress.
+///
+/// ```
+/// # use percuss::*;
+/// # fn model() -> Model {
+/// # let mut b = ModelBuilder::new();
+/// # let m = b.material(Material { name: "m".into(), young: 2e9, density: 3e3, strain: StrainMeasure::Green });
+/// # let s = b.section(Section { name: "s".into(), area: 0.1, inertia: 8.33e-5, rotary_inertia: RotaryInertia::Density });
+/// # b.beam(Beam { name: "girder".into(), points: vec![[0.0, 0.0], [3.0, 0.0]], elements: 2, material: m, section: s });
+/// # b.build().unwrap() }
+/// let model = model();
+/// let mut simulation = Simulation::new(&model, &Settings::new(1.0, 1e-3)).unwrap();
+/// simulation.set_velocities(|_, _| [0.0, 1.0]);
+/// simulation.advance(&mut NoRecorder).unwrap();
+/// assert_eq!(simulation.state().time, 1e-3);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Simulation<'m> {
+    pub(super) model: &'m Model,
+    pub(super) settings: Settings,
+    pub(super) state: State,
+    pub(super) work: Workspace,
+    pub(super) monitor: Monitor,
+    pub(super) effort: Effort,
+    /// Steps of the solver accepted, and solved in search of impacts.
+    pub(super) solver_steps: usize,
+    step_cuts: usize,
+    measures: Measures,
+    rows: usize,
+    row: Vec<f64>,
+    /// Impulses since the last row, shape (n_projectile) \[N s\].
+    pub(super) row_impulse: Vec<f64>,
+    row_iterations: usize,
+}
+
+impl<'m> Simulation<'m> {
+    /// The model at rest, its projectiles on their way.
+    ///
+    /// # Errors
+    /// Every fault of the settings.
+    pub fn new(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
+        let faults = settings.validate(model);
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let state = State::at_rest(model, settings.scheme);
+        let mut simulation = Self {
+            model,
+            settings: *settings,
+            monitor: Monitor::new(model, &state),
+            state,
+            work: Workspace::new(model),
+            effort: Effort::default(),
+            solver_steps: 0,
+            step_cuts: 0,
+            measures: Measures::default(),
+            rows: 0,
+            row: Vec::new(),
+            row_impulse: vec![0.0; model.projectiles.len()],
+            row_iterations: 0,
+        };
+        simulation.open();
+        Ok(simulation)
+    }
+
+    /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
+    /// of a rigid motion between neighbouring nodes. Opens the books anew.
+    pub fn set_velocities(&mut self, velocity: impl Fn(&str, [f64; 2]) -> [f64; 2]) {
+        for beam in &self.model.beams {
+            for n in beam.nodes.clone() {
+                let v = velocity(&beam.name, self.model.nodes[n]);
+                let x = |k: usize| self.model.nodes[k];
+                let (a, b) = if n + 1 < beam.nodes.end { (n, n + 1) } else { (n - 1, n) };
+                let (va, vb) = (velocity(&beam.name, x(a)), velocity(&beam.name, x(b)));
+                let l = beam.table.length;
+                let target = &mut self.state.velocity[n];
+                *target = [v[0], v[1], (vb[0] - va[0]) / l, (vb[1] - va[1]) / l];
+            }
+        }
+        crate::step::tangent::project(self.model, &mut self.state.velocity);
+        commit::spin_from_velocity(self.model, &mut self.state);
+        self.open();
+    }
+
+    /// Turns every velocity round: without losses the motion runs back. Opens the books anew.
+    pub fn reverse(&mut self) {
+        for v in &mut self.state.velocity {
+            *v = v.map(|c| -c);
+        }
+        for w in &mut self.state.spin {
+            *w = w.map(|c| -c);
+        }
+        for p in &mut self.state.projectiles {
+            p.speed = -p.speed;
+        }
+        self.state.step = 0;
+        self.state.time = 0.0;
+        self.open();
+    }
+
+    fn open(&mut self) {
+        if self.settings.scheme.advances_accelerations() {
+            self.initial_acceleration();
+        }
+        self.measures = Measures::of(self.model, &self.state);
+        self.state.books = Books::open(&self.measures);
+        self.monitor = Monitor::new(self.model, &self.state);
+    }
+
+    /// Accelerations of the model at rest under its loads.
+    fn initial_acceleration(&mut self) {
+        let model = self.model;
+        let gravity = external::gravity(model, 0.0, self.settings.step);
+        for (s, p) in self.state.projectiles.iter_mut().zip(&model.projectiles) {
+            s.acceleration = dot(gravity, p.direction);
+        }
+        let Ok(mut mass) = effective_mass::mass_matrix(model) else { return };
+        let rule = Integration::new(self.settings.scheme, self.settings.step);
+        let rest = vec![[0.0; 4]; model.node_count()];
+        let mut force = rest.clone();
+        let mut chain = crate::linalg::chain::Chain::zeros(model.node_count());
+        // With nothing moving, the residual is what the loads leave unbalanced.
+        crate::step::assemble::beams::<false>(
+            model, &self.state, &rule, gravity, &rest, &mut force, &mut chain,
+        );
+        let h = rule.h;
+        external::apply::<false>(model, &self.state, h, 1.0, &rest, &mut force, &mut chain);
+        for f in &mut force {
+            *f = f.map(|c| -c);
+        }
+        let mut multiplier = vec![0.0; model.constraints.len()];
+        mass.solve(model, &rest, &rest, &mut force, &mut multiplier, true);
+        self.state.acceleration = force;
+    }
+
+    /// The state reached.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Energies and momenta of the state reached.
+    pub fn measures(&self) -> &Measures {
+        &self.measures
+    }
+
+    /// Columns of the history.
+    pub fn channels(&self) -> Vec<Channel> {
+        channels::channels(self.model)
+    }
+
+    /// Number of steps of the given size up to the end; the last one may be shorter.
+    pub fn step_count(&self) -> usize {
+        let ratio = self.settings.end / self.settings.step;
+        (ratio - SAME_INSTANT * ratio.max(1.0)).ceil().max(1.0) as usize
+    }
+
+    /// Runs to the end.
+    pub fn run(mut self, recorder: &mut dyn Recorder) -> RunSummary {
+        let termination = self.run_steps(recorder);
+        self.summary(termination)
+    }
+
+    fn run_steps(&mut self, recorder: &mut dyn Recorder) -> Termination {
+        let begun = recorder.begin(&self.channels()).map_err(Error::recorder);
+        if let Err(error) = begun.and_then(|()| self.record(recorder)) {
+            return Termination::Failed(error);
+        }
+        let last = self.step_count();
+        while self.state.step < last {
+            if let Err(error) = self.advance(recorder) {
+                return Termination::Failed(error);
+            }
+            let due = self.state.step.is_multiple_of(self.settings.record_every);
+            if (due || self.state.step == last)
+                && let Err(error) = self.record(recorder)
+            {
+                return Termination::Failed(error);
+            }
+            if recorder.progress(self.state.time) == Flow::Stop && self.state.step < last {
+                return Termination::Interrupted { time: self.state.time };
+            }
+        }
+        Termination::Completed
+    }
+
+    /// Advances by one step of the given size; rows before and after an impact go to `recorder`.
+    ///
+    /// # Errors
+    /// If no solution is found even for very short steps; the state is the last one accepted.
+    pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<(), Error> {
+        let step = self.settings.step;
+        let target = step.min(self.settings.end - self.state.step as f64 * step);
+        let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
+        let mut size = target;
+        let mut impacts_left = Advance::MOST_IMPACTS;
+        while self.state.offset < target * (1.0 - SAME_INSTANT) {
+            let trial = size.min(target - self.state.offset);
+            let mut advance = Advance { size: trial, impacts_left };
+            match self.advance_part(&mut advance, recorder)? {
+                Ok(done) => {
+                    impacts_left = advance.impacts_left;
+                    self.state.offset += done;
+                    size = (2.0 * size).min(target);
+                }
+                Err(failure) => {
+                    self.step_cuts += 1;
+                    size = 0.5 * trial;
+                    if size < SMALLEST_SHARE * step {
+                        return Err(self.give_up(failure, trial));
+                    }
+                }
+            }
+        }
+        self.state.step += 1;
+        self.state.offset -= target;
+        if self.state.offset.abs() <= SAME_INSTANT * step {
+            self.state.offset = 0.0;
+        }
+        let grid = self.state.step as f64 * step;
+        self.state.time = grid.min(self.settings.end) + self.state.offset;
+        Ok(())
+    }
+
+    fn give_up(&self, failure: Failure, step: f64) -> Error {
+        let place = |node: usize| {
+            let beam = self.model.beams.iter().find(|b| b.nodes.contains(&node));
+            beam.map_or_else(String::new, |b| {
+                format!("node {} of beam `{}`", node - b.nodes.start, b.name)
+            })
+        };
+        let time = self.state.time;
+        match failure {
+            Failure::Diverged { residual, node } => {
+                Error::no_convergence(time, step, residual, place(node))
+            }
+            Failure::Impact => {
+                Error::no_convergence(time, step, f64::NAN, "the impacts' impulses".into())
+            }
+            Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
+            Failure::Singular(Singular::Constraints) => {
+                Error::singular(time, "the joints and supports".into())
+            }
+        }
+    }
+
+    /// Measures the new state; follows every accepted step.
+    pub(super) fn measure(&mut self) {
+        self.measures = Measures::of(self.model, &self.state);
+        self.state.books.rescale(&self.measures);
+        self.monitor.audit(&self.state.books, &self.measures);
+    }
+
+    /// Hands a row to the recorder.
+    pub(super) fn record(&mut self, recorder: &mut dyn Recorder) -> Result<(), Error> {
+        let iterations = self.effort.iterations - self.row_iterations;
+        self.row_iterations = self.effort.iterations;
+        channels::values(
+            self.model,
+            &self.state,
+            &self.measures,
+            &self.row_impulse,
+            iterations,
+            &mut self.row,
+        );
+        self.row_impulse.fill(0.0);
+        self.rows += 1;
+        recorder.row(&self.row).map_err(Error::recorder)
+    }
+
+    fn summary(self, termination: Termination) -> RunSummary {
+        let books = &self.state.books;
+        let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
+        let projectiles = self.model.projectiles.iter().zip(&self.state.projectiles);
+        let effective = effective_masses(self.model);
+        RunSummary {
+            termination,
+            time: self.state.time,
+            steps: self.state.step,
+            solver_steps: self.solver_steps,
+            step_cuts: self.step_cuts,
+            newton_iterations: self.effort.iterations,
+            factorizations: self.effort.factorizations,
+            rows: self.rows,
+            energy: EnergySummary {
+                initial: books.energy_initial,
+                final_: self.measures.total(),
+                work_loads: books.work_loads,
+                work_supports: books.work_supports,
+                loss_impacts: books.loss_impacts,
+                scale: books.energy_scale,
+                residual_max: relative(self.monitor.energy_residual, books.energy_scale),
+            },
+            momentum: MomentumSummary {
+                linear_scale: books.linear_scale,
+                linear_residual_max: relative(self.monitor.linear_residual, books.linear_scale),
+                angular_scale: books.angular_scale,
+                angular_residual_max: relative(
+                    self.monitor.angular_residual,
+                    books.angular_scale,
+                ),
+            },
+            audit: AuditSummary {
+                curvature_drift_max: self.monitor.curvature_drift,
+                membrane_drift_max: self.monitor.membrane_drift,
+            },
+            projectiles: projectiles
+                .map(|(p, s)| ProjectileSummary {
+                    name: p.name.clone(),
+                    velocity_final: scale(s.speed, p.direction),
+                    momentum_transferred: p.mass * (p.speed - s.speed),
+                    energy_transferred: 0.5 * p.mass * (p.speed.powi(2) - s.speed.powi(2)),
+                })
+                .collect(),
+            contacts: (self.model.projectiles.iter().zip(self.monitor.contacts).zip(effective))
+                .map(|((p, record), [effective_mass, effective_mass_limit])| ContactSummary {
+                    name: p.name.clone(),
+                    effective_mass,
+                    effective_mass_limit,
+                    record,
+                })
+                .collect(),
+            points: (self.model.points.iter().zip(self.monitor.points))
+                .map(|(p, displacement_max)| PointSummary {
+                    name: p.label.clone(),
+                    displacement_max,
+                })
+                .collect(),
+        }
+    }
+}
+
+/// Effective mass of each struck point, on the mesh and in the limit \[kg\].
+fn effective_masses(model: &Model) -> Vec<[f64; 2]> {
+    if model.projectiles.is_empty() {
+        return Vec::new();
+    }
+    let Ok(mut mass) = effective_mass::mass_matrix(model) else {
+        return vec![[f64::NAN; 2]; model.projectiles.len()];
+    };
+    let both = |p: &crate::model::frozen::ProjectileData| {
+        let on_mesh = effective_mass::on_mesh(model, &mut mass, &p.point, p.direction);
+        [on_mesh, effective_mass::limit(model, &p.point, p.direction, on_mesh)]
+    };
+    model.projectiles.iter().map(both).collect()
+}
+
+/// Simulates `model` under `settings`, handing rows to `recorder`.
+///
+/// # Errors
+/// Every fault of the settings. A run that gives up on its way is no error here: its summary says how far it came.
+pub fn simulate(
+    model: &Model,
+    settings: &Settings,
+    recorder: &mut dyn Recorder,
+) -> Result<RunSummary, Vec<Fault>> {
+    Ok(Simulation::new(model, settings)?.run(recorder))
+}

@@ -1,0 +1,86 @@
+//! Effective mass of a struck point, on the mesh and in the limit of an ever finer one (benchmarks, trap 2).
+
+use crate::element::beam::ElementSums;
+use crate::element::point::PointResponse;
+use crate::math::vec2::{cross, dot};
+use crate::model::Model;
+use crate::model::frozen::{BeamData, Constraint, MaterialPoint};
+use crate::step::assemble;
+use crate::step::tangent::{Singular, Tangent};
+
+/// The mass matrix of the reference configuration, rotary inertia, supports and joints included, factored.
+///
+/// # Errors
+/// Where it is singular.
+pub fn mass_matrix(model: &Model) -> Result<Tangent, Singular> {
+    let mut tangent = Tangent::new(model);
+    for beam in &model.beams {
+        let t = beam.table.tangent;
+        // dtheta = (t x dg): rhoI dtheta . dtheta
+        let mut point = PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
+        let normal = [-t[1], t[0]];
+        for i in 0..2 {
+            for j in 0..2 {
+                point.tangent[i][j] = beam.law.rotary * normal[i] * normal[j];
+            }
+        }
+        let mut sums = ElementSums::zero();
+        for row in &beam.table.rows {
+            sums.add::<true>(row, &point);
+        }
+        for a in beam.nodes.start..beam.nodes.end - 1 {
+            assemble::spread(&sums.tangent, &beam.table.mass, 1.0, a, &mut tangent.chain);
+        }
+    }
+    let rest = vec![[0.0; 4]; model.node_count()];
+    tangent.factor(model, &rest, &rest)?;
+    Ok(tangent)
+}
+
+/// Effective mass `1 / (n M^-1 n^T)` of a point in a direction \[kg\]; infinite if the point is held.
+pub fn on_mesh(
+    model: &Model,
+    mass: &mut Tangent,
+    point: &MaterialPoint,
+    direction: [f64; 2],
+) -> f64 {
+    let rest = vec![[0.0; 4]; model.node_count()];
+    let mut x = rest.clone();
+    point.spread(direction, &mut x);
+    let mut multiplier = vec![0.0; model.constraints.len()];
+    mass.solve(model, &rest, &rest, &mut x, &mut multiplier, true);
+    let mobility = dot(direction, point.value(&x));
+    let free = 1.0 / model.total_mass;
+    if mobility <= 1e-12 * free { f64::INFINITY } else { 1.0 / mobility }
+}
+
+/// Limit of the effective mass for an ever finer mesh \[kg\]: `2 sqrt(rhoA rhoI)` across a beam's interior, half of it
+/// across a free end, zero along the beam, infinite where held.
+///
+/// The velocity that an impulse leaves in a Rayleigh beam decays as `exp(-s / l)` with `l = sqrt(rhoI / rhoA)`.
+pub fn limit(model: &Model, point: &MaterialPoint, direction: [f64; 2], on_mesh: f64) -> f64 {
+    if on_mesh.is_infinite() {
+        return f64::INFINITY;
+    }
+    if dot(direction, point.tangent).abs() > 1e-9 {
+        return 0.0;
+    }
+    let beam = &model.beams[point.beam];
+    let interior = 2.0 * (beam.mass_per_length * beam.law.rotary).sqrt();
+    if is_free_end(model, beam, point) {
+        0.5 * interior * cross(point.tangent, direction).abs()
+    } else {
+        interior
+    }
+}
+
+fn is_free_end(model: &Model, beam: &BeamData, point: &MaterialPoint) -> bool {
+    let at_end = point.s <= 1e-9 * beam.length || point.s >= beam.length * (1.0 - 1e-9);
+    let joined = model.constraints.iter().any(|c| match c {
+        Constraint::Held { .. } => false,
+        Constraint::Shared { points, .. } | Constraint::Angle { points, .. } => {
+            points.iter().any(|p| p.beam == point.beam && (p.s - point.s).abs() < 1e-9 * beam.length)
+        }
+    });
+    at_end && !joined
+}

@@ -1,0 +1,201 @@
+//! Energies and momenta of a state, and the books of what entered and left.
+
+use crate::contact::law;
+use crate::element::beam::ElementValues;
+use crate::element::strain::strains;
+use crate::math::hermite::GAUSS;
+use crate::math::vec2::{add, cross, scale};
+use crate::model::Model;
+use crate::model::frozen::ContactLaw;
+use crate::state::State;
+
+/// What entered and left since the start of the run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Books {
+    /// Total energy at the start \[J\].
+    pub energy_initial: f64,
+    /// Work of the loads, gravity included \[J\].
+    pub work_loads: f64,
+    /// Work of the supports \[J\].
+    pub work_supports: f64,
+    /// Energy lost in impacts \[J\].
+    pub loss_impacts: f64,
+    /// Linear momentum at the start \[kg m/s\].
+    pub linear_initial: [f64; 2],
+    /// Angular momentum about the origin at the start \[kg m^2/s\].
+    pub angular_initial: f64,
+    /// Impulse of loads and supports \[N s\].
+    pub impulse: [f64; 2],
+    /// Angular impulse of loads, supports and the guides of the projectiles about the origin \[N m s\].
+    pub angular_impulse: f64,
+    /// Largest energy in play so far \[J\].
+    pub energy_scale: f64,
+    /// Largest linear momentum in play so far \[kg m/s\].
+    pub linear_scale: f64,
+    /// Largest angular momentum in play so far \[kg m^2/s\].
+    pub angular_scale: f64,
+}
+
+/// Energies and momenta of a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measures {
+    /// Kinetic energy of the beams \[J\].
+    pub kinetic_beams: f64,
+    /// Kinetic energy of the projectiles \[J\].
+    pub kinetic_projectiles: f64,
+    /// Axial strain energy \[J\].
+    pub strain_axial: f64,
+    /// Bending strain energy \[J\].
+    pub strain_bending: f64,
+    /// Energy of the contact springs \[J\].
+    pub contact: f64,
+    /// Linear momentum \[kg m/s\].
+    pub linear: [f64; 2],
+    /// Angular momentum about the origin \[kg m^2/s\].
+    pub angular: f64,
+    /// Largest distance of a stored bending strain from that of the configuration \[1/m\].
+    pub curvature_drift: f64,
+    /// Largest distance of a stored membrane strain from that of the configuration \[1\].
+    pub membrane_drift: f64,
+    /// Sum of the magnitudes of the bodies' linear momenta \[kg m/s\], a scale.
+    pub linear_size: f64,
+    /// Sum of the magnitudes of the bodies' angular momenta \[kg m^2/s\], a scale.
+    pub angular_size: f64,
+}
+
+impl Measures {
+    /// Total energy \[J\].
+    pub fn total(&self) -> f64 {
+        self.kinetic_beams
+            + self.kinetic_projectiles
+            + self.strain_axial
+            + self.strain_bending
+            + self.contact
+    }
+
+    /// Measures the state of a model.
+    pub(crate) fn of(model: &Model, state: &State) -> Self {
+        let mut m = Self::default();
+        for beam in &model.beams {
+            m.add_beam(model, state, beam);
+        }
+        m.add_projectiles(model, state);
+        m
+    }
+
+    fn add_beam(&mut self, model: &Model, state: &State, beam: &crate::model::frozen::BeamData) {
+        let table = &beam.table;
+        let reference = (table.tangent, 0.0);
+        let stored = !state.strain.is_empty();
+        let (mut linear, mut angular) = ([0.0; 2], 0.0);
+        let (mut translation, mut rotation, mut axial, mut bending) = (0.0, 0.0, 0.0, 0.0);
+        for (k, e) in beam.elements.clone().enumerate() {
+            let a = beam.nodes.start + k;
+            let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
+            let momentum = momentum(table, &state.velocity[a], &state.velocity[a + 1]);
+            for (node, p) in [(a, &momentum[0]), (a + 1, &momentum[1])] {
+                let (x, u, v) = (&model.nodes[node], &state.displacement[node], &state.velocity[node]);
+                translation += p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
+                linear = add(linear, [p[0], p[1]]);
+                let slope = [table.tangent[0] + u[2], table.tangent[1] + u[3]];
+                angular += cross([x[0] + u[0], x[1] + u[1]], [p[0], p[1]])
+                    + cross(slope, [p[2], p[3]]);
+            }
+            for j in 0..GAUSS {
+                let row = &table.rows[j];
+                let (slope, bend) = (u.at(&row.first), u.at(&row.second));
+                let s = strains(beam.law.measure, reference.0, reference.1, slope, bend);
+                let (mut eps, mut kappa) = (s.membrane, s.bending);
+                if stored {
+                    [eps, kappa] = state.strain[e][j];
+                    self.membrane_drift = self.membrane_drift.max((eps - s.membrane).abs());
+                    self.curvature_drift = self.curvature_drift.max((kappa - s.bending).abs());
+                }
+                let spin = state.spin[e][j];
+                rotation += row.weight * spin * spin;
+                axial += row.weight * eps * eps;
+                bending += row.weight * kappa * kappa;
+                angular += row.weight * beam.law.rotary * spin;
+            }
+        }
+        self.kinetic_beams += 0.5 * (translation + beam.law.rotary * rotation);
+        self.strain_axial += 0.5 * beam.law.axial * axial;
+        self.strain_bending += 0.5 * beam.law.bending * bending;
+        self.linear = add(self.linear, linear);
+        self.angular += angular;
+        self.linear_size += linear[0].hypot(linear[1]);
+        self.angular_size += angular.abs();
+    }
+
+    fn add_projectiles(&mut self, model: &Model, state: &State) {
+        for (i, (p, s)) in model.projectiles.iter().zip(&state.projectiles).enumerate() {
+            self.kinetic_projectiles += 0.5 * p.mass * s.speed * s.speed;
+            let linear = scale(p.mass * s.speed, p.direction);
+            let angular = cross(p.position, linear); // the line of flight keeps its distance
+            self.linear = add(self.linear, linear);
+            self.angular += angular;
+            self.linear_size += linear[0].hypot(linear[1]);
+            self.angular_size += angular.abs();
+            if let ContactLaw::Spring { stiffness, .. } = p.law {
+                self.contact += law::potential(stiffness, -state.gap(model, i));
+            }
+        }
+    }
+}
+
+/// `M v` of an element, per node.
+fn momentum(
+    table: &crate::element::beam::ElementTable,
+    a: &[f64; 4],
+    b: &[f64; 4],
+) -> [[f64; 4]; 2] {
+    let mut out = [[0.0; 4]; 2];
+    for i in 0..2 {
+        let v = [a[i], a[2 + i], b[i], b[2 + i]];
+        let p = table.mass.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + row[3] * v[3]);
+        out[0][i] = p[0];
+        out[0][2 + i] = p[1];
+        out[1][i] = p[2];
+        out[1][2 + i] = p[3];
+    }
+    out
+}
+
+impl Books {
+    /// Opens the books on an initial state.
+    pub(crate) fn open(measures: &Measures) -> Self {
+        let mut books = Self {
+            energy_initial: measures.total(),
+            linear_initial: measures.linear,
+            angular_initial: measures.angular,
+            ..Self::default()
+        };
+        books.rescale(measures);
+        books
+    }
+
+    /// Takes a new state into the scales.
+    pub(crate) fn rescale(&mut self, m: &Measures) {
+        let energy = m.total().abs().max(self.work_loads.abs()).max(self.loss_impacts.abs());
+        self.energy_scale = self.energy_scale.max(energy);
+        let impulse = self.impulse[0].hypot(self.impulse[1]);
+        self.linear_scale = self.linear_scale.max(m.linear_size).max(impulse);
+        self.angular_scale =
+            self.angular_scale.max(m.angular_size).max(self.angular_impulse.abs());
+    }
+
+    /// What is missing from the energy books \[J\].
+    pub fn energy_residual(&self, m: &Measures) -> f64 {
+        m.total() - self.energy_initial - self.work_loads - self.work_supports + self.loss_impacts
+    }
+
+    /// What is missing from the books of linear momentum \[kg m/s\].
+    pub fn linear_residual(&self, m: &Measures) -> [f64; 2] {
+        std::array::from_fn(|i| m.linear[i] - self.linear_initial[i] - self.impulse[i])
+    }
+
+    /// What is missing from the books of angular momentum \[kg m^2/s\].
+    pub fn angular_residual(&self, m: &Measures) -> f64 {
+        m.angular - self.angular_initial - self.angular_impulse
+    }
+}

@@ -1,0 +1,152 @@
+//! What a scheme makes of the increment of a step.
+
+use crate::settings::Scheme;
+
+/// A scheme on a step of given size: how velocity and acceleration follow from the increment `d = x1 - x0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Integration {
+    /// Step size \[s\].
+    pub h: f64,
+    /// Which forces act between the ends of the step.
+    pub rule: Rule,
+}
+
+/// The internal counterpart of [`Scheme`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rule {
+    /// `v1 = 2 d/h - v0`, inertia `M (v1 - v0)/h`.
+    Midpoint(MidpointForces),
+    /// Newmark's family with accelerations.
+    Alpha(AlphaWeights),
+}
+
+/// Internal forces of the midpoint family.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MidpointForces {
+    /// Discrete gradient through invariants.
+    Invariant,
+    /// Strains advanced by their midpoint rates.
+    StrainRate,
+    /// Forces at the midpoint configuration.
+    Collocated,
+}
+
+/// Weights of generalized-alpha: `alpha_m`, `alpha_f` weigh the start of the step, beta and gamma are Newmark's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AlphaWeights {
+    /// Weight of the start in the inertia.
+    pub alpha_m: f64,
+    /// Weight of the start in the forces.
+    pub alpha_f: f64,
+    /// Newmark's beta.
+    pub beta: f64,
+    /// Newmark's gamma.
+    pub gamma: f64,
+}
+
+impl AlphaWeights {
+    /// Average acceleration.
+    const NEWMARK: Self = Self { alpha_m: 0.0, alpha_f: 0.0, beta: 0.25, gamma: 0.5 };
+
+    /// Optimal weights for a spectral radius at infinite frequency (Chung and Hulbert 1993, eqs. 17, 20, 25).
+    fn chung_hulbert(radius: f64) -> Self {
+        let alpha_m = (2.0 * radius - 1.0) / (radius + 1.0);
+        let alpha_f = radius / (radius + 1.0);
+        let spread = alpha_f - alpha_m;
+        Self { alpha_m, alpha_f, beta: 0.25 * (1.0 + spread).powi(2), gamma: 0.5 + spread }
+    }
+}
+
+impl Integration {
+    /// `scheme` on a step of size `h`.
+    pub fn new(scheme: Scheme, h: f64) -> Self {
+        let rule = match scheme {
+            Scheme::EnergyMomentum => Rule::Midpoint(MidpointForces::Invariant),
+            Scheme::StrainRate => Rule::Midpoint(MidpointForces::StrainRate),
+            Scheme::Midpoint => Rule::Midpoint(MidpointForces::Collocated),
+            Scheme::Newmark => Rule::Alpha(AlphaWeights::NEWMARK),
+            Scheme::GeneralizedAlpha { spectral_radius } => {
+                Rule::Alpha(AlphaWeights::chung_hulbert(spectral_radius))
+            }
+        };
+        Self { h, rule }
+    }
+
+    /// Weight of the end of the step in the configuration where forces are evaluated.
+    pub fn theta(&self) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => 0.5,
+            Rule::Alpha(w) => 1.0 - w.alpha_f,
+        }
+    }
+
+    /// Increment if nothing accelerates further.
+    pub fn predict(&self, v0: f64, a0: f64) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => self.h * v0,
+            Rule::Alpha(_) => self.h * (v0 + 0.5 * self.h * a0),
+        }
+    }
+
+    /// Derivative of [`Integration::inertia`] with respect to the increment \[1/s^2\].
+    pub fn inertia_slope(&self) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => 2.0 / (self.h * self.h),
+            Rule::Alpha(w) => (1.0 - w.alpha_m) / (w.beta * self.h * self.h),
+        }
+    }
+
+    /// Acceleration in the equation of motion.
+    #[inline(always)]
+    pub fn inertia(&self, d: f64, v0: f64, a0: f64) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => 2.0 * (d / self.h - v0) / self.h,
+            Rule::Alpha(w) => {
+                (1.0 - w.alpha_m) * self.acceleration(d, v0, a0) + w.alpha_m * a0
+            }
+        }
+    }
+
+    /// Acceleration at the end of the step.
+    #[inline(always)]
+    pub fn acceleration(&self, d: f64, v0: f64, a0: f64) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => 0.0,
+            Rule::Alpha(w) => {
+                (d / self.h - v0) / (w.beta * self.h) - (0.5 / w.beta - 1.0) * a0
+            }
+        }
+    }
+
+    /// Velocity at the end of the step.
+    #[inline(always)]
+    pub fn velocity(&self, d: f64, v0: f64, a0: f64) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => 2.0 * d / self.h - v0,
+            Rule::Alpha(w) => {
+                let a1 = self.acceleration(d, v0, a0);
+                v0 + self.h * ((1.0 - w.gamma) * a0 + w.gamma * a1)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn schemes_reproduce_constant_acceleration() {
+        let (h, v0, a) = (0.1, 2.0, -3.0);
+        let d = h * v0 + 0.5 * h * h * a;
+        for scheme in [
+            Scheme::EnergyMomentum,
+            Scheme::Newmark,
+            Scheme::GeneralizedAlpha { spectral_radius: 0.6 },
+        ] {
+            let rule = Integration::new(scheme, h);
+            assert!((rule.inertia(d, v0, a) - a).abs() < 1e-12);
+            assert!((rule.velocity(d, v0, a) - (v0 + h * a)).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! One step: predict, iterate, commit, measure.
+//!
+//! [`integration`] says what a scheme makes of an increment, [`assemble`] sums residual and tangent, [`tangent`]
+//! factors and solves them with their border of constraints, [`newton`] iterates, [`commit`] is the only writer of
+//! [`State`](crate::state::State).
+
+pub mod assemble;
+pub mod commit;
+pub mod constraint;
+pub mod external;
+pub mod integration;
+pub mod newton;
+pub mod tangent;
+pub mod workspace;
