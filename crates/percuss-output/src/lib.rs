@@ -4,13 +4,16 @@
 //! [`HistoryWriter`], its result through [`summary_value`] and [`write_summary`], and
 //! [`report::write`] makes the page and the pictures from what the files say.
 
+mod comparison;
 mod csv_text;
 mod directory;
 mod error;
 mod files;
 mod history;
+pub mod report;
 mod summary;
 
+pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
 pub use directory::RunDirectory;
 pub use error::Error;
 pub use history::{

@@ -1,0 +1,92 @@
+//! The same scenario under other restitution coefficients: total energy over time.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use crate::csv_text;
+use crate::error::Error;
+use crate::files;
+use crate::history::History;
+use crate::report::decimate;
+
+const COMPARISON: &str = "comparison.csv";
+const HEADER: &str = "series,time,energy_total";
+/// Bins of a series on disk; longer ones are kept as the extremes of so many bins.
+const BINS: usize = 2000;
+
+/// One run of a comparison.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ComparisonSeries {
+    /// What distinguishes it, for instance `restitution 0.5`.
+    pub label: String,
+    /// Times \[s\].
+    pub time: Vec<f64>,
+    /// Total energy at these times \[J\].
+    pub energy: Vec<f64>,
+}
+
+impl ComparisonSeries {
+    /// The total energy of a run, or `None` if its history has no such column.
+    pub fn from_history(label: impl Into<String>, history: &History) -> Option<Self> {
+        Some(Self {
+            label: label.into(),
+            time: history.column("time")?.to_vec(),
+            energy: history.column("energy.total")?.to_vec(),
+        })
+    }
+}
+
+/// Writes `comparison.csv` into `dir`; long series as the extremes of 2000 bins.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_comparison(dir: impl AsRef<Path>, series: &[ComparisonSeries]) -> Result<(), Error> {
+    let mut text = format!("{HEADER}\n");
+    for one in series {
+        let label = csv_text::quote(&one.label);
+        let mut numbers = (zmij::Buffer::new(), zmij::Buffer::new());
+        for row in decimate::rows(&[&one.energy], one.time.len(), BINS) {
+            let time = numbers.0.format(one.time[row]);
+            let energy = numbers.1.format(one.energy[row]);
+            let _ = writeln!(text, "{label},{time},{energy}"); // a String never fails
+        }
+    }
+    files::write(&dir.as_ref().join(COMPARISON), text.as_bytes())
+}
+
+/// Reads `comparison.csv` in `dir`; nothing if there is none.
+///
+/// # Errors
+/// If the file is damaged.
+pub fn read_comparison(dir: impl AsRef<Path>) -> Result<Vec<ComparisonSeries>, Error> {
+    let path = dir.as_ref().join(COMPARISON);
+    if !path.is_file() {
+        return Ok(Vec::new());
+    }
+    let text = files::read_text(&path)?;
+    let mut lines = text.lines();
+    if lines.next() != Some(HEADER) {
+        return Err(Error::content(&path, format!("does not begin with `{HEADER}`")));
+    }
+    let mut all: Vec<ComparisonSeries> = Vec::new();
+    for (number, line) in lines.enumerate() {
+        let fields = csv_text::fields(line);
+        let [label, time, energy] = fields.as_slice() else {
+            return Err(Error::content(&path, format!("line {}: not three fields", number + 2)));
+        };
+        let parse = |text: &String| {
+            text.parse::<f64>().map_err(|_| {
+                Error::content(&path, format!("line {}: `{text}` is not a number", number + 2))
+            })
+        };
+        let (time, energy) = (parse(time)?, parse(energy)?);
+        if all.last().is_none_or(|last| last.label != *label) {
+            all.push(ComparisonSeries { label: label.clone(), ..Default::default() });
+        }
+        if let Some(series) = all.last_mut() {
+            series.time.push(time);
+            series.energy.push(energy);
+        }
+    }
+    Ok(all)
+}

@@ -1,0 +1,117 @@
+//! The audit in words: what was conserved, what was not, and whether that was to be expected.
+
+use serde_json::Value;
+
+use super::html::table;
+use super::quantity::{number, quantity};
+
+/// A residual below this, relative to the largest amount in play, counts as closed.
+const CLOSED: f64 = 1e-10;
+
+/// The audit table.
+pub(super) fn render(summary: &Value) -> String {
+    let scheme = summary["settings"]["scheme"].as_str().unwrap_or_default();
+    let residual = |of: &str, key: &str| summary[of][key].as_f64();
+    let mut rows = Vec::new();
+    for (label, of, key) in [
+        ("energy residual, relative", "energy", "residual_max"),
+        ("linear momentum residual, relative", "momentum", "linear_residual_max"),
+        ("angular momentum residual, relative", "momentum", "angular_residual_max"),
+    ] {
+        let value = residual(of, key);
+        rows.push([label.to_owned(), quantity(value, "1"), verdict(value, of, scheme)]);
+    }
+    let drift = residual("audit", "curvature_drift_max");
+    rows.push(["curvature drift".to_owned(), quantity(drift, "1/m"), drift_verdict(drift)]);
+    let drift = residual("audit", "membrane_drift_max");
+    rows.push(["membrane strain drift".to_owned(), quantity(drift, "1"), drift_verdict(drift)]);
+    rows.push(newton(summary));
+    rows.push(step_cuts(summary));
+    let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
+    table("Audit: largest over the run", &["", "value", "verdict"], &rows)
+}
+
+fn verdict(value: Option<f64>, what: &str, scheme: &str) -> String {
+    let Some(value) = value else { return "not known".to_owned() };
+    if value.abs() <= CLOSED {
+        return "closes: below 1e-10".to_owned();
+    }
+    let by_design = match (scheme, what) {
+        ("generalized-alpha", "energy") => {
+            Some("the scheme dissipates energy by design; this is how much is missing")
+        }
+        ("newmark" | "generalized-alpha", _) => {
+            Some("the scheme does not conserve it; this is its error")
+        }
+        ("midpoint", "energy") => Some(
+            "the midpoint rule does not conserve the energy of a beam that turns; this is its error",
+        ),
+        _ => None,
+    };
+    by_design.unwrap_or("does not close: above 1e-10").to_owned()
+}
+
+fn drift_verdict(drift: Option<f64>) -> String {
+    match drift {
+        None => "not known",
+        Some(0.0) => "none: strains are those of the configuration",
+        Some(_) => "stored strains and configuration have come apart by so much",
+    }
+    .to_owned()
+}
+
+fn newton(summary: &Value) -> [String; 3] {
+    let iterations = summary["newton_iterations"].as_u64();
+    let steps = summary["solver_steps"].as_u64().or(summary["steps"].as_u64());
+    let average = iterations.zip(steps).filter(|(_, steps)| *steps > 0);
+    let verdict = average.map_or(String::new(), |(iterations, steps)| {
+        format!(
+            "{} a step on average",
+            number((iterations as f64 / steps as f64 * 100.0).round() / 100.0)
+        )
+    });
+    let count = iterations.map_or("\u{2013}".to_owned(), |n| n.to_string());
+    ["Newton iterations".to_owned(), count, verdict]
+}
+
+fn step_cuts(summary: &Value) -> [String; 3] {
+    let cuts = summary["step_cuts"].as_u64();
+    let verdict = match cuts {
+        None => "not known",
+        Some(0) => "none: every step converged at its size",
+        Some(_) => {
+            "Newton's iteration failed so often and the step was cut; consider a smaller one"
+        }
+    };
+    let count = cuts.map_or("\u{2013}".to_owned(), |n| n.to_string());
+    ["step cuts".to_owned(), count, verdict.to_owned()]
+}
+
+/// The settings of the run and its cost.
+pub(super) fn settings(summary: &Value) -> String {
+    let settings = &summary["settings"];
+    let text = |value: &Value| value.as_str().map_or("\u{2013}".to_owned(), str::to_owned);
+    let count = |value: &Value| value.as_u64().map_or("\u{2013}".to_owned(), |n| n.to_string());
+    let mut scheme = text(&settings["scheme"]);
+    if let Some(radius) = settings["spectral_radius"].as_f64() {
+        scheme = format!("{scheme}, spectral radius {}", number(radius));
+    }
+    let mut impacts = text(&settings["impacts"]);
+    if let Some(tolerance) = settings["closed_tolerance"].as_f64() {
+        impacts = format!("{impacts}, closed below {}", quantity(Some(tolerance), "m"));
+    }
+    let rows = [
+        ("scheme", scheme),
+        ("impacts of rigid projectiles", impacts),
+        ("step", quantity(settings["step"].as_f64(), "s")),
+        ("end asked for", quantity(settings["end"].as_f64(), "s")),
+        ("time reached", quantity(summary["time"].as_f64(), "s")),
+        ("steps", count(&summary["steps"])),
+        ("steps of the solver, trials included", count(&summary["solver_steps"])),
+        ("factorisations", count(&summary["factorizations"])),
+        ("rows recorded", count(&summary["rows"])),
+        ("wall time", quantity(summary["wall_seconds"].as_f64(), "s")),
+    ];
+    let rows: Vec<Vec<String>> = rows.into_iter().map(|(k, v)| vec![k.to_owned(), v]).collect();
+    table("Settings and cost", &[], &rows)
+}

@@ -1,0 +1,70 @@
+//! Text into HTML.
+
+use std::fmt::Write as _;
+
+/// `text` where HTML expects text or a quoted attribute.
+pub(super) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+/// JSON inside a `<script>` element: no `<` is left to end it early.
+pub(super) fn json(value: &serde_json::Value) -> String {
+    value.to_string().replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
+}
+
+/// A table: header cells, then rows; all cells are escaped here. The first column heads its row.
+pub(super) fn table(caption: &str, header: &[&str], rows: &[Vec<String>]) -> String {
+    let mut out = format!("<div class=\"table\"><table><caption>{}</caption>\n", escape(caption));
+    if !header.is_empty() {
+        out.push_str("<thead><tr>");
+        for cell in header {
+            let _ = write!(out, "<th scope=\"col\">{}</th>", escape(cell));
+        }
+        out.push_str("</tr></thead>\n");
+    }
+    out.push_str("<tbody>\n");
+    for row in rows {
+        out.push_str("<tr>");
+        for (k, cell) in row.iter().enumerate() {
+            let _ = match k {
+                0 => write!(out, "<th scope=\"row\">{}</th>", escape(cell)),
+                _ => write!(out, "<td>{}</td>", escape(cell)),
+            };
+        }
+        out.push_str("</tr>\n");
+    }
+    out.push_str("</tbody></table></div>\n");
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn markup_becomes_text() {
+        assert_eq!(
+            escape("<b a=\"1\" b='2'>&</b>"),
+            "&lt;b a=&quot;1&quot; b=&#39;2&#39;&gt;&amp;&lt;/b&gt;"
+        );
+    }
+
+    #[test]
+    fn a_script_element_cannot_be_ended_from_within_its_data() {
+        let value = serde_json::json!({ "title": "</script><!--<script>" });
+        let text = json(&value);
+        assert!(!text.contains('<') && !text.contains('>'));
+        assert_eq!(serde_json::from_str::<serde_json::Value>(&text).ok(), Some(value));
+    }
+}

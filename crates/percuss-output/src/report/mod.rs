@@ -1,0 +1,68 @@
+//! The report of a run: one page and its pictures, made from the files of the run alone.
+
+mod audit;
+mod dashes;
+pub(crate) mod decimate;
+mod figure;
+mod figures;
+mod html;
+mod impact;
+mod page;
+mod payload;
+mod pictures;
+mod quantity;
+mod results;
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::comparison::{ComparisonSeries, read_comparison};
+use crate::error::Error;
+use crate::files;
+use crate::history::{self, History};
+use crate::summary::read_summary;
+
+/// What a report is made of.
+#[derive(Clone, Debug, Default)]
+pub struct ReportData {
+    /// The history.
+    pub history: History,
+    /// The content of `summary.json`.
+    pub summary: Value,
+    /// The text of `scenario.toml`; may be empty.
+    pub scenario: String,
+    /// Total energies of other restitution coefficients; may be empty.
+    pub comparison: Vec<ComparisonSeries>,
+}
+
+impl ReportData {
+    /// Reads what [`write`] needs from the directory of a run.
+    ///
+    /// # Errors
+    /// If the summary or the history is missing or damaged.
+    pub fn read(dir: impl AsRef<Path>) -> Result<Self, Error> {
+        let dir = dir.as_ref();
+        let scenario = dir.join("scenario.toml");
+        Ok(Self {
+            summary: read_summary(dir)?,
+            history: history::read(dir)?,
+            scenario: if scenario.is_file() { files::read_text(&scenario)? } else { String::new() },
+            comparison: read_comparison(dir)?,
+        })
+    }
+}
+
+/// Writes `report.html` and `figures/` into `dir`.
+///
+/// # Errors
+/// If a file cannot be written or a picture not drawn.
+pub fn write(dir: impl AsRef<Path>, data: &ReportData) -> Result<(), Error> {
+    let figures = figures::all(data);
+    write_page(dir.as_ref(), data, &figures)?;
+    pictures::write(&dir.as_ref().join("figures"), &figures)
+}
+
+fn write_page(dir: &Path, data: &ReportData, figures: &[figure::Figure]) -> Result<(), Error> {
+    files::write(&dir.join("report.html"), page::render(data, figures).as_bytes())
+}

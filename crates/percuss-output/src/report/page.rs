@@ -1,0 +1,155 @@
+//! The page: the template with its holes filled.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::ReportData;
+use super::figure::{Figure, Section};
+use super::html::{self, escape};
+use super::{audit, payload, results};
+
+const TEMPLATE: &str = include_str!("../../../../web/report.html");
+const STYLE: &str = include_str!("../../../../web/report.css");
+const SCRIPT: &str = include_str!("../../../../web/report.js");
+const UPLOT: &str = include_str!("../../../../web/vendor/uplot/uPlot.iife.min.js");
+const UPLOT_STYLE: &str = include_str!("../../../../web/vendor/uplot/uPlot.min.css");
+const UPLOT_LICENCE: &str = include_str!("../../../../web/vendor/uplot/LICENSE");
+
+/// The whole page.
+pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
+    let summary = &data.summary;
+    let payload = payload::pack(figures);
+    let title = summary["title"].as_str().filter(|t| !t.is_empty()).unwrap_or("Percuss run");
+    let fill = |hole: &str| -> String {
+        match hole {
+            "title" => escape(title),
+            "version" => escape(summary["percuss_version"].as_str().unwrap_or("")),
+            "status" => status(summary),
+            "results" => results::render(summary),
+            "decimation" => decimation(data, figures),
+            "impact" => section(figures, Section::Impact, "Impact"),
+            "books" => section(figures, Section::Books, "Energy and momentum"),
+            "points" => section(figures, Section::Points, "Recorded points"),
+            "audit_table" => audit::render(summary),
+            "audit_figures" => section(figures, Section::Audit, ""),
+            "settings" => audit::settings(summary),
+            "scenario" => escape(&data.scenario),
+            "style" => format!("{UPLOT_STYLE}\n{STYLE}"),
+            "licence" => format!("/*!\nuPlot\n\n{UPLOT_LICENCE}*/"),
+            "uplot" => UPLOT.to_owned(),
+            "script" => SCRIPT.to_owned(),
+            "index" => html::json(&payload.index),
+            "data" => payload.data.clone(),
+            _ => String::new(),
+        }
+    };
+    fill_holes(TEMPLATE, fill)
+}
+
+/// Replaces every `{{hole}}` of the template, looking at nothing that was put in.
+fn fill_holes(template: &str, fill: impl Fn(&str) -> String) -> String {
+    let mut out = String::new();
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once("{{") {
+        out.push_str(before);
+        let Some((hole, after)) = after.split_once("}}") else {
+            out.push_str("{{");
+            rest = after;
+            continue;
+        };
+        out.push_str(&fill(hole));
+        rest = after;
+    }
+    out.push_str(rest);
+    out
+}
+
+fn status(summary: &Value) -> String {
+    let status = summary["status"].as_str().unwrap_or("unknown");
+    let words = match status {
+        "completed" => "completed: the run reached its end",
+        "interrupted" => "interrupted: shown is everything up to the last accepted step",
+        "failed" => "failed: shown is everything up to the last accepted step",
+        other => other,
+    };
+    let class = if status == "completed" { "status" } else { "status warning" };
+    let mut out = format!("<p class=\"{class}\">{}</p>\n", escape(words));
+    if let Some(error) = summary["error"].as_str() {
+        let _ = writeln!(out, "<p class=\"warning\" role=\"alert\">{}</p>", escape(error));
+    }
+    out
+}
+
+/// Says so where not every row is drawn.
+fn decimation(data: &ReportData, figures: &[Figure]) -> String {
+    let rows = data.history.rows();
+    let fewest = figures
+        .iter()
+        .filter(|f| f.id != "restitution" && !f.id.starts_with("impulse"))
+        .flat_map(|f| &f.tables)
+        .map(|t| t.x.len())
+        .min();
+    let Some(drawn) = fewest.filter(|drawn| *drawn < rows) else { return String::new() };
+    let source = if data.history.source.is_empty() { "the history" } else { &data.history.source };
+    let text = format!(
+        "{} rows were recorded. Long curves are drawn through the first, last, smallest and largest \
+         value of some thousand bins each ({} rows or more a figure); every row is in {source}.",
+        grouped(rows),
+        grouped(drawn),
+    );
+    format!("<p class=\"note\">{}</p>\n", escape(&text))
+}
+
+/// 1000001 as `1 000 001`.
+fn grouped(n: usize) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k) % 3 == 0 {
+            out.push('\u{202f}');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+fn section(figures: &[Figure], section: Section, heading: &str) -> String {
+    let mut out = String::new();
+    for figure in figures.iter().filter(|f| f.section == section) {
+        let (id, title) = (escape(&figure.id), escape(&figure.title));
+        let _ = writeln!(
+            out,
+            "<figure data-figure=\"{id}\"><figcaption><h3>{title}</h3>\
+             <button type=\"button\" class=\"save\" aria-label=\"Save {title} as PNG\">PNG</button>\
+             <p>{}</p></figcaption><div class=\"plot\"></div></figure>",
+            escape(&figure.note)
+        );
+    }
+    if out.is_empty() {
+        return out;
+    }
+    let heading =
+        if heading.is_empty() { String::new() } else { format!("<h2>{}</h2>\n", escape(heading)) };
+    format!("{heading}<div class=\"figures\">\n{out}</div>\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holes_in_user_text_are_not_filled() {
+        let page = fill_holes("a {{x}} b {{y}} c", |hole| match hole {
+            "x" => "{{y}}".to_owned(),
+            _ => "z".to_owned(),
+        });
+        assert_eq!(page, "a {{y}} b z c");
+    }
+
+    #[test]
+    fn thousands_are_grouped() {
+        assert_eq!(grouped(1_000_001), "1\u{202f}000\u{202f}001");
+        assert_eq!(grouped(999), "999");
+    }
+}

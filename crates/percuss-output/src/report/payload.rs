@@ -1,0 +1,90 @@
+//! The numbers of the page: columns, byte-shuffled, deflated where that pays, in base64.
+
+use std::collections::HashMap;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use serde_json::{Value, json};
+
+use super::figure::{Axis, Figure, Series, Shape, Table};
+
+/// Smaller payloads are not deflated, so that any browser shows them.
+const DEFLATED_FROM: usize = 1 << 19;
+
+/// Columns and the figures that refer to them.
+pub(super) struct Payload {
+    /// Figures, columns and encoding.
+    pub index: Value,
+    /// The columns' bytes in base64.
+    pub data: String,
+}
+
+/// Packs the figures.
+pub(super) fn pack(figures: &[Figure]) -> Payload {
+    let mut columns = Columns::default();
+    let figures: Vec<Value> = figures.iter().map(|f| figure(&mut columns, f)).collect();
+    let deflated = columns.bytes.len() >= DEFLATED_FROM;
+    let bytes = if deflated {
+        miniz_oxide::deflate::compress_to_vec(&columns.bytes, 6)
+    } else {
+        columns.bytes
+    };
+    let index = json!({
+        "figures": figures,
+        "columns": columns.index,
+        "encoding": if deflated { "deflate" } else { "plain" },
+    });
+    Payload { index, data: STANDARD.encode(bytes) }
+}
+
+fn figure(columns: &mut Columns, figure: &Figure) -> Value {
+    let axis = |axis: &Axis| json!({ "caption": axis.caption(), "unit": axis.unit });
+    json!({
+        "id": figure.id,
+        "title": figure.title,
+        "x": axis(&figure.x),
+        "y": axis(&figure.y),
+        "tables": figure.tables.iter().map(|t| table(columns, t)).collect::<Vec<_>>(),
+    })
+}
+
+fn table(columns: &mut Columns, table: &Table) -> Value {
+    let mut series = |s: &Series| {
+        json!({
+            "label": s.label,
+            "style": s.style,
+            "stem": s.shape == Shape::Stem,
+            "y": columns.push(s.y.iter().map(|y| *y as f32), f32::to_le_bytes),
+        })
+    };
+    let list: Vec<Value> = table.series.iter().map(&mut series).collect();
+    json!({ "x": columns.push(table.x.iter().copied(), f64::to_le_bytes), "series": list })
+}
+
+/// Byte-shuffled columns, equal ones stored once.
+#[derive(Default)]
+struct Columns {
+    bytes: Vec<u8>,
+    index: Vec<Value>,
+    seen: HashMap<Vec<u8>, usize>,
+}
+
+impl Columns {
+    /// Appends a column, byte 0 of all values first, then byte 1, ...; returns its number.
+    fn push<T: Copy, const N: usize>(
+        &mut self,
+        values: impl Iterator<Item = T>,
+        to_bytes: fn(T) -> [u8; N],
+    ) -> usize {
+        let values: Vec<[u8; N]> = values.map(to_bytes).collect();
+        let shuffled: Vec<u8> = (0..N).flat_map(|k| values.iter().map(move |v| v[k])).collect();
+        if let Some(&number) = self.seen.get(&shuffled) {
+            return number;
+        }
+        let number = self.index.len();
+        self.index.push(json!([N, values.len()]));
+        self.bytes.extend_from_slice(&shuffled);
+        self.seen.insert(shuffled, number);
+        number
+    }
+}

@@ -1,0 +1,199 @@
+//! The figures as SVG and PNG files.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::sync::Mutex;
+use std::thread;
+
+use kuva::backend::raster::RasterBackend;
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
+use kuva::plot::line::{LinePlot, LineStyle};
+use kuva::plot::lollipop::LollipopPlot;
+use kuva::render::figure::Figure as Sheet;
+use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::plots::Plot;
+use kuva::render::render::{Scene, render_multiple};
+use kuva::render::theme::Theme;
+
+use super::figure::{Figure, Series, Shape, Table};
+use super::quantity::number;
+use super::{dashes, decimate};
+use crate::error::Error;
+use crate::files;
+
+/// Colour-blind safe (Okabe and Ito 2008, the yellows darkened), index = style of a series.
+const COLOURS: [&str; 7] =
+    ["#1b1f24", "#0072b2", "#d55e00", "#009e73", "#a9548a", "#b27c00", "#56b4e9"];
+/// Dash patterns, index = style of a series; a curve alone is solid.
+const DASHES: [&str; 7] = ["", "", "9 4", "2 3", "9 3 2 3", "14 5", "5 2"];
+/// Bins per curve in a picture.
+const BINS: usize = 600;
+/// Stems per picture.
+const STEMS: usize = 1000;
+/// Panels in the overview.
+const PANELS: usize = 12;
+/// Size of a panel and of a single picture before scaling.
+const PANEL: (f64, f64) = (560.0, 380.0);
+/// Pixels per unit of size.
+const SCALE: f32 = 1.25;
+
+/// Writes a picture of every figure that is to have one, and of all of them together.
+pub(super) fn write(dir: &Path, figures: &[Figure]) -> Result<(), Error> {
+    let pictured: Vec<&Figure> = figures.iter().filter(|f| f.picture && has_data(f)).collect();
+    if pictured.is_empty() {
+        return Ok(());
+    }
+    fs::create_dir_all(dir).map_err(|e| Error::io(dir, "create", e))?;
+    let span = span(&pictured);
+    let sheet = ("overview".to_owned(), overview(&pictured, span));
+    let mut jobs = Vec::new();
+    let mut used = BTreeMap::new();
+    for figure in pictured {
+        jobs.push((file_stem(&figure.id, &mut used), single(figure, span)));
+    }
+    jobs.push(sheet); // the longest, taken first
+    let n_jobs = jobs.len();
+    let jobs = Mutex::new(jobs);
+    let next = || jobs.lock().ok()?.pop();
+    let work = || -> Result<(), Error> {
+        while let Some((stem, scene)) = next() {
+            draw(dir, &stem, scene)?;
+        }
+        Ok(())
+    };
+    let workers = thread::available_parallelism().map_or(1, usize::from).min(n_jobs).min(4);
+    thread::scope(|scope| {
+        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        handles
+            .into_iter()
+            .map(|handle| {
+                handle.join().unwrap_or_else(|_| Err(Error::content(dir, "drawing failed")))
+            })
+            .collect()
+    })
+}
+
+fn draw(dir: &Path, stem: &str, scene: Scene) -> Result<(), Error> {
+    let svg = SvgBackend::new().render_scene(&scene);
+    files::write(&dir.join(format!("{stem}.svg")), svg.as_bytes())?;
+    let path = dir.join(format!("{stem}.png"));
+    let png = RasterBackend::new()
+        .with_scale(SCALE)
+        .render_scene(&dashes::cut(scene))
+        .map_err(|e| Error::content(&path, format!("cannot be drawn: {e}")))?;
+    files::write(&path, &png)
+}
+
+fn has_data(figure: &Figure) -> bool {
+    figure.tables.iter().any(|t| !t.x.is_empty())
+}
+
+/// A name any file system takes; a second figure of the same name gets a number.
+fn file_stem(id: &str, used: &mut BTreeMap<String, usize>) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() || "-_".contains(c) { c } else { '_' };
+    let stem: String = id.chars().map(plain).take(80).collect();
+    let count = used.entry(stem.to_lowercase()).or_insert(0);
+    *count += 1;
+    if *count == 1 { stem } else { format!("{stem}-{count}") }
+}
+
+fn single(figure: &Figure, span: (f64, f64)) -> Scene {
+    let layout = layout(figure, span).with_width(PANEL.0).with_height(PANEL.1);
+    render_multiple(plots(figure), layout)
+}
+
+/// All panels on one sheet, lettered as in a paper.
+fn overview(figures: &[&Figure], span: (f64, f64)) -> Scene {
+    let shown = &figures[..figures.len().min(PANELS)];
+    let columns = if shown.len() == 1 { 1 } else { 2 };
+    let rows = shown.len().div_ceil(columns);
+    Sheet::new(rows, columns)
+        .with_plots(shown.iter().map(|f| plots(f)).collect())
+        .with_layouts(shown.iter().map(|f| layout(f, span)).collect())
+        .with_labels_lowercase()
+        .with_cell_size(PANEL.0, PANEL.1)
+        .render()
+}
+
+/// First and last abscissa of all figures, a hair more so that the last tick is there.
+fn span(figures: &[&Figure]) -> (f64, f64) {
+    let all = figures.iter().flat_map(|f| &f.tables).flat_map(|t| t.x.iter().copied());
+    let (low, high) =
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    (low, high + 1e-6 * (high - low))
+}
+
+fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
+    let mut layout = Layout::auto_from_plots(&plots(figure))
+        .with_title(figure.title.clone())
+        .with_x_label(figure.x.caption())
+        .with_y_label(figure.y.caption())
+        .with_tick_format(TickFormat::Custom(std::sync::Arc::new(number)))
+        .with_theme(theme())
+        .with_title_size(15)
+        .with_label_size(13)
+        .with_tick_size(12)
+        .with_body_size(12);
+    if span.1 > span.0 {
+        layout = layout.with_x_axis_min(span.0).with_x_axis_max(span.1);
+    }
+    let entries = legend(figure);
+    if entries.len() < 2 {
+        return layout; // the axis says it already
+    }
+    layout
+        .with_legend_entries(entries)
+        .with_legend_position(LegendPosition::OutsideBottomColumns)
+        .with_legend_box(false)
+}
+
+fn legend(figure: &Figure) -> Vec<LegendEntry> {
+    let entry = |s: &Series| LegendEntry {
+        label: s.label.clone(),
+        color: COLOURS[s.style % COLOURS.len()].to_owned(),
+        shape: LegendShape::Line,
+        dasharray: Some(DASHES[s.style % DASHES.len()].to_owned()).filter(|d| !d.is_empty()),
+    };
+    figure.tables.iter().flat_map(|t| &t.series).map(entry).collect()
+}
+
+fn theme() -> Theme {
+    Theme {
+        axis_color: "#1b1f24".to_owned(),
+        grid_color: "#e6e9ed".to_owned(),
+        tick_color: "#1b1f24".to_owned(),
+        text_color: "#1b1f24".to_owned(),
+        legend_border: "none".to_owned(),
+        ..Theme::light()
+    }
+}
+
+fn plots(figure: &Figure) -> Vec<Plot> {
+    let several = figure.tables.iter().map(|t| t.series.len()).sum::<usize>() > 1;
+    let of_table = |table: &Table| -> Vec<Plot> {
+        table.series.iter().map(|s| plot(&table.x, s, several)).collect()
+    };
+    figure.tables.iter().flat_map(of_table).collect()
+}
+
+fn plot(x: &[f64], series: &Series, dashed: bool) -> Plot {
+    let colour = COLOURS[series.style % COLOURS.len()];
+    let bins = if series.shape == Shape::Stem { STEMS / 4 } else { BINS };
+    let points: Vec<(f64, f64)> = decimate::rows(&[&series.y], x.len(), bins)
+        .into_iter()
+        .map(|row| (x[row], series.y[row]))
+        .filter(|(x, y)| x.is_finite() && y.is_finite())
+        .collect();
+    if series.shape == Shape::Stem {
+        let stems = LollipopPlot::new().with_points(points).with_color(colour);
+        return Plot::Lollipop(stems.with_stem_width(1.5).with_dot_radius(3.0));
+    }
+    let style = match DASHES[series.style % DASHES.len()] {
+        dash if dashed && !dash.is_empty() => LineStyle::Custom(dash.to_owned()),
+        _ => LineStyle::Solid,
+    };
+    let line = LinePlot::new().with_data(points).with_color(colour);
+    Plot::Line(line.with_stroke_width(1.5).with_line_style(style))
+}

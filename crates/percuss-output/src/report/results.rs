@@ -1,0 +1,161 @@
+//! The tables of key results.
+
+use serde_json::{Map, Value};
+
+use super::html::{escape, table};
+use super::quantity::{number, quantity};
+
+/// Rows shown of a long list.
+const LISTED: usize = 200;
+
+/// Everything between the heading and the figures.
+pub(super) fn render(summary: &Value) -> String {
+    let mut out = String::new();
+    let empty = Map::new();
+    let contacts = summary["contact"].as_object().unwrap_or(&empty);
+    let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
+    for (name, contact) in contacts {
+        out.push_str(&contact_table(name, contact, projectiles.get(name)));
+        out.push_str(&mass_warning(contact));
+        out.push_str(&impacts(name, contact));
+        out.push_str(&intervals(name, contact));
+    }
+    for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
+        out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile)));
+    }
+    out.push_str(&points(summary));
+    out
+}
+
+/// `caption` and so many rows of `list`, the rest counted.
+fn listing(
+    caption: &str,
+    header: &[&str],
+    list: &[Value],
+    total: usize,
+    row: impl Fn(usize, &Value) -> Vec<String>,
+) -> String {
+    let shown: Vec<Vec<String>> =
+        list.iter().take(LISTED).enumerate().map(|(k, entry)| row(k + 1, entry)).collect();
+    let mut out = table(caption, header, &shown);
+    if total > shown.len() {
+        let more = total - shown.len();
+        out.push_str(&format!("<p class=\"more\">and {more} more</p>\n"));
+    }
+    out
+}
+
+fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> String {
+    let mut rows = Vec::new();
+    let mut row = |label: &str, value: String| rows.push(vec![label.to_owned(), value]);
+    let peak = &contact["peak_force"];
+    if peak.is_object() {
+        let force = quantity(peak["value"].as_f64(), "N");
+        let time = quantity(peak["time"].as_f64(), "s");
+        row("peak contact force", format!("{force} at {time}"));
+    }
+    if let Some(count) = contact["impact_count"].as_u64() {
+        row("impacts", count.to_string());
+        row("impulse handed over", quantity(contact["impulse_total"].as_f64(), "N*s"));
+        row(
+            "effective mass of the struck point",
+            quantity(contact["effective_mass"].as_f64(), "kg"),
+        );
+        row("its limit on a fine mesh", quantity(contact["effective_mass_limit"].as_f64(), "kg"));
+    }
+    if let Some(projectile) = projectile {
+        rows.extend(departure(projectile));
+    }
+    table(&format!("Projectile {name}"), &[], &rows)
+}
+
+fn departure(projectile: &Value) -> Vec<Vec<String>> {
+    let velocity = &projectile["velocity_final"];
+    let component = |k: usize| velocity[k].as_f64().map_or("\u{2013}".to_owned(), number);
+    let row = |label: &str, value: String| vec![label.to_owned(), value];
+    vec![
+        row("velocity at the end", format!("({}, {}) m/s", component(0), component(1))),
+        row(
+            "momentum given away, along the line of flight",
+            quantity(projectile["momentum_transferred"].as_f64(), "kg*m/s"),
+        ),
+        row("kinetic energy given away", quantity(projectile["energy_transferred"].as_f64(), "J")),
+    ]
+}
+
+/// The warning that a rigid impact's impulse belongs to the mesh, where it does.
+fn mass_warning(contact: &Value) -> String {
+    let rigid = contact["impact_count"].is_u64();
+    let mass = contact["effective_mass"].as_f64();
+    let limit = contact["effective_mass_limit"].as_f64();
+    let (true, Some(mass), Some(limit)) = (rigid, mass, limit) else { return String::new() };
+    if (mass - limit).abs() <= 0.5 * mass.max(limit) {
+        return String::new();
+    }
+    let text = format!(
+        "On this mesh the struck point's effective mass is {} kg, its continuum limit {} kg: the \
+         impulse of a rigid impact is a property of this mesh (see the documentation on restitution \
+         and meshes).",
+        number(mass),
+        number(limit)
+    );
+    format!(
+        "<p class=\"warning\" role=\"note\"><strong>Mind the mesh.</strong> {}</p>\n",
+        escape(&text)
+    )
+}
+
+fn impacts(name: &str, contact: &Value) -> String {
+    let Some(list) = contact["impacts"].as_array().filter(|l| !l.is_empty()) else {
+        return String::new();
+    };
+    let total = contact["impact_count"].as_u64().map_or(list.len(), |n| n as usize);
+    let header = ["", "time", "impulse", "approach", "separation", "energy lost"];
+    listing(&format!("Impacts of {name}"), &header, list, total, |k, impact| {
+        let value = |key: &str, unit: &str| quantity(impact[key].as_f64(), unit);
+        vec![
+            k.to_string(),
+            value("time", "s"),
+            value("impulse", "N*s"),
+            value("approach_velocity", "m/s"),
+            value("separation_velocity", "m/s"),
+            value("energy_lost", "J"),
+        ]
+    })
+}
+
+fn intervals(name: &str, contact: &Value) -> String {
+    let Some(list) = contact["intervals"].as_array().filter(|l| !l.is_empty()) else {
+        return String::new();
+    };
+    let header = ["", "from", "to", "duration", "impulse"];
+    listing(&format!("Contact intervals of {name}"), &header, list, list.len(), |k, interval| {
+        let (start, end) = (interval["start"].as_f64(), interval["end"].as_f64());
+        let duration = start.zip(end).map(|(start, end)| end - start);
+        let end = if end.is_some() { quantity(end, "s") } else { "still closed".to_owned() };
+        vec![
+            k.to_string(),
+            quantity(start, "s"),
+            end,
+            quantity(duration, "s"),
+            quantity(interval["impulse"].as_f64(), "N*s"),
+        ]
+    })
+}
+
+fn points(summary: &Value) -> String {
+    let Some(points) = summary["point"].as_object().filter(|p| !p.is_empty()) else {
+        return String::new();
+    };
+    let list: Vec<Value> = points.iter().map(|(name, p)| serde_json::json!([name, p])).collect();
+    let header = ["point", "largest displacement 1", "at", "largest displacement 2", "at"];
+    listing("Recorded points", &header, &list, list.len(), |_, entry| {
+        let mut row = vec![entry[0].as_str().unwrap_or_default().to_owned()];
+        for component in ["component_1", "component_2"] {
+            let peak = &entry[1]["displacement_max"][component];
+            row.push(quantity(peak["value"].as_f64(), "m"));
+            row.push(quantity(peak["time"].as_f64(), "s"));
+        }
+        row
+    })
+}

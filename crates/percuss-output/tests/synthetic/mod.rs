@@ -1,0 +1,286 @@
+//! Histories with known formulas, in place of a solver.
+
+#![allow(dead_code)] // each test uses its part
+
+use std::f64::consts::PI;
+
+use percuss::{
+    AuditSummary, Channel, ContactInterval, ContactRecord, ContactSummary, EnergySummary, Impact,
+    MomentumSummary, Peak, PointSummary, ProjectileSummary, Recorder, RecorderError, RunSummary,
+    Termination,
+};
+
+const MASS: f64 = 500.0;
+const SPEED: f64 = 20.0;
+const STANDOFF: f64 = 0.2;
+const OMEGA: f64 = 40.0;
+
+/// Channels as the core names them, with the given contact quantity.
+pub fn channels(projectile: &str, contact: (&str, &'static str), point: &str) -> Vec<Channel> {
+    let p = |what: &str| format!("projectile.{projectile}.{what}");
+    let q = |what: &str| format!("point.{point}.{what}");
+    let mut list: Vec<(String, &'static str)> = vec![
+        ("time".into(), "s"),
+        (p("position_1"), "m"),
+        (p("position_2"), "m"),
+        (p("velocity_1"), "m/s"),
+        (p("velocity_2"), "m/s"),
+        (format!("contact.{projectile}.gap"), "m"),
+        (format!("contact.{projectile}.{}", contact.0), contact.1),
+        (q("displacement_1"), "m"),
+        (q("displacement_2"), "m"),
+        (q("velocity_1"), "m/s"),
+        (q("velocity_2"), "m/s"),
+    ];
+    for name in [
+        "kinetic",
+        "kinetic_beams",
+        "kinetic_projectiles",
+        "strain",
+        "strain_axial",
+        "strain_bending",
+        "contact",
+        "total",
+        "work_loads",
+        "work_supports",
+        "loss_impacts",
+        "residual",
+    ] {
+        list.push((format!("energy.{name}"), "J"));
+    }
+    for name in ["linear_1", "linear_2", "residual_1", "residual_2"] {
+        list.push((format!("momentum.{name}"), "kg*m/s"));
+    }
+    for name in ["angular", "residual_angular"] {
+        list.push((format!("momentum.{name}"), "kg*m^2/s"));
+    }
+    list.push(("audit.curvature_drift".into(), "1/m"));
+    list.push(("audit.membrane_drift".into(), "1"));
+    list.push(("solver.newton_iterations".into(), "1"));
+    list.into_iter()
+        .map(|(name, unit)| Channel { description: format!("The {name}."), name, unit })
+        .collect()
+}
+
+/// A half-sine contact: an elastic mass meets a point that gives way like a sine.
+pub fn elastic(
+    recorder: &mut dyn Recorder,
+    name: &str,
+    rows: usize,
+    end: f64,
+) -> Result<(), RecorderError> {
+    recorder.begin(&channels(name, ("force", "N"), "girder.mid"))?;
+    let touch = STANDOFF / SPEED;
+    let half = PI / OMEGA;
+    for r in 0..rows {
+        let t = end * r as f64 / (rows - 1).max(1) as f64;
+        let s = (t - touch).clamp(0.0, half) * OMEGA;
+        let after = (t - touch - half).max(0.0);
+        let closed = s > 0.0 && s < PI;
+        let ringing = 0.3 * (2.0 * PI * 31.0 * after).sin() * 0.1;
+        let way = SPEED * t.min(touch) + SPEED / OMEGA * s.sin() - 0.95 * SPEED * after;
+        let velocity = if closed {
+            SPEED * s.cos()
+        } else if after > 0.0 {
+            -0.95 * SPEED
+        } else {
+            SPEED
+        };
+        let u = 0.178 * s.sin() + ringing * 0.1;
+        let v = if closed { 0.178 * OMEGA * s.cos() } else { 0.3 * (31.0 * after).cos() };
+        let force = if closed { 3.4e5 * s.sin() } else { 0.0 };
+        let kinetic = 0.5 * MASS * velocity * velocity;
+        let strain = if closed { 6.0e4 * s.sin().powi(2) } else { 9.7e3 * f64::from(after > 0.0) };
+        let contact = 1e5 - kinetic - strain;
+        let wobble = 1e-7 * (t * 900.0).sin() * (t * 40.0);
+        recorder.row(&[
+            t,
+            1.5,
+            way - STANDOFF,
+            0.0,
+            velocity,
+            STANDOFF + u - way,
+            force,
+            0.0,
+            u,
+            0.0,
+            v,
+            kinetic,
+            0.0,
+            kinetic,
+            strain,
+            0.02 * strain,
+            0.98 * strain,
+            contact,
+            1e5 + wobble,
+            0.0,
+            0.0,
+            0.0,
+            wobble,
+            1e-14,
+            MASS * velocity,
+            0.0,
+            wobble * 1e-3,
+            1.5 * MASS * velocity,
+            wobble * 2e-3,
+            1e-9 * t,
+            0.0,
+            3.0,
+        ])?;
+    }
+    Ok(())
+}
+
+/// A rigid mass that bounces off a swinging point three times.
+pub fn rigid(
+    recorder: &mut dyn Recorder,
+    name: &str,
+    rows: usize,
+    restitution: f64,
+) -> Result<(), RecorderError> {
+    recorder.begin(&channels(name, ("impulse", "N*s"), "girder.mid"))?;
+    let end = 0.02;
+    let (mass, gap0) = (100.0, 0.02);
+    let impacts = [(0.0005, 3814.98), (0.00511715, 1366.99), (0.00565332, 1841.04)];
+    let (mut velocity, mut position, mut t, mut next) = (-40.0, gap0, 0.0, 0);
+    let mut energy = 0.5 * mass * velocity * velocity;
+    let point = |t: f64| {
+        let s = (t - 0.0005_f64).max(0.0);
+        (-0.012 * (s * 900.0).sin() * (1.0 + 0.4 * (s * 3000.0).sin()), -10.8 * (s * 900.0).cos())
+    };
+    let mut rows_left = rows;
+    let dt = end / rows as f64;
+    let mut row = |t: f64, position: f64, velocity: f64, impulse: f64, energy: f64, after: bool| {
+        let (u, v) = if t > 0.0005 || after { point(t) } else { (0.0, 0.0) };
+        let kinetic = 0.5 * mass * velocity * velocity;
+        let rest = energy - kinetic;
+        let noise = 1e-8 * (t * 7e4).sin();
+        recorder.row(&[
+            t,
+            1.5,
+            position,
+            0.0,
+            velocity,
+            position - u,
+            impulse,
+            0.0,
+            u,
+            0.0,
+            v,
+            kinetic + 0.4 * rest,
+            0.4 * rest,
+            kinetic,
+            0.6 * rest,
+            0.1 * rest,
+            0.5 * rest,
+            0.0,
+            energy,
+            0.0,
+            0.0,
+            80_000.0 - energy,
+            noise,
+            0.0,
+            mass * velocity,
+            0.0,
+            0.0,
+            1.5 * mass * velocity,
+            0.0,
+            0.0,
+            0.0,
+            4.0,
+        ])
+    };
+    row(0.0, position, velocity, 0.0, energy, false)?;
+    while rows_left > 0 {
+        rows_left -= 1;
+        let step_end = t + dt;
+        if next < impacts.len() && step_end >= impacts[next].0 {
+            let (at, impulse) = impacts[next];
+            position += velocity * (at - t);
+            row(at, position, velocity, 0.0, energy, false)?;
+            velocity += (1.0 + restitution) / 2.0 * impulse / mass;
+            energy *= 1.0 - 0.1 * (1.0 - restitution * restitution);
+            row(at + 1e-9, position, velocity, (1.0 + restitution) / 2.0 * impulse, energy, true)?;
+            t = at;
+            next += 1;
+        }
+        position += velocity * (step_end - t);
+        t = step_end;
+        row(t, position, velocity, 0.0, energy, false)?;
+    }
+    Ok(())
+}
+
+/// A summary with the given contact record.
+pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
+    RunSummary {
+        termination: Termination::Completed,
+        time: 0.15,
+        steps: 1500,
+        solver_steps: 1503,
+        step_cuts: 0,
+        newton_iterations: 4511,
+        factorizations: 4511,
+        rows: 1501,
+        energy: EnergySummary {
+            initial: 1e5,
+            final_: 1e5,
+            work_loads: 0.0,
+            work_supports: 0.0,
+            loss_impacts: 0.0,
+            scale: 1e5,
+            residual_max: 5.9e-12,
+        },
+        momentum: MomentumSummary {
+            linear_scale: 1e4,
+            linear_residual_max: 3e-13,
+            angular_scale: 1.5e4,
+            angular_residual_max: 4e-13,
+        },
+        audit: AuditSummary { curvature_drift_max: 0.0, membrane_drift_max: 0.0 },
+        projectiles: vec![ProjectileSummary {
+            name: projectile.to_owned(),
+            velocity_final: [0.0, -19.10077444],
+            momentum_transferred: 19550.3,
+            energy_transferred: 8790.1,
+        }],
+        contacts: vec![ContactSummary {
+            name: projectile.to_owned(),
+            effective_mass: 91.2,
+            effective_mass_limit: 17.3,
+            record,
+        }],
+        points: vec![PointSummary {
+            name: "girder.mid".to_owned(),
+            displacement_max: [
+                Peak { value: 0.0, time: 0.0 },
+                Peak { value: 0.177864203, time: 0.0504933 },
+            ],
+        }],
+    }
+}
+
+/// One contact, still closed at the end.
+pub fn smooth() -> ContactRecord {
+    ContactRecord::Smooth {
+        peak_force: Peak { value: 337_784.605, time: 0.0664362 },
+        intervals: vec![ContactInterval { start: 0.01, end: f64::NAN, impulse: 19_550.4 }],
+    }
+}
+
+/// So many equal impacts.
+pub fn impacts(count: usize) -> ContactRecord {
+    let impact = |k: usize| Impact {
+        time: 0.0005 + 1e-5 * k as f64,
+        impulse: 3814.98,
+        approach_velocity: 40.0,
+        separation_velocity: 40.0,
+        energy_lost: 0.0,
+    };
+    ContactRecord::Nonsmooth {
+        impacts: (0..count).map(impact).collect(),
+        impact_count: count,
+        impulse_total: 3814.98 * count as f64,
+        intervals: Vec::new(),
+    }
+}
