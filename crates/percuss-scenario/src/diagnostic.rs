@@ -3,7 +3,10 @@
 use std::fmt;
 use std::ops::Range;
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource};
+use miette::{
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError,
+    MietteSpanContents, SourceCode, SourceSpan, SpanContents,
+};
 
 use crate::source::Source;
 
@@ -94,10 +97,8 @@ impl Diagnostics {
     pub fn fancy(&self, color: bool, width: usize) -> String {
         let theme =
             if color { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
-        let handler = GraphicalReportHandler::new_themed(theme)
-            .with_width(width.max(40))
-            .with_context_lines(0)
-            .with_links(false);
+        let handler =
+            GraphicalReportHandler::new_themed(theme).with_width(width.max(40)).with_links(false);
         let mut out = String::new();
         for one in &self.all {
             let title = match one.path.as_str() {
@@ -107,12 +108,11 @@ impl Diagnostics {
             let mut report =
                 MietteDiagnostic::new(title).with_help(format!("expected {}", one.help));
             if one.line > 0 && !self.source.text.is_empty() {
-                let length = self.underlined(&one.span);
-                report =
-                    report.with_label(LabeledSpan::new_with_span(None, (one.span.start, length)));
+                let mark = self.underlined(&one.span);
+                report = report.with_label(LabeledSpan::new_with_span(None, mark));
             }
-            let named = NamedSource::new(&self.source.name, self.source.text.clone());
-            let report = miette::Report::new(report).with_source_code(named);
+            let line = Line::of(&self.source, one.line);
+            let report = miette::Report::new(report).with_source_code(line);
             if handler.render_report(&mut out, report.as_ref()).is_err() {
                 out.push_str(&format!("{}:{one}\n", self.source.name));
             }
@@ -120,10 +120,18 @@ impl Diagnostics {
         out
     }
 
-    /// Length of the mark: the span, but not beyond the end of its line.
-    fn underlined(&self, span: &Range<usize>) -> usize {
-        let text = &self.source.text[span.start..span.end];
-        text.find(['\n', '\r']).unwrap_or(text.len())
+    /// Start and length of the mark: the span up to the end of its line; of an empty span the last
+    /// character before it.
+    fn underlined(&self, span: &Range<usize>) -> (usize, usize) {
+        let text = &self.source.text;
+        let marked = &text[span.start..span.end];
+        let length = marked.find(['\n', '\r']).unwrap_or(marked.len());
+        match text[..span.start].chars().next_back() {
+            Some(c) if length == 0 && !matches!(c, '\n' | '\u{feff}') => {
+                (span.start - c.len_utf8(), c.len_utf8())
+            }
+            _ => (span.start, length),
+        }
     }
 }
 
@@ -140,3 +148,39 @@ impl fmt::Display for Diagnostics {
 }
 
 impl std::error::Error for Diagnostics {}
+
+/// Shows the one line a fault stands on, whatever context is asked for.
+#[derive(Debug)]
+struct Line {
+    name: String,
+    text: String,
+    start: usize,
+    number: usize,
+}
+
+impl Line {
+    fn of(source: &Source, number: usize) -> Self {
+        let span = source.line(number);
+        let text = source.text[span.clone()].to_string();
+        Self { name: source.name.clone(), text, start: span.start, number }
+    }
+}
+
+impl SourceCode for Line {
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        _before: usize,
+        _after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let before = self.text.get(..span.offset().saturating_sub(self.start));
+        Ok(Box::new(MietteSpanContents::new_named(
+            self.name.clone(),
+            self.text.as_bytes(),
+            (self.start, self.text.len()).into(),
+            self.number.saturating_sub(1),
+            before.map_or(0, |text| text.chars().count()),
+            1,
+        )))
+    }
+}

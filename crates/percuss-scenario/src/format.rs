@@ -18,6 +18,10 @@ pub(crate) trait Format {
     fn placeholder() -> Self::Value;
     /// What is expected, with an example.
     fn expected() -> String;
+    /// What is said where `key` is missing: what was found and what was expected.
+    fn missing(key: &str) -> (String, String) {
+        (format!("no `{key}`"), Self::expected())
+    }
     /// JSON Schema.
     fn schema() -> Json;
 }

@@ -28,6 +28,7 @@ mod scenario;
 mod schema;
 mod source;
 mod suggest;
+mod syntax;
 mod table;
 mod template;
 pub mod units;

@@ -5,10 +5,10 @@ use toml::de::DeTable;
 use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::scenario;
 use crate::schema::schema;
 use crate::source::Source;
 use crate::suggest;
+use crate::syntax;
 
 /// Sets values in a scenario file, each override as `path=value`: `time.step=1e-5 s`.
 ///
@@ -28,7 +28,7 @@ pub fn apply_overrides(
     let source = Source::new(name, text);
     let (_, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        let all = scenario::syntax_faults(&source, &errors);
+        let all = syntax::faults(&source, &errors);
         return Err(Diagnostics::new(source, all));
     }
     let mut document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| {

@@ -85,7 +85,7 @@ fn with_unit<M: Measure>(node: &Node<'_>, text: &str, reader: &mut Reader<'_>) -
             let expected = if fault.expected.starts_with("a known unit") {
                 fault.expected
             } else {
-                format!("{} in {}", fault.expected, expected::<M>())
+                format!("{}: {}", fault.expected, expected::<M>())
             };
             reader.wrong(&node, fault.found, expected);
             return None;

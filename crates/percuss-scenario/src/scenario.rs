@@ -1,5 +1,6 @@
 //! A scenario: its content and the file it came from.
 
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -10,6 +11,7 @@ use crate::content::{Content, ProjectileKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::node::{About, Body, Raw, Reader};
 use crate::source::{Places, Source};
+use crate::syntax;
 use crate::table::{self, Table};
 use crate::write::Writer;
 
@@ -67,7 +69,7 @@ pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
         return Err(Diagnostics::new(source, vec![empty]));
     }
     let (root, errors) = DeTable::parse_recoverable(text);
-    let syntax = syntax_faults(&source, &errors);
+    let syntax = syntax::faults(&source, &errors);
     let places = Places::new(root.get_ref());
     let body = Body::root(root.get_ref());
     let mut reader = Reader::new(text, &body);
@@ -88,33 +90,15 @@ fn place(source: &Source, raw: Raw) -> Diagnostic {
     Diagnostic::at(source, raw.span, raw.path, raw.found, raw.expected)
 }
 
-/// Syntax errors of a text, each once.
-pub(crate) fn syntax_faults(source: &Source, errors: &[toml::de::Error]) -> Vec<Diagnostic> {
-    errors.iter().map(|error| syntax_fault(source, error)).collect()
-}
-
-fn syntax_fault(source: &Source, error: &toml::de::Error) -> Diagnostic {
-    let span = error.span().unwrap_or(0..0);
-    let (found, expected) = match error.message().split_once(", expected ") {
-        Some((found, expected)) => (found, expected),
-        None if error.message() == "duplicate key" => ("a key given twice", "each key once"),
-        None => (error.message(), "valid TOML"),
-    };
-    let span = span.start..span.end.max(span.start);
-    Diagnostic::at(source, span, "", format!("invalid TOML: {found}"), expected)
-}
-
 /// With syntax errors, what stands where is uncertain: only values that are wrong in themselves are
 /// reported besides, and none if a header is broken or one stands on a broken line.
 fn with_syntax_errors(source: Source, syntax: Vec<Diagnostic>, faults: Vec<Raw>) -> Diagnostics {
-    let lines: Vec<&str> = source.text.split('\n').collect();
-    let header = |d: &Diagnostic| {
-        lines.get(d.line.saturating_sub(1)).is_some_and(|l| l.trim_start().starts_with('['))
-    };
+    let header = |d: &Diagnostic| source.text[source.line(d.line)].trim_start().starts_with('[');
     let uncertain = syntax.iter().any(header);
+    let broken: HashSet<usize> = syntax.iter().map(|d| d.line).collect();
     let placed = faults.into_iter().filter(|raw| raw.about == About::Value && !uncertain);
     let mut all: Vec<Diagnostic> = placed.map(|raw| place(&source, raw)).collect();
-    all.retain(|d| syntax.iter().all(|s| s.line != d.line));
+    all.retain(|d| !broken.contains(&d.line));
     all.extend(syntax);
     Diagnostics::new(source, all)
 }

@@ -13,11 +13,15 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 pub(crate) struct Source {
     pub name: String,
     pub text: String,
+    /// Byte at which each line begins.
+    lines: Vec<usize>,
 }
 
 impl Source {
     pub fn new(name: &str, text: &str) -> Self {
-        Self { name: name.into(), text: text.into() }
+        let starts = text.match_indices('\n').map(|(i, _)| i + 1);
+        let lines = [0].into_iter().chain(starts).collect();
+        Self { name: name.into(), text: text.into(), lines }
     }
 
     /// Reads a file from disk.
@@ -40,7 +44,7 @@ impl Source {
     /// Takes bytes for text.
     pub fn decode(name: &str, bytes: Vec<u8>) -> Result<Self, Diagnostics> {
         let error = match String::from_utf8(bytes) {
-            Ok(text) => return Ok(Self { name: name.into(), text }),
+            Ok(text) => return Ok(Self::new(name, &text)),
             Err(error) => error,
         };
         let at = error.utf8_error().valid_up_to();
@@ -54,16 +58,27 @@ impl Source {
 
     /// Line and column of a byte, both from 1; the column counts characters.
     pub fn position(&self, at: usize) -> (usize, usize) {
-        let before = &self.text[..floor(&self.text, at)];
-        let line = before.matches('\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |i| i + 1);
+        let at = floor(&self.text, at);
+        let line = self.lines.partition_point(|&start| start <= at).max(1);
+        let start = self.lines.get(line - 1).copied().unwrap_or(0);
+        let before = &self.text[start..at];
         let mark = usize::from(start == 0 && before.starts_with('\u{feff}'));
-        (line, before[start..].chars().count() + 1 - mark)
+        (line, before.chars().count() + 1 - mark)
     }
 
-    /// The same span within the text and on the boundaries of characters.
+    /// Bytes of a line, counted from 1, without its end and without a byte order mark.
+    pub fn line(&self, number: usize) -> Range<usize> {
+        let number = number.max(1);
+        let start = self.lines.get(number - 1).copied().unwrap_or(self.text.len());
+        let end = self.lines.get(number).map_or(self.text.len(), |&next| next - 1);
+        let text = self.text[start..end].trim_end_matches('\r');
+        self.clamp(start..start + text.len())
+    }
+
+    /// The same span within the text, after its byte order mark, on the boundaries of characters.
     pub fn clamp(&self, span: Range<usize>) -> Range<usize> {
-        let start = floor(&self.text, span.start);
+        let mark = if self.text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        let start = floor(&self.text, span.start).max(mark);
         start..floor(&self.text, span.end).max(start)
     }
 }

@@ -25,7 +25,8 @@ pub(crate) fn nearest<'c>(
             (2 * folded + usize::from(exact > folded), folded, candidate)
         })
         .filter(|(_, distance, candidate)| {
-            *distance <= reach && *distance < candidate.chars().count().max(2)
+            let near = *distance <= reach && *distance < candidate.chars().count().max(2);
+            near || candidate.len() > 2 && lower.starts_with(*candidate)
         })
         .min_by_key(|(cost, ..)| *cost)
         .map(|(.., candidate)| candidate)
@@ -39,7 +40,9 @@ pub(crate) fn one_of<'c>(word: &str, candidates: impl Iterator<Item = &'c str> +
         1 => list[0].clone(),
         _ => format!("one of {}", list.join(", ")),
     };
-    if let Some(near) = nearest(word, candidates) {
+    if list.len() > 1
+        && let Some(near) = nearest(word, candidates)
+    {
         out.push_str(&format!(" (did you mean `{near}`?)"));
     }
     out

@@ -67,7 +67,8 @@ pub(crate) fn required<F: Format>(body: &Body<'_>, key: &str, reader: &mut Reade
         Some(node) => F::read(&node, reader),
         None => {
             let path = join(&body.path, key);
-            reader.misplaced(&path, body.span.clone(), format!("no `{key}`"), F::expected());
+            let (found, expected) = F::missing(key);
+            reader.misplaced(&path, body.span.clone(), found, expected);
             None
         }
     };
@@ -135,7 +136,7 @@ pub(crate) fn read<T: Table>(body: &Body<'_>, reader: &mut Reader<'_>) -> Option
             (Some(owner), Some(chosen), Some(kinds)) => {
                 let found = format!("`{key}`, which belongs to {} = \"{}\"", kinds.tag, owner.word);
                 let expected = expected_keys("", &keys, Some(kinds), &chosen.keys);
-                let expected = format!("with {} = \"{}\" {expected}", kinds.tag, chosen.word);
+                let expected = format!("{expected} for {} = \"{}\"", kinds.tag, chosen.word);
                 reader.misplaced(&path, span, found, expected);
             }
             (Some(_), None, _) => {} // may belong: the kind is not known
@@ -177,6 +178,10 @@ impl<T: Table> Format for Single<T> {
         let keys = T::keys();
         let names = keys.iter().filter(|k| k.required).map(|k| format!("`{}`", k.name));
         format!("a table with {}", names.collect::<Vec<_>>().join(" and "))
+    }
+
+    fn missing(key: &str) -> (String, String) {
+        (format!("no [{key}]"), Self::expected())
     }
 
     fn schema() -> Json {
@@ -243,6 +248,10 @@ impl<T: Table> Format for Collection<T> {
 
     fn expected() -> String {
         "tables with names of your own".into()
+    }
+
+    fn missing(key: &str) -> (String, String) {
+        (format!("no {key}"), format!("at least one table [{key}.NAME]"))
     }
 
     fn schema() -> Json {

@@ -4,20 +4,25 @@
 #[derive(Debug, Default)]
 pub(crate) struct Writer {
     text: String,
+    /// Header of the table begun; written with its first key.
+    header: Option<String>,
 }
 
 impl Writer {
     /// `key = value`, with the unit as a comment.
     pub fn line(&mut self, key: &str, value: &str, unit: &str) {
+        if let Some(header) = self.header.take() {
+            let separator = if self.text.is_empty() { "" } else { "\n" };
+            self.text.push_str(&format!("{separator}[{header}]\n"));
+        }
         let comment = if unit.is_empty() { String::new() } else { format!("  # {unit}") };
         self.text.push_str(&format!("{key} = {value}{comment}\n"));
     }
 
     /// `[kind]` or `[kind.name]`.
     pub fn header(&mut self, kind: &str, name: Option<&str>) {
-        let separator = if self.text.is_empty() { "" } else { "\n" };
         let name = name.map(|n| format!(".{}", key(n))).unwrap_or_default();
-        self.text.push_str(&format!("{separator}[{kind}{name}]\n"));
+        self.header = Some(format!("{kind}{name}"));
     }
 
     /// The file.
@@ -28,11 +33,13 @@ impl Writer {
 
 /// The shortest number that reads back the same bits.
 pub(crate) fn number(value: f64) -> String {
-    let text = format!("{value:?}");
-    match text.strip_suffix(".0") {
+    let plain = format!("{value:?}");
+    let plain = match plain.strip_suffix(".0") {
         Some(whole) if whole != "-0" => whole.to_string(),
-        _ => text,
-    }
+        _ => plain,
+    };
+    let scientific = format!("{value:e}");
+    if scientific.len() + 2 < plain.len() { scientific } else { plain }
 }
 
 /// A text in quotes.
