@@ -13,7 +13,6 @@ enum ErrorKind {
     NoConvergence { time: f64, step: f64, residual: f64, place: String },
     Singular { time: f64, place: String },
     Recorder(crate::record::RecorderError),
-    Settings(String),
 }
 
 impl Error {
@@ -30,11 +29,6 @@ impl Error {
     /// The recorder failed.
     pub(crate) fn recorder(source: crate::record::RecorderError) -> Self {
         Self { kind: ErrorKind::Recorder(source) }
-    }
-
-    /// Model and settings do not fit together.
-    pub(crate) fn settings(message: String) -> Self {
-        Self { kind: ErrorKind::Settings(message) }
     }
 
     /// Whether Newton's iteration failed down to the smallest step.
@@ -65,7 +59,6 @@ impl fmt::Display for Error {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")
             }
             ErrorKind::Recorder(source) => write!(f, "the results could not be written: {source}"),
-            ErrorKind::Settings(message) => f.write_str(message),
         }
     }
 }

@@ -15,7 +15,7 @@ mod state;
 mod step;
 mod summary;
 
-pub use analysis::{Simulation, simulate};
+pub use analysis::{Simulation, natural_frequencies, simulate};
 pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;

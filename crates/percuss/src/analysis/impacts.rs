@@ -32,6 +32,8 @@ const STICK: f64 = 1e-6;
 pub(super) struct Advance {
     /// Size of the part to advance by, at most \[s\].
     pub size: f64,
+    /// Share of the step to which failures have cut it; pulses are cut likewise.
+    pub share: f64,
     /// Impacts that may still bounce in this step of the given size.
     pub impacts_left: usize,
 }
@@ -249,7 +251,7 @@ impl Simulation<'_> {
         advance: &mut Advance,
         recorder: &mut dyn Recorder,
     ) -> Result<Result<f64, Failure>, Error> {
-        let pulse = self.pulse().min(advance.size);
+        let pulse = self.pulse() * advance.share;
         let resting = self.resting();
         let mut active = resting.clone();
         let mut before = Vec::with_capacity(touching.len());

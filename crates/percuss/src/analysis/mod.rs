@@ -2,7 +2,9 @@
 
 mod channels;
 mod impacts;
+mod modes;
 mod monitor;
 mod simulation;
 
+pub use modes::natural_frequencies;
 pub use simulation::{Simulation, simulate};

@@ -221,7 +221,7 @@ impl<'m> Simulation<'m> {
         let mut impacts_left = Advance::MOST_IMPACTS;
         while self.state.offset < target * (1.0 - SAME_INSTANT) {
             let trial = size.min(target - self.state.offset);
-            let mut advance = Advance { size: trial, impacts_left };
+            let mut advance = Advance { size: trial, share: size / target, impacts_left };
             match self.advance_part(&mut advance, recorder)? {
                 Ok(done) => {
                     impacts_left = advance.impacts_left;

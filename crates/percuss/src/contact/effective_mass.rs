@@ -2,23 +2,22 @@
 
 use crate::element::beam::ElementSums;
 use crate::element::point::PointResponse;
+use crate::linalg::chain::Chain;
 use crate::math::vec2::{cross, dot};
 use crate::model::Model;
 use crate::model::frozen::{BeamData, Constraint, MaterialPoint};
 use crate::step::assemble;
 use crate::step::tangent::{Singular, Tangent};
 
-/// The mass matrix of the reference configuration, rotary inertia, supports and joints included, factored.
-///
-/// # Errors
-/// Where it is singular.
-pub fn mass_matrix(model: &Model) -> Result<Tangent, Singular> {
-    let mut tangent = Tangent::new(model);
+/// The mass matrix of the reference configuration, rotary inertia included, without supports.
+pub fn mass_band(model: &Model) -> Chain {
+    let mut chain = Chain::zeros(model.node_count());
     for beam in &model.beams {
         let t = beam.table.tangent;
         // dtheta = (t x dg): rhoI dtheta . dtheta
-        let mut point = PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
         let normal = [-t[1], t[0]];
+        let mut point =
+            PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
         for i in 0..2 {
             for j in 0..2 {
                 point.tangent[i][j] = beam.law.rotary * normal[i] * normal[j];
@@ -29,9 +28,19 @@ pub fn mass_matrix(model: &Model) -> Result<Tangent, Singular> {
             sums.add::<true>(row, &point);
         }
         for a in beam.nodes.start..beam.nodes.end - 1 {
-            assemble::spread(&sums.tangent, &beam.table.mass, 1.0, a, &mut tangent.chain);
+            assemble::spread(&sums.tangent, &beam.table.mass, 1.0, a, &mut chain);
         }
     }
+    chain
+}
+
+/// The mass matrix of the reference configuration with supports and joints, factored.
+///
+/// # Errors
+/// Where it is singular.
+pub fn mass_matrix(model: &Model) -> Result<Tangent, Singular> {
+    let mut tangent = Tangent::new(model);
+    tangent.chain = mass_band(model);
     let rest = vec![[0.0; 4]; model.node_count()];
     tangent.factor(model, &rest, &rest)?;
     Ok(tangent)

@@ -2,7 +2,7 @@
 //!
 //! Degrees of freedom of a node are (u1, u2, u1', u2'), of an element those of its two nodes.
 
-use super::point::{PointResponse, SectionLaw, StepPoint};
+use super::point::{PointResponse, StepPoint};
 use crate::math::hermite::{self, GAUSS, GAUSS_WEIGHTS};
 use crate::scalar::Real;
 
@@ -100,16 +100,6 @@ pub fn step_point<S: Real>(
     }
 }
 
-/// Section constants as scalars of the kernel.
-pub fn section_law<S: Real>(law: &SectionLaw<f64>) -> SectionLaw<S> {
-    SectionLaw {
-        axial: S::constant(law.axial),
-        bending: S::constant(law.bending),
-        rotary: S::constant(law.rotary),
-        measure: law.measure,
-    }
-}
-
 /// Forces and tangent of an element on the six values (chord, slope_a, slope_b) x (1, 2).
 #[derive(Clone, Copy, Debug)]
 pub struct ElementSums<S> {
@@ -166,7 +156,8 @@ impl<S: Real> ElementSums<S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{collocation, energy_momentum, point::Strains, rotary, strain, strain_rate};
+    use super::super::point::{SectionLaw, Strains};
+    use super::super::{collocation, energy_momentum, rotary, strain, strain_rate};
     use super::*;
     use crate::math::vec2::{add, cross, dot};
     use crate::model::StrainMeasure;
@@ -188,7 +179,8 @@ mod tests {
     const H: f64 = 1e-3;
 
     fn law<S: Real>(measure: StrainMeasure) -> SectionLaw<S> {
-        section_law(&SectionLaw { axial: 5.0e3, bending: 40.0, rotary: 0.3, measure })
+        let [axial, bending, rotary] = [5.0e3, 40.0, 0.3].map(S::constant);
+        SectionLaw { axial, bending, rotary, measure }
     }
 
     /// A scheme as a function of its step point; `spin`, `old` are its histories.

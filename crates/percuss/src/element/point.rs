@@ -84,13 +84,6 @@ impl<S: Real> Form<S> {
         Self { g: [s * self.g[0], s * self.g[1]], p: [s * self.p[0], s * self.p[1]] }
     }
 
-    /// The zero form.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        let zero = S::constant(0.0);
-        Self { g: [zero, zero], p: [zero, zero] }
-    }
-
     /// Value on increments of g and p.
     #[inline(always)]
     pub fn on(&self, dg: [S; 2], dp: [S; 2]) -> S {

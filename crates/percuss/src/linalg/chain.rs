@@ -28,13 +28,6 @@ impl Chain {
         Self { diag: vec![ZERO; n], upper: vec![ZERO; n], lower: vec![ZERO; n] }
     }
 
-    /// Sets every entry to zero.
-    pub fn clear(&mut self) {
-        self.diag.fill(ZERO);
-        self.upper.fill(ZERO);
-        self.lower.fill(ZERO);
-    }
-
     /// Adds `left^T k right` on the nodes `a` and `a + 1`: a 2 x 2 matrix between interpolated values, whose weights are
     /// ordered (value at a, slope at a, value at a + 1, slope at a + 1).
     pub fn add_outer(&mut self, a: usize, left: &[f64; 4], right: &[f64; 4], k: &[[f64; 2]; 2]) {

@@ -1,0 +1,201 @@
+//! The structures the cases are about, built through the library.
+
+use percuss::*;
+
+/// A single beam under construction, with one material and one section.
+#[derive(Clone, Debug)]
+pub struct Single {
+    /// Start and end \[m\].
+    pub points: [[f64; 2]; 2],
+    /// Number of elements.
+    pub elements: usize,
+    /// Young's modulus \[Pa\].
+    pub young: f64,
+    /// Density \[kg/m^3\].
+    pub density: f64,
+    /// Area \[m^2\].
+    pub area: f64,
+    /// Second moment of area \[m^4\].
+    pub inertia: f64,
+    /// Rotary inertia.
+    pub rotary: RotaryInertia,
+    /// Strain measure.
+    pub strain: StrainMeasure,
+    /// Supports as (fraction of the length, kind).
+    pub supports: Vec<(f64, SupportKind)>,
+    /// Projectiles as (fraction of the length, definition).
+    pub projectiles: Vec<Shot>,
+    /// Loads; [`LoadKind::Point`] acts at the fraction given.
+    pub loads: Vec<(f64, Load)>,
+}
+
+/// A projectile and where it strikes.
+#[derive(Clone, Copy, Debug)]
+pub struct Shot {
+    /// Fraction of the beam's length.
+    pub at: f64,
+    /// Elastic or rigid.
+    pub kind: ProjectileKind,
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Velocity \[m/s\].
+    pub velocity: [f64; 2],
+    /// Line of flight, where the velocity is zero.
+    pub direction: Option<[f64; 2]>,
+    /// Initial gap \[m\].
+    pub standoff: f64,
+}
+
+/// The paper's beam, 3 m long, of the first example's material unless said otherwise.
+pub fn paper_beam(elements: usize) -> Single {
+    Single {
+        points: [[0.0, 0.0], [3.0, 0.0]],
+        elements,
+        young: 0.2e10,
+        density: 3000.0,
+        area: 0.1,
+        inertia: 8.33e-5,
+        rotary: RotaryInertia::Density,
+        strain: StrainMeasure::Green,
+        supports: Vec::new(),
+        projectiles: Vec::new(),
+        loads: Vec::new(),
+    }
+}
+
+/// The paper's elastic projectile.
+pub fn paper_elastic() -> Shot {
+    Shot {
+        at: 0.5,
+        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        mass: 500.0,
+        velocity: [0.0, 20.0],
+        direction: None,
+        standoff: 0.2,
+    }
+}
+
+/// The paper's rigid projectile with a coefficient of restitution.
+pub fn paper_rigid(restitution: f64) -> Shot {
+    Shot {
+        at: 0.5,
+        kind: ProjectileKind::Rigid { restitution },
+        mass: 100.0,
+        velocity: [0.0, -40.0],
+        direction: None,
+        standoff: 0.02,
+    }
+}
+
+impl Single {
+    /// Clamps both ends.
+    pub fn clamped(mut self) -> Self {
+        self.supports = vec![(0.0, SupportKind::Clamp), (1.0, SupportKind::Clamp)];
+        self
+    }
+
+    /// Holds every component of every node: a rigid body that cannot move (one element).
+    pub fn held(mut self) -> Self {
+        use Component::*;
+        let all = || SupportKind::Fix {
+            components: vec![Displacement1, Displacement2, Rotation, Stretch],
+        };
+        self.elements = 1;
+        self.supports = vec![(0.0, all()), (1.0, all())];
+        self
+    }
+
+    /// With another Young's modulus.
+    pub fn young(mut self, young: f64) -> Self {
+        self.young = young;
+        self
+    }
+
+    /// Struck by one more projectile.
+    pub fn struck(mut self, shot: Shot) -> Self {
+        self.projectiles.push(shot);
+        self
+    }
+
+    /// The frozen model; its beam is `beam`, its projectiles `shot0`, `shot1`, its ends are recorded.
+    ///
+    /// # Panics
+    /// If the case itself is faulty.
+    pub fn build(&self) -> Model {
+        let mut b = ModelBuilder::new();
+        let (young, density, strain) = (self.young, self.density, self.strain);
+        let material = b.material(Material { name: "material".into(), young, density, strain });
+        let section = b.section(Section {
+            name: "section".into(),
+            area: self.area,
+            inertia: self.inertia,
+            rotary_inertia: self.rotary,
+        });
+        let beam = b.beam(Beam {
+            name: "beam".into(),
+            points: self.points.to_vec(),
+            elements: self.elements,
+            material,
+            section,
+        });
+        let at = |f: f64| PointRef { label: format!("beam@{f}"), beam, along: Along::Fraction(f) };
+        for (i, (f, kind)) in self.supports.iter().enumerate() {
+            b.support(Support { name: format!("support{i}"), at: at(*f), kind: kind.clone() });
+        }
+        for (i, shot) in self.projectiles.iter().enumerate() {
+            b.projectile(Projectile {
+                name: format!("shot{i}"),
+                kind: shot.kind,
+                mass: shot.mass,
+                velocity: shot.velocity,
+                direction: shot.direction,
+                strikes: at(shot.at),
+                standoff: shot.standoff,
+            });
+        }
+        for (f, load) in &self.loads {
+            let mut load = load.clone();
+            if let LoadKind::Point { at: point, .. } = &mut load.kind {
+                *point = at(*f);
+            }
+            b.load(load);
+        }
+        b.record_point(at(0.0));
+        b.record_point(at(1.0));
+        b.build().expect("a verification case builds")
+    }
+}
+
+/// Runs a model; a case that cannot run fails all its checks by NaN.
+///
+/// # Panics
+/// If the case's settings are faulty.
+pub fn run(model: &Model, settings: &Settings) -> RunSummary {
+    simulate(model, settings, &mut NoRecorder).expect("a verification case has sound settings")
+}
+
+/// Impacts of a summary's first contact.
+pub fn impacts(summary: &RunSummary) -> &[Impact] {
+    match &summary.contacts[0].record {
+        ContactRecord::Nonsmooth { impacts, .. } => impacts,
+        ContactRecord::Smooth { .. } => &[],
+    }
+}
+
+/// Peak force and closed intervals of a summary's first contact.
+pub fn smooth(summary: &RunSummary) -> (Peak, &[ContactInterval]) {
+    match &summary.contacts[0].record {
+        ContactRecord::Smooth { peak_force, intervals } => (*peak_force, intervals),
+        ContactRecord::Nonsmooth { .. } => (Peak::default(), &[]),
+    }
+}
+
+/// Whether a run reached its end.
+pub fn completed(summary: &RunSummary) -> bool {
+    matches!(summary.termination, Termination::Completed)
+}
+
+/// Value of an entry, NaN if it is missing: a check on it then fails.
+pub fn or_nan(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
+}

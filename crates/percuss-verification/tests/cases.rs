@@ -1,0 +1,49 @@
+//! Every verification case holds.
+
+use percuss_verification::CASES;
+
+fn holds(id: &str) {
+    let case = CASES.iter().find(|case| case.id == id).expect("a case of this name");
+    let checks = (case.run)();
+    assert!(!checks.is_empty(), "{id} checks nothing");
+    let broken: Vec<_> = checks.iter().filter(|check| !check.holds()).collect();
+    assert!(broken.is_empty(), "{}: {broken:#?}", case.title);
+}
+
+macro_rules! cases {
+    ($($name:ident = $id:literal),* $(,)?) => {
+        $(#[test]
+        fn $name() {
+            holds($id);
+        })*
+
+        #[test]
+        fn every_case_is_tested() {
+            let tested = [$($id),*];
+            let missing: Vec<_> = CASES.iter().filter(|c| !tested.contains(&c.id)).collect();
+            assert!(missing.is_empty(), "{missing:?}");
+        }
+    };
+}
+
+cases! {
+    elastic_clamped = "elastic-clamped",
+    elastic_converged = "elastic-converged",
+    elastic_elementary = "elastic-elementary",
+    large_steps = "large-steps",
+    rigid_first_impact = "rigid-first-impact",
+    rigid_sequence = "rigid-sequence",
+    rigid_linear = "rigid-linear",
+    bouncing_ball = "bouncing-ball",
+    rigid_rod = "rigid-rod",
+    effective_mass = "effective-mass",
+    frequencies = "frequencies",
+    flying_beam = "flying-beam",
+    paper_books = "paper-books",
+    paper_forms = "paper-forms",
+    strain_history = "strain-history",
+    time_reversal = "time-reversal",
+    rigid_motion = "rigid-motion",
+    contact_point = "contact-point",
+    same_bits = "same-bits",
+}
