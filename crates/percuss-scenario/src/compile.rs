@@ -68,34 +68,60 @@ pub(crate) fn sound_part(
         faults.extend(build(&content).err().unwrap_or_default());
     }
     faults.extend(settings_alone(&content, &settings(&content)));
-    faults.retain(|fault| !tainted.iter().any(|path| follows(&fault.path, path)));
+    faults.retain(|fault| {
+        !tainted.iter().any(|path| follows(&fault.path, path))
+            && !mentions(&content, &fault.path)
+                .iter()
+                .any(|p| p.beam.is_empty() || tainted.contains(&format!("beam.{}.points", p.beam)))
+    });
     faults.into_iter().map(|f| locate(f, source, places)).collect()
 }
 
 /// Whether a fault at `fault` may come from a placeholder at `tainted`.
 fn follows(fault: &str, tainted: &str) -> bool {
-    const PLACES: [&str; 4] = ["at", "strikes", "between", "points"];
-    let split = |path: &str| -> (String, String) {
-        let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
-        (table.to_string(), key.to_string())
-    };
     let ((table, key), (bad_table, bad)) = (split(fault), split(tainted));
-    if fault == tainted || tainted == table || fault.starts_with(&format!("{tainted}.")) {
+    if fault == tainted || table == tainted || fault.starts_with(&format!("{tainted}.")) {
         return true;
-    }
-    if PLACES.contains(&bad.as_str()) && PLACES.contains(&key.as_str()) {
-        return true; // whether a point exists and coincides depends on the beams' geometry
     }
     if key == "scheme" && bad_table.starts_with("projectile") {
         return true;
     }
-    let related: &[&str] = match key.as_str() {
+    let related: &[&str] = match key {
         "end" | "step" => &["end", "step"],
         "from" | "until" => &["from", "until"],
         "velocity" | "direction" => &["velocity", "direction"],
         _ => &[],
     };
-    table == bad_table && related.contains(&bad.as_str())
+    table == bad_table && related.contains(&bad)
+}
+
+/// Table and key of a path.
+fn split(path: &str) -> (&str, &str) {
+    path.rsplit_once('.').unwrap_or(("", path))
+}
+
+/// The points given at a path: whether they exist depends on the geometry of their beams.
+fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c Point> {
+    fn table<'c, T>(tables: &'c [Named<T>], kind: &str, path: &str) -> Option<&'c T> {
+        let name = split(path).0.strip_prefix(kind)?.strip_prefix('.')?;
+        tables.iter().find(|t| t.name == name).map(|t| &t.table)
+    }
+    match split(path).1 {
+        "at" => {
+            let support = table(&content.support, "support", path).map(|s| &s.at);
+            let load = table(&content.load, "load", path).and_then(|l| match &l.kind {
+                LoadKind::Point { at, .. } => Some(at),
+                LoadKind::Gravity { .. } => None,
+            });
+            support.into_iter().chain(load).collect()
+        }
+        "strikes" => {
+            table(&content.projectile, "projectile", path).map(|p| &p.strikes).into_iter().collect()
+        }
+        "between" => table(&content.joint, "joint", path).iter().flat_map(|j| &j.between).collect(),
+        "points" if path == "record.points" => content.record.points.iter().collect(),
+        _ => Vec::new(),
+    }
 }
 
 fn locate(fault: Fault, source: &Source, places: &Places) -> Diagnostic {

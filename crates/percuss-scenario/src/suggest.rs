@@ -13,8 +13,8 @@ pub(crate) fn nearest<'c>(
     let lower = word.to_lowercase();
     let reach = match word.chars().count() {
         0 => return None,
-        1..=2 => 1,
-        3..=5 => 2,
+        1..=3 => 1,
+        4..=5 => 2,
         _ => 3,
     };
     candidates

@@ -254,6 +254,16 @@ fn a_value_that_could_not_be_read_causes_no_second_fault() {
 }
 
 #[test]
+fn points_of_sound_beams_are_checked_beside_a_broken_one() {
+    let text = RIGID.replace("strikes = \"girder.mid\"", "strikes = \"girder@7\"")
+        + "[beam.other]\npoints = \"?\"\nelements = 1\nmaterial = \"stiff\"\nsection = \"plank\"\n\
+           [support.other]\nat = \"other@7\"\nkind = \"pin\"\n";
+    let all = faults(&text);
+    let paths: Vec<&str> = all.all().iter().map(|d| d.path.as_str()).collect();
+    assert_eq!(paths, ["projectile.hammer.strikes", "beam.other.points"]);
+}
+
+#[test]
 fn comparison_wants_coefficients_and_a_rigid_projectile() {
     let with = |file: &str, list: &str| format!("{file}\n[report]\nrestitution = {list}\n");
     let compiled = read(&with(RIGID, "[0, 0.5, 1]"), "f.toml").unwrap().compile().unwrap();

@@ -90,7 +90,7 @@ fn unknown_units_are_marked_and_come_with_a_suggestion() {
         ("5 KN/m", "KN", "`kN`"),
         ("5 sec", "sec", "`s`"),
         ("5 inch", "inch", "`in`"),
-        ("5 mpa", "mpa", "`mPa`"),
+        ("5 mpa", "mpa", "`MPa`"),
     ] {
         let (span, found, expected) = fault(text);
         assert_eq!(span, token);

@@ -87,20 +87,21 @@ const PLAIN: &[(&str, Unit)] = &[
     ("ksi", Unit::new(-1, 1, -2, 0, 6_894_757.293_168_361, 1.0)),
 ];
 
+/// SI prefixes; where several fit a misspelt unit, the first is suggested.
 const PREFIXES: &[(&str, i32)] = &[
-    ("p", -12),
-    ("n", -9),
-    ("u", -6),
-    ("µ", -6), // micro sign
-    ("μ", -6), // Greek mu
-    ("m", -3),
-    ("c", -2),
-    ("d", -1),
-    ("h", 2),
     ("k", 3),
     ("M", 6),
     ("G", 9),
     ("T", 12),
+    ("m", -3),
+    ("c", -2),
+    ("d", -1),
+    ("h", 2),
+    ("u", -6),
+    ("µ", -6), // micro sign
+    ("μ", -6), // Greek mu
+    ("n", -9),
+    ("p", -12),
 ];
 
 /// Words people write instead of symbols.
