@@ -72,13 +72,24 @@ pub fn sequence() -> Vec<Check> {
     c.into_vec()
 }
 
-/// F2: the whole sequence in the linear range.
+/// F2: the whole sequence in the linear range, scaled to the amplitude of the reference.
+///
+/// At the reference's own amplitude (the example divided by 100) stretching still moves the third impulse by 4e-4
+/// of itself; the reference is linear, so the example is divided by 10^4.
 pub fn linear_sequence() -> Vec<Check> {
-    let mut shot = paper_rigid(1.0);
-    shot.velocity = [0.0, -0.4];
-    shot.standoff = 2e-4;
-    let model = stiff(6).clamped().struck(shot).build();
-    let summary = run(&model, &Settings::new(0.02, 1e-7));
+    const SCALE: f64 = 100.0; // amplitude of the reference over ours
+    let sequence = |step: f64| {
+        let mut shot = paper_rigid(1.0);
+        shot.velocity = [0.0, -0.4 / SCALE];
+        shot.standoff = 2e-4 / SCALE;
+        run(&stiff(6).clamped().struck(shot).build(), &Settings::new(0.02, step))
+    };
+    let (coarse, fine) = (sequence(2e-7), sequence(1e-7));
+    // Second order: the limit of two steps.
+    let limit = |value: &dyn Fn(&RunSummary) -> f64| {
+        let (a, b) = (value(&coarse), value(&fine));
+        b + (b - a) / 3.0
+    };
     let mut c = Checks::new();
     let expected = [
         (0.0005, 38.1498391378),
@@ -86,15 +97,17 @@ pub fn linear_sequence() -> Vec<Check> {
         (0.005682823808, 12.6239470540),
     ];
     for (k, (time, impulse)) in expected.into_iter().enumerate() {
-        let found = impacts(&summary).get(k);
-        c.relative(format!("time of impact {k} [s]"), or_nan(found.map(|i| i.time)), time, 1e-5);
-        let measured = or_nan(found.map(|i| i.impulse));
-        c.relative(format!("impulse {k} [N s]"), measured, impulse, 1e-4);
+        let found = impacts(&fine).get(k);
+        c.relative(format!("time of impact {k} [s]"), or_nan(found.map(|i| i.time)), time, 5e-6);
+        let at = |s: &RunSummary| SCALE * or_nan(impacts(s).get(k).map(|i| i.impulse));
+        c.relative(format!("impulse {k} [N s]"), at(&fine), impulse, 6e-4);
+        c.relative(format!("impulse {k}, step to zero [N s]"), limit(&at), impulse, 2e-6);
     }
-    c.absolute("number of impacts", impacts(&summary).len() as f64, 3.0, 0.0);
-    let end = summary.projectiles[0].velocity_final[1];
-    c.relative("last velocity [m/s]", end, 0.2479845032, 1e-4);
-    c.relative("energy [J]", summary.energy.final_, 8.0, 1e-11);
+    c.absolute("number of impacts", impacts(&fine).len() as f64, 3.0, 0.0);
+    let velocity = |s: &RunSummary| SCALE * s.projectiles[0].velocity_final[1];
+    c.relative("last velocity, step to zero [m/s]", limit(&velocity), 0.2479845032, 2e-6);
+    let energy = fine.energy.final_ * SCALE * SCALE;
+    c.relative("energy [J]", energy, 8.0, 1e-11);
     c.into_vec()
 }
 
@@ -145,16 +158,17 @@ pub fn rigid_rod() -> Vec<Check> {
     {
         let mut shot = paper_rigid(1.0);
         shot.at = at;
-        // So stiff that even a pulse of 1e-3 steps moves the rod as a rigid body. Rotary inertia of the section is
-        // dropped: the closed form has none.
-        let mut beam = paper_beam(1).young(1e26).struck(shot);
+        // So stiff that it moves as a rigid body over a step; time stepping lets the impulse act over a whole step, where
+        // a pulse would set the mesh's own modes ringing. Rotary inertia is dropped: the closed form has none.
+        let mut beam = paper_beam(1).young(1e22).struck(shot);
         beam.rotary = RotaryInertia::Neglected;
-        let summary = run(&beam.build(), &Settings::new(1e-3, 1e-4));
+        let impacts_mode = ImpactResolution::TimeStepping { closed_tolerance: 1e-9 };
+        let settings = Settings { impacts: impacts_mode, ..Settings::new(6e-4, 1e-4) };
+        let summary = run(&beam.build(), &settings);
         let first = or_nan(impacts(&summary).first().map(|i| i.impulse));
         c.relative(format!("struck at {at}: impulse [N s]"), first, impulse, 1e-6);
         let end = summary.projectiles[0].velocity_final[1];
         c.relative(format!("struck at {at}: velocity after [m/s]"), end, velocity, 1e-6);
-        c.at_most(format!("struck at {at}: energy residual"), summary.energy.residual_max, 1e-9);
     }
     c.into_vec()
 }

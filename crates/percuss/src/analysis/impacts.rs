@@ -21,9 +21,9 @@ use crate::step::newton::{ActiveContact, Failure, StepProblem};
 use crate::summary::Impact;
 
 /// Length of a pulse as a share of the step.
-const PULSE: f64 = 1e-3;
+const PULSE: f64 = 1e-6;
 /// A contact is located to this share of a pulse.
-const LOCATED: f64 = 1e-6;
+const LOCATED: f64 = 1e-3;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
 const STICK: f64 = 1e-6;
 
@@ -100,13 +100,16 @@ impl Simulation<'_> {
         }
     }
 
-    /// Open contacts that would close within the next three quarters of a pulse.
-    fn touching(&self) -> Vec<usize> {
+    /// Open contacts that would close within the next three quarters of a pulse, and those just located.
+    fn touching(&mut self) -> Vec<usize> {
         let near = |i: &usize| {
             let rate = self.state.gap_rate(self.model, *i);
-            rate < 0.0 && self.state.gap(self.model, *i) < -0.75 * self.pulse() * rate
+            let gap = self.state.gap(self.model, *i);
+            rate < 0.0 && (self.located == Some(*i) || gap < -0.75 * self.pulse() * rate)
         };
-        self.open_contacts().filter(near).collect()
+        let touching = self.open_contacts().filter(near).collect();
+        self.located = None;
+        touching
     }
 
     /// Contacts that stay closed: held at zero gap rate while their impulse pushes.
@@ -159,10 +162,12 @@ impl Simulation<'_> {
     fn free_part(&mut self, size: f64) -> Result<f64, Failure> {
         let resting = self.resting();
         self.solve(size, &resting)?;
-        let done = match self.first_contact(size, &resting)? {
-            Some(instant) => instant,
-            None => size,
-        };
+        let contact = self.first_contact(size, &resting)?;
+        let done = contact.unwrap_or(size);
+        self.located = contact.and_then(|instant| {
+            let ahead = |i: &usize| self.gap_ahead(instant, *i);
+            self.open_contacts().min_by(|a, b| ahead(a).total_cmp(&ahead(b)))
+        });
         self.accept(done);
         for contact in &resting {
             self.book_persistent(contact.projectile);

@@ -57,6 +57,8 @@ pub struct Simulation<'m> {
     /// Impulses since the last row, shape (n_projectile) \[N s\].
     pub(super) row_impulse: Vec<f64>,
     row_iterations: usize,
+    /// Projectile whose instant of contact the last accepted step was cut to.
+    pub(super) located: Option<usize>,
 }
 
 impl<'m> Simulation<'m> {
@@ -84,6 +86,7 @@ impl<'m> Simulation<'m> {
             row: Vec::new(),
             row_impulse: vec![0.0; model.projectiles.len()],
             row_iterations: 0,
+            located: None,
         };
         simulation.open();
         Ok(simulation)

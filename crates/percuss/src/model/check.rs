@@ -172,6 +172,9 @@ fn check_joint(model: &ModelBuilder, joint: &Joint, out: &mut Faults) {
         return;
     }
     let (beam_a, beam_b) = (&model.beams[a.beam.0 as usize], &model.beams[b.beam.0 as usize]);
+    if length(beam_a).is_nan() || length(beam_b).is_nan() {
+        return; // the beams' own faults
+    }
     let (pa, pb) = (position(beam_a, a.along), position(beam_b, b.along));
     let distance = norm(sub(pa, pb));
     let scale = length(beam_a).max(length(beam_b));
