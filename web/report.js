@@ -102,6 +102,15 @@ function seriesOptions(figure, series) {
   return options;
 }
 
+// Values that differ by next to nothing are not worth enlarging.
+function range(u, low, high) {
+  if (low == null) return [-1, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (size === 0) return [-1, 1];
+  if (high - low <= 1e-5 * size) return [low - 0.1 * size, high + 0.1 * size];
+  return uPlot.rangeNum(low, high, 0.1, true);
+}
+
 function rangeWithZero(u, low, high) {
   if (low == null) return [0, 1];
   return uPlot.rangeNum(Math.min(0, low), Math.max(0, high), 0.1, true);
@@ -140,7 +149,7 @@ function options(figure, width, onZoom) {
       { label: "time", value: (u, v) => withUnit(v, figure.x.unit) },
       ...series.map((s) => seriesOptions(figure, s)),
     ],
-    scales: { x: { time: false }, y: hasStems ? { range: rangeWithZero } : {} },
+    scales: { x: { time: false }, y: { range: hasStems ? rangeWithZero : range } },
     axes: [axis(figure.x.caption, { labelSize: 22, size: 32 }), axis(figure.y.caption, { labelSize: 22, size: axisSize })],
     cursor: {
       drag: { x: true, y: false },
@@ -264,8 +273,7 @@ function watchTheme(report) {
   const current = () => chosen ?? system.matches;
   button.addEventListener("click", () => apply((chosen = !current())));
   system.addEventListener("change", () => apply(current()));
-  addEventListener("beforeprint", () => apply(false));
-  addEventListener("afterprint", () => apply(current()));
+  matchMedia("print").addEventListener("change", (print) => apply(!print.matches && current()));
   apply(current());
 }
 

@@ -2,7 +2,7 @@
 //!
 //! This crate knows files, not the terminal. A run goes to a [`RunDirectory`], its rows through a
 //! [`HistoryWriter`], its result through [`summary_value`] and [`write_summary`], and
-//! [`report::write`] makes the page and the pictures from what the files say.
+//! [`report::write()`] makes the page and the pictures from what the files say.
 
 mod comparison;
 mod csv_text;

@@ -26,7 +26,9 @@ impl CsvSink {
     }
 
     pub(super) fn row(&mut self, values: &[f64]) -> io::Result<()> {
-        debug_assert_eq!(values.len(), self.columns);
+        if values.len() != self.columns {
+            return Err(io::Error::other("a row does not match the channels"));
+        }
         let mut number = zmij::Buffer::new();
         self.line.clear();
         for &value in values {

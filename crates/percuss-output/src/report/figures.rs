@@ -12,7 +12,7 @@ use crate::history::History;
 /// Recorded points that get a figure.
 const POINTS_SHOWN: usize = 24;
 /// Values on a page, all figures together; 4 bytes each before compression.
-const VALUES_PER_PAGE: usize = 900_000;
+const VALUES_PER_PAGE: usize = 600_000;
 
 /// All figures of a run, in the order of the page.
 pub(crate) fn all(data: &ReportData) -> Vec<Figure> {
@@ -52,6 +52,14 @@ fn bins(history: &History) -> usize {
     let points = names(history, "point.", ".displacement_1").len().min(POINTS_SHOWN);
     let values_per_bin = 150 + 70 * projectiles + 20 * points;
     (VALUES_PER_PAGE / values_per_bin).clamp(200, 4000)
+}
+
+/// Leaves out curves that are round-off beside the others.
+fn without_round_off(mut curves: Vec<Curve<'_>>) -> Vec<Curve<'_>> {
+    let columns: Vec<&[f64]> = curves.iter().map(|c| c.y).collect();
+    let size = largest(&columns);
+    curves.retain(|c| largest(&[c.y]) > 1e-11 * size);
+    curves
 }
 
 /// Whether a column holds anything but zeros.
@@ -114,17 +122,14 @@ fn energy_shares(canvas: &Canvas<'_>, history: &History) -> Option<Figure> {
         ("energy.work_supports", "work of supports", 4),
         ("energy.loss_impacts", "lost in impacts", 0),
     ];
-    let curves = curves(history, &wanted);
+    let curves = without_round_off(curves(history, &wanted));
     let texts = ("energy-shares", "Energy, where it is", "energy");
     over_time(canvas, texts, Section::Books, "J", &curves)
 }
 
 fn momentum(canvas: &Canvas<'_>, history: &History) -> Vec<Figure> {
     let wanted = [("momentum.linear_1", "component 1", 1), ("momentum.linear_2", "component 2", 2)];
-    let mut components = curves(history, &wanted);
-    let columns: Vec<&[f64]> = components.iter().map(|c| c.y).collect();
-    let size = largest(&columns);
-    components.retain(|c| largest(&[c.y]) > 1e-9 * size); // round-off across the line of flight
+    let components = without_round_off(curves(history, &wanted));
     let note = "Momentum of beams and projectiles together. Supports and loads change it; \
                 the audit takes their impulses into the books.";
     let texts = ("momentum", "Linear momentum", "linear momentum");
@@ -216,7 +221,7 @@ fn audit(canvas: &Canvas<'_>, data: &ReportData) -> Vec<Figure> {
 fn displacement_of(canvas: &Canvas<'_>, history: &History, point: &str) -> Option<Figure> {
     let names = [1, 2].map(|i| format!("point.{point}.displacement_{i}"));
     let wanted = [(names[0].as_str(), "component 1", 1), (names[1].as_str(), "component 2", 2)];
-    let curves = curves(history, &wanted);
+    let curves = without_round_off(curves(history, &wanted));
     let (id, title) = (format!("point-{point}"), format!("Displacement of {point}"));
     over_time(canvas, (&id, &title, "displacement"), Section::Points, "m", &curves)
 }

@@ -107,6 +107,9 @@ impl<'a> Flight<'a> {
         let stride = (struck.len() / 512).max(1);
         let agrees = |point: &String| {
             let [Some(x), Some(y)] = self.point(point, "displacement") else { return false };
+            if x.len().min(y.len()) < struck.len() {
+                return false;
+            }
             let rows = (0..struck.len()).step_by(stride);
             rows.clone().all(|r| {
                 let displacement = dot(self.direction, [x[r], y[r]]);
@@ -128,7 +131,7 @@ impl<'a> Flight<'a> {
 /// Direction of the velocity at the start, or else of the largest one.
 fn direction(velocity: [&[f64]; 2]) -> Option<[f64; 2]> {
     let size = |r: usize| f64::hypot(velocity[0][r], velocity[1][r]);
-    let rows = velocity[0].len();
+    let rows = velocity[0].len().min(velocity[1].len());
     let row = if rows > 0 && size(0) > 0.0 {
         0
     } else {

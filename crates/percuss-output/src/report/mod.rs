@@ -37,7 +37,7 @@ pub struct ReportData {
 }
 
 impl ReportData {
-    /// Reads what [`write`] needs from the directory of a run.
+    /// Reads what [`write()`] needs from the directory of a run.
     ///
     /// # Errors
     /// If the summary or the history is missing or damaged.

@@ -66,12 +66,8 @@ pub(super) fn write(dir: &Path, figures: &[Figure]) -> Result<(), Error> {
     let workers = thread::available_parallelism().map_or(1, usize::from).min(n_jobs).min(4);
     thread::scope(|scope| {
         let handles: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
-        handles
-            .into_iter()
-            .map(|handle| {
-                handle.join().unwrap_or_else(|_| Err(Error::content(dir, "drawing failed")))
-            })
-            .collect()
+        let fault = || Error::content(dir, "drawing failed");
+        handles.into_iter().try_for_each(|h| h.join().unwrap_or_else(|_| Err(fault())))
     })
 }
 
@@ -139,6 +135,9 @@ fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
     if span.1 > span.0 {
         layout = layout.with_x_axis_min(span.0).with_x_axis_max(span.1);
     }
+    if let Some((low, high)) = padded(figure) {
+        layout = layout.with_y_axis_min(low).with_y_axis_max(high);
+    }
     let entries = legend(figure);
     if entries.len() < 2 {
         return layout; // the axis says it already
@@ -147,6 +146,22 @@ fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
         .with_legend_entries(entries)
         .with_legend_position(LegendPosition::OutsideBottomColumns)
         .with_legend_box(false)
+}
+
+/// Range for values that differ by next to nothing, which is not worth enlarging.
+fn padded(figure: &Figure) -> Option<(f64, f64)> {
+    let values = figure.tables.iter().flat_map(|t| &t.series).flat_map(|s| s.y.iter().copied());
+    let (low, high) = values
+        .filter(|y| y.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+    let size = low.abs().max(high.abs());
+    if high - low > 1e-5 * size {
+        return None;
+    }
+    if size > 0.0 && size.is_finite() {
+        return Some((low - 0.1 * size, high + 0.1 * size));
+    }
+    Some((-1.0, 1.0)) // nothing but zeros, or nothing at all
 }
 
 fn legend(figure: &Figure) -> Vec<LegendEntry> {

@@ -1,0 +1,217 @@
+//! The page and the pictures.
+
+mod synthetic;
+
+use std::error::Error;
+use std::fs;
+
+use percuss::{MemoryRecorder, RecorderError, Settings};
+use percuss_output::report::{self, ReportData};
+use percuss_output::{
+    Channel, ComparisonSeries, History, RunInfo, read_comparison, summary_value, write_comparison,
+};
+use serde_json::{Value, json};
+
+type Outcome = Result<(), RecorderError>;
+
+fn rigid() -> Result<ReportData, RecorderError> {
+    let mut recorder = MemoryRecorder::default();
+    synthetic::rigid(&mut recorder, "hammer", 300, 1.0)?;
+    let history = History::from(&recorder);
+    let comparison =
+        ComparisonSeries::from_history("restitution 1", &history).into_iter().collect();
+    let run = synthetic::summary("hammer", synthetic::impacts(250));
+    let settings = Settings::new(0.02, 1e-5);
+    let info = RunInfo { title: "Hammer", settings: &settings, wall_seconds: 0.1 };
+    let summary = summary_value(&run, info);
+    Ok(ReportData { history, summary, scenario: "[beam]\n".to_owned(), comparison })
+}
+
+fn page(data: &ReportData) -> Result<String, Box<dyn Error + Send + Sync>> {
+    let dir = tempfile::tempdir()?;
+    report::write(dir.path(), data)?;
+    Ok(fs::read_to_string(dir.path().join("report.html"))?)
+}
+
+/// The JSON index embedded in a page.
+fn index(page: &str) -> Result<Value, RecorderError> {
+    let start = page.find("id=\"percuss-index\">").ok_or("no index")? + 19;
+    let end = page[start..].find("</script>").ok_or("no end")? + start;
+    Ok(serde_json::from_str(&page[start..end])?)
+}
+
+#[test]
+fn a_rigid_run_has_the_figures_of_the_paper() -> Outcome {
+    let data = rigid()?;
+    let dir = tempfile::tempdir()?;
+    report::write(dir.path(), &data)?;
+    for name in
+        ["overview", "displacement", "impulse", "velocity", "energy", "momentum", "restitution"]
+    {
+        for kind in ["svg", "png"] {
+            let file = dir.path().join("figures").join(format!("{name}.{kind}"));
+            assert!(fs::metadata(&file)?.len() > 1000, "{}", file.display());
+        }
+    }
+    let page = fs::read_to_string(dir.path().join("report.html"))?;
+    let index = index(&page)?;
+    let figures = index["figures"].as_array().ok_or("no figures")?;
+    let impulse = figures.iter().find(|f| f["id"] == "impulse").ok_or("no impulse figure")?;
+    let stems = &impulse["tables"][0]["series"][0];
+    assert_eq!(stems["stem"], true);
+    let column = stems["y"].as_u64().ok_or("no column")? as usize;
+    assert_eq!(index["columns"][column], json!([4, 3]), "three impulses, nothing between them");
+    assert!(page.contains("and 50 more"), "250 impacts, 200 listed");
+    assert!(page.contains("Mind the mesh"), "91.2 kg against 17.3 kg");
+    Ok(())
+}
+
+#[test]
+fn the_struck_point_is_found_among_the_recorded_ones() -> Outcome {
+    assert!(page(&rigid()?)?.contains("contact point girder.mid"));
+    Ok(())
+}
+
+#[test]
+fn the_page_is_self_contained() -> Outcome {
+    let page = page(&rigid()?)?;
+    for outside in ["src=\"http", "href=\"http", "@import", "url(http", "<link rel=\"stylesheet"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert!(!page.contains("{{"), "a hole of the template is left");
+    Ok(())
+}
+
+#[test]
+fn text_of_users_stays_text() -> Outcome {
+    let evil = "</script><script>alert(1)</script><img src=x onerror=alert(2)>{{data}}";
+    let mut data = rigid()?;
+    data.summary["title"] = json!(evil);
+    data.summary["error"] = json!(evil);
+    data.summary["settings"]["scheme"] = json!(evil);
+    data.summary["status"] = json!(evil);
+    for part in ["projectile", "contact", "point"] {
+        data.summary[part] = json!({ evil: data.summary[part]["hammer"].clone() });
+    }
+    data.scenario = evil.to_owned();
+    data.comparison[0].label = evil.to_owned();
+    data.history.source = evil.to_owned();
+    for channel in &mut data.history.channels {
+        channel.name = channel.name.replace("hammer", evil).replace("girder.mid", evil);
+    }
+    let page = page(&data)?;
+    let usual = self::page(&rigid()?)?;
+    assert_eq!(page.matches("<script").count(), usual.matches("<script").count());
+    assert_eq!(page.matches("</script").count(), usual.matches("</script").count());
+    assert!(!page.contains("<img"));
+    index(&page)?;
+    Ok(())
+}
+
+#[test]
+fn a_million_noisy_rows_make_a_page_below_five_megabytes() -> Outcome {
+    let mut data = rigid()?;
+    let mut seed = 1_u64;
+    for column in &mut data.history.columns[1..] {
+        *column = (0..1_000_001)
+            .map(|_| {
+                seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                (seed >> 11) as f64 / (1_u64 << 53) as f64
+            })
+            .collect();
+    }
+    data.history.columns[0] = (0..1_000_001).map(|r| f64::from(r) * 1e-6).collect();
+    let page = page(&data)?;
+    assert!(page.len() < 5_000_000, "{} bytes", page.len());
+    assert!(page.contains("1\u{202f}000\u{202f}001 rows were recorded"));
+    Ok(())
+}
+
+#[test]
+fn strange_histories_do_no_harm() -> Outcome {
+    let data = rigid()?;
+    let with = |change: &dyn Fn(&mut History)| {
+        let mut data = data.clone();
+        change(&mut data.history);
+        page(&data).map(|_| ())
+    };
+    with(&|h| h.columns.iter_mut().for_each(Vec::clear))?;
+    with(&|h| h.columns.iter_mut().for_each(|c| c.truncate(1)))?;
+    with(&|h| h.columns[1..].iter_mut().for_each(|c| c.fill(0.0)))?;
+    with(&|h| h.columns[1..].iter_mut().for_each(|c| c.fill(f64::NAN)))?;
+    with(&|h| h.columns[1..].iter_mut().for_each(|c| c.fill(1e300)))?;
+    with(&|h| h.columns[1..].iter_mut().for_each(|c| c.fill(-1e-300)))?;
+    with(&|h| h.columns[0].fill(0.5))?;
+    with(&|h| h.columns[0].fill(f64::NAN))?;
+    with(&|h| h.columns[3..].iter_mut().for_each(|c| c.truncate(7)))?;
+    with(&|h| *h = History::default())?;
+    with(&|h| {
+        h.channels = vec![Channel { name: "time".to_owned(), ..Channel::default() }];
+        h.columns = vec![vec![0.0, 1.0]];
+    })?;
+    Ok(())
+}
+
+#[test]
+fn strange_summaries_do_no_harm() -> Outcome {
+    let data = rigid()?;
+    let strange =
+        [json!(null), json!({}), json!("text"), json!([1]), json!(3.5), json!({ "a": 1 })];
+    for value in &strange {
+        page(&ReportData { summary: value.clone(), ..data.clone() })?;
+    }
+    let keys: Vec<String> =
+        data.summary.as_object().into_iter().flat_map(|o| o.keys().cloned()).collect();
+    for key in keys {
+        for value in &strange {
+            let mut summary = data.summary.clone();
+            summary[&key] = value.clone();
+            let history = History::default();
+            page(&ReportData { summary, history, ..ReportData::default() })?;
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn several_projectiles_have_their_own_figures() -> Outcome {
+    let mut data = rigid()?;
+    let copies: Vec<(Channel, Vec<f64>)> = data
+        .history
+        .channels
+        .iter()
+        .zip(&data.history.columns)
+        .filter(|(c, _)| c.name.contains("hammer"))
+        .map(|(c, column)| {
+            let name = c.name.replace("hammer", "tongs/and:co");
+            (Channel { name, ..c.clone() }, column.clone())
+        })
+        .collect();
+    for (channel, column) in copies {
+        data.history.channels.push(channel);
+        data.history.columns.push(column);
+    }
+    let dir = tempfile::tempdir()?;
+    report::write(dir.path(), &data)?;
+    for name in ["displacement-hammer.svg", "displacement-tongs_and_co.svg", "impulse-hammer.png"] {
+        assert!(dir.path().join("figures").join(name).is_file(), "{name}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_comparison_reads_back() -> Outcome {
+    let dir = tempfile::tempdir()?;
+    assert!(read_comparison(dir.path())?.is_empty(), "none was written");
+    let series = |label: &str, by: f64| ComparisonSeries {
+        label: label.to_owned(),
+        time: vec![0.0, 0.1, 0.30000000000000004],
+        energy: vec![by, by / 3.0, by * 1e-20],
+    };
+    let written = vec![series("restitution 0.5", 1.0), series("with, \"commas\"", 2.0)];
+    write_comparison(dir.path(), &written)?;
+    assert_eq!(read_comparison(dir.path())?, written);
+    fs::write(dir.path().join("comparison.csv"), "series,time,energy_total\na,0,b\n")?;
+    assert!(read_comparison(dir.path()).is_err_and(|e| e.to_string().contains("line 2")));
+    Ok(())
+}

@@ -1,0 +1,84 @@
+//! `summary.json` as documented.
+
+mod synthetic;
+
+use std::error::Error;
+
+use percuss::{ImpactResolution, Scheme, Settings, Termination};
+use percuss_output::{RunInfo, read_summary, summary_value, write_summary};
+use serde_json::{Value, json};
+
+fn value(run: &percuss::RunSummary) -> Value {
+    let settings = Settings {
+        scheme: Scheme::GeneralizedAlpha { spectral_radius: 0.8 },
+        impacts: ImpactResolution::TimeStepping { closed_tolerance: 1e-9 },
+        ..Settings::new(0.15, 1e-4)
+    };
+    summary_value(run, RunInfo { title: "A title", settings: &settings, wall_seconds: 0.5 })
+}
+
+#[test]
+fn the_documented_fields_are_there() {
+    let smooth = value(&synthetic::summary("mass", synthetic::smooth()));
+    assert_eq!(smooth["status"], "completed");
+    assert_eq!(smooth["title"], "A title");
+    assert_eq!(smooth["percuss_version"], env!("CARGO_PKG_VERSION"));
+    for key in ["steps", "newton_iterations", "factorizations"] {
+        assert!(smooth[key].is_u64(), "{key}");
+    }
+    for path in [
+        "/wall_seconds",
+        "/energy/initial",
+        "/energy/final",
+        "/energy/residual_max",
+        "/momentum/linear_residual_max",
+        "/momentum/angular_residual_max",
+        "/audit/curvature_drift_max",
+        "/projectile/mass/momentum_transferred",
+        "/projectile/mass/energy_transferred",
+        "/contact/mass/peak_force/value",
+        "/contact/mass/peak_force/time",
+        "/contact/mass/intervals/0/start",
+        "/contact/mass/intervals/0/impulse",
+        "/point/girder.mid/displacement_max/component_1/value",
+        "/point/girder.mid/displacement_max/component_2/time",
+    ] {
+        assert!(smooth.pointer(path).is_some_and(Value::is_f64), "{path}");
+    }
+    assert_eq!(smooth["projectile"]["mass"]["velocity_final"], json!([0.0, -19.10077444]));
+
+    let rigid = value(&synthetic::summary("hammer", synthetic::impacts(2)));
+    for key in ["time", "impulse", "approach_velocity", "separation_velocity"] {
+        assert!(rigid["contact"]["hammer"]["impacts"][1][key].is_f64(), "{key}");
+    }
+    assert_eq!(rigid["contact"]["hammer"]["impact_count"], 2);
+    assert_eq!(rigid["settings"]["scheme"], "generalized-alpha");
+    assert_eq!(rigid["settings"]["spectral_radius"], 0.8);
+    assert_eq!(rigid["settings"]["closed_tolerance"], 1e-9);
+}
+
+#[test]
+fn what_is_not_a_number_is_null() {
+    let mut run = synthetic::summary("mass", synthetic::smooth());
+    run.energy.residual_max = f64::NAN;
+    run.contacts[0].effective_mass = f64::INFINITY;
+    run.termination = Termination::Interrupted { time: 0.1 };
+    let value = value(&run);
+    assert!(value["energy"]["residual_max"].is_null());
+    assert!(value["contact"]["mass"]["effective_mass"].is_null());
+    assert!(value["contact"]["mass"]["intervals"][0]["end"].is_null());
+    assert_eq!(value["status"], "interrupted");
+}
+
+#[test]
+fn a_summary_reads_back_and_a_damaged_one_does_not() -> Result<(), Box<dyn Error>> {
+    let dir = tempfile::tempdir()?;
+    let written = value(&synthetic::summary("mass", synthetic::smooth()));
+    write_summary(dir.path(), &written)?;
+    assert_eq!(read_summary(dir.path())?, written);
+    std::fs::write(dir.path().join("summary.json"), "[1, 2]")?;
+    assert!(read_summary(dir.path()).is_err_and(|e| e.is_content()));
+    std::fs::write(dir.path().join("summary.json"), "{\"status\": ")?;
+    assert!(read_summary(dir.path()).is_err_and(|e| e.is_content()));
+    Ok(())
+}
