@@ -182,7 +182,7 @@ fn audit(canvas: &Canvas<'_>, data: &ReportData) -> Vec<Figure> {
             Some(_) => ("residual / largest energy", "1"),
             None => ("residual", "J"),
         };
-        let texts = ("energy-residual", "Energy that does not add up", label);
+        let texts = ("energy-residual", "Energy residual", label);
         let curve = [Curve::new("residual", 2, &residual)];
         figures.extend(over_time(canvas, texts, Section::Audit, unit, &curve));
     }
@@ -203,8 +203,7 @@ fn audit(canvas: &Canvas<'_>, data: &ReportData) -> Vec<Figure> {
     let curve = |(label, style, y)| Curve::new(label, style, y);
     let residuals: Vec<Curve<'_>> =
         residuals.iter().map(|(label, style, y)| curve((*label, *style, y.as_slice()))).collect();
-    let texts =
-        ("momentum-residual", "Momentum that does not add up", "residual / largest momentum");
+    let texts = ("momentum-residual", "Momentum residual", "residual / largest momentum");
     figures.extend(over_time(canvas, texts, Section::Audit, "1", &residuals));
 
     let drifts = [

@@ -10,7 +10,7 @@ pub(crate) struct Scale {
 }
 
 /// Between a number and its unit: never broken across lines.
-const NBSP: char = '\u{a0}';
+const NBSP: &str = "\u{a0}";
 
 const PREFIXES: [(i32, &str); 9] = [
     (-12, "p"),
@@ -55,15 +55,19 @@ impl Scale {
 
 /// `value` of `unit` in words, six significant digits.
 pub(crate) fn quantity(value: Option<f64>, unit: &str) -> String {
+    spelled(value, unit).replace(' ', NBSP)
+}
+
+fn spelled(value: Option<f64>, unit: &str) -> String {
     let Some(value) = value.filter(|v| v.is_finite()) else { return "\u{2013}".to_owned() };
     if !matches!(unit, "s" | "m" | "m/s" | "N" | "N*s" | "J" | "N*m") {
-        return format!("{}{NBSP}{}", number(value), pretty(unit)).trim_end().to_owned();
+        return format!("{} {}", number(value), pretty(unit)).trim_end().to_owned();
     }
     if value != 0.0 && !(1e-12..1e15).contains(&value.abs()) {
-        return format!("{}{NBSP}{}", number(value), pretty(unit));
+        return format!("{} {}", number(value), pretty(unit));
     }
     let scale = Scale::new(value, unit);
-    format!("{}{NBSP}{}", number(value * scale.factor), scale.unit)
+    format!("{} {}", number(value * scale.factor), scale.unit)
 }
 
 /// Six significant digits, plain where that is short, else with an exponent.
