@@ -24,10 +24,14 @@ pub struct Books {
     pub linear_initial: [f64; 2],
     /// Angular momentum about the origin at the start \[kg m^2/s\].
     pub angular_initial: f64,
-    /// Impulse of loads and supports \[N s\].
-    pub impulse: [f64; 2],
-    /// Angular impulse of loads, supports and the guides of the projectiles about the origin \[N m s\].
-    pub angular_impulse: f64,
+    /// Impulse of the loads \[N s\].
+    pub impulse_loads: [f64; 2],
+    /// Impulse of the supports \[N s\].
+    pub impulse_supports: [f64; 2],
+    /// Angular impulse of the loads about the origin \[N m s\].
+    pub angular_impulse_loads: f64,
+    /// Angular impulse of the supports and of the projectiles' guides about the origin \[N m s\].
+    pub angular_impulse_supports: f64,
     /// Largest energy in play so far \[J\].
     pub energy_scale: f64,
     /// Largest linear momentum in play so far \[kg m/s\].
@@ -178,10 +182,17 @@ impl Books {
     pub(crate) fn rescale(&mut self, m: &Measures) {
         let energy = m.total().abs().max(self.work_loads.abs()).max(self.loss_impacts.abs());
         self.energy_scale = self.energy_scale.max(energy);
-        let impulse = self.impulse[0].hypot(self.impulse[1]);
-        self.linear_scale = self.linear_scale.max(m.linear_size).max(impulse);
-        self.angular_scale =
-            self.angular_scale.max(m.angular_size).max(self.angular_impulse.abs());
+        let impulse = |j: [f64; 2]| j[0].hypot(j[1]);
+        self.linear_scale = self
+            .linear_scale
+            .max(m.linear_size)
+            .max(impulse(self.impulse_loads))
+            .max(impulse(self.impulse_supports));
+        self.angular_scale = self
+            .angular_scale
+            .max(m.angular_size)
+            .max(self.angular_impulse_loads.abs())
+            .max(self.angular_impulse_supports.abs());
     }
 
     /// What is missing from the energy books \[J\].
@@ -191,11 +202,15 @@ impl Books {
 
     /// What is missing from the books of linear momentum \[kg m/s\].
     pub fn linear_residual(&self, m: &Measures) -> [f64; 2] {
-        std::array::from_fn(|i| m.linear[i] - self.linear_initial[i] - self.impulse[i])
+        std::array::from_fn(|i| {
+            let impulse = self.impulse_loads[i] + self.impulse_supports[i];
+            m.linear[i] - self.linear_initial[i] - impulse
+        })
     }
 
     /// What is missing from the books of angular momentum \[kg m^2/s\].
     pub fn angular_residual(&self, m: &Measures) -> f64 {
-        m.angular - self.angular_initial - self.angular_impulse
+        let impulse = self.angular_impulse_loads + self.angular_impulse_supports;
+        m.angular - self.angular_initial - impulse
     }
 }

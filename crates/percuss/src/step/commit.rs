@@ -68,8 +68,8 @@ fn book_loads(
     );
     let books = &mut state.books;
     books.work_loads += done.work;
-    books.impulse = add(books.impulse, done.impulse);
-    books.angular_impulse += done.angular_impulse;
+    books.impulse_loads = add(books.impulse_loads, done.impulse);
+    books.angular_impulse_loads += done.angular_impulse;
 }
 
 /// Reactions are what the residual leaves at held components, and the multipliers of supports between nodes.
@@ -88,8 +88,8 @@ fn book_supports(model: &Model, state: &mut State, h: f64, work: &Workspace) {
         let t = model.tangent_at_node(n);
         let g = [0, 1].map(|i| t[i] + u[2 + i] + 0.5 * d[2 + i]);
         books.work_supports += (0..4).map(|k| reaction[k] * d[k]).sum::<f64>();
-        books.impulse = add(books.impulse, scale(h, force));
-        books.angular_impulse += h * (cross(x, force) + cross(g, couple));
+        books.impulse_supports = add(books.impulse_supports, scale(h, force));
+        books.angular_impulse_supports += h * (cross(x, force) + cross(g, couple));
     }
     for (c, multiplier) in model.constraints.iter().zip(&work.multiplier) {
         let Constraint::Held { point, direction, gradient } = c else { continue };
@@ -97,11 +97,11 @@ fn book_supports(model: &Model, state: &mut State, h: f64, work: &Workspace) {
         let mid = |a: [f64; 2], d: [f64; 2]| add(a, scale(0.5, d));
         if *gradient {
             let moved = mid(point.gradient(displacement), point.gradient(&work.increment));
-            books.angular_impulse += h * cross(add(point.tangent, moved), force);
+            books.angular_impulse_supports += h * cross(add(point.tangent, moved), force);
         } else {
             let moved = mid(point.value(displacement), point.value(&work.increment));
-            books.impulse = add(books.impulse, scale(h, force));
-            books.angular_impulse += h * cross(add(point.position, moved), force);
+            books.impulse_supports = add(books.impulse_supports, scale(h, force));
+            books.angular_impulse_supports += h * cross(add(point.position, moved), force);
         }
     }
 }
@@ -119,7 +119,7 @@ fn book_contacts(model: &Model, state: &mut State, h: f64, gravity: [f64; 2], wo
         let d = p.point.value(&work.increment);
         let moved = add(p.point.value(&state.displacement), scale(0.5, d));
         let arm = add(add(p.point.position, moved), scale(-1.0, p.position));
-        state.books.angular_impulse += impulse * cross(arm, p.direction);
+        state.books.angular_impulse_supports += impulse * cross(arm, p.direction);
         if matches!(p.law, ContactLaw::Unilateral { .. }) {
             // Work of the impulse: L (z0 + z1)/2, the mean gap rate over the step.
             let speed = state.projectiles[i].speed + 0.5 * h * dot(gravity, p.direction)

@@ -1,0 +1,64 @@
+//! Definitions the tests share: the paper's plank and projectiles.
+#![allow(dead_code)] // each test file uses its own part
+
+use percuss::*;
+
+/// The paper's first material and its section.
+pub fn plank(b: &mut ModelBuilder) -> (MaterialId, SectionId) {
+    let material = b.material(Material {
+        name: "composite".into(),
+        young: 0.2e10,
+        density: 3e3,
+        strain: StrainMeasure::Green,
+    });
+    let section = b.section(Section {
+        name: "plank".into(),
+        area: 0.1,
+        inertia: 8.33e-5,
+        rotary_inertia: RotaryInertia::Density,
+    });
+    (material, section)
+}
+
+/// A straight beam.
+pub fn beam(
+    name: &str,
+    start: [f64; 2],
+    end: [f64; 2],
+    elements: usize,
+    material: MaterialId,
+    section: SectionId,
+) -> Beam {
+    Beam { name: name.into(), points: vec![start, end], elements, material, section }
+}
+
+/// A point at a fraction of a beam.
+pub fn at(label: &str, beam: BeamId, fraction: f64) -> PointRef {
+    PointRef { label: label.into(), beam, along: Along::Fraction(fraction) }
+}
+
+/// The paper's elastic projectile with a short standoff.
+pub fn elastic(name: &str, strikes: PointRef, velocity: [f64; 2]) -> Projectile {
+    Projectile {
+        name: name.into(),
+        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        mass: 500.0,
+        velocity,
+        direction: None,
+        strikes,
+        standoff: 0.02,
+    }
+}
+
+/// The paper's rigid projectile with a short standoff.
+pub fn rigid(name: &str, strikes: PointRef, velocity: [f64; 2], restitution: f64) -> Projectile {
+    Projectile {
+        name: name.into(),
+        kind: ProjectileKind::Rigid { restitution },
+        mass: 100.0,
+        velocity,
+        direction: None,
+        strikes,
+        standoff: 0.02,
+    }
+}
