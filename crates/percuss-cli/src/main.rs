@@ -1,2 +1,34 @@
-//! The `percuss` command.
-fn main() {}
+//! The `percuss` command: simulates impact on geometrically exact beams from scenario files.
+
+mod arguments;
+mod commands;
+mod effective_mass;
+mod interrupt;
+mod number;
+mod outcome;
+mod progress;
+mod scenario;
+mod terminal;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+
+fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Run(arguments) => commands::run::run(&arguments),
+        Command::Check(arguments) => commands::check::run(&arguments),
+        Command::New(arguments) => commands::new::run(&arguments),
+        Command::Schema => commands::schema::run(),
+        Command::Report(arguments) => commands::report::run(&arguments),
+        Command::Verify(arguments) => commands::verify::run(&arguments),
+        Command::Completions(arguments) => commands::completions::run(&arguments),
+    };
+    let status = done.unwrap_or_else(|failure| {
+        failure.tell();
+        failure.status()
+    });
+    status.into()
+}

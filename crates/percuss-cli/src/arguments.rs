@@ -1,0 +1,184 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+
+use percuss_output::HistoryFormat;
+
+const EXIT_STATUS: &str = "\
+Exit status:
+  0    done
+  1    the system refused (disk full, no permission)
+  2    the input is wrong; nothing is written
+  3    the solver gave up; everything up to the last step is written
+  4    the books did not close (--strict)
+  130  interrupted; everything up to the last step is written";
+
+const BEGIN: &str = "\
+To begin:
+  percuss new elastic --out my.toml
+  percuss run my.toml
+and open runs/my/report.html in a browser.";
+
+const RUN: &str = "\
+Examples:
+  percuss run plank.toml
+  percuss run plank.toml --out results/fast --set projectile.mass.velocity=\"[0, 30]\"
+  percuss run plank.toml --set time.step=\"1e-5 s\" --history csv
+  percuss run plank.toml --json --quiet | jq .energy.residual_max";
+
+const VERIFY: &str = "\
+Exit status: 0 if every case holds, 3 if one does not, 2 for an unknown case.
+
+Examples:
+  percuss verify
+  percuss verify rigid-rod bouncing-ball --all-checks";
+
+const COMPLETIONS: &str = "\
+Examples:
+  percuss completions bash > ~/.local/share/bash-completion/completions/percuss
+  percuss completions fish > ~/.config/fish/completions/percuss.fish";
+
+/// Simulates impact on geometrically exact beams, with books that close.
+#[derive(Debug, Parser)]
+#[command(name = "percuss", version, after_help = BEGIN, max_term_width = 100)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Simulate a scenario: history, summary, report with figures
+    #[command(after_help = format!("{RUN}\n\n{EXIT_STATUS}"))]
+    Run(Run),
+    /// Say everything that is wrong with a scenario, or that nothing is
+    Check(Check),
+    /// Print a commented scenario to start from; without a template, list them
+    New(New),
+    /// Print the JSON Schema of scenario files, for completion in editors
+    Schema,
+    /// Rebuild report.html and the figures of a finished run
+    Report(Report),
+    /// Run the verification cases and print what was measured and expected
+    #[command(after_help = VERIFY)]
+    Verify(Verify),
+    /// Print a script that completes this command in a shell
+    #[command(after_help = COMPLETIONS)]
+    Completions(Completions),
+}
+
+/// Arguments of `run`.
+#[derive(Args, Debug)]
+pub struct Run {
+    /// Scenario file
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Directory of the results; an earlier run in it is replaced [default: runs/<name of FILE>]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Change a value of the scenario, such as time.step=1e-5; may be given again
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Fail with status 4 if energy or momentum are off by more than 1e-10, relative
+    #[arg(long)]
+    pub strict: bool,
+    /// Print summary.json to standard output, and no table
+    #[arg(long)]
+    pub json: bool,
+    /// File format of the history
+    #[arg(long, value_enum, value_name = "FORMAT", default_value = "parquet")]
+    pub history: History,
+    /// Leave out report.html and the figures (and the runs that compare restitution coefficients)
+    #[arg(long)]
+    pub no_report: bool,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// File format of a history.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum History {
+    /// history.parquet: compact, units inside
+    Parquet,
+    /// history.csv, and the units in history.units.json
+    Csv,
+}
+
+impl From<History> for HistoryFormat {
+    fn from(history: History) -> Self {
+        match history {
+            History::Parquet => Self::Parquet,
+            History::Csv => Self::Csv,
+        }
+    }
+}
+
+/// Arguments of `check`.
+#[derive(Args, Debug)]
+pub struct Check {
+    /// Scenario file
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Change a value of the scenario, such as time.step=1e-5; may be given again
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Arguments of `new`.
+#[derive(Args, Debug)]
+pub struct New {
+    /// Template to print
+    #[arg(value_parser = templates(), hide_possible_values = true)]
+    pub template: Option<String>,
+    /// Write it to a file, which must not exist yet
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "template")]
+    pub out: Option<PathBuf>,
+}
+
+/// Arguments of `report`.
+#[derive(Args, Debug)]
+pub struct Report {
+    /// Directory of a finished run
+    #[arg(value_hint = ValueHint::DirPath)]
+    pub dir: PathBuf,
+}
+
+/// Arguments of `verify`.
+#[derive(Args, Debug)]
+pub struct Verify {
+    /// Cases to run; all if none is given
+    #[arg(value_name = "ID", value_parser = cases(), hide_possible_values = true)]
+    pub ids: Vec<String>,
+    /// List the cases and run none
+    #[arg(long)]
+    pub list: bool,
+    /// Print every number as JSON instead of a table
+    #[arg(long)]
+    pub json: bool,
+    /// Show every check of every case, not only the tightest one
+    #[arg(long)]
+    pub all_checks: bool,
+}
+
+/// Arguments of `completions`.
+#[derive(Args, Debug)]
+pub struct Completions {
+    /// The shell
+    pub shell: clap_complete::Shell,
+}
+
+fn templates() -> PossibleValuesParser {
+    let templates = percuss_scenario::templates().iter();
+    templates.map(|t| PossibleValue::new(t.name).help(t.summary)).collect::<Vec<_>>().into()
+}
+
+fn cases() -> PossibleValuesParser {
+    let cases = percuss_verification::CASES.iter();
+    cases.map(|c| PossibleValue::new(c.id).help(c.title)).collect::<Vec<_>>().into()
+}

@@ -1,0 +1,9 @@
+//! The commands, one file each.
+
+pub mod check;
+pub mod completions;
+pub mod new;
+pub mod report;
+pub mod run;
+pub mod schema;
+pub mod verify;

@@ -1,0 +1,49 @@
+//! `percuss new`.
+
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+
+use percuss_scenario::templates;
+
+use crate::arguments::New;
+use crate::outcome::{Failure, Status};
+use crate::terminal;
+
+/// Prints or writes a template, or lists them.
+pub fn run(arguments: &New) -> Result<Status, Failure> {
+    let template = templates().iter().find(|t| Some(t.name) == arguments.template.as_deref());
+    match (template, &arguments.out) {
+        (Some(template), Some(out)) => {
+            write(out, template.text)?;
+            let out = out.display();
+            terminal::tell(&format!("{out} is there; edit it and run: percuss run {out}"));
+        }
+        (Some(template), None) => terminal::print(template.text)?,
+        (None, _) => list()?,
+    }
+    Ok(Status::Done)
+}
+
+fn list() -> Result<(), Failure> {
+    let width = templates().iter().map(|t| t.name.len()).max().unwrap_or(0);
+    for template in templates() {
+        terminal::print(&format!("{:width$}  {}\n", template.name, template.summary))?;
+    }
+    terminal::tell("\nTo begin with one of them: percuss new NAME --out my.toml");
+    Ok(())
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    let opened = OpenOptions::new().write(true).create_new(true).open(path);
+    let mut file = opened.map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => {
+            Failure::Input(format!("{}: exists already; give another --out", path.display()))
+        }
+        _ => Failure::system(path, "create", &error),
+    })?;
+    file.write_all(text.as_bytes()).map_err(|error| {
+        let _ = std::fs::remove_file(path);
+        Failure::system(path, "write", &error)
+    })
+}

@@ -1,0 +1,144 @@
+//! `percuss run`.
+
+mod audit;
+mod books;
+mod comparison;
+mod recorder;
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use percuss::{RunSummary, Simulation, Termination};
+use percuss_output::report::{self, ReportData};
+use percuss_output::{
+    HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_summary,
+};
+use serde_json::Value;
+
+use crate::arguments::Run;
+use crate::interrupt;
+use crate::outcome::{Failure, Status};
+use crate::progress::Progress;
+use crate::scenario::{self, Ready};
+use crate::terminal;
+use comparison::Comparison;
+use recorder::{EnergySeries, RunRecorder};
+
+/// A run that has ended, one way or the other.
+struct Ended {
+    summary: RunSummary,
+    value: Value,
+    energy: EnergySeries,
+}
+
+/// Simulates a scenario and writes its results.
+pub fn run(arguments: &Run) -> Result<Status, Failure> {
+    let ready = scenario::read(&arguments.file, &arguments.set)?;
+    interrupt::install()?;
+    let out = arguments.out.clone().unwrap_or_else(|| default_directory(&arguments.file));
+    let directory = RunDirectory::create(&out)?;
+    interrupt::protect(directory.path());
+    let ended = simulate(&ready, arguments, directory.path())?;
+    let report = match arguments.no_report {
+        true => Ok(()),
+        false => write_report(&ready, arguments, directory.path(), &ended),
+    };
+    interrupt::commit(directory)?;
+    conclude(&ended, arguments, &out, report)
+}
+
+/// `runs/<file stem>`.
+fn default_directory(file: &Path) -> PathBuf {
+    Path::new("runs").join(file.file_stem().unwrap_or("run".as_ref()))
+}
+
+/// Simulates; scenario, history and summary are then in `dir`.
+fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure> {
+    let compiled = &ready.compiled;
+    let text = ready.scenario.to_toml();
+    let file = dir.join("scenario.toml");
+    std::fs::write(&file, &text).map_err(|error| Failure::system(&file, "write", &error))?;
+
+    let simulation = Simulation::new(&compiled.model, &compiled.settings).map_err(no_settings)?;
+    let progress =
+        Progress::of_run("run".into(), simulation.step_count(), shows_progress(arguments));
+    let history = HistoryWriter::new(dir, arguments.history.into(), text);
+    let keeps_energy = !arguments.no_report && comparison::has_part_for(ready);
+    let mut recorder =
+        RunRecorder::new(history, keeps_energy.then(EnergySeries::default), progress);
+    let begun = Instant::now();
+    let summary = simulation.run(&mut recorder);
+    let wall_seconds = begun.elapsed().as_secs_f64();
+
+    let (history, energy) = recorder.into_parts();
+    if let Termination::Failed(error) = &summary.termination
+        && error.is_recorder()
+    {
+        return Err(Failure::System(error.to_string()));
+    }
+    history.finish()?;
+    let info = RunInfo { title: &compiled.title, settings: &compiled.settings, wall_seconds };
+    let value = summary_value(&summary, info);
+    write_summary(dir, &value)?;
+    Ok(Ended { summary, value, energy: energy.unwrap_or_default() })
+}
+
+/// Writes the report and, before it, the comparison that belongs into it.
+fn write_report(ready: &Ready, arguments: &Run, dir: &Path, ended: &Ended) -> Result<(), Failure> {
+    if matches!(ended.summary.termination, Termination::Completed) {
+        let comparison = Comparison { ready, shows_progress: shows_progress(arguments) };
+        let series = comparison.run(&ended.energy);
+        if !series.is_empty() {
+            write_comparison(dir, &series)?;
+        }
+    }
+    Ok(report::write(dir, &ReportData::read(dir)?)?)
+}
+
+/// Says how the run went; the results are in their place.
+fn conclude(
+    ended: &Ended,
+    arguments: &Run,
+    out: &Path,
+    report: Result<(), Failure>,
+) -> Result<Status, Failure> {
+    if arguments.json {
+        terminal::print(&format!("{:#}\n", ended.value))?;
+    } else if !arguments.quiet {
+        terminal::tell(&audit::table(ended, out));
+    }
+    audit::warnings(&ended.summary).iter().for_each(|text| terminal::warning(text));
+    match &ended.summary.termination {
+        Termination::Failed(error) => {
+            terminal::error(&format!("the solver gave up: {error}"));
+            report?;
+            return Ok(Status::GaveUp);
+        }
+        Termination::Interrupted { time } => {
+            let time = crate::number::number(*time);
+            terminal::warning(&format!("interrupted at t = {time} s; the results end there"));
+        }
+        _ if interrupt::requested() => {
+            terminal::warning("interrupted after the run, whose results are complete");
+        }
+        _ => {}
+    }
+    report?;
+    if interrupt::requested() {
+        return Ok(Status::Interrupted);
+    }
+    let open = if arguments.strict { books::open(&ended.summary) } else { Vec::new() };
+    open.iter().for_each(|text| terminal::error(text));
+    Ok(if open.is_empty() { Status::Done } else { Status::BooksOpen })
+}
+
+fn shows_progress(arguments: &Run) -> bool {
+    !arguments.quiet
+}
+
+/// Settings are checked where the scenario is compiled; should they fail later, they are told as they are.
+fn no_settings(faults: Vec<percuss::Fault>) -> Failure {
+    let line =
+        |f: &percuss::Fault| format!("{}: found {}, expected {}", f.path, f.found, f.expected);
+    Failure::Input(faults.iter().map(line).collect::<Vec<_>>().join("; "))
+}

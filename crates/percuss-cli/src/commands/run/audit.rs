@@ -1,0 +1,148 @@
+//! The table at the end of a run.
+
+use std::path::Path;
+
+use percuss::{ContactInterval, ContactRecord, ContactSummary, Impact, RunSummary, Termination};
+use serde_json::Value;
+
+use super::Ended;
+use crate::effective_mass;
+use crate::number::{count, number, small};
+use crate::terminal::painted;
+
+/// Impacts and intervals listed for a contact.
+const LISTED: usize = 3;
+/// Terms of the balance below this share of the largest energy in play are nothing but rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// What happened, whether the books closed, where the results lie.
+pub(super) fn table(ended: &Ended, out: &Path) -> String {
+    let run = &ended.summary;
+    let mut rows = vec![("status".to_owned(), status(ended))];
+    rows.push(("energy".into(), energy(run)));
+    rows.push((
+        "momentum".into(),
+        format!(
+            "residual linear {}, angular {} (relative)",
+            small(run.momentum.linear_residual_max),
+            small(run.momentum.angular_residual_max)
+        ),
+    ));
+    rows.push(("drift".into(), drift(run)));
+    for contact in &run.contacts {
+        let label = format!("contact {}", contact.name);
+        let lines = contact_lines(contact);
+        let labels = [label].into_iter().chain(std::iter::repeat(String::new()));
+        rows.extend(labels.zip(lines));
+    }
+    rows.push(("results".into(), out.display().to_string()));
+    let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
+    let title = ended.value["title"].as_str().filter(|title| !title.is_empty());
+    let mut text = title.map_or(String::new(), |title| format!("{}\n", painted(title, "1")));
+    for (label, value) in rows {
+        text.push_str(&format!("  {label:width$}  {value}\n"));
+    }
+    text
+}
+
+/// What deserves attention.
+pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
+    let rigid = |c: &&ContactSummary| matches!(c.record, ContactRecord::Nonsmooth { .. });
+    run.contacts.iter().filter(rigid).filter_map(effective_mass::warning).collect()
+}
+
+fn status(ended: &Ended) -> String {
+    let run = &ended.summary;
+    let (word, style) = match run.termination {
+        Termination::Completed => ("completed", "32"),
+        Termination::Interrupted { .. } => ("interrupted", "33"),
+        Termination::Failed(_) => ("failed", "31"),
+        Termination::Unsolved => ("unsolved", "31"),
+    };
+    let mut parts = vec![
+        format!("{} at t = {} s", painted(word, style), number(run.time)),
+        count(run.steps, "step"),
+        count(run.newton_iterations, "Newton iteration"),
+        count(run.step_cuts, "step cut"),
+    ];
+    if let Value::Number(seconds) = &ended.value["wall_seconds"] {
+        parts.push(format!("{:.3} s", seconds.as_f64().unwrap_or(f64::NAN)));
+    }
+    parts.join(", ")
+}
+
+fn energy(run: &RunSummary) -> String {
+    let energy = &run.energy;
+    let mut parts = vec![format!("{} J to {} J", number(energy.initial), number(energy.final_))];
+    let terms = [
+        ("lost in impacts", energy.loss_impacts),
+        ("work of loads", energy.work_loads),
+        ("work of supports", energy.work_supports),
+    ];
+    let present = terms.iter().filter(|(_, value)| value.abs() > ROUNDING * energy.scale);
+    parts.extend(present.map(|(label, value)| format!("{label} {} J", number(*value))));
+    parts.push(format!("residual {} (relative)", small(energy.residual_max)));
+    parts.join(", ")
+}
+
+fn drift(run: &RunSummary) -> String {
+    let audit = &run.audit;
+    format!(
+        "curvature {} 1/m, membrane strain {}",
+        small(audit.curvature_drift_max),
+        small(audit.membrane_drift_max)
+    )
+}
+
+fn contact_lines(contact: &ContactSummary) -> Vec<String> {
+    match &contact.record {
+        ContactRecord::Smooth { peak_force, intervals } => {
+            let mut lines = Vec::new();
+            if intervals.is_empty() {
+                lines.push("never closed".to_owned());
+            } else {
+                let (value, time) = (number(peak_force.value), number(peak_force.time));
+                lines.push(format!("peak force {value} N at {time} s"));
+            }
+            lines.extend(listed(intervals, intervals.len(), interval));
+            lines
+        }
+        ContactRecord::Nonsmooth { impacts, impact_count, impulse_total, intervals } => {
+            let counted = count(*impact_count, "impact");
+            let mut lines =
+                vec![format!("{counted}, impulse {} N s in all", number(*impulse_total))];
+            lines.extend(listed(impacts, *impact_count, impact));
+            lines.extend(listed(intervals, intervals.len(), interval));
+            lines.push(effective_mass::line(contact));
+            lines
+        }
+    }
+}
+
+/// The first few of `count` items, and how many more there are.
+fn listed<T>(items: &[T], count: usize, line: fn(&T) -> String) -> Vec<String> {
+    let mut lines: Vec<String> = items.iter().take(LISTED).map(line).collect();
+    if count > lines.len() {
+        lines.push(format!("and {} more", count - lines.len()));
+    }
+    lines
+}
+
+fn interval(interval: &ContactInterval) -> String {
+    let end = match interval.end.is_nan() {
+        true => "the end".to_owned(),
+        false => format!("{} s", number(interval.end)),
+    };
+    let (start, impulse) = (number(interval.start), number(interval.impulse));
+    format!("closed from {start} s to {end}, impulse {impulse} N s")
+}
+
+fn impact(impact: &Impact) -> String {
+    format!(
+        "at {} s: impulse {} N s, approach {} m/s, separation {} m/s",
+        number(impact.time),
+        number(impact.impulse),
+        number(impact.approach_velocity),
+        number(impact.separation_velocity)
+    )
+}

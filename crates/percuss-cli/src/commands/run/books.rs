@@ -1,0 +1,23 @@
+//! Whether the books closed.
+
+use percuss::RunSummary;
+
+use crate::number::small;
+
+/// Largest residual of closed books, relative to the largest amount in play.
+const CLOSED: f64 = 1e-10;
+
+/// What did not close, in words.
+pub fn open(run: &RunSummary) -> Vec<String> {
+    let residuals = [
+        ("energy", run.energy.residual_max),
+        ("linear momentum", run.momentum.linear_residual_max),
+        ("angular momentum", run.momentum.angular_residual_max),
+    ];
+    let closed = |residual: f64| residual.abs() <= CLOSED; // NaN is not closed
+    let open = residuals.into_iter().filter(|(_, residual)| !closed(*residual));
+    open.map(|(what, residual)| {
+        format!("the books of {what} do not close: relative residual {}, at most {CLOSED:e} with --strict", small(residual))
+    })
+    .collect()
+}

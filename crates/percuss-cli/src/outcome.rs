@@ -1,0 +1,102 @@
+//! How a command ends: the exit status and what is said when something stood in the way.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use percuss_scenario::Diagnostics;
+
+use crate::terminal;
+
+/// Exit status.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Done.
+    Done,
+    /// The system refused: disk full, no permission.
+    System,
+    /// The input is wrong.
+    Input,
+    /// The solver gave up, or a verification case does not hold.
+    GaveUp,
+    /// The books did not close (`--strict`).
+    BooksOpen,
+    /// Interrupted.
+    Interrupted,
+}
+
+impl Status {
+    /// The number the shell sees.
+    pub fn code(self) -> u8 {
+        match self {
+            Self::Done => 0,
+            Self::System => 1,
+            Self::Input => 2,
+            Self::GaveUp => 3,
+            Self::BooksOpen => 4,
+            Self::Interrupted => 130,
+        }
+    }
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        status.code().into()
+    }
+}
+
+/// What stood in the way of a command.
+#[derive(Debug)]
+pub enum Failure {
+    /// Faults of a scenario file.
+    Faults {
+        /// All of them.
+        faults: Box<Diagnostics>,
+        /// Whether `--set` changed the file, so that lines may have moved.
+        changed: bool,
+    },
+    /// The input is wrong.
+    Input(String),
+    /// The system refused.
+    System(String),
+}
+
+impl Failure {
+    /// The system refused to do something with a file.
+    pub fn system(path: &Path, doing: &str, error: &std::io::Error) -> Self {
+        Self::System(format!("{}: cannot {doing}: {error}", path.display()))
+    }
+
+    /// The exit status that goes with it.
+    pub fn status(&self) -> Status {
+        match self {
+            Self::Faults { .. } | Self::Input(_) => Status::Input,
+            Self::System(_) => Status::System,
+        }
+    }
+
+    /// Says what is wrong: faults underlined on a terminal, one line each elsewhere.
+    pub fn tell(&self) {
+        match self {
+            Self::Faults { faults, changed } => {
+                match terminal::width() {
+                    Some(width) => terminal::tell(&faults.fancy(terminal::colored(), width)),
+                    None => terminal::tell(&faults.to_string()),
+                }
+                if *changed && faults.all().iter().any(|one| one.line > 0) {
+                    terminal::tell("(lines are those of the file with the --set changes made)");
+                }
+            }
+            Self::Input(text) | Self::System(text) => terminal::error(text),
+        }
+    }
+}
+
+impl From<percuss_output::Error> for Failure {
+    fn from(error: percuss_output::Error) -> Self {
+        if error.is_refused() || error.is_content() {
+            Self::Input(error.to_string())
+        } else {
+            Self::System(error.to_string())
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! Progress of a run on the terminal.
+
+use std::io::{self, IsTerminal};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use percuss::Flow;
+
+use crate::interrupt;
+use crate::number::number;
+
+/// The clock is looked at about this often.
+const LOOK: Duration = Duration::from_millis(50);
+/// Shorter runs show nothing.
+const PATIENCE: Duration = Duration::from_millis(200);
+/// Draws a second.
+const HERTZ: u8 = 10;
+
+/// A progress bar on standard error, if that is a terminal.
+///
+/// The clock is read every so many steps, a number that follows the speed of the run, so that a step
+/// costs one comparison.
+#[derive(Debug)]
+pub struct Progress {
+    bar: Option<ProgressBar>,
+    begun: Instant,
+    looked: Instant,
+    steps: u64,
+    next: u64,
+    stride: u64,
+}
+
+impl Progress {
+    /// A bar for a run of so many steps.
+    pub fn of_run(name: String, steps: usize, wanted: bool) -> Self {
+        let style = "{prefix} [{bar:24}] {percent:>3} %  {msg}  {per_sec}  {eta} left";
+        Self::new(name, steps, wanted, style)
+    }
+
+    /// A bar for so many things done one after the other.
+    pub fn of_things(name: &str, things: usize) -> Self {
+        Self::new(name.into(), things, true, "{prefix} [{bar:24}] {pos}/{len}  {msg}")
+    }
+
+    fn new(name: String, length: usize, wanted: bool, style: &str) -> Self {
+        let now = Instant::now();
+        let bar = (wanted && io::stderr().is_terminal()).then(|| {
+            let target = ProgressDrawTarget::stderr_with_hz(HERTZ);
+            let bar = ProgressBar::with_draw_target(u64::try_from(length).ok(), target);
+            bar.set_style(style_of(style));
+            bar.set_prefix(name);
+            bar
+        });
+        Self { bar, begun: now, looked: now, steps: 0, next: 1, stride: 1 }
+    }
+
+    /// One step done, `time` reached; whether to go on.
+    pub fn step(&mut self, time: f64) -> Flow {
+        self.steps += 1;
+        if self.steps >= self.next {
+            self.look(time);
+        }
+        if interrupt::requested() { Flow::Stop } else { Flow::Continue }
+    }
+
+    fn look(&mut self, time: f64) {
+        let elapsed = self.looked.elapsed();
+        if elapsed < LOOK / 2 {
+            self.stride = (2 * self.stride).min(1 << 20);
+        } else if elapsed > 2 * LOOK {
+            let share = LOOK.as_secs_f64() / elapsed.as_secs_f64();
+            self.stride = ((self.stride as f64 * share) as u64).max(1);
+        }
+        self.looked = Instant::now();
+        self.next = self.steps + self.stride;
+        if let Some(bar) = &self.bar
+            && self.begun.elapsed() > PATIENCE
+        {
+            bar.set_message(format!("t = {} s", number(time)));
+            bar.set_position(self.steps);
+        }
+    }
+
+    /// Shows what is being done now, `done` things being done.
+    pub fn show(&self, message: &str, done: usize) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(message.to_owned());
+            bar.set_position(done as u64);
+            bar.tick();
+        }
+    }
+
+    /// Takes the bar away.
+    pub fn clear(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.clear();
+    }
+}
+
+fn style_of(template: &str) -> ProgressStyle {
+    let style = ProgressStyle::with_template(template);
+    style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> ")
+}
