@@ -22,4 +22,5 @@ pub use model::*;
 pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder, RecorderError};
 pub use settings::{ImpactResolution, Scheme, Settings};
 pub use state::{ProjectileState, State};
+pub use step::newton::Effort;
 pub use summary::*;

@@ -172,6 +172,11 @@ impl<'m> Simulation<'m> {
         &self.measures
     }
 
+    /// Newton iterations and factorisations so far.
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
     /// Columns of the history.
     pub fn channels(&self) -> Vec<Channel> {
         channels::channels(self.model)

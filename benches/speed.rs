@@ -1,0 +1,104 @@
+//! Speed and memory of single runs; `cargo bench -p percuss-bench` prints the table of `docs/performance.md`.
+
+use std::time::Instant;
+
+use percuss::*;
+use percuss_bench::elastic_example;
+use percuss_output::{HistoryFormat, HistoryWriter};
+
+/// Repetitions of each measurement; the least is printed, as the one least disturbed.
+const REPEAT: usize = 9;
+
+fn least(mut measure: impl FnMut() -> f64) -> f64 {
+    (0..REPEAT).map(|_| measure()).fold(f64::INFINITY, f64::min)
+}
+
+fn main() {
+    if let Some(elements) = std::env::args().skip_while(|a| a != "--memory").nth(1) {
+        return report_memory(&elements);
+    }
+    println!("elastic example, 6 elements, 1500 steps");
+    let model = elastic_example(6);
+    let settings = Settings::new(0.15, 1e-4);
+    let per_step = |recorder: &mut dyn FnMut() -> Box<dyn Recorder>| {
+        least(|| {
+            let mut recorder = recorder();
+            let start = Instant::now();
+            let summary = simulate(&model, &settings, recorder.as_mut()).expect("sound settings");
+            start.elapsed().as_secs_f64() / summary.steps as f64 * 1e6
+        })
+    };
+    println!("  nothing recorded          {:6.2} us per step", per_step(&mut || Box::new(NoRecorder)));
+    println!(
+        "  everything, in memory     {:6.2} us per step",
+        per_step(&mut || Box::new(MemoryRecorder::default()))
+    );
+    let dir = std::env::temp_dir().join(format!("percuss-bench-{}", std::process::id()));
+    std::fs::create_dir_all(&dir).expect("a temporary directory");
+    for (name, format) in [("Parquet", HistoryFormat::Parquet), ("CSV", HistoryFormat::Csv)] {
+        let long = Settings::new(6.0, 1e-4);
+        let us = least(|| {
+            let mut writer = HistoryWriter::new(&dir, format, "");
+            let start = Instant::now();
+            let summary = simulate(&model, &long, &mut writer).expect("sound settings");
+            writer.finish().expect("a written history");
+            start.elapsed().as_secs_f64() / summary.steps as f64 * 1e6
+        });
+        println!("  everything, {name:<13} {us:6.2} us per step (60 000 steps)");
+    }
+    std::fs::remove_dir_all(&dir).expect("our own directory");
+    println!("growing number of elements, step 1e-4 s");
+    for elements in [6, 60, 600, 6_000, 60_000] {
+        scaling(elements);
+    }
+    println!("peak memory");
+    for elements in [6, 60_000] {
+        let program = std::env::current_exe().expect("this program");
+        let status = std::process::Command::new(program)
+            .args(["--memory", &elements.to_string()])
+            .status();
+        assert!(status.is_ok_and(|s| s.success()), "the memory run failed");
+    }
+}
+
+fn scaling(elements: usize) {
+    let model = elastic_example(elements);
+    let steps = (200_000 / elements).clamp(20, 1500);
+    // From shortly before contact on, so that steps do the work of contact.
+    let settings = Settings::new((100 + steps) as f64 * 1e-4, 1e-4);
+    let mut simulation = Simulation::new(&model, &settings).expect("sound settings");
+    for _ in 0..100 {
+        simulation.advance(&mut NoRecorder).expect("the beam is at rest");
+    }
+    let before = simulation.effort();
+    let start = Instant::now();
+    for _ in 0..steps {
+        simulation.advance(&mut NoRecorder).expect("the run goes on");
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    let after = simulation.effort();
+    let iterations = (after.iterations - before.iterations) as f64;
+    let factorizations = (after.factorizations - before.factorizations) as f64;
+    let per = |n: f64| seconds / n / elements as f64 * 1e6;
+    println!(
+        "  {elements:>6} elements: {:7.4} us per element and iteration, {:7.4} per element and step \
+         ({:.2} iterations, {:.2} factorizations a step)",
+        per(iterations),
+        per(steps as f64),
+        iterations / steps as f64,
+        factorizations / steps as f64,
+    );
+}
+
+/// Runs in a process of its own and prints its peak resident memory.
+fn report_memory(elements: &str) {
+    let elements: usize = elements.parse().expect("a number of elements");
+    for steps in [20, 200] {
+        let model = elastic_example(elements);
+        let settings = Settings::new(0.01 + f64::from(steps) * 1e-4, 1e-4);
+        simulate(&model, &settings, &mut NoRecorder).expect("sound settings");
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let peak = status.lines().find_map(|l| l.strip_prefix("VmHWM:")).unwrap_or("unknown");
+        println!("  {elements:>6} elements, {} steps: {}", 100 + steps, peak.trim());
+    }
+}
