@@ -22,11 +22,8 @@ pub fn elastic_example(elements: usize) -> Model {
     });
     let points = vec![[0.0, 0.0], [3.0, 0.0]];
     let girder = b.beam(Beam { name: "girder".into(), points, elements, material, section });
-    let at = |label: &str, f| PointRef {
-        label: label.into(),
-        beam: girder,
-        along: Along::Fraction(f),
-    };
+    let at =
+        |label: &str, f| PointRef { label: label.into(), beam: girder, along: Along::Fraction(f) };
     for (name, f) in [("left", 0.0), ("right", 1.0)] {
         b.support(Support { name: name.into(), at: at(name, f), kind: SupportKind::Clamp });
     }

@@ -28,7 +28,10 @@ fn main() {
             start.elapsed().as_secs_f64() / summary.steps as f64 * 1e6
         })
     };
-    println!("  nothing recorded          {:6.2} us per step", per_step(&mut || Box::new(NoRecorder)));
+    println!(
+        "  nothing recorded          {:6.2} us per step",
+        per_step(&mut || Box::new(NoRecorder))
+    );
     println!(
         "  everything, in memory     {:6.2} us per step",
         per_step(&mut || Box::new(MemoryRecorder::default()))
@@ -54,9 +57,8 @@ fn main() {
     println!("peak memory");
     for elements in [6, 60_000] {
         let program = std::env::current_exe().expect("this program");
-        let status = std::process::Command::new(program)
-            .args(["--memory", &elements.to_string()])
-            .status();
+        let status =
+            std::process::Command::new(program).args(["--memory", &elements.to_string()]).status();
         assert!(status.is_ok_and(|s| s.success()), "the memory run failed");
     }
 }

@@ -16,11 +16,7 @@ pub fn frequencies() -> Vec<Check> {
             vec![(0.0, clamp()), (1.0, clamp())],
             [9.32078456, 25.69662046, 50.51370237],
         ),
-        (
-            "pinned-pinned",
-            vec![(0.0, pin()), (1.0, pin())],
-            [4.11129329, 16.43515175, 37.01083415],
-        ),
+        ("pinned-pinned", vec![(0.0, pin()), (1.0, pin())], [4.11129329, 16.43515175, 37.01083415]),
         ("cantilever", vec![(0.0, clamp())], [1.46492265, 9.17093792, 25.66618639]),
     ] {
         let mut beam = paper_beam(6);
@@ -106,8 +102,7 @@ fn thrown(strain: StrainMeasure) -> Single {
 fn dummy_beam() -> BeamId {
     let mut b = ModelBuilder::new();
     let strain = StrainMeasure::Green;
-    let material =
-        b.material(Material { name: String::new(), young: 1.0, density: 1.0, strain });
+    let material = b.material(Material { name: String::new(), young: 1.0, density: 1.0, strain });
     let rotary_inertia = RotaryInertia::Density;
     let section =
         b.section(Section { name: String::new(), area: 1.0, inertia: 1.0, rotary_inertia });

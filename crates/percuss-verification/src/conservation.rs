@@ -127,13 +127,18 @@ pub fn time_reversal() -> Vec<Check> {
             simulation.reverse();
         }
         let state = simulation.state();
-        let largest = |nodal: &[[f64; 4]]| {
-            nodal.as_flattened().iter().fold(0.0_f64, |m, x| m.max(x.abs()))
-        };
-        c.absolute(format!("{name}: displacement [m]"), largest(&state.displacement), 0.0, tolerance);
+        let largest =
+            |nodal: &[[f64; 4]]| nodal.as_flattened().iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        c.absolute(
+            format!("{name}: displacement [m]"),
+            largest(&state.displacement),
+            0.0,
+            tolerance,
+        );
         let travel = state.projectiles[0].travel;
         c.absolute(format!("{name}: travel of the projectile [m]"), travel, 0.0, tolerance);
-        let (speed, initial) = (state.projectiles[0].speed, if name == "elastic" { 20.0 } else { 40.0 });
+        let (speed, initial) =
+            (state.projectiles[0].speed, if name == "elastic" { 20.0 } else { 40.0 });
         c.relative(format!("{name}: speed of the projectile [m/s]"), speed, initial, tolerance);
     }
     c.into_vec()
@@ -158,7 +163,9 @@ pub fn rigid_motion() -> Vec<Check> {
     moved.projectiles[0].velocity = turn(off_centre.velocity);
     let settings = Settings::new(0.15, 1e-4);
     let (a, b) = (run(&plain.build(), &settings), run(&moved.build(), &settings));
-    let speed = |s: &RunSummary| s.projectiles[0].velocity_final[0].hypot(s.projectiles[0].velocity_final[1]);
+    let speed = |s: &RunSummary| {
+        s.projectiles[0].velocity_final[0].hypot(s.projectiles[0].velocity_final[1])
+    };
     c.relative("speed after [m/s]", speed(&b), speed(&a), 1e-9);
     c.relative("peak force [N]", smooth(&b).0.value, smooth(&a).0.value, 1e-9);
     for (name, s) in [("as it stands", &a), ("turned and moved", &b)] {

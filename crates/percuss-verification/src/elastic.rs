@@ -87,7 +87,12 @@ pub fn converged_mesh() -> Vec<Check> {
     ] {
         let f = figures(&beam.build(), if name == "slow" { 0.2 } else { 0.12 }, 4e-5);
         c.relative(format!("{name}: peak force [N]"), f.force, force, tolerance);
-        c.relative(format!("{name}: peak displacement [m]"), f.displacement, displacement, tolerance);
+        c.relative(
+            format!("{name}: peak displacement [m]"),
+            f.displacement,
+            displacement,
+            tolerance,
+        );
         c.relative(format!("{name}: rebound velocity [m/s]"), f.rebound, rebound, tolerance);
     }
     c.into_vec()

@@ -91,11 +91,8 @@ pub fn linear_sequence() -> Vec<Check> {
         b + (b - a) / 3.0
     };
     let mut c = Checks::new();
-    let expected = [
-        (0.0005, 38.1498391378),
-        (0.005162896045, 14.0246641318),
-        (0.005682823808, 12.6239470540),
-    ];
+    let expected =
+        [(0.0005, 38.1498391378), (0.005162896045, 14.0246641318), (0.005682823808, 12.6239470540)];
     for (k, (time, impulse)) in expected.into_iter().enumerate() {
         let found = impacts(&fine).get(k);
         c.relative(format!("time of impact {k} [s]"), or_nan(found.map(|i| i.time)), time, 5e-6);

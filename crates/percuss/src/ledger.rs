@@ -98,12 +98,13 @@ impl Measures {
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
             let momentum = momentum(table, &state.velocity[a], &state.velocity[a + 1]);
             for (node, p) in [(a, &momentum[0]), (a + 1, &momentum[1])] {
-                let (x, u, v) = (&model.nodes[node], &state.displacement[node], &state.velocity[node]);
+                let (x, u, v) =
+                    (&model.nodes[node], &state.displacement[node], &state.velocity[node]);
                 translation += p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
                 linear = add(linear, [p[0], p[1]]);
                 let slope = [table.tangent[0] + u[2], table.tangent[1] + u[3]];
-                angular += cross([x[0] + u[0], x[1] + u[1]], [p[0], p[1]])
-                    + cross(slope, [p[2], p[3]]);
+                angular +=
+                    cross([x[0] + u[0], x[1] + u[1]], [p[0], p[1]]) + cross(slope, [p[2], p[3]]);
             }
             for j in 0..GAUSS {
                 let row = &table.rows[j];

@@ -83,7 +83,8 @@ impl State {
     /// Gap between projectile `i` and the point it strikes \[m\].
     pub(crate) fn gap(&self, model: &Model, i: usize) -> f64 {
         let p = &model.projectiles[i];
-        p.standoff + dot(p.direction, p.point.value(&self.displacement)) - self.projectiles[i].travel
+        p.standoff + dot(p.direction, p.point.value(&self.displacement))
+            - self.projectiles[i].travel
     }
 
     /// Rate of the gap \[m/s\]; negative when approaching.

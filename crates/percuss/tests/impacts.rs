@@ -11,7 +11,11 @@ fn girder(supported: bool, shots: &[(f64, [f64; 2], f64)]) -> Model {
     let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
     if supported {
         for (name, f) in [("left", 0.0), ("right", 1.0)] {
-            b.support(Support { name: name.into(), at: at(name, girder, f), kind: SupportKind::Pin });
+            b.support(Support {
+                name: name.into(),
+                at: at(name, girder, f),
+                kind: SupportKind::Pin,
+            });
         }
     }
     for (i, (f, velocity, e)) in shots.iter().enumerate() {
@@ -87,7 +91,9 @@ fn impulses_account_for_the_change_of_momentum() {
     for e in [1.0, 0.5, 0.0] {
         let model = girder(true, &[(0.5, [0.0, -40.0], e)]);
         let summary = run(&model, &Settings::new(0.02, 1e-5));
-        let ContactRecord::Nonsmooth { impulse_total, .. } = summary.contacts[0].record else { panic!() };
+        let ContactRecord::Nonsmooth { impulse_total, .. } = summary.contacts[0].record else {
+            panic!()
+        };
         let change = 100.0 * (summary.projectiles[0].velocity_final[1] + 40.0);
         assert!((impulse_total - change).abs() < 1e-9 * change, "{impulse_total} {change}");
     }

@@ -36,11 +36,7 @@ fn corner(kind: JointKind, angle: f64) -> Model {
 
 fn worst(summary: &RunSummary) -> f64 {
     let m = &summary.momentum;
-    summary
-        .energy
-        .residual_max
-        .max(m.linear_residual_max)
-        .max(m.angular_residual_max)
+    summary.energy.residual_max.max(m.linear_residual_max).max(m.angular_residual_max)
 }
 
 #[test]
@@ -66,7 +62,8 @@ fn a_rigid_corner_keeps_its_place_and_its_angle() {
             simulation.advance(&mut NoRecorder).unwrap();
             let u = &simulation.state().displacement;
             let (end, start) = (&u[5], &u[6]);
-            let (column, girder) = ([end[2], 1.0 + end[3]], [angle.cos() + start[2], angle.sin() + start[3]]);
+            let (column, girder) =
+                ([end[2], 1.0 + end[3]], [angle.cos() + start[2], angle.sin() + start[3]]);
             let now = (column[0] * girder[1] - column[1] * girder[0])
                 .atan2(column[0] * girder[0] + column[1] * girder[1]);
             let reference = angle - std::f64::consts::FRAC_PI_2;
@@ -85,8 +82,10 @@ fn two_beams_joined_in_line_move_as_one() {
         let (material, section) = plank(&mut b);
         let mut ends = Vec::new();
         if split {
-            let left = b.beam(beam("left", [0.0, 0.0], [1.5, 0.0], elements / 2, material, section));
-            let right = b.beam(beam("right", [1.5, 0.0], [3.0, 0.0], elements / 2, material, section));
+            let left =
+                b.beam(beam("left", [0.0, 0.0], [1.5, 0.0], elements / 2, material, section));
+            let right =
+                b.beam(beam("right", [1.5, 0.0], [3.0, 0.0], elements / 2, material, section));
             b.joint(Joint {
                 name: "middle".into(),
                 kind: JointKind::Rigid,

@@ -15,8 +15,7 @@ const SCHEMES: [Scheme; 5] = [
 
 fn free_beam(strain: StrainMeasure) -> Model {
     let mut b = ModelBuilder::new();
-    let material =
-        b.material(Material { name: "m".into(), young: 0.2e10, density: 3e3, strain });
+    let material = b.material(Material { name: "m".into(), young: 0.2e10, density: 3e3, strain });
     let section = plank(&mut b).1;
     let girder = b.beam(beam("girder", [0.0, 0.0], [2.4, 1.8], 6, material, section));
     b.projectile(elastic("mass", at("girder@0.3", girder, 0.3), [2.0, 20.0]));

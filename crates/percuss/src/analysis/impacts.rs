@@ -310,8 +310,7 @@ impl Simulation<'_> {
         let active: Vec<ActiveContact> = closed.iter().map(|(contact, _)| *contact).collect();
         self.solve(size, &active)?;
         let start = self.state.time;
-        let after: Vec<f64> =
-            active.iter().map(|c| self.gap_next(size, c.projectile)[1]).collect();
+        let after: Vec<f64> = active.iter().map(|c| self.gap_next(size, c.projectile)[1]).collect();
         self.accept(size);
         for ((contact, rate), separation) in closed.into_iter().zip(after) {
             let i = contact.projectile;

@@ -56,9 +56,10 @@ impl Monitor {
                 intervals: Vec::new(),
             },
         });
-        let points = model.points.iter().map(|p| {
-            p.value(&state.displacement).map(|value| Peak { value, time: state.time })
-        });
+        let points = model
+            .points
+            .iter()
+            .map(|p| p.value(&state.displacement).map(|value| Peak { value, time: state.time }));
         let mut monitor = Self {
             start: Start::default(),
             contacts: contacts.collect(),
@@ -147,7 +148,8 @@ impl Monitor {
     /// Notes the impulse of a persistent contact over the step that ends at `state`; `closed` tells whether it still is.
     pub fn persistent(&mut self, i: usize, impulse: f64, end: f64, closed: bool) {
         let start = self.start.time;
-        let ContactRecord::Nonsmooth { impulse_total, intervals, .. } = &mut self.contacts[i] else {
+        let ContactRecord::Nonsmooth { impulse_total, intervals, .. } = &mut self.contacts[i]
+        else {
             return;
         };
         *impulse_total += impulse;

@@ -150,7 +150,13 @@ impl<'m> Simulation<'m> {
         let mut chain = crate::linalg::chain::Chain::zeros(model.node_count());
         // With nothing moving, the residual is what the loads leave unbalanced.
         crate::step::assemble::beams::<false>(
-            model, &self.state, &rule, gravity, &rest, &mut force, &mut chain,
+            model,
+            &self.state,
+            &rule,
+            gravity,
+            &rest,
+            &mut force,
+            &mut chain,
         );
         let h = rule.h;
         external::apply::<false>(model, &self.state, h, 1.0, &rest, &mut force, &mut chain);
@@ -328,10 +334,7 @@ impl<'m> Simulation<'m> {
                 linear_scale: books.linear_scale,
                 linear_residual_max: relative(self.monitor.linear_residual, books.linear_scale),
                 angular_scale: books.angular_scale,
-                angular_residual_max: relative(
-                    self.monitor.angular_residual,
-                    books.angular_scale,
-                ),
+                angular_residual_max: relative(self.monitor.angular_residual, books.angular_scale),
             },
             audit: AuditSummary {
                 curvature_drift_max: self.monitor.curvature_drift,

@@ -87,9 +87,9 @@ fn is_free_end(model: &Model, beam: &BeamData, point: &MaterialPoint) -> bool {
     let at_end = point.s <= 1e-9 * beam.length || point.s >= beam.length * (1.0 - 1e-9);
     let joined = model.constraints.iter().any(|c| match c {
         Constraint::Held { .. } => false,
-        Constraint::Shared { points, .. } | Constraint::Angle { points, .. } => {
-            points.iter().any(|p| p.beam == point.beam && (p.s - point.s).abs() < 1e-9 * beam.length)
-        }
+        Constraint::Shared { points, .. } | Constraint::Angle { points, .. } => points
+            .iter()
+            .any(|p| p.beam == point.beam && (p.s - point.s).abs() < 1e-9 * beam.length),
     });
     at_end && !joined
 }

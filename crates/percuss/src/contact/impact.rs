@@ -77,8 +77,7 @@ mod tests {
 
     #[test]
     fn one_contact_has_the_closed_form() {
-        let problem =
-            ImpactProblem { delassus: vec![0.02], free: vec![-40.0], bound: vec![20.0] };
+        let problem = ImpactProblem { delassus: vec![0.02], free: vec![-40.0], bound: vec![20.0] };
         let mut impulse = [0.0];
         problem.solve(&mut impulse).unwrap();
         assert!((impulse[0] - 3000.0).abs() < 1e-12);

@@ -36,10 +36,7 @@ pub fn step_force(kind: ContactForce, stiffness: f64, p0: f64, p1: f64) -> StepF
 /// Force at `p0 + theta (p1 - p0)`.
 pub fn collocated(stiffness: f64, p0: f64, p1: f64, theta: f64) -> StepForce {
     let p = p0 + theta * (p1 - p0);
-    StepForce {
-        force: force(stiffness, p),
-        slope: if p > 0.0 { theta * stiffness } else { 0.0 },
-    }
+    StepForce { force: force(stiffness, p), slope: if p > 0.0 { theta * stiffness } else { 0.0 } }
 }
 
 fn conserving(stiffness: f64, p0: f64, p1: f64) -> StepForce {

@@ -65,11 +65,7 @@ impl<S: Real> ElementValues<S> {
     /// From the values of the two nodes.
     #[inline(always)]
     pub fn new(a: &[S; 4], b: &[S; 4]) -> Self {
-        Self {
-            chord: [b[0] - a[0], b[1] - a[1]],
-            slope_a: [a[2], a[3]],
-            slope_b: [b[2], b[3]],
-        }
+        Self { chord: [b[0] - a[0], b[1] - a[1]], slope_a: [a[2], a[3]], slope_b: [b[2], b[3]] }
     }
 
     /// Combination with the coefficients of a [`GaussRow`].
@@ -213,7 +209,14 @@ mod tests {
                     ]
                 };
                 let (g_dot, g_ddot) = (linear(rate, [0.4, -2.0]), linear(acc, [30.0, -10.0]));
-                rotary::add_collocated::<S, T>(&mut r, law.rotary, g, g_dot, g_ddot, [theta, rate, acc]);
+                rotary::add_collocated::<S, T>(
+                    &mut r,
+                    law.rotary,
+                    g,
+                    g_dot,
+                    g_ddot,
+                    [theta, rate, acc],
+                );
                 r
             }
         }

@@ -1,7 +1,7 @@
 //! Forces of the strain energy at one configuration between the ends of the step: implicit midpoint (`theta = 1/2`),
 //! Newmark (`theta = 1`), generalized-alpha (`theta = 1 - alpha_f`), statics (`theta = 1`).
 
-use super::point::{form_a, form_b, PointResponse, SectionLaw, StepPoint, Stress, StressRate};
+use super::point::{PointResponse, SectionLaw, StepPoint, Stress, StressRate, form_a, form_b};
 use super::strain::{gradient, strains};
 use crate::math::vec2::add;
 use crate::scalar::Real;
@@ -13,14 +13,9 @@ pub fn response<S: Real, const TANGENT: bool>(
     point: &StepPoint<S>,
     theta: f64,
 ) -> PointResponse<S> {
-    let slope = [
-        point.slope_0[0] + point.d_slope[0] * theta,
-        point.slope_0[1] + point.d_slope[1] * theta,
-    ];
-    let p = [
-        point.bend_0[0] + point.d_bend[0] * theta,
-        point.bend_0[1] + point.d_bend[1] * theta,
-    ];
+    let slope =
+        [point.slope_0[0] + point.d_slope[0] * theta, point.slope_0[1] + point.d_slope[1] * theta];
+    let p = [point.bend_0[0] + point.d_bend[0] * theta, point.bend_0[1] + point.d_bend[1] * theta];
     let g = add(point.tangent, slope);
     let strain = strains(law.measure, point.tangent, point.curvature, slope, p);
     let c = gradient(law.measure, g, p);

@@ -1,7 +1,9 @@
 //! The invariant energy-momentum scheme (theory, section 3): a discrete gradient written through the invariants
 //! `a = g.g` and `b = g x p`, with no strain history.
 
-use super::point::{form_a, form_b, b_of, Form, PointResponse, SectionLaw, StepPoint, Stress, StressRate};
+use super::point::{
+    Form, PointResponse, SectionLaw, StepPoint, Stress, StressRate, b_of, form_a, form_b,
+};
 use crate::math::vec2::{add, dot};
 use crate::model::StrainMeasure;
 use crate::scalar::Real;
@@ -21,10 +23,7 @@ pub fn response<S: Real, const TANGENT: bool>(
     let g1 = add(point.tangent, slope_1);
     let p1 = add(point.bend_0, point.d_bend);
     let g_mid = [g0[0] + point.d_slope[0] * 0.5, g0[1] + point.d_slope[1] * 0.5];
-    let p_mid = [
-        point.bend_0[0] + point.d_bend[0] * 0.5,
-        point.bend_0[1] + point.d_bend[1] * 0.5,
-    ];
+    let p_mid = [point.bend_0[0] + point.d_bend[0] * 0.5, point.bend_0[1] + point.d_bend[1] * 0.5];
     let green = |u: [S; 2]| dot(point.tangent, u) + dot(u, u) * 0.5;
     let ends = Ends {
         a0: dot(g0, g0),

@@ -35,7 +35,14 @@ pub fn add_step<S: Real, const TANGENT: bool>(
             (g0_turned[1] * (1.0 / h) - spin * g[1]) * inv_a,
         ];
         let inertia = rotary * (2.0 / h);
-        add_moment_tangent(response, [inertia * d_spin[0], inertia * d_spin[1]], moment, g, inv_a, 0.5);
+        add_moment_tangent(
+            response,
+            [inertia * d_spin[0], inertia * d_spin[1]],
+            moment,
+            g,
+            inv_a,
+            0.5,
+        );
     }
 }
 
@@ -65,8 +72,10 @@ pub fn add_collocated<S: Real, const TANGENT: bool>(
             let mut unit = [S::constant(0.0); 2];
             unit[j] = S::constant(1.0);
             let d_inv_a = dot(g, unit) * inv_a * (-2.0 * theta); // relative change of 1/a
-            let d_turn = (cross(unit, g_dot) * theta + cross(g, unit) * d_rate) * inv_a + turn * d_inv_a;
-            let d_stretch = (dot(unit, g_dot) * theta + dot(g, unit) * d_rate) * inv_a + stretch * d_inv_a;
+            let d_turn =
+                (cross(unit, g_dot) * theta + cross(g, unit) * d_rate) * inv_a + turn * d_inv_a;
+            let d_stretch =
+                (dot(unit, g_dot) * theta + dot(g, unit) * d_rate) * inv_a + stretch * d_inv_a;
             let d_acc = (cross(unit, g_ddot) * theta + cross(g, unit) * d_acceleration) * inv_a
                 + acceleration * d_inv_a;
             slope[j] = rotary * (d_acc - (d_turn * stretch + turn * d_stretch) * 2.0);
@@ -89,7 +98,8 @@ pub fn add_moment_tangent<S: Real>(
     let turned = moment * inv_a * theta;
     for i in 0..2 {
         for j in 0..2 {
-            response.tangent[i][j] += normal[i] * (slope[j] - moment * inv_a * g[j] * (2.0 * theta));
+            response.tangent[i][j] +=
+                normal[i] * (slope[j] - moment * inv_a * g[j] * (2.0 * theta));
         }
     }
     response.tangent[0][1] += -turned;

@@ -1,6 +1,6 @@
 //! Strains of a configuration (theory, section 1), and their gradient coefficients.
 
-use super::point::{b_of, Strains};
+use super::point::{Strains, b_of};
 use crate::math::vec2::{add, dot};
 use crate::model::StrainMeasure;
 use crate::scalar::Real;
@@ -21,9 +21,7 @@ pub fn strains<S: Real>(
     let (a, b) = (dot(g, g), b_of(g, bend));
     let green = dot(tangent, slope) + dot(slope, slope) * 0.5;
     match measure {
-        StrainMeasure::Green => {
-            Strains { membrane: green, bending: curvature - b / a.sqrt() }
-        }
+        StrainMeasure::Green => Strains { membrane: green, bending: curvature - b / a.sqrt() },
         StrainMeasure::Engineering => Strains {
             membrane: (green + green) / (a.sqrt() + S::constant(1.0)),
             bending: curvature - b / a,

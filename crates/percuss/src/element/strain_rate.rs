@@ -1,6 +1,8 @@
 //! The paper's energy-momentum scheme (eq. 5): strains are history, advanced by their midpoint rates.
 
-use super::point::{form_a, form_b, PointResponse, SectionLaw, StepPoint, Strains, Stress, StressRate};
+use super::point::{
+    PointResponse, SectionLaw, StepPoint, Strains, Stress, StressRate, form_a, form_b,
+};
 use super::strain::gradient;
 use crate::math::vec2::add;
 use crate::scalar::Real;
@@ -8,11 +10,7 @@ use crate::scalar::Real;
 /// Stored strains at the end of a step that starts with the stored strains `old`:
 /// `eps1 = eps0 + deps_m(Dx)`, `kappa1 = kappa0 + dkappa_m(Dx)`, the gradients taken at the midpoint.
 #[inline(always)]
-pub fn advance<S: Real>(
-    law: &SectionLaw<S>,
-    point: &StepPoint<S>,
-    old: Strains<S>,
-) -> Strains<S> {
+pub fn advance<S: Real>(law: &SectionLaw<S>, point: &StepPoint<S>, old: Strains<S>) -> Strains<S> {
     let (g_mid, p_mid) = midpoint(point);
     let c = gradient(law.measure, g_mid, p_mid);
     let da = form_a(g_mid).on(point.d_slope, point.d_bend);

@@ -116,10 +116,9 @@ impl ModelBuilder {
             let n = beam.elements;
             for i in 0..=n {
                 let f = i as f64 / n as f64;
-                model.nodes.push([
-                    start[0] + f * (end[0] - start[0]),
-                    start[1] + f * (end[1] - start[1]),
-                ]);
+                model
+                    .nodes
+                    .push([start[0] + f * (end[0] - start[0]), start[1] + f * (end[1] - start[1])]);
             }
             model.beams.push(BeamData {
                 name: beam.name.clone(),
@@ -162,9 +161,7 @@ impl ModelBuilder {
                     ProjectileKind::Elastic { stiffness, force } => {
                         ContactLaw::Spring { stiffness, force }
                     }
-                    ProjectileKind::Rigid { restitution } => {
-                        ContactLaw::Unilateral { restitution }
-                    }
+                    ProjectileKind::Rigid { restitution } => ContactLaw::Unilateral { restitution },
                 },
             });
         }

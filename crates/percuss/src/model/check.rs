@@ -197,11 +197,8 @@ fn position(beam: &Beam, along: Along) -> [f64; 2] {
 
 /// Line of flight of a projectile, not normalised; `None` if neither velocity nor direction gives one.
 pub(super) fn line_of_flight(projectile: &Projectile) -> Option<[f64; 2]> {
-    let line = if norm(projectile.velocity) > 0.0 {
-        projectile.velocity
-    } else {
-        projectile.direction?
-    };
+    let line =
+        if norm(projectile.velocity) > 0.0 { projectile.velocity } else { projectile.direction? };
     (norm(line) > 0.0).then_some(line)
 }
 

@@ -38,23 +38,47 @@ pub fn beams<const TANGENT: bool>(
     let h = integration.h;
     let ends = Ends { model, state, integration, gravity, increment };
     match integration.rule {
-        Rule::Midpoint(MidpointForces::Invariant) => ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-            let mut r = energy_momentum::response::<f64, TANGENT>(law, point);
-            add_rotary::<TANGENT>(&mut r, law, point, state.spin[place.element][place.gauss], h);
-            r
-        }),
-        Rule::Midpoint(MidpointForces::StrainRate) => ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-            let [membrane, bending] = state.strain[place.element][place.gauss];
-            let old = Strains { membrane, bending };
-            let mut r = strain_rate::response::<f64, TANGENT>(law, point, old);
-            add_rotary::<TANGENT>(&mut r, law, point, state.spin[place.element][place.gauss], h);
-            r
-        }),
-        Rule::Midpoint(MidpointForces::Collocated) => ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-            let mut r = collocation::response::<f64, TANGENT>(law, point, 0.5);
-            add_rotary::<TANGENT>(&mut r, law, point, state.spin[place.element][place.gauss], h);
-            r
-        }),
+        Rule::Midpoint(MidpointForces::Invariant) => {
+            ends.sum::<TANGENT>(residual, chain, |law, point, place| {
+                let mut r = energy_momentum::response::<f64, TANGENT>(law, point);
+                add_rotary::<TANGENT>(
+                    &mut r,
+                    law,
+                    point,
+                    state.spin[place.element][place.gauss],
+                    h,
+                );
+                r
+            })
+        }
+        Rule::Midpoint(MidpointForces::StrainRate) => {
+            ends.sum::<TANGENT>(residual, chain, |law, point, place| {
+                let [membrane, bending] = state.strain[place.element][place.gauss];
+                let old = Strains { membrane, bending };
+                let mut r = strain_rate::response::<f64, TANGENT>(law, point, old);
+                add_rotary::<TANGENT>(
+                    &mut r,
+                    law,
+                    point,
+                    state.spin[place.element][place.gauss],
+                    h,
+                );
+                r
+            })
+        }
+        Rule::Midpoint(MidpointForces::Collocated) => {
+            ends.sum::<TANGENT>(residual, chain, |law, point, place| {
+                let mut r = collocation::response::<f64, TANGENT>(law, point, 0.5);
+                add_rotary::<TANGENT>(
+                    &mut r,
+                    law,
+                    point,
+                    state.spin[place.element][place.gauss],
+                    h,
+                );
+                r
+            })
+        }
         Rule::Alpha(_) => {
             let theta = integration.theta();
             ends.sum::<TANGENT>(residual, chain, |law, point, place| {
@@ -182,9 +206,8 @@ fn add_inertia(
     let m = &table.mass;
     for i in 0..2 {
         let acc = [acc_a[i], acc_a[2 + i], acc_b[i], acc_b[2 + i]];
-        let row = |k: usize| {
-            m[k][0] * acc[0] + m[k][1] * acc[1] + m[k][2] * acc[2] + m[k][3] * acc[3]
-        };
+        let row =
+            |k: usize| m[k][0] * acc[0] + m[k][1] * acc[1] + m[k][2] * acc[2] + m[k][3] * acc[3];
         on_a[i] += row(0);
         on_a[2 + i] += row(1);
         on_b[i] += row(2);

@@ -63,9 +63,8 @@ fn book_loads(
     gravity: [f64; 2],
     work: &Workspace,
 ) {
-    let done = external::work(
-        model, state, rule.h, rule.theta(), gravity, &work.increment, &work.travel,
-    );
+    let done =
+        external::work(model, state, rule.h, rule.theta(), gravity, &work.increment, &work.travel);
     let books = &mut state.books;
     books.work_loads += done.work;
     books.impulse_loads = add(books.impulse_loads, done.impulse);

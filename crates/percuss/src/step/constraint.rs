@@ -75,7 +75,9 @@ pub fn derivative(
     nodal: &[[f64; 4]],
 ) -> f64 {
     match c {
-        Constraint::Held { point, direction, gradient: false } => dot(*direction, point.value(nodal)),
+        Constraint::Held { point, direction, gradient: false } => {
+            dot(*direction, point.value(nodal))
+        }
         Constraint::Held { point, direction, gradient: true } => {
             dot(*direction, point.gradient(nodal))
         }

@@ -1,10 +1,10 @@
 //! Loads in a step, constant over it: a load that acts for a share of the step acts with that share, so that its impulse
 //! is exact.
 
+use crate::linalg::chain::Chain;
 use crate::math::vec2::{cross, dot};
 use crate::model::Model;
 use crate::model::frozen::{PointLoadData, share};
-use crate::linalg::chain::Chain;
 use crate::state::State;
 
 /// Acceleration of gravity in the step `[start, start + h]`.

@@ -101,9 +101,7 @@ impl Integration {
     pub fn inertia(&self, d: f64, v0: f64, a0: f64) -> f64 {
         match self.rule {
             Rule::Midpoint(_) => 2.0 * (d / self.h - v0) / self.h,
-            Rule::Alpha(w) => {
-                (1.0 - w.alpha_m) * self.acceleration(d, v0, a0) + w.alpha_m * a0
-            }
+            Rule::Alpha(w) => (1.0 - w.alpha_m) * self.acceleration(d, v0, a0) + w.alpha_m * a0,
         }
     }
 
@@ -112,9 +110,7 @@ impl Integration {
     pub fn acceleration(&self, d: f64, v0: f64, a0: f64) -> f64 {
         match self.rule {
             Rule::Midpoint(_) => 0.0,
-            Rule::Alpha(w) => {
-                (d / self.h - v0) / (w.beta * self.h) - (0.5 / w.beta - 1.0) * a0
-            }
+            Rule::Alpha(w) => (d / self.h - v0) / (w.beta * self.h) - (0.5 / w.beta - 1.0) * a0,
         }
     }
 

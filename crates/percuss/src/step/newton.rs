@@ -84,6 +84,8 @@ const CONTRACTION: f64 = 0.02;
 const WORK_TOLERANCE: f64 = 1e-16;
 /// Unbalanced impulse of an accepted step, relative to the momentum in play.
 const IMPULSE_TOLERANCE: f64 = 1e-15;
+/// Corrections this small against the step that no longer shrink are round-off.
+const STALLED: f64 = 1e-10;
 /// A correction below so many units in the last place of the displacements moves nothing any more.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
@@ -94,22 +96,18 @@ impl StepProblem<'_> {
     /// Why there is none; `work` then holds rubbish, the state is untouched.
     pub fn solve(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         self.predict(work);
-        let mut energy = self.state.books.energy_scale;
-        let (mut unbalanced, mut renew, mut exhausted) = (f64::INFINITY, true, false);
+        let mut watch = Watch::new(self.state.books.energy_scale);
+        let mut renew = true;
         for iteration in 0..MOST_ITERATIONS {
             self.residual(work, renew);
-            let before = std::mem::replace(&mut unbalanced, self.unbalanced_work(work));
-            if !unbalanced.is_finite() {
+            watch.unbalanced(self.unbalanced_work(work));
+            if !watch.unbalanced.is_finite() {
                 break;
             }
-            let balanced = iteration > 0
-                && unbalanced <= WORK_TOLERANCE * energy
-                && self.unbalanced_impulse(work) <= IMPULSE_TOLERANCE * self.momentum(energy)
-                && self.constraints_met(work);
-            if balanced || exhausted {
+            if iteration > 0 && (watch.settled || self.balanced(work, &watch)) {
                 return Ok(());
             }
-            if !renew && unbalanced > CONTRACTION * before {
+            if !renew && !watch.contracts() {
                 renew = true;
                 self.residual(work, renew);
             }
@@ -118,15 +116,21 @@ impl StepProblem<'_> {
                 effort.factorizations += 1;
             }
             let correction_work = self.correct(work)?;
-            if iteration == 0 {
-                energy = energy.max(correction_work);
-            }
             effort.iterations += 1;
-            exhausted = self.exhausted(work);
+            let (_, reach) = largest(&self.state.displacement);
+            let (_, step) = largest(&work.increment);
+            watch.corrected(largest(&work.correction).1, correction_work, reach, step);
             renew = false;
         }
         let (node, _) = largest(&work.residual);
-        Err(Failure::Diverged { residual: unbalanced / energy, node })
+        Err(Failure::Diverged { residual: watch.unbalanced / watch.energy, node })
+    }
+
+    /// Whether nothing is left unbalanced.
+    fn balanced(&self, work: &Workspace, watch: &Watch) -> bool {
+        watch.unbalanced <= WORK_TOLERANCE * watch.energy
+            && self.unbalanced_impulse(work) <= IMPULSE_TOLERANCE * self.momentum(watch.energy)
+            && self.constraints_met(work)
     }
 
     fn predict(&self, work: &mut Workspace) {
@@ -165,10 +169,22 @@ impl StepProblem<'_> {
         let rule = &self.integration;
         let chain = &mut tangent.chain;
         assemble::beams::<TANGENT>(
-            self.model, self.state, rule, self.gravity, increment, residual, chain,
+            self.model,
+            self.state,
+            rule,
+            self.gravity,
+            increment,
+            residual,
+            chain,
         );
         external::apply::<TANGENT>(
-            self.model, self.state, rule.h, rule.theta(), increment, residual, chain,
+            self.model,
+            self.state,
+            rule.h,
+            rule.theta(),
+            increment,
+            residual,
+            chain,
         );
         for (c, multiplier) in self.model.constraints.iter().zip(&work.multiplier) {
             let u = &self.state.displacement;
@@ -206,7 +222,8 @@ impl StepProblem<'_> {
                     let inertia = p.mass * rule.inertia_slope();
                     let k = step.slope * inertia / (inertia + step.slope);
                     let d = p.direction;
-                    let matrix = [[k * d[0] * d[0], k * d[0] * d[1]], [k * d[1] * d[0], k * d[1] * d[1]]];
+                    let matrix =
+                        [[k * d[0] * d[0], k * d[0] * d[1]], [k * d[1] * d[0], k * d[1] * d[1]]];
                     let (node, n) = (p.point.node, &p.point.shape);
                     work.tangent.chain.add_outer(node, n, n, &matrix);
                 }
@@ -286,7 +303,8 @@ impl StepProblem<'_> {
             let i = contact.projectile;
             let p = &self.model.projectiles[i];
             for (b, (column, _)) in work.contact_columns[..n].iter().enumerate() {
-                problem.delassus[a * n + b] = rate_per_force * dot(p.direction, p.point.value(column));
+                problem.delassus[a * n + b] =
+                    rate_per_force * dot(p.direction, p.point.value(column));
             }
             problem.delassus[a * n + a] += 1.0 / p.mass;
             work.active_impulse[a] = work.impulse[i];
@@ -298,7 +316,8 @@ impl StepProblem<'_> {
             let speed = self.state.projectiles[i].speed + h * dot(self.gravity, p.direction)
                 - work.impulse[i] / p.mass;
             let row = &problem.delassus[a * n..(a + 1) * n];
-            let carried: f64 = self.active.iter().zip(row).map(|(c, w)| w * work.impulse[c.projectile]).sum();
+            let carried: f64 =
+                self.active.iter().zip(row).map(|(c, w)| w * work.impulse[c.projectile]).sum();
             problem.free[a] = beam - speed - carried;
             problem.bound[a] = contact.bound;
         }
@@ -363,13 +382,63 @@ impl StepProblem<'_> {
             constraint::value(c, u, &work.increment).abs() <= ROUND_OFF * (1.0 + reach)
         })
     }
+}
 
-    /// Whether the last correction was below the round-off of the displacements.
-    fn exhausted(&self, work: &Workspace) -> bool {
-        let (_, moved) = largest(&work.correction);
-        let (_, reach) = largest(&self.state.displacement);
-        let (_, step) = largest(&work.increment);
-        moved <= ROUND_OFF * reach.max(step)
+/// Watches an iteration: how fast it contracts, and whether it has reached the last digit.
+#[derive(Clone, Copy, Debug)]
+struct Watch {
+    /// Largest energy in play \[J\].
+    energy: f64,
+    /// Unbalanced work now, and before the last correction \[J\].
+    unbalanced: f64,
+    before: f64,
+    /// Unbalanced work per size of correction, at the first one.
+    stiffness: f64,
+    /// Size of the last correction, and its ratio to the one before.
+    size: f64,
+    rate: f64,
+    /// Whether further corrections would move nothing but round-off.
+    settled: bool,
+}
+
+impl Watch {
+    fn new(energy: f64) -> Self {
+        let infinity = f64::INFINITY;
+        Self {
+            energy,
+            unbalanced: infinity,
+            before: infinity,
+            stiffness: infinity,
+            size: infinity,
+            rate: infinity,
+            settled: false,
+        }
+    }
+
+    fn unbalanced(&mut self, unbalanced: f64) {
+        self.before = std::mem::replace(&mut self.unbalanced, unbalanced);
+    }
+
+    /// Whether the last factored tangent is still good enough. On very fine meshes the unbalanced work soon is round-off
+    /// and no longer falls; the corrections then still tell.
+    fn contracts(&self) -> bool {
+        self.unbalanced <= CONTRACTION * self.before || self.rate <= CONTRACTION
+    }
+
+    fn corrected(&mut self, size: f64, correction_work: f64, reach: f64, step: f64) {
+        if self.size.is_infinite() {
+            self.energy = self.energy.max(correction_work);
+            self.stiffness = self.unbalanced / size;
+        } else {
+            self.rate = size / self.size;
+        }
+        self.size = size;
+        let round_off = size <= ROUND_OFF * reach.max(step);
+        // What the next correction would find unbalanced, were there no round-off.
+        let ahead = size * self.rate * self.stiffness;
+        let predicted = self.rate <= CONTRACTION && ahead <= WORK_TOLERANCE * self.energy;
+        let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= STALLED * step;
+        self.settled = round_off || predicted || stalled;
     }
 }
 

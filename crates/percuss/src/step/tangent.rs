@@ -105,9 +105,7 @@ impl Tangent {
             *right = value + constraint::derivative(c, u, increment, x);
         }
         self.factored_schur.solve(&mut self.right);
-        for ((column, change), multiplier) in
-            self.columns.iter().zip(&self.right).zip(multiplier)
-        {
+        for ((column, change), multiplier) in self.columns.iter().zip(&self.right).zip(multiplier) {
             *multiplier += change;
             for (target, c) in x.iter_mut().zip(column) {
                 for i in 0..4 {
