@@ -1,4 +1,11 @@
 //! Percuss: impact on geometrically exact beams, with books that close.
+//!
+//! Define beams, supports, projectiles and loads with a [`ModelBuilder`], freeze them into a [`Model`], and [`simulate`] it under
+//! [`Settings`]: rows go to a [`Recorder`], the result is a [`RunSummary`]. [`Simulation`] steps by hand. The library knows no
+//! file and no terminal and prints nothing; all quantities are SI.
+//!
+//! Conventions: primes are derivatives with respect to arc length of the reference, J turns by +90 degrees,
+//! `a x b = a1 b2 - a2 b1`, `g = x'`, `p = x''`. A node's degrees of freedom are (u1, u2, u1', u2').
 
 mod analysis;
 mod contact;
@@ -24,3 +31,7 @@ pub use settings::{ImpactResolution, Scheme, Settings};
 pub use state::{ProjectileState, State};
 pub use step::newton::Effort;
 pub use summary::*;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct ReadmeExamples;

@@ -343,7 +343,7 @@ impl<'m> Simulation<'m> {
             projectiles: projectiles
                 .map(|(p, s)| ProjectileSummary {
                     name: p.name.clone(),
-                    velocity_final: scale(s.speed, p.direction),
+                    velocity_final: scale(s.speed, p.direction).map(|v| v + 0.0), // no -0.0
                     momentum_transferred: p.mass * (p.speed - s.speed),
                     energy_transferred: 0.5 * p.mass * (p.speed.powi(2) - s.speed.powi(2)),
                 })
