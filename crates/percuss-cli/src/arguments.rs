@@ -23,6 +23,12 @@ To begin:
 and open runs/my/report.html in a browser.";
 
 const RUN: &str = "\
+With a rigid projectile the report compares the energies under the coefficients of restitution
+that `[report] restitution` lists. Without it these are 1, 0.5 and 0, as long as the run has at
+most 200 000 steps times elements.
+
+Ctrl-C ends the run after its step and writes what there is; a second one ends it at once.
+
 Examples:
   percuss run plank.toml
   percuss run plank.toml --out results/fast --set projectile.mass.velocity=\"[0, 30]\"
@@ -134,7 +140,7 @@ pub struct Check {
 #[derive(Args, Debug)]
 pub struct New {
     /// Template to print
-    #[arg(value_parser = templates(), hide_possible_values = true)]
+    #[arg(value_parser = templates())]
     pub template: Option<String>,
     /// Write it to a file, which must not exist yet
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "template")]
@@ -153,7 +159,7 @@ pub struct Report {
 #[derive(Args, Debug)]
 pub struct Verify {
     /// Cases to run; all if none is given
-    #[arg(value_name = "ID", value_parser = cases(), hide_possible_values = true)]
+    #[arg(value_name = "ID", value_parser = cases())]
     pub ids: Vec<String>,
     /// List the cases and run none
     #[arg(long)]

@@ -14,17 +14,35 @@ static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// Directory to remove if the program ends at once; locked while results are put in place.
 static STAGING: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-/// Takes over Ctrl-C, and the signals that ask to terminate or hang up.
+/// Takes over Ctrl-C and the signal that asks to terminate, which batch systems send when time is up.
+/// A hang-up is left alone, so that `nohup` works.
 ///
 /// # Errors
 /// If the system does not allow it.
 pub fn install() -> Result<(), Failure> {
-    ctrlc::set_handler(|| {
-        if REQUESTED.swap(true, Ordering::Relaxed) {
-            abort();
-        }
-    })
-    .map_err(|error| Failure::System(format!("cannot take over Ctrl-C: {error}")))
+    listen().map_err(|error| Failure::System(format!("cannot take over Ctrl-C: {error}")))
+}
+
+#[cfg(unix)]
+fn listen() -> Result<(), std::io::Error> {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM])?;
+    std::thread::Builder::new()
+        .name("signals".into())
+        .spawn(move || signals.forever().for_each(|_| request()))
+        .map(drop)
+}
+
+#[cfg(not(unix))]
+fn listen() -> Result<(), ctrlc::Error> {
+    ctrlc::set_handler(request)
+}
+
+/// What a signal does.
+fn request() {
+    if REQUESTED.swap(true, Ordering::Relaxed) {
+        abort();
+    }
 }
 
 /// Whether the user has asked to stop.

@@ -78,11 +78,15 @@ impl Failure {
     pub fn tell(&self) {
         match self {
             Self::Faults { faults, changed } => {
+                let in_the_file = faults.all().iter().any(|one| one.line > 0);
                 match terminal::width() {
-                    Some(width) => terminal::tell(&faults.fancy(terminal::colored(), width)),
+                    Some(width) if in_the_file => {
+                        terminal::tell(&faults.fancy(terminal::colored(), width));
+                    }
+                    Some(_) => terminal::error(&faults.to_string()),
                     None => terminal::tell(&faults.to_string()),
                 }
-                if *changed && faults.all().iter().any(|one| one.line > 0) {
+                if *changed && in_the_file {
                     terminal::tell("(lines are those of the file with the --set changes made)");
                 }
             }

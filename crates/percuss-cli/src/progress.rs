@@ -1,13 +1,13 @@
 //! Progress of a run on the terminal.
 
+use std::fmt::Write;
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use percuss::Flow;
 
 use crate::interrupt;
-use crate::number::number;
 
 /// The clock is looked at about this often.
 const LOOK: Duration = Duration::from_millis(50);
@@ -31,39 +31,46 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// A bar for a run of so many steps.
-    pub fn of_run(name: String, steps: usize, wanted: bool) -> Self {
-        let style = "{prefix} [{bar:24}] {percent:>3} %  {msg}  {per_sec}  {eta} left";
+    /// A bar for a run of so many steps that ends at `end` \[s\].
+    pub fn of_run(name: String, steps: usize, end: f64, wanted: bool) -> Self {
+        let template =
+            "{prefix} [{bar:24}] {percent:>3} %  t = {time} s  {rate} steps/s  {eta} left";
+        let time = move |state: &ProgressState, out: &mut dyn Write| {
+            let _ = write!(out, "{:.4}", f64::from(state.fraction()) * end);
+        };
+        let rate = |state: &ProgressState, out: &mut dyn Write| {
+            let _ = write!(out, "{:.0}", state.per_sec());
+        };
+        let style = style_of(template).with_key("time", time).with_key("rate", rate);
         Self::new(name, steps, wanted, style)
     }
 
     /// A bar for so many things done one after the other.
     pub fn of_things(name: &str, things: usize) -> Self {
-        Self::new(name.into(), things, true, "{prefix} [{bar:24}] {pos}/{len}  {msg}")
+        Self::new(name.into(), things, true, style_of("{prefix} [{bar:24}] {pos}/{len}  {msg}"))
     }
 
-    fn new(name: String, length: usize, wanted: bool, style: &str) -> Self {
+    fn new(name: String, length: usize, wanted: bool, style: ProgressStyle) -> Self {
         let now = Instant::now();
         let bar = (wanted && io::stderr().is_terminal()).then(|| {
             let target = ProgressDrawTarget::stderr_with_hz(HERTZ);
-            let bar = ProgressBar::with_draw_target(u64::try_from(length).ok(), target);
-            bar.set_style(style_of(style));
-            bar.set_prefix(name);
-            bar
+            ProgressBar::with_draw_target(u64::try_from(length).ok(), target)
+                .with_style(style)
+                .with_prefix(name)
         });
         Self { bar, begun: now, looked: now, steps: 0, next: 1, stride: 1 }
     }
 
-    /// One step done, `time` reached; whether to go on.
-    pub fn step(&mut self, time: f64) -> Flow {
+    /// One step done; whether to go on.
+    pub fn step(&mut self) -> Flow {
         self.steps += 1;
         if self.steps >= self.next {
-            self.look(time);
+            self.look();
         }
         if interrupt::requested() { Flow::Stop } else { Flow::Continue }
     }
 
-    fn look(&mut self, time: f64) {
+    fn look(&mut self) {
         let elapsed = self.looked.elapsed();
         if elapsed < LOOK / 2 {
             self.stride = (2 * self.stride).min(1 << 20);
@@ -76,7 +83,6 @@ impl Progress {
         if let Some(bar) = &self.bar
             && self.begun.elapsed() > PATIENCE
         {
-            bar.set_message(format!("t = {} s", number(time)));
             bar.set_position(self.steps);
         }
     }

@@ -60,8 +60,8 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     std::fs::write(&file, &text).map_err(|error| Failure::system(&file, "write", &error))?;
 
     let simulation = Simulation::new(&compiled.model, &compiled.settings).map_err(no_settings)?;
-    let progress =
-        Progress::of_run("run".into(), simulation.step_count(), shows_progress(arguments));
+    let (steps, end) = (simulation.step_count(), compiled.settings.end);
+    let progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
     let history = HistoryWriter::new(dir, arguments.history.into(), text);
     let keeps_energy = !arguments.no_report && comparison::has_part_for(ready);
     let mut recorder =

@@ -63,8 +63,8 @@ impl Recorder for RunRecorder {
         self.history.row(values)
     }
 
-    fn progress(&mut self, time: f64) -> Flow {
-        self.progress.step(time)
+    fn progress(&mut self, _time: f64) -> Flow {
+        self.progress.step()
     }
 }
 
@@ -87,7 +87,7 @@ impl Recorder for EnergyRecorder {
         Ok(())
     }
 
-    fn progress(&mut self, time: f64) -> Flow {
-        self.progress.step(time)
+    fn progress(&mut self, _time: f64) -> Flow {
+        self.progress.step()
     }
 }
