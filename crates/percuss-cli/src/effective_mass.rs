@@ -10,6 +10,9 @@ const TOLERATED: f64 = 0.5;
 /// The effective mass beside its limit.
 pub fn line(contact: &ContactSummary) -> String {
     let (mass, limit) = (contact.effective_mass, contact.effective_mass_limit);
+    if mass.is_infinite() {
+        return "the point struck is held: its effective mass is infinite".into();
+    }
     format!("effective mass {} kg, on ever finer meshes {} kg", number(mass), number(limit))
 }
 

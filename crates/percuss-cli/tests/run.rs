@@ -110,7 +110,7 @@ fn json_is_all_there_is_on_standard_output() {
 #[test]
 fn quiet_says_nothing() {
     let desk = Desk::new();
-    let run = desk.percuss(&["run", "elastic.toml", "--quiet", "--no-report"]);
+    let run = desk.percuss(&["run", "rigid.toml", "--quiet", "--no-report"]);
     run.ends_with(0);
     assert_eq!((run.stdout.as_str(), run.stderr.as_str()), ("", ""));
 }

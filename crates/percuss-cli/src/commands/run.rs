@@ -107,7 +107,9 @@ fn conclude(
     } else if !arguments.quiet {
         terminal::tell(&audit::table(ended, out));
     }
-    audit::warnings(&ended.summary).iter().for_each(|text| terminal::warning(text));
+    if !arguments.quiet {
+        audit::warnings(&ended.summary).iter().for_each(|text| terminal::warning(text));
+    }
     match &ended.summary.termination {
         Termination::Failed(error) => {
             terminal::error(&format!("the solver gave up: {error}"));
