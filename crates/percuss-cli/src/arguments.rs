@@ -84,7 +84,7 @@ pub struct Run {
     /// Scenario file
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Directory of the results; an earlier run in it is replaced [default: runs/<name of FILE>]
+    /// Directory of the results; an earlier run in it is replaced [default: runs/ and the name of FILE]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
     /// Change a value of the scenario, such as time.step=1e-5; may be given again

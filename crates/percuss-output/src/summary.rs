@@ -4,7 +4,7 @@ use std::path::Path;
 
 use percuss::{
     ContactInterval, ContactRecord, ContactSummary, Impact, ImpactResolution, Peak, PointSummary,
-    ProjectileSummary, RunSummary, Scheme, Settings, Termination,
+    ProjectileSummary, RunSummary, Scheme, SectionForceSummary, SectionPeak, Settings, Termination,
 };
 use serde_json::{Map, Value, json};
 
@@ -61,6 +61,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "projectile": named(&run.projectiles, |p| &p.name, projectile),
         "contact": named(&run.contacts, |c| &c.name, contact),
         "point": named(&run.points, |p| &p.name, point),
+        "section_forces": named(&run.section_forces, |b| &b.name, section_forces),
     });
     if let Termination::Failed(error) = &run.termination {
         summary["error"] = Value::from(error.to_string());
@@ -146,8 +147,8 @@ fn projectile(projectile: &ProjectileSummary) -> Value {
 
 fn contact(contact: &ContactSummary) -> Value {
     let mut value = json!({
-        "effective_mass": contact.effective_mass,
-        "effective_mass_limit": contact.effective_mass_limit,
+        "effective_mass": contact.effective_mass.on_mesh,
+        "effective_mass_limit": contact.effective_mass.limit,
     });
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
@@ -170,6 +171,15 @@ fn point(point: &PointSummary) -> Value {
             "component_1": peak(&point.displacement_max[0]),
             "component_2": peak(&point.displacement_max[1]),
         }
+    })
+}
+
+fn section_forces(beam: &SectionForceSummary) -> Value {
+    let peak = |p: &SectionPeak| json!({ "value": p.value, "s": p.s, "time": p.time });
+    json!({
+        "moment_max": peak(&beam.moment_max),
+        "axial_max": peak(&beam.axial_max),
+        "shear_max": peak(&beam.shear_max),
     })
 }
 

@@ -61,7 +61,7 @@ fn the_documented_fields_are_there() {
 fn what_is_not_a_number_is_null() {
     let mut run = synthetic::summary("mass", synthetic::smooth());
     run.energy.residual_max = f64::NAN;
-    run.contacts[0].effective_mass = f64::INFINITY;
+    run.contacts[0].effective_mass.on_mesh = f64::INFINITY;
     run.termination = Termination::Interrupted { time: 0.1 };
     let value = value(&run);
     assert!(value["energy"]["residual_max"].is_null());

@@ -23,6 +23,7 @@ mod step;
 mod summary;
 
 pub use analysis::{Simulation, natural_frequencies, simulate};
+pub use contact::effective_mass::EffectiveMass;
 pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;

@@ -1,5 +1,6 @@
 //! What a run amounts to. Unset results are NaN.
 
+use crate::contact::effective_mass::EffectiveMass;
 use crate::error::Error;
 
 /// How a run ended.
@@ -147,10 +148,8 @@ impl ContactRecord {
 pub struct ContactSummary {
     /// The projectile's name.
     pub name: String,
-    /// Effective mass of the struck point on this mesh, `1 / (n M^-1 n^T)` \[kg\]; infinite if held.
-    pub effective_mass: f64,
-    /// Its limit for an ever finer mesh, `2 sqrt(rhoA rhoI)` across a beam's interior \[kg\].
-    pub effective_mass_limit: f64,
+    /// Effective mass of the struck point.
+    pub effective_mass: EffectiveMass,
     /// What happened.
     pub record: ContactRecord,
 }
@@ -162,6 +161,39 @@ pub struct PointSummary {
     pub name: String,
     /// Displacements of largest magnitude, signed, per component.
     pub displacement_max: [Peak; 2],
+}
+
+/// A largest section force, where and when it occurred.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionPeak {
+    /// The value of largest magnitude, signed.
+    pub value: f64,
+    /// Arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Its time \[s\].
+    pub time: f64,
+}
+
+impl Default for SectionPeak {
+    fn default() -> Self {
+        Self { value: f64::NAN, s: f64::NAN, time: f64::NAN }
+    }
+}
+
+/// Largest section forces of a beam, over its length and over time.
+///
+/// True resultants, extrapolated linearly from the Gauss points of an element to its ends; the shear force is that of the moment's
+/// slope, `-M' / nu`, without the share of rotary inertia.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SectionForceSummary {
+    /// The beam's name.
+    pub name: String,
+    /// Axial force, positive in tension \[N\].
+    pub axial_max: SectionPeak,
+    /// Shear force \[N\].
+    pub shear_max: SectionPeak,
+    /// Bending moment, positive where it turns the tangent counter-clockwise along the beam \[N m\].
+    pub moment_max: SectionPeak,
 }
 
 /// The result of a run.
@@ -195,4 +227,6 @@ pub struct RunSummary {
     pub contacts: Vec<ContactSummary>,
     /// One entry a recorded point.
     pub points: Vec<PointSummary>,
+    /// One entry a beam.
+    pub section_forces: Vec<SectionForceSummary>,
 }

@@ -125,3 +125,22 @@ fn a_projectile_laid_on_a_rigid_beam_rests_there() {
     assert_eq!(impact_count, 0);
     assert!((impulse_total / (100.0 * 9.81 * 0.5) - 1.0).abs() < 1e-12, "{impulse_total}");
 }
+
+#[test]
+fn rows_never_go_back_in_time_and_show_both_sides_of_an_impact() {
+    // The first impact falls on the end of a step.
+    let model = girder(true, &[(0.5, [0.0, -40.0], 0.0)]);
+    for end in [5e-4, 3e-3] {
+        let mut memory = MemoryRecorder::default();
+        simulate(&model, &Settings::new(end, 1e-5), &mut memory).unwrap();
+        let time = memory.column("time").unwrap();
+        assert!(time.windows(2).all(|w| w[1] > w[0]), "{time:?}");
+        let speed = memory.column("projectile.hammer0.velocity_2").unwrap();
+        let impulse = memory.column("contact.hammer0.impulse").unwrap();
+        if end > 1e-3 {
+            let row = impulse.iter().position(|j| *j > 0.0).unwrap();
+            assert!((100.0 * (speed[row] - speed[row - 1]) - impulse[row]).abs() < 1e-9);
+            assert!(time[row] - time[row - 1] < 1e-10);
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! `percuss check`.
 
-use percuss::{ContactRecord, Simulation};
+use percuss::Simulation;
 
 use crate::arguments::Check;
 use crate::number::count;
@@ -12,15 +12,11 @@ use crate::{effective_mass, terminal};
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     terminal::print(&format!("{}: sound: {}\n", arguments.file.display(), contents(&ready)))?;
-    let compiled = &ready.compiled;
-    for contact in effective_mass::of_model(&compiled.model, &compiled.settings) {
-        if matches!(contact.record, ContactRecord::Nonsmooth { .. }) {
-            terminal::tell(&format!(
-                "projectile `{}`: {}",
-                contact.name,
-                effective_mass::line(&contact)
-            ));
-            if let Some(text) = effective_mass::warning(&contact) {
+    let model = &ready.compiled.model;
+    for ((name, rigid), mass) in model.projectile_names().zip(model.effective_masses()) {
+        if rigid {
+            terminal::tell(&format!("projectile `{name}`: {}", effective_mass::line(&mass)));
+            if let Some(text) = effective_mass::warning(name, &mass) {
                 terminal::warning(&text);
             }
         }

@@ -5,9 +5,9 @@
 use std::f64::consts::PI;
 
 use percuss::{
-    AuditSummary, Channel, ContactInterval, ContactRecord, ContactSummary, EnergySummary, Impact,
-    MomentumSummary, Peak, PointSummary, ProjectileSummary, Recorder, RecorderError, RunSummary,
-    Termination,
+    AuditSummary, Channel, ContactInterval, ContactRecord, ContactSummary, EffectiveMass,
+    EnergySummary, Impact, MomentumSummary, Peak, PointSummary, ProjectileSummary, Recorder,
+    RecorderError, RunSummary, SectionForceSummary, SectionPeak, Termination,
 };
 
 const MASS: f64 = 500.0;
@@ -246,8 +246,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
         }],
         contacts: vec![ContactSummary {
             name: projectile.to_owned(),
-            effective_mass: 91.2,
-            effective_mass_limit: 17.3,
+            effective_mass: EffectiveMass { on_mesh: 91.2, limit: 17.3 },
             record,
         }],
         points: vec![PointSummary {
@@ -256,6 +255,12 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
                 Peak { value: 0.0, time: 0.0 },
                 Peak { value: 0.177864203, time: 0.0504933 },
             ],
+        }],
+        section_forces: vec![SectionForceSummary {
+            name: "girder".to_owned(),
+            axial_max: SectionPeak { value: 1e4, s: 0.0, time: 0.05 },
+            shear_max: SectionPeak { value: -2e5, s: 1.25, time: 0.06 },
+            moment_max: SectionPeak { value: 9e4, s: 3.0, time: 0.05 },
         }],
     }
 }

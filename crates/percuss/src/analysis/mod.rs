@@ -4,6 +4,7 @@ mod channels;
 mod impacts;
 mod modes;
 mod monitor;
+mod section_forces;
 mod simulation;
 
 pub use modes::natural_frequencies;

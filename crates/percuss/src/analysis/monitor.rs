@@ -3,6 +3,7 @@
 //! Between the ends of a step, gap and displacements are cubics through values and velocities: peaks and instants of contact
 //! are resolved within the step.
 
+use super::section_forces;
 use crate::contact::law;
 use crate::ledger::{Books, Measures};
 use crate::math::hermite::Cubic;
@@ -10,7 +11,7 @@ use crate::math::roots;
 use crate::model::Model;
 use crate::model::frozen::ContactLaw;
 use crate::state::State;
-use crate::summary::{ContactInterval, ContactRecord, Impact, Peak};
+use crate::summary::{ContactInterval, ContactRecord, Impact, Peak, SectionForceSummary};
 
 /// Values at the start of a step that the monitor compares with those at its end.
 #[derive(Clone, Debug, Default)]
@@ -28,6 +29,8 @@ pub struct Monitor {
     pub contacts: Vec<ContactRecord>,
     /// Extremes of the recorded points.
     pub points: Vec<[Peak; 2]>,
+    /// Largest section forces, one entry a beam.
+    pub section_forces: Vec<SectionForceSummary>,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
     /// Largest residual of linear momentum \[kg m/s\].
@@ -64,6 +67,7 @@ impl Monitor {
             start: Start::default(),
             contacts: contacts.collect(),
             points: points.collect(),
+            section_forces: section_forces::unset(model),
             energy_residual: 0.0,
             linear_residual: 0.0,
             angular_residual: 0.0,
@@ -89,6 +93,7 @@ impl Monitor {
 
     /// Takes in the end of a step of size `h` with its smooth contact forces.
     pub fn end_step(&mut self, model: &Model, state: &State, h: f64, force: &[f64]) {
+        section_forces::update(model, state, &mut self.section_forces);
         for (i, p) in model.projectiles.iter().enumerate() {
             if let ContactLaw::Spring { stiffness, .. } = p.law {
                 let end = [state.gap(model, i), state.gap_rate(model, i)];

@@ -57,6 +57,8 @@ pub struct Simulation<'m> {
     /// Impulses since the last row, shape (n_projectile) \[N s\].
     pub(super) row_impulse: Vec<f64>,
     row_iterations: usize,
+    /// Time of the last row \[s\].
+    row_time: f64,
     /// Projectile whose instant of contact the last accepted step was cut to.
     pub(super) located: Option<usize>,
 }
@@ -86,6 +88,7 @@ impl<'m> Simulation<'m> {
             row: Vec::new(),
             row_impulse: vec![0.0; model.projectiles.len()],
             row_iterations: 0,
+            row_time: f64::NEG_INFINITY,
             located: None,
         };
         simulation.open();
@@ -134,6 +137,7 @@ impl<'m> Simulation<'m> {
         self.measures = Measures::of(self.model, &self.state);
         self.state.books = Books::open(&self.measures);
         self.monitor = Monitor::new(self.model, &self.state);
+        self.row_time = f64::NEG_INFINITY;
     }
 
     /// Accelerations of the model at rest under its loads.
@@ -257,7 +261,9 @@ impl<'m> Simulation<'m> {
             self.state.offset = 0.0;
         }
         let grid = self.state.step as f64 * step;
-        self.state.time = grid.min(self.settings.end) + self.state.offset;
+        // Never back, not even by the last bit, behind an impact at the end of the step.
+        let time = grid.min(self.settings.end) + self.state.offset;
+        self.state.time = if self.state.offset > 0.0 { time.max(self.state.time) } else { time };
         Ok(())
     }
 
@@ -290,8 +296,11 @@ impl<'m> Simulation<'m> {
         self.monitor.audit(&self.state.books, &self.measures);
     }
 
-    /// Hands a row to the recorder.
+    /// Hands a row to the recorder, unless this instant has one: an impact at the very end of a step has left it already.
     pub(super) fn record(&mut self, recorder: &mut dyn Recorder) -> Result<(), Error> {
+        if self.state.time <= self.row_time {
+            return Ok(());
+        }
         let iterations = self.effort.iterations - self.row_iterations;
         self.row_iterations = self.effort.iterations;
         channels::values(
@@ -304,6 +313,7 @@ impl<'m> Simulation<'m> {
         );
         self.row_impulse.fill(0.0);
         self.rows += 1;
+        self.row_time = self.state.time;
         recorder.row(&self.row).map_err(Error::recorder)
     }
 
@@ -311,7 +321,7 @@ impl<'m> Simulation<'m> {
         let books = &self.state.books;
         let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
         let projectiles = self.model.projectiles.iter().zip(&self.state.projectiles);
-        let effective = effective_masses(self.model);
+        let effective = self.model.effective_masses();
         RunSummary {
             termination,
             time: self.state.time,
@@ -349,10 +359,9 @@ impl<'m> Simulation<'m> {
                 })
                 .collect(),
             contacts: (self.model.projectiles.iter().zip(self.monitor.contacts).zip(effective))
-                .map(|((p, record), [effective_mass, effective_mass_limit])| ContactSummary {
+                .map(|((p, record), effective_mass)| ContactSummary {
                     name: p.name.clone(),
                     effective_mass,
-                    effective_mass_limit,
                     record,
                 })
                 .collect(),
@@ -362,23 +371,9 @@ impl<'m> Simulation<'m> {
                     displacement_max,
                 })
                 .collect(),
+            section_forces: self.monitor.section_forces,
         }
     }
-}
-
-/// Effective mass of each struck point, on the mesh and in the limit \[kg\].
-fn effective_masses(model: &Model) -> Vec<[f64; 2]> {
-    if model.projectiles.is_empty() {
-        return Vec::new();
-    }
-    let Ok(mut mass) = effective_mass::mass_matrix(model) else {
-        return vec![[f64::NAN; 2]; model.projectiles.len()];
-    };
-    let both = |p: &crate::model::frozen::ProjectileData| {
-        let on_mesh = effective_mass::on_mesh(model, &mut mass, &p.point, p.direction);
-        [on_mesh, effective_mass::limit(model, &p.point, p.direction, on_mesh)]
-    };
-    model.projectiles.iter().map(both).collect()
 }
 
 /// Simulates `model` under `settings`, handing rows to `recorder`.

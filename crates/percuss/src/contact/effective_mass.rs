@@ -5,9 +5,43 @@ use crate::element::point::PointResponse;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{cross, dot};
 use crate::model::Model;
-use crate::model::frozen::{BeamData, Constraint, MaterialPoint};
+use crate::model::frozen::{BeamData, Constraint, MaterialPoint, ProjectileData};
 use crate::step::assemble;
 use crate::step::tangent::{Singular, Tangent};
+
+/// Effective mass of a struck point, along the line of flight of its projectile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EffectiveMass {
+    /// On the mesh at hand, `1 / (n M^-1 n^T)` \[kg\]; infinite if the point is held.
+    pub on_mesh: f64,
+    /// In the limit of an ever finer mesh, `2 sqrt(rhoA rhoI)` across a beam's interior \[kg\].
+    pub limit: f64,
+}
+
+impl EffectiveMass {
+    /// Whether mesh and limit differ by more than half of the limit: an impulse then is a property of the mesh.
+    pub fn depends_on_mesh(&self) -> bool {
+        self.on_mesh.is_finite() && (self.on_mesh - self.limit).abs() > 0.5 * self.limit
+    }
+}
+
+impl Model {
+    /// Effective mass of each struck point, one entry a projectile in the order of their definition.
+    pub fn effective_masses(&self) -> Vec<EffectiveMass> {
+        if self.projectiles.is_empty() {
+            return Vec::new();
+        }
+        let Ok(mut mass) = mass_matrix(self) else {
+            let unknown = EffectiveMass { on_mesh: f64::NAN, limit: f64::NAN };
+            return vec![unknown; self.projectiles.len()];
+        };
+        let both = |p: &ProjectileData| {
+            let on_mesh = on_mesh(self, &mut mass, &p.point, p.direction);
+            EffectiveMass { on_mesh, limit: limit(self, &p.point, p.direction, on_mesh) }
+        };
+        self.projectiles.iter().map(both).collect()
+    }
+}
 
 /// The mass matrix of the reference configuration, rotary inertia included, without supports.
 pub fn mass_band(model: &Model) -> Chain {
@@ -47,12 +81,7 @@ pub fn mass_matrix(model: &Model) -> Result<Tangent, Singular> {
 }
 
 /// Effective mass `1 / (n M^-1 n^T)` of a point in a direction \[kg\]; infinite if the point is held.
-pub fn on_mesh(
-    model: &Model,
-    mass: &mut Tangent,
-    point: &MaterialPoint,
-    direction: [f64; 2],
-) -> f64 {
+fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: [f64; 2]) -> f64 {
     let rest = vec![[0.0; 4]; model.node_count()];
     let mut x = rest.clone();
     point.spread(direction, &mut x);
@@ -67,7 +96,7 @@ pub fn on_mesh(
 /// across a free end, zero along the beam, infinite where held.
 ///
 /// The velocity that an impulse leaves in a Rayleigh beam decays as `exp(-s / l)` with `l = sqrt(rhoI / rhoA)`.
-pub fn limit(model: &Model, point: &MaterialPoint, direction: [f64; 2], on_mesh: f64) -> f64 {
+fn limit(model: &Model, point: &MaterialPoint, direction: [f64; 2], on_mesh: f64) -> f64 {
     if on_mesh.is_infinite() {
         return f64::INFINITY;
     }

@@ -1,6 +1,6 @@
 //! Strains of a configuration (theory, section 1), and their gradient coefficients.
 
-use super::point::{Strains, b_of};
+use super::point::{SectionLaw, Strains, b_of};
 use crate::math::vec2::{add, dot};
 use crate::model::StrainMeasure;
 use crate::scalar::Real;
@@ -26,6 +26,36 @@ pub fn strains<S: Real>(
             membrane: (green + green) / (a.sqrt() + S::constant(1.0)),
             bending: curvature - b / a,
         },
+    }
+}
+
+/// True resultants of a cross section: derivatives of the strain energy with respect to the stretch and to the rotation of
+/// the tangent per reference length.
+#[derive(Clone, Copy, Debug)]
+pub struct Resultants {
+    /// Axial force N, positive in tension \[N\].
+    pub axial: f64,
+    /// Bending moment M, positive where it turns the tangent counter-clockwise along the beam \[N m\].
+    pub moment: f64,
+}
+
+/// Resultants `N = dV/dnu`, `M = dV/dtheta'` of strains at a configuration (g, p).
+///
+/// Green: `N = EA eps nu - EI kappa theta'`, `M = -EI kappa nu`, not `EA eps` and `EI kappa` (benchmarks, trap 1).
+pub fn resultants(
+    law: &SectionLaw<f64>,
+    strain: &Strains<f64>,
+    g: [f64; 2],
+    p: [f64; 2],
+) -> Resultants {
+    let (force, couple) = (law.axial * strain.membrane, law.bending * strain.bending);
+    match law.measure {
+        StrainMeasure::Green => {
+            let a = dot(g, g);
+            let (stretch, turn) = (a.sqrt(), b_of(g, p) / a);
+            Resultants { axial: force * stretch - couple * turn, moment: -couple * stretch }
+        }
+        StrainMeasure::Engineering => Resultants { axial: force, moment: -couple },
     }
 }
 
@@ -74,6 +104,33 @@ pub fn gradient<S: Real>(measure: StrainMeasure, g: [S; 2], p: [S; 2]) -> Gradie
                 c1_a: inv_a2 * 2.0,
                 c2_a: b * inv_a2 * inv_a * -8.0,
                 c2_b: inv_a2 * 2.0,
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn resultants_are_derivatives_of_the_strain_energy() {
+        // A configuration given by stretch nu and turn theta' of a tangent along e1.
+        let energy = |law: &SectionLaw<f64>, nu: f64, turn: f64| {
+            let s = strains(law.measure, [1.0, 0.0], 0.3, [nu - 1.0, 0.0], [0.1, nu * turn]);
+            0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
+        };
+        for measure in [StrainMeasure::Green, StrainMeasure::Engineering] {
+            let law = SectionLaw { axial: 500.0, bending: 40.0, rotary: 0.0, measure };
+            for (nu, turn) in [(1.0, 0.0), (1.2, 0.7), (0.9, -0.4)] {
+                let (g, p) = ([nu, 0.0], [0.1, nu * turn]);
+                let strain = strains(measure, [1.0, 0.0], 0.3, [nu - 1.0, 0.0], p);
+                let r = resultants(&law, &strain, g, p);
+                let h = 1e-5;
+                let axial = (energy(&law, nu + h, turn) - energy(&law, nu - h, turn)) / (2.0 * h);
+                let moment = (energy(&law, nu, turn + h) - energy(&law, nu, turn - h)) / (2.0 * h);
+                assert!((r.axial - axial).abs() < 1e-6, "{measure:?} {} {axial}", r.axial);
+                assert!((r.moment - moment).abs() < 1e-6, "{measure:?} {} {moment}", r.moment);
             }
         }
     }

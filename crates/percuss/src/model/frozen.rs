@@ -209,9 +209,15 @@ impl Model {
         self.beams[beam].table.tangent
     }
 
+    /// Names of the projectiles, in their order, and whether each is rigid.
+    pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
+        let rigid = |p: &ProjectileData| matches!(p.law, ContactLaw::Unilateral { .. });
+        self.projectiles.iter().map(move |p| (p.name.as_str(), rigid(p)))
+    }
+
     /// Whether any projectile is rigid, so that impacts with impulses can occur.
     pub fn has_rigid_projectile(&self) -> bool {
-        self.projectiles.iter().any(|p| matches!(p.law, ContactLaw::Unilateral { .. }))
+        self.projectile_names().any(|(_, rigid)| rigid)
     }
 
     /// Strain measure of the beam called `name`.

@@ -48,7 +48,8 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
 /// What deserves attention.
 pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
     let rigid = |c: &&ContactSummary| matches!(c.record, ContactRecord::Nonsmooth { .. });
-    run.contacts.iter().filter(rigid).filter_map(effective_mass::warning).collect()
+    let warn = |c: &ContactSummary| effective_mass::warning(&c.name, &c.effective_mass);
+    run.contacts.iter().filter(rigid).filter_map(warn).collect()
 }
 
 fn status(ended: &Ended) -> String {
@@ -113,7 +114,7 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
                 vec![format!("{counted}, impulse {} N s in all", number(*impulse_total))];
             lines.extend(listed(impacts, *impact_count, impact));
             lines.extend(listed(intervals, intervals.len(), interval));
-            lines.push(effective_mass::line(contact));
+            lines.push(effective_mass::line(&contact.effective_mass));
             lines
         }
     }
@@ -138,11 +139,14 @@ fn interval(interval: &ContactInterval) -> String {
 }
 
 fn impact(impact: &Impact) -> String {
+    // The round-off of a plastic impact is no velocity worth reading.
+    let round_off = impact.separation_velocity.abs() <= 1e-12 * impact.approach_velocity;
+    let separation = if round_off { 0.0 } else { impact.separation_velocity };
     format!(
         "at {} s: impulse {} N s, approach {} m/s, separation {} m/s",
         number(impact.time),
         number(impact.impulse),
         number(impact.approach_velocity),
-        number(impact.separation_velocity)
+        number(separation)
     )
 }

@@ -1,0 +1,66 @@
+//! Largest section forces of a run, over the length of each beam and over time.
+
+use crate::element::beam::ElementValues;
+use crate::element::point::Strains;
+use crate::element::strain::{resultants, strains};
+use crate::math::hermite::GAUSS;
+use crate::math::vec2::{add, norm};
+use crate::model::Model;
+use crate::model::frozen::BeamData;
+use crate::state::State;
+use crate::summary::{SectionForceSummary, SectionPeak};
+
+/// Distance of the outer Gauss points from the middle, as a share of the element: `sqrt(3/5) / 2`.
+const OUTER: f64 = 0.387_298_334_620_741_7;
+
+/// Largest section forces so far, one entry a beam.
+pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
+    let entry = |beam: &BeamData| SectionForceSummary {
+        name: beam.name.clone(),
+        axial_max: SectionPeak::default(),
+        shear_max: SectionPeak::default(),
+        moment_max: SectionPeak::default(),
+    };
+    model.beams.iter().map(entry).collect()
+}
+
+/// Takes the section forces of a state into the largest so far.
+pub fn update(model: &Model, state: &State, largest: &mut [SectionForceSummary]) {
+    for (beam, out) in model.beams.iter().zip(largest) {
+        for k in 0..beam.elements.len() {
+            update_element(beam, state, k, out);
+        }
+    }
+}
+
+fn update_element(beam: &BeamData, state: &State, k: usize, out: &mut SectionForceSummary) {
+    let (node, element) = (beam.nodes.start + k, beam.elements.start + k);
+    let table = &beam.table;
+    let u = ElementValues::new(&state.displacement[node], &state.displacement[node + 1]);
+    let (mut axial, mut moment, mut stretch) = ([0.0; GAUSS], [0.0; GAUSS], 0.0);
+    for j in 0..GAUSS {
+        let (slope, bend) = (u.at(&table.rows[j].first), u.at(&table.rows[j].second));
+        let strain = match state.strain.get(element) {
+            Some(stored) => Strains { membrane: stored[j][0], bending: stored[j][1] },
+            None => strains(beam.law.measure, table.tangent, 0.0, slope, bend),
+        };
+        let g = add(table.tangent, slope);
+        let r = resultants(&beam.law, &strain, g, bend);
+        (axial[j], moment[j]) = (r.axial, r.moment);
+        stretch += norm(g) / GAUSS as f64;
+    }
+    // Straight line of least squares through the three points.
+    let line = |v: [f64; GAUSS]| ((v[0] + v[1] + v[2]) / 3.0, (v[2] - v[0]) / (2.0 * OUTER));
+    let start = k as f64 * table.length;
+    let take = |peak: &mut SectionPeak, value: f64, share: f64| {
+        if value.abs() > peak.value.abs() || peak.value.is_nan() {
+            *peak = SectionPeak { value, s: start + share * table.length, time: state.time };
+        }
+    };
+    let ((n, dn), (m, dm)) = (line(axial), line(moment));
+    for (share, sign) in [(0.0, -0.5), (1.0, 0.5)] {
+        take(&mut out.axial_max, n + sign * dn, share);
+        take(&mut out.moment_max, m + sign * dm, share);
+    }
+    take(&mut out.shear_max, -dm / (table.length * stretch), 0.5);
+}
