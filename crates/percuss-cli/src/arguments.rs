@@ -64,6 +64,8 @@ pub enum Command {
     Run(Run),
     /// Say everything that is wrong with a scenario, or that nothing is
     Check(Check),
+    /// Static equilibrium under the loads that act at time zero; projectiles take no part
+    Static(Static),
     /// Print a commented scenario to start from; without a template, list them
     New(New),
     /// Print the JSON Schema of scenario files, for completion in editors
@@ -134,6 +136,20 @@ pub struct Check {
     /// Change a value of the scenario, such as time.step=1e-5; may be given again
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+}
+
+/// Arguments of `static`.
+#[derive(Args, Debug)]
+pub struct Static {
+    /// Scenario file
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Change a value of the scenario, such as load.tip.force="[0, -10]"; may be given again
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Print the result as JSON and nothing else
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `new`.

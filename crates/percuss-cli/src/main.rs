@@ -20,6 +20,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Run(arguments) => commands::run::run(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),
+        Command::Static(arguments) => commands::statics::run(&arguments),
         Command::New(arguments) => commands::new::run(&arguments),
         Command::Schema => commands::schema::run(),
         Command::Report(arguments) => commands::report::run(&arguments),

@@ -47,8 +47,13 @@ impl Scenario {
                 faults.extend(settings_alone(content, &settings));
             }
         }
+        Err(self.diagnostics(faults))
+    }
+
+    /// Faults found later, by an analysis, at their places in the file.
+    pub fn diagnostics(&self, faults: Vec<Fault>) -> Diagnostics {
         let all = faults.into_iter().map(|f| locate(f, &self.source, &self.places));
-        Err(Diagnostics::new((*self.source).clone(), all.collect()))
+        Diagnostics::new((*self.source).clone(), all.collect())
     }
 }
 

@@ -11,6 +11,7 @@ pub struct Error {
 #[derive(Debug)]
 enum ErrorKind {
     NoConvergence { time: f64, step: f64, residual: f64, place: String },
+    NoEquilibrium { share: f64 },
     Singular { time: f64, place: String },
     Recorder(crate::record::RecorderError),
 }
@@ -19,6 +20,11 @@ impl Error {
     /// Newton's iteration failed down to the smallest step.
     pub(crate) fn no_convergence(time: f64, step: f64, residual: f64, place: String) -> Self {
         Self { kind: ErrorKind::NoConvergence { time, step, residual, place } }
+    }
+
+    /// No equilibrium was found beyond a share of the loads.
+    pub(crate) fn no_equilibrium(share: f64) -> Self {
+        Self { kind: ErrorKind::NoEquilibrium { share } }
     }
 
     /// The tangent cannot be factorised.
@@ -31,9 +37,9 @@ impl Error {
         Self { kind: ErrorKind::Recorder(source) }
     }
 
-    /// Whether Newton's iteration failed down to the smallest step.
+    /// Whether Newton's iteration failed down to the smallest step (of time, or of load).
     pub fn is_no_convergence(&self) -> bool {
-        matches!(self.kind, ErrorKind::NoConvergence { .. })
+        matches!(self.kind, ErrorKind::NoConvergence { .. } | ErrorKind::NoEquilibrium { .. })
     }
 
     /// Whether the tangent was singular.
@@ -54,6 +60,12 @@ impl fmt::Display for Error {
                 f,
                 "no convergence at t = {time:.9e} s with a step of {step:.3e} s: \
                  scaled residual {residual:.3e}, largest at {place}; try a smaller step"
+            ),
+            ErrorKind::NoEquilibrium { share } => write!(
+                f,
+                "no equilibrium found beyond {:.4} of the loads: a limit point (which only arc length passes), \
+                 or a load that the structure cannot carry",
+                share
             ),
             ErrorKind::Singular { time, place } => {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")

@@ -22,7 +22,9 @@ mod state;
 mod step;
 mod summary;
 
-pub use analysis::{Simulation, natural_frequencies, simulate};
+pub use analysis::{
+    Equilibrium, Simulation, equilibrium, mechanism, natural_frequencies, simulate,
+};
 pub use contact::effective_mass::EffectiveMass;
 pub use error::Error;
 pub use ledger::{Books, Measures};

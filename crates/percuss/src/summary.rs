@@ -182,8 +182,8 @@ impl Default for SectionPeak {
 
 /// Largest section forces of a beam, over its length and over time.
 ///
-/// True resultants, extrapolated linearly from the Gauss points of an element to its ends; the shear force is that of the moment's
-/// slope, `-M' / nu`, without the share of rotary inertia.
+/// True resultants. The moment is extrapolated linearly from the Gauss points of an element to its ends, the axial force is the
+/// mean over an element, the shear force follows from the moment's slope, `-M' / nu`, without the share of rotary inertia.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionForceSummary {
     /// The beam's name.

@@ -6,4 +6,5 @@ pub mod new;
 pub mod report;
 pub mod run;
 pub mod schema;
+pub mod statics;
 pub mod verify;

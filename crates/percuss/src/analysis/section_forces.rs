@@ -3,8 +3,8 @@
 use crate::element::beam::ElementValues;
 use crate::element::point::Strains;
 use crate::element::strain::{resultants, strains};
-use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, norm};
+use crate::math::hermite::{GAUSS, GAUSS_WEIGHTS};
+use crate::math::vec2::{add, dot};
 use crate::model::Model;
 use crate::model::frozen::BeamData;
 use crate::state::State;
@@ -47,20 +47,20 @@ fn update_element(beam: &BeamData, state: &State, k: usize, out: &mut SectionFor
         let g = add(table.tangent, slope);
         let r = resultants(&beam.law, &strain, g, bend);
         (axial[j], moment[j]) = (r.axial, r.moment);
-        stretch += norm(g) / GAUSS as f64;
+        stretch += dot(g, g).sqrt() / GAUSS as f64;
     }
-    // Straight line of least squares through the three points.
-    let line = |v: [f64; GAUSS]| ((v[0] + v[1] + v[2]) / 3.0, (v[2] - v[0]) / (2.0 * OUTER));
+    // Straight line of least squares through the three points; the axial force, which a bent cubic element scatters about
+    // its mean, by that mean.
+    let mean = |v: [f64; GAUSS]| (0..GAUSS).map(|j| GAUSS_WEIGHTS[j] * v[j]).sum::<f64>();
+    let (m, dm) = (mean(moment), (moment[2] - moment[0]) / (2.0 * OUTER));
     let start = k as f64 * table.length;
     let take = |peak: &mut SectionPeak, value: f64, share: f64| {
         if value.abs() > peak.value.abs() || peak.value.is_nan() {
             *peak = SectionPeak { value, s: start + share * table.length, time: state.time };
         }
     };
-    let ((n, dn), (m, dm)) = (line(axial), line(moment));
-    for (share, sign) in [(0.0, -0.5), (1.0, 0.5)] {
-        take(&mut out.axial_max, n + sign * dn, share);
-        take(&mut out.moment_max, m + sign * dm, share);
-    }
+    take(&mut out.moment_max, m - 0.5 * dm, 0.0);
+    take(&mut out.moment_max, m + 0.5 * dm, 1.0);
+    take(&mut out.axial_max, mean(axial), 0.5);
     take(&mut out.shear_max, -dm / (table.length * stretch), 0.5);
 }

@@ -79,6 +79,11 @@ pub fn beams<const TANGENT: bool>(
                 r
             })
         }
+        Rule::Static { .. } => ends.sum::<TANGENT>(residual, chain, |law, point, place| {
+            let [membrane, bending] = state.strain[place.element][place.gauss];
+            let foreseen = Strains { membrane, bending };
+            collocation::foreseeing::<f64, TANGENT>(law, point, foreseen)
+        }),
         Rule::Alpha(_) => {
             let theta = integration.theta();
             ends.sum::<TANGENT>(residual, chain, |law, point, place| {

@@ -209,7 +209,9 @@ impl StepProblem<'_> {
             let p1 = p0 + work.travel[i] - moved;
             let step = match rule.rule {
                 Rule::Midpoint(_) => law::step_force(force, stiffness, p0, p1),
-                Rule::Alpha(_) => law::collocated(stiffness, p0, p1, rule.theta()),
+                Rule::Alpha(_) | Rule::Static { .. } => {
+                    law::collocated(stiffness, p0, p1, rule.theta())
+                }
             };
             work.force[i] = step.force;
             let acceleration = rule.inertia(work.travel[i], state.speed, state.acceleration);

@@ -1,0 +1,160 @@
+//! Static equilibrium against closed forms; mechanisms.
+
+mod common;
+
+use common::*;
+use percuss::*;
+
+/// A cantilever of the given slenderness with a dead force and a moment at its tip.
+fn cantilever(
+    strain: StrainMeasure,
+    elements: usize,
+    inertia: f64,
+    force: [f64; 2],
+    moment: f64,
+) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material { name: "m".into(), young: 1e9, density: 1e3, strain });
+    let section = b.section(Section {
+        name: "s".into(),
+        area: 1.0,
+        inertia,
+        rotary_inertia: RotaryInertia::Density,
+    });
+    let arm = b.beam(beam("arm", [0.0, 0.0], [1.0, 0.0], elements, material, section));
+    b.support(Support { name: "root".into(), at: at("root", arm, 0.0), kind: SupportKind::Clamp });
+    let kind = LoadKind::Point { at: at("tip", arm, 1.0), force, moment };
+    b.load(Load { name: "tip".into(), kind, from: 0.0, until: f64::INFINITY });
+    b.record_point(at("tip", arm, 1.0));
+    b.build().unwrap()
+}
+
+#[test]
+fn a_cantilever_bends_as_bisshopp_and_drucker_found() {
+    // alpha = P L^2 / EI; tip deflections by elliptic integrals (Bisshopp, Drucker 1945), A1 of the verification.
+    // I/(A L^2) = 1e-6: slender enough for the inextensible closed form to 1e-5, stout enough for 64 elements.
+    let inertia = 1e-6;
+    for (alpha, w, u) in [
+        (1.0, 0.3017207738, 0.0564332363),
+        (2.0, 0.4934574804, 0.1606417208),
+        (5.0, 0.7137915236, 0.3876283607),
+        (10.0, 0.8106090249, 0.5549955978),
+    ] {
+        let load = alpha * 1e9 * inertia;
+        for strain in [StrainMeasure::Green, StrainMeasure::Engineering] {
+            let model = cantilever(strain, 64, inertia, [0.0, load], 0.0);
+            let found = equilibrium(&model).unwrap();
+            let [x, y] = found.points[0].1;
+            assert!((y - w).abs() < 2e-5 && (-x - u).abs() < 2e-5, "{alpha} {strain:?} {x} {y}");
+            // The moment at the root is the force times its arm, the shear force there the force itself.
+            let root = found.section_forces[0].moment_max;
+            assert!((root.value - load * (1.0 - u)).abs() < 2e-3 * load, "{root:?}");
+            assert_eq!(root.s, 0.0);
+        }
+    }
+}
+
+#[test]
+fn convergence_in_the_element_size_is_of_fourth_order_at_least() {
+    let tip = |elements: usize| {
+        let model = cantilever(StrainMeasure::Green, elements, 1e-3, [0.0, 2e6], 0.0);
+        equilibrium(&model).unwrap().points[0].1[1]
+    };
+    let (a, b, c) = (tip(8), tip(16), tip(32));
+    let order = ((a - b) / (b - c)).abs().log2();
+    assert!(order > 3.9, "{order}"); // the tip of a smooth solution converges faster than its inside
+}
+
+#[test]
+fn an_end_moment_rolls_a_beam_into_the_circle_of_its_law() {
+    // A2: Green: M/EI = k (1 - 2 (I/A) k^2), nu = sqrt(1 - 2 (I/A) k^2), tip = nu/k (sin k, 1 - cos k).
+    let (young, inertia) = (1e9, 1e-4);
+    let k = std::f64::consts::PI;
+    for strain in [StrainMeasure::Green, StrainMeasure::Engineering] {
+        let soften = if strain == StrainMeasure::Green { 1.0 - 2.0 * inertia * k * k } else { 1.0 };
+        let moment = young * inertia * k * soften;
+        let model = cantilever(strain, 32, inertia, [0.0, 0.0], moment);
+        let [x, y] = equilibrium(&model).unwrap().points[0].1;
+        let nu = soften.sqrt();
+        assert!((1.0 + x - nu / k * k.sin()).abs() < 1e-6, "{strain:?} {x}");
+        assert!((y - nu / k * (1.0 - k.cos())).abs() < 1e-6, "{strain:?} {y}");
+    }
+}
+
+#[test]
+fn a_frame_held_by_its_joints_carries_its_load() {
+    // A portal: two columns clamped at their feet, a girder joined to both; half the load goes down each column.
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let left = b.beam(beam("left", [0.0, 0.0], [0.0, 3.0], 6, material, section));
+    let girder = b.beam(beam("girder", [0.0, 3.0], [4.0, 3.0], 8, material, section));
+    let right = b.beam(beam("right", [4.0, 0.0], [4.0, 3.0], 6, material, section));
+    for (name, column) in [("l", left), ("r", right)] {
+        b.support(Support {
+            name: name.into(),
+            at: at(name, column, 0.0),
+            kind: SupportKind::Clamp,
+        });
+        let corner = if name == "l" { 0.0 } else { 1.0 };
+        b.joint(Joint {
+            name: name.into(),
+            kind: JointKind::Rigid,
+            between: [at("top", column, 1.0), at("girder", girder, corner)],
+        });
+    }
+    let kind = LoadKind::Point { at: at("mid", girder, 0.5), force: [0.0, -2e4], moment: 0.0 };
+    b.load(Load { name: "load".into(), kind, from: 0.0, until: f64::INFINITY });
+    b.record_point(at("mid", girder, 0.5));
+    let model = b.build().unwrap();
+    assert_eq!(mechanism(&model), None);
+    let found = equilibrium(&model).unwrap();
+    for beam in [0, 2] {
+        let axial = found.section_forces[beam].axial_max.value;
+        assert!((axial + 1e4).abs() < 20.0, "{axial}");
+    }
+    assert!(found.points[0].1[1] < 0.0 && found.points[0].1[0].abs() < 1e-9);
+}
+
+#[test]
+fn mechanisms_are_named() {
+    let build = |kinds: &[(f64, SupportKind)]| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let loose = b.beam(beam("loose", [0.0, 0.0], [3.0, 1.0], 5, material, section));
+        for (i, (f, kind)) in kinds.iter().enumerate() {
+            b.support(Support {
+                name: format!("s{i}"),
+                at: at("p", loose, *f),
+                kind: kind.clone(),
+            });
+        }
+        b.build().unwrap()
+    };
+    let roller = SupportKind::Roller { direction: [1.0, 0.0] };
+    for kinds in
+        [vec![], vec![(0.0, SupportKind::Pin)], vec![(0.0, roller.clone()), (1.0, roller.clone())]]
+    {
+        let fault = mechanism(&build(&kinds)).expect("a mechanism");
+        assert!(fault.found.contains("`loose`"), "{fault}");
+    }
+    for kinds in [
+        vec![(0.0, SupportKind::Clamp)],
+        vec![(0.0, SupportKind::Pin), (1.0, roller)],
+        vec![(0.3, SupportKind::Clamp)],
+    ] {
+        assert_eq!(mechanism(&build(&kinds)), None);
+    }
+}
+
+#[test]
+fn a_load_beyond_the_largest_moment_of_the_green_law_has_no_equilibrium() {
+    // Trap 1: the largest moment is at k = 1 / sqrt(6 I/A).
+    let (young, inertia) = (1e9, 1e-2);
+    let k = 1.0 / f64::sqrt(6.0 * inertia);
+    let largest = young * inertia * k * (1.0 - 2.0 * inertia * k * k);
+    let model = cantilever(StrainMeasure::Green, 16, inertia, [0.0, 0.0], 1.1 * largest);
+    let error = equilibrium(&model).unwrap_err();
+    assert!(error.is_no_convergence(), "{error}");
+    let share = error.to_string();
+    assert!(share.contains("arc length"), "{share}");
+}
