@@ -207,3 +207,24 @@ fn rows_are_recorded_at_the_pace_asked_for() {
     assert_eq!(time[1], 7.0 * 1e-3);
     assert_eq!(*time.last().unwrap(), 0.1);
 }
+
+#[test]
+fn a_run_that_gives_up_says_where_and_keeps_what_it_has() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    b.support(Support { name: "s".into(), at: at("s", girder, 0.0), kind: SupportKind::Clamp });
+    let kind = LoadKind::Point { at: at("tip", girder, 1.0), force: [0.0, 1e25], moment: 0.0 };
+    b.load(Load { name: "blow".into(), kind, from: 0.05, until: 0.06 });
+    let model = b.build().unwrap();
+    let mut memory = MemoryRecorder::default();
+    let summary = simulate(&model, &Settings::new(0.1, 1e-2), &mut memory).unwrap();
+    let Termination::Failed(error) = &summary.termination else { panic!("{summary:?}") };
+    assert!(error.is_no_convergence());
+    let message = error.to_string();
+    for part in ["t = 5.0", "step of", "residual", "element", "of beam `girder`"] {
+        assert!(message.contains(part), "{message}");
+    }
+    assert!((summary.time - 0.05).abs() < 1e-12 && summary.steps == 5);
+    assert_eq!(memory.column("time").unwrap().len(), 6);
+}

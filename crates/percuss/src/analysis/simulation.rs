@@ -20,7 +20,7 @@ use crate::step::workspace::Workspace;
 use crate::summary::*;
 
 /// A step is cut down to this share of its size before the analysis gives up.
-const SMALLEST_SHARE: f64 = 1e-6;
+const SMALLEST_SHARE: f64 = 1e-4;
 /// Ends of steps closer than this share of the step are the same instant.
 pub(super) const SAME_INSTANT: f64 = 1e-9;
 
@@ -271,7 +271,8 @@ impl<'m> Simulation<'m> {
         let place = |node: usize| {
             let beam = self.model.beams.iter().find(|b| b.nodes.contains(&node));
             beam.map_or_else(String::new, |b| {
-                format!("node {} of beam `{}`", node - b.nodes.start, b.name)
+                let element = (node - b.nodes.start).min(b.elements.len() - 1) + 1;
+                format!("element {element} of {} of beam `{}`", b.elements.len(), b.name)
             })
         };
         let time = self.state.time;

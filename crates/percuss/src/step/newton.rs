@@ -84,6 +84,8 @@ const CONTRACTION: f64 = 0.02;
 const WORK_TOLERANCE: f64 = 1e-16;
 /// Unbalanced impulse of an accepted step, relative to the momentum in play.
 const IMPULSE_TOLERANCE: f64 = 1e-15;
+/// Unbalanced work that may pass for round-off, relative to the energy in play: 1e-10 was seen on 60 000 elements.
+const MOST_ROUND_OFF: f64 = 1e-8;
 /// Corrections this small against the step that no longer shrink are round-off.
 const STALLED: f64 = 1e-10;
 /// A correction below so many units in the last place of the displacements moves nothing any more.
@@ -104,7 +106,7 @@ impl StepProblem<'_> {
             if !watch.unbalanced.is_finite() {
                 break;
             }
-            if iteration > 0 && (watch.settled || self.balanced(work, &watch)) {
+            if iteration > 0 && (watch.settled() || self.balanced(work, &watch)) {
                 return Ok(());
             }
             if !renew && !watch.contracts() {
@@ -425,6 +427,11 @@ impl Watch {
     /// and no longer falls; the corrections then still tell.
     fn contracts(&self) -> bool {
         self.unbalanced <= CONTRACTION * self.before || self.rate <= CONTRACTION
+    }
+
+    /// Whether only round-off is left, and little of it.
+    fn settled(&self) -> bool {
+        self.settled && self.unbalanced <= MOST_ROUND_OFF * self.energy
     }
 
     fn corrected(&mut self, size: f64, correction_work: f64, reach: f64, step: f64) {
