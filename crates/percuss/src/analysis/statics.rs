@@ -237,7 +237,7 @@ pub fn mechanism(model: &Model) -> Option<Fault> {
             a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
         };
         let (xmy, ymy) = (inner(&load, &y), inner(&mass.multiply(&y), &y));
-        if !(ymy > 0.0) {
+        if ymy.is_nan() || ymy <= 0.0 {
             return None; // nothing can move at all
         }
         stiffness = xmy / ymy - shift;

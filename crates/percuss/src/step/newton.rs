@@ -3,12 +3,12 @@
 //! The tangent is factored at the predictor and kept while the iteration contracts well with it; unbalanced forces are
 //! always those of the current increment, so the result does not depend on how often the tangent was renewed.
 
-use super::integration::{Integration, Rule};
+use super::integration::Integration;
 use super::tangent::{Singular, project};
+use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
 use super::{assemble, constraint, external};
 use crate::contact::impact::Stalled;
-use crate::contact::law;
 use crate::math::vec2::{dot, scale};
 use crate::model::Model;
 use crate::model::frozen::ContactLaw;
@@ -77,20 +77,8 @@ impl From<Stalled> for Failure {
 
 /// Most corrections before a step counts as failed.
 const MOST_ITERATIONS: usize = 24;
-/// The tangent is renewed when unbalanced work shrinks by less than this factor per correction.
-const CONTRACTION: f64 = 0.02;
-/// Unbalanced work of an accepted step, relative to the energy in play: far below 1e-10 even if every step of a long run
-/// errs to the same side.
-const WORK_TOLERANCE: f64 = 1e-16;
 /// Unbalanced impulse of an accepted step, relative to the momentum in play.
 const IMPULSE_TOLERANCE: f64 = 1e-15;
-/// Unbalanced work that may pass for round-off, relative to the energy in play: 1e-10 was seen on 60 000 elements.
-const MOST_ROUND_OFF: f64 = 1e-8;
-/// Corrections this small against the step that no longer shrink are round-off.
-const STALLED: f64 = 1e-10;
-/// A correction below so many units in the last place of the displacements moves nothing any more.
-const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
-
 impl StepProblem<'_> {
     /// Finds the increment; it and its residual stand in `work` afterwards.
     ///
@@ -200,41 +188,6 @@ impl StepProblem<'_> {
         }
     }
 
-    /// Contact springs, their projectiles' unknowns condensed into the band (theory, section 4).
-    fn springs<const TANGENT: bool>(&self, work: &mut Workspace) {
-        let rule = &self.integration;
-        for (i, p) in self.model.projectiles.iter().enumerate() {
-            let ContactLaw::Spring { stiffness, force } = p.law else { continue };
-            let state = &self.state.projectiles[i];
-            let p0 = -self.state.gap(self.model, i);
-            let moved = dot(p.direction, p.point.value(&work.increment));
-            let p1 = p0 + work.travel[i] - moved;
-            let step = match rule.rule {
-                Rule::Midpoint(_) => law::step_force(force, stiffness, p0, p1),
-                Rule::Alpha(_) | Rule::Static { .. } => {
-                    law::collocated(stiffness, p0, p1, rule.theta())
-                }
-            };
-            work.force[i] = step.force;
-            let acceleration = rule.inertia(work.travel[i], state.speed, state.acceleration);
-            work.projectile_residual[i] =
-                step.force + p.mass * (acceleration - dot(self.gravity, p.direction));
-            p.point.spread(scale(-step.force, p.direction), &mut work.residual);
-            if TANGENT {
-                work.spring_slope[i] = step.slope;
-                if step.slope != 0.0 {
-                    let inertia = p.mass * rule.inertia_slope();
-                    let k = step.slope * inertia / (inertia + step.slope);
-                    let d = p.direction;
-                    let matrix =
-                        [[k * d[0] * d[0], k * d[0] * d[1]], [k * d[1] * d[0], k * d[1] * d[1]]];
-                    let (node, n) = (p.point.node, &p.point.shape);
-                    work.tangent.chain.add_outer(node, n, n, &matrix);
-                }
-            }
-        }
-    }
-
     fn factor(&self, work: &mut Workspace) -> Result<(), Failure> {
         let u = &self.state.displacement;
         work.tangent.factor(self.model, u, &work.increment)?;
@@ -290,58 +243,6 @@ impl StepProblem<'_> {
         Ok(correction_work)
     }
 
-    /// Impulses of the active contacts from the Delassus operator of the factored tangent, and what they change.
-    fn impact(&self, work: &mut Workspace) -> Result<(), Failure> {
-        let n = self.active.len();
-        if n == 0 {
-            return Ok(());
-        }
-        let h = self.integration.h;
-        let rate_per_force = 2.0 / (h * h); // of the gap, for the midpoint rule: v1 = 2 d/h - v0, force L/h
-        let problem = &mut work.impact;
-        problem.delassus.resize(n * n, 0.0);
-        problem.free.resize(n, 0.0);
-        problem.bound.resize(n, 0.0);
-        work.active_impulse.resize(n, 0.0);
-        for (a, contact) in self.active.iter().enumerate() {
-            let i = contact.projectile;
-            let p = &self.model.projectiles[i];
-            for (b, (column, _)) in work.contact_columns[..n].iter().enumerate() {
-                problem.delassus[a * n + b] =
-                    rate_per_force * dot(p.direction, p.point.value(column));
-            }
-            problem.delassus[a * n + a] += 1.0 / p.mass;
-            work.active_impulse[a] = work.impulse[i];
-            let d = p.point.value(&work.increment);
-            let c = p.point.value(&work.correction);
-            let v0 = p.point.value(&self.state.velocity);
-            let beam: f64 =
-                (0..2).map(|k| p.direction[k] * (2.0 * (d[k] + c[k]) / h - v0[k])).sum();
-            let speed = self.state.projectiles[i].speed + h * dot(self.gravity, p.direction)
-                - work.impulse[i] / p.mass;
-            let row = &problem.delassus[a * n..(a + 1) * n];
-            let carried: f64 =
-                self.active.iter().zip(row).map(|(c, w)| w * work.impulse[c.projectile]).sum();
-            problem.free[a] = beam - speed - carried;
-            problem.bound[a] = contact.bound;
-        }
-        problem.solve(&mut work.active_impulse)?;
-        for (a, contact) in self.active.iter().enumerate() {
-            let change = work.active_impulse[a] - work.impulse[contact.projectile];
-            work.impulse[contact.projectile] = work.active_impulse[a];
-            let (column, multiplier) = &work.contact_columns[a];
-            for (target, c) in work.correction.iter_mut().zip(column) {
-                for i in 0..4 {
-                    target[i] += change / h * c[i];
-                }
-            }
-            for (target, m) in work.multiplier.iter_mut().zip(multiplier) {
-                *target += change / h * m;
-            }
-        }
-        Ok(())
-    }
-
     /// Work of the unbalanced forces over the step, all taken with the same sign \[J\].
     fn unbalanced_work(&self, work: &mut Workspace) -> f64 {
         let Workspace { residual, correction, increment, .. } = work;
@@ -385,69 +286,6 @@ impl StepProblem<'_> {
             let (_, reach) = largest(u);
             constraint::value(c, u, &work.increment).abs() <= ROUND_OFF * (1.0 + reach)
         })
-    }
-}
-
-/// Watches an iteration: how fast it contracts, and whether it has reached the last digit.
-#[derive(Clone, Copy, Debug)]
-struct Watch {
-    /// Largest energy in play \[J\].
-    energy: f64,
-    /// Unbalanced work now, and before the last correction \[J\].
-    unbalanced: f64,
-    before: f64,
-    /// Unbalanced work per size of correction, at the first one.
-    stiffness: f64,
-    /// Size of the last correction, and its ratio to the one before.
-    size: f64,
-    rate: f64,
-    /// Whether further corrections would move nothing but round-off.
-    settled: bool,
-}
-
-impl Watch {
-    fn new(energy: f64) -> Self {
-        let infinity = f64::INFINITY;
-        Self {
-            energy,
-            unbalanced: infinity,
-            before: infinity,
-            stiffness: infinity,
-            size: infinity,
-            rate: infinity,
-            settled: false,
-        }
-    }
-
-    fn unbalanced(&mut self, unbalanced: f64) {
-        self.before = std::mem::replace(&mut self.unbalanced, unbalanced);
-    }
-
-    /// Whether the last factored tangent is still good enough. On very fine meshes the unbalanced work soon is round-off
-    /// and no longer falls; the corrections then still tell.
-    fn contracts(&self) -> bool {
-        self.unbalanced <= CONTRACTION * self.before || self.rate <= CONTRACTION
-    }
-
-    /// Whether only round-off is left, and little of it.
-    fn settled(&self) -> bool {
-        self.settled && self.unbalanced <= MOST_ROUND_OFF * self.energy
-    }
-
-    fn corrected(&mut self, size: f64, correction_work: f64, reach: f64, step: f64) {
-        if self.size.is_infinite() {
-            self.energy = self.energy.max(correction_work);
-            self.stiffness = self.unbalanced / size;
-        } else {
-            self.rate = size / self.size;
-        }
-        self.size = size;
-        let round_off = size <= ROUND_OFF * reach.max(step);
-        // What the next correction would find unbalanced, were there no round-off.
-        let ahead = size * self.rate * self.stiffness;
-        let predicted = self.rate <= CONTRACTION && ahead <= WORK_TOLERANCE * self.energy;
-        let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= STALLED * step;
-        self.settled = round_off || predicted || stalled;
     }
 }
 

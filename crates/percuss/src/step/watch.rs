@@ -1,0 +1,79 @@
+//! Whether Newton's iteration contracts, and when it has reached the last digit.
+
+/// The tangent is renewed when unbalanced work shrinks by less than this factor per correction.
+const CONTRACTION: f64 = 0.02;
+/// Unbalanced work of an accepted step, relative to the energy in play: far below 1e-10 even if every step of a long run
+/// errs to the same side.
+pub const WORK_TOLERANCE: f64 = 1e-16;
+/// Unbalanced work that may pass for round-off, relative to the energy in play: 1e-10 was seen on 60 000 elements.
+const MOST_ROUND_OFF: f64 = 1e-8;
+/// Corrections this small against the step that no longer shrink are round-off.
+const STALLED: f64 = 1e-10;
+/// A correction below so many units in the last place of the displacements moves nothing any more.
+pub const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+
+/// Watches an iteration: how fast it contracts, and whether it has reached the last digit.
+#[derive(Clone, Copy, Debug)]
+pub struct Watch {
+    /// Largest energy in play \[J\].
+    pub energy: f64,
+    /// Unbalanced work now, and before the last correction \[J\].
+    pub unbalanced: f64,
+    before: f64,
+    /// Unbalanced work per size of correction, at the first one.
+    stiffness: f64,
+    /// Size of the last correction, and its ratio to the one before.
+    size: f64,
+    rate: f64,
+    /// Whether further corrections would move nothing but round-off.
+    settled: bool,
+}
+
+impl Watch {
+    /// Nothing seen yet; `energy` is the largest in play so far.
+    pub fn new(energy: f64) -> Self {
+        let infinity = f64::INFINITY;
+        Self {
+            energy,
+            unbalanced: infinity,
+            before: infinity,
+            stiffness: infinity,
+            size: infinity,
+            rate: infinity,
+            settled: false,
+        }
+    }
+
+    /// Takes in the unbalanced work of an increment.
+    pub fn unbalanced(&mut self, unbalanced: f64) {
+        self.before = std::mem::replace(&mut self.unbalanced, unbalanced);
+    }
+
+    /// Whether the last factored tangent is still good enough. On very fine meshes the unbalanced work soon is round-off
+    /// and no longer falls; the corrections then still tell.
+    pub fn contracts(&self) -> bool {
+        self.unbalanced <= CONTRACTION * self.before || self.rate <= CONTRACTION
+    }
+
+    /// Whether only round-off is left, and little of it.
+    pub fn settled(&self) -> bool {
+        self.settled && self.unbalanced <= MOST_ROUND_OFF * self.energy
+    }
+
+    /// Takes in a correction: its size and work, and the size of the displacements and of the step.
+    pub fn corrected(&mut self, size: f64, correction_work: f64, reach: f64, step: f64) {
+        if self.size.is_infinite() {
+            self.energy = self.energy.max(correction_work);
+            self.stiffness = self.unbalanced / size;
+        } else {
+            self.rate = size / self.size;
+        }
+        self.size = size;
+        let round_off = size <= ROUND_OFF * reach.max(step);
+        // What the next correction would find unbalanced, were there no round-off.
+        let ahead = size * self.rate * self.stiffness;
+        let predicted = self.rate <= CONTRACTION && ahead <= WORK_TOLERANCE * self.energy;
+        let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= STALLED * step;
+        self.settled = round_off || predicted || stalled;
+    }
+}
