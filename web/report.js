@@ -40,13 +40,11 @@ async function unpack(index, text) {
 
 // Figures.
 
-const HEIGHT = 300;
+const HEIGHT = 330;
 const DASHES = [[], [], [9, 4], [2, 3], [9, 3, 2, 3], [14, 5], [5, 2]];
 
-// A curve alone is solid.
-function dashOf(figure, series) {
-  const alone = figure.tables.length === 1 && figure.tables[0].series.length === 1;
-  return alone || series.stem ? [] : DASHES[series.style];
+function dashOf(series) {
+  return series.dashed ? DASHES[series.style] : [];
 }
 
 function significant(value, digits) {
@@ -83,7 +81,34 @@ function stems(u, seriesIndex, from, to) {
   return { stroke, fill: null, clip: null };
 }
 
+// Spans of the abscissa, [from, to, value] each.
+function spansOf(x, y) {
+  const spans = [];
+  for (let i = 0; i + 1 < x.length; i += 2) spans.push([x[i], x[i + 1], y[i]]);
+  return spans;
+}
+
+// One shaded rectangle a span, as high as the figure.
+function bands(u, spans) {
+  const fill = new Path2D();
+  for (const [from, to] of spans) {
+    const low = u.valToPos(Math.max(from, u.scales.x.min), "x", true);
+    const high = u.valToPos(Math.min(to, u.scales.x.max), "x", true);
+    if (high >= low) fill.rect(low, u.bbox.top, Math.max(high - low, 1), u.bbox.height);
+  }
+  return { stroke: null, fill, clip: null };
+}
+
+function bandValue(figure, spans, x) {
+  const span = x == null ? null : spans.find(([from, to]) => from <= x && x <= to);
+  if (!span) return "";
+  return `${withUnit(span[2], figure.y.unit)}, ${significant(span[0], 6)} to ${withUnit(span[1], figure.x.unit)}`;
+}
+
 function tables(figure, columns) {
+  for (const t of figure.tables) {
+    for (const s of t.series) if (s.shape === "band") s.spans = spansOf(columns[t.x], columns[s.y]);
+  }
   const parts = figure.tables.map((t) => [columns[t.x], ...t.series.map((s) => columns[s.y])]);
   return parts.length === 1 ? parts[0] : uPlot.join(parts);
 }
@@ -92,13 +117,19 @@ function seriesOptions(figure, series) {
   const options = {
     label: series.label,
     stroke: colour("--c" + series.style),
-    width: series.style === 0 ? 1.75 : 1.5,
-    dash: dashOf(figure, series),
+    width: (series.style === 0 ? 1.75 : 1.5) * series.weight,
+    dash: dashOf(series),
     spanGaps: figure.tables.length > 1,
     points: { show: false },
     value: (u, value) => withUnit(value, figure.y.unit),
   };
-  if (series.stem) options.paths = stems;
+  if (series.shape === "stem") options.paths = stems;
+  if (series.shape === "band") {
+    options.scale = "band"; // a band's value is no height
+    options.fill = options.stroke + "40";
+    options.paths = (u) => bands(u, series.spans);
+    options.value = (u, value, seriesIndex, i) => bandValue(figure, series.spans, i == null ? null : u.data[0][i]);
+  }
   return options;
 }
 
@@ -141,7 +172,7 @@ function axisSize(u, values, axisIndex) {
 
 function options(figure, width, onZoom) {
   const series = figure.tables.flatMap((t) => t.series);
-  const hasStems = series.some((s) => s.stem);
+  const hasZero = figure.from_zero || series.some((s) => s.shape === "stem");
   return {
     width,
     height: HEIGHT,
@@ -149,7 +180,7 @@ function options(figure, width, onZoom) {
       { label: "time", value: (u, v) => withUnit(v, figure.x.unit) },
       ...series.map((s) => seriesOptions(figure, s)),
     ],
-    scales: { x: { time: false }, y: { range: hasStems ? rangeWithZero : range } },
+    scales: { x: { time: false }, y: { range: hasZero ? rangeWithZero : range }, band: { range: [0, 1] } },
     axes: [axis(figure.x.caption, { labelSize: 22, size: 32 }), axis(figure.y.caption, { labelSize: 22, size: axisSize })],
     cursor: {
       drag: { x: true, y: false },
@@ -167,8 +198,10 @@ function finishLegend(u, figure) {
   const rows = u.root.querySelectorAll(".u-legend .u-series");
   series.forEach((s, k) => {
     const label = rows[k + 1].querySelector("th");
-    const dash = dashOf(figure, s).join(" ");
-    const line = `<svg width="30" height="8" aria-hidden="true"><path d="M0 4H30" stroke="${colour("--c" + s.style)}" stroke-width="2" stroke-dasharray="${dash}"/></svg>`;
+    const dash = dashOf(s).join(" ");
+    const width = s.shape === "band" ? 8 : 1 + s.weight;
+    const opacity = s.shape === "band" ? 0.25 : 1;
+    const line = `<svg width="30" height="8" aria-hidden="true"><path d="M0 4H30" stroke="${colour("--c" + s.style)}" stroke-width="${width}" stroke-opacity="${opacity}" stroke-dasharray="${dash}"/></svg>`;
     label.insertAdjacentHTML("afterbegin", line);
     label.tabIndex = 0;
     label.setAttribute("role", "button");
@@ -303,5 +336,5 @@ if (typeof document !== "undefined") {
     console.error(error);
   });
 } else if (typeof module !== "undefined") {
-  module.exports = { bytesFromBase64, inflate, column, unpack, significant, withUnit };
+  module.exports = { bytesFromBase64, inflate, column, unpack, significant, withUnit, spansOf, bandValue };
 }

@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 
-const { unpack, significant, withUnit } = createRequire(import.meta.url)("./report.js");
+const { unpack, significant, withUnit, spansOf, bandValue } = createRequire(import.meta.url)("./report.js");
 
 function shuffled(values) {
   const plain = Buffer.from(values.buffer);
@@ -38,4 +38,13 @@ test("values read as an engineer writes them", () => {
   assert.equal(significant(2.5e-12, 3), "2.50e-12");
   assert.equal(withUnit(12.5, "kN"), "12.5 kN");
   assert.equal(withUnit(null, "kN"), "");
+});
+
+test("a band tells the impulse of the span under the cursor", () => {
+  const figure = { x: { unit: "ms" }, y: { unit: "kN s" } };
+  const spans = spansOf([1, 2, 2, 3.5], [7, 7, 9, 9]);
+  assert.deepEqual(spans, [[1, 2, 7], [2, 3.5, 9]]);
+  assert.equal(bandValue(figure, spans, 3), "9 kN s, 2 to 3.5 ms");
+  assert.equal(bandValue(figure, spans, 0.5), "");
+  assert.equal(bandValue(figure, spans, null), "");
 });

@@ -17,6 +17,7 @@ pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
 pub use directory::RunDirectory;
 pub use error::Error;
 pub use history::{
-    Channel, History, HistoryFile, HistoryFormat, HistoryWriter, read as read_history,
+    Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,
+    read as read_history,
 };
 pub use summary::{RunInfo, read_summary, summary_value, write_summary};

@@ -8,7 +8,8 @@ use std::fs;
 use percuss::{MemoryRecorder, RecorderError, Settings};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    Channel, ComparisonSeries, History, RunInfo, read_comparison, summary_value, write_comparison,
+    Channel, ComparisonSeries, History, HistoryFormat, HistorySource, HistoryWriter, RunInfo,
+    read_comparison, summary_value, write_comparison, write_summary,
 };
 use serde_json::{Value, json};
 
@@ -24,7 +25,18 @@ fn rigid() -> Result<ReportData, RecorderError> {
     let settings = Settings::new(0.02, 1e-5);
     let info = RunInfo { title: "Hammer", settings: &settings, wall_seconds: 0.1 };
     let summary = summary_value(&run, info);
-    Ok(ReportData { history, summary, scenario: "[beam]\n".to_owned(), comparison })
+    Ok(ReportData { history: history.into(), summary, scenario: "[beam]\n".to_owned(), comparison })
+}
+
+/// The history of data that are in memory.
+fn memory(data: &mut ReportData) -> &mut History {
+    if !matches!(data.history, HistorySource::Memory(_)) {
+        data.history = HistorySource::default();
+    }
+    match &mut data.history {
+        HistorySource::Memory(history) => history,
+        HistorySource::File(_) => unreachable!("just replaced"),
+    }
 }
 
 fn page(data: &ReportData) -> Result<String, Box<dyn Error + Send + Sync>> {
@@ -58,9 +70,9 @@ fn a_rigid_run_has_the_figures_of_the_paper() -> Outcome {
     let figures = index["figures"].as_array().ok_or("no figures")?;
     let impulse = figures.iter().find(|f| f["id"] == "impulse").ok_or("no impulse figure")?;
     let stems = &impulse["tables"][0]["series"][0];
-    assert_eq!(stems["stem"], true);
+    assert_eq!(stems["shape"], "stem");
     let column = stems["y"].as_u64().ok_or("no column")? as usize;
-    assert_eq!(index["columns"][column], json!([4, 3]), "three impulses, nothing between them");
+    assert_eq!(index["columns"][column], json!([4, 250]), "the summary's impacts, nothing else");
     assert!(page.contains("and 50 more"), "250 impacts, 200 listed");
     assert!(page.contains("Mind the mesh"), "91.2 kg against 17.3 kg");
     Ok(())
@@ -95,8 +107,8 @@ fn text_of_users_stays_text() -> Outcome {
     }
     data.scenario = evil.to_owned();
     data.comparison[0].label = evil.to_owned();
-    data.history.source = evil.to_owned();
-    for channel in &mut data.history.channels {
+    memory(&mut data).source = evil.to_owned();
+    for channel in &mut memory(&mut data).channels {
         channel.name = channel.name.replace("hammer", evil).replace("girder.mid", evil);
     }
     let page = page(&data)?;
@@ -112,7 +124,7 @@ fn text_of_users_stays_text() -> Outcome {
 fn a_million_noisy_rows_make_a_page_below_five_megabytes() -> Outcome {
     let mut data = rigid()?;
     let mut seed = 1_u64;
-    for column in &mut data.history.columns[1..] {
+    for column in &mut memory(&mut data).columns[1..] {
         *column = (0..1_000_001)
             .map(|_| {
                 seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
@@ -120,7 +132,7 @@ fn a_million_noisy_rows_make_a_page_below_five_megabytes() -> Outcome {
             })
             .collect();
     }
-    data.history.columns[0] = (0..1_000_001).map(|r| f64::from(r) * 1e-6).collect();
+    memory(&mut data).columns[0] = (0..1_000_001).map(|r| f64::from(r) * 1e-6).collect();
     let page = page(&data)?;
     assert!(page.len() < 5_000_000, "{} bytes", page.len());
     assert!(page.contains("1\u{202f}000\u{202f}001 rows were recorded"));
@@ -132,7 +144,7 @@ fn strange_histories_do_no_harm() -> Outcome {
     let data = rigid()?;
     let with = |change: &dyn Fn(&mut History)| {
         let mut data = data.clone();
-        change(&mut data.history);
+        change(memory(&mut data));
         page(&data).map(|_| ())
     };
     with(&|h| h.columns.iter_mut().for_each(Vec::clear))?;
@@ -166,7 +178,7 @@ fn strange_summaries_do_no_harm() -> Outcome {
         for value in &strange {
             let mut summary = data.summary.clone();
             summary[&key] = value.clone();
-            let history = History::default();
+            let history = HistorySource::default();
             page(&ReportData { summary, history, ..ReportData::default() })?;
         }
     }
@@ -176,11 +188,13 @@ fn strange_summaries_do_no_harm() -> Outcome {
 #[test]
 fn several_projectiles_have_their_own_figures() -> Outcome {
     let mut data = rigid()?;
-    let copies: Vec<(Channel, Vec<f64>)> = data
-        .history
+    let hammer = data.summary["contact"]["hammer"].clone();
+    data.summary["contact"]["tongs/and:co"] = hammer;
+    let history = memory(&mut data);
+    let copies: Vec<(Channel, Vec<f64>)> = history
         .channels
         .iter()
-        .zip(&data.history.columns)
+        .zip(&history.columns)
         .filter(|(c, _)| c.name.contains("hammer"))
         .map(|(c, column)| {
             let name = c.name.replace("hammer", "tongs/and:co");
@@ -188,8 +202,8 @@ fn several_projectiles_have_their_own_figures() -> Outcome {
         })
         .collect();
     for (channel, column) in copies {
-        data.history.channels.push(channel);
-        data.history.columns.push(column);
+        history.channels.push(channel);
+        history.columns.push(column);
     }
     let dir = tempfile::tempdir()?;
     report::write(dir.path(), &data)?;
@@ -213,5 +227,62 @@ fn a_comparison_reads_back() -> Outcome {
     assert_eq!(read_comparison(dir.path())?, written);
     fs::write(dir.path().join("comparison.csv"), "series,time,energy_total\na,0,b\n")?;
     assert!(read_comparison(dir.path()).is_err_and(|e| e.to_string().contains("line 2")));
+    Ok(())
+}
+
+#[test]
+fn a_report_from_files_is_that_from_memory() -> Outcome {
+    for format in [HistoryFormat::Parquet, HistoryFormat::Csv] {
+        let mut data = rigid()?;
+        let dir = tempfile::tempdir()?;
+        let mut writer = HistoryWriter::new(dir.path(), format, "");
+        synthetic::rigid(&mut writer, "hammer", 300, 1.0)?;
+        writer.finish()?;
+        write_summary(dir.path(), &data.summary)?;
+        write_comparison(dir.path(), &data.comparison)?;
+        fs::write(dir.path().join("scenario.toml"), &data.scenario)?;
+        let read = ReportData::read(dir.path())?;
+        assert!(matches!(read.history, HistorySource::File(_)));
+        data.summary = read.summary.clone(); // its last digits may have been rounded
+        assert!(page(&read)? == page(&data)?, "{format:?}");
+    }
+    Ok(())
+}
+
+#[test]
+fn closed_contact_is_a_band_and_never_a_stem() -> Outcome {
+    let mut data = rigid()?;
+    let contact = &mut data.summary["contact"]["hammer"];
+    contact["intervals"] = json!([
+        { "start": 0.001, "end": 0.002, "impulse": 1200.0 },
+        { "start": 0.015, "end": null, "impulse": 800.5 },
+    ]);
+    contact["impact_count"] = json!(12_345);
+    let page = page(&data)?;
+    let index = index(&page)?;
+    let figures = index["figures"].as_array().ok_or("no figures")?;
+    let impulse = figures.iter().find(|f| f["id"] == "impulse").ok_or("no impulse figure")?;
+    let band = &impulse["tables"][0]["series"][0];
+    assert_eq!(band["shape"], "band");
+    assert_eq!(band["label"], "closed contact, 2000.5\u{a0}N\u{a0}s in all");
+    let x = impulse["tables"][0]["x"].as_u64().ok_or("no column")? as usize;
+    assert_eq!(index["columns"][x], json!([8, 4]), "two ends an interval");
+    assert!(page.contains("Shown are the first 250 of 12345 impacts."));
+    Ok(())
+}
+
+#[test]
+fn what_is_left_out_and_why_is_said() -> Outcome {
+    let mut data = rigid()?;
+    assert!(!page(&data)?.contains("are not compared here"));
+    data.comparison.clear();
+    assert!(page(&data)?.contains("are not compared here"));
+    data.scenario = "[report]\nrestitution = []\n".to_owned();
+    assert!(!page(&data)?.contains("are not compared here"));
+    data.summary["energy"]["residual_max"] = json!(1e-7);
+    assert!(page(&data)?.contains("does not close: above"));
+    data.scenario = "[projectile.hammer]\nforce = \"midpoint\"\n".to_owned();
+    assert!(page(&data)?.contains("the midpoint force does not conserve energy"));
+    assert!(page(&data)?.contains("Section forces of girder"));
     Ok(())
 }

@@ -6,9 +6,12 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use super::{CSV_UNITS, Channel, History};
+use super::{CSV_UNITS, Channel};
 use crate::error::Error;
 use crate::{csv_text, files};
+
+/// Rows handed on together.
+const ROWS_PER_PIECE: usize = 4096;
 
 /// Writes rows.
 #[derive(Debug)]
@@ -56,37 +59,77 @@ pub(super) fn write_units(csv: &Path, channels: &[Channel]) -> Result<(), Error>
     files::write(&csv.with_file_name(CSV_UNITS), text.as_bytes())
 }
 
-/// Reads a CSV history, with its units where `history.units.json` is there.
-pub(super) fn read(path: &Path) -> Result<History, Error> {
-    let file = File::open(path).map_err(|e| Error::io(path, "read", e))?;
-    let mut lines = BufReader::new(file).lines();
-    let header = match lines.next() {
-        Some(line) => line.map_err(|e| Error::io(path, "read", e))?,
-        None => return Err(Error::content(path, "is empty")),
-    };
-    let mut channels: Vec<Channel> = csv_text::fields(&header)
+/// Channels, with their units where `history.units.json` is there, and number of rows.
+pub(super) fn open(path: &Path) -> Result<(Vec<Channel>, usize), Error> {
+    let fault = |e: io::Error| Error::io(path, "read", e);
+    let mut file = BufReader::new(File::open(path).map_err(fault)?);
+    let mut header = String::new();
+    if file.read_line(&mut header).map_err(fault)? == 0 {
+        return Err(Error::content(path, "is empty"));
+    }
+    let mut channels: Vec<Channel> = csv_text::fields(header.trim_end_matches(['\r', '\n']))
         .into_iter()
         .map(|name| Channel { name, ..Channel::default() })
         .collect();
     read_units(path, &mut channels)?;
-    let mut columns = vec![Vec::new(); channels.len()];
-    for (number, line) in lines.enumerate() {
-        let line = line.map_err(|e| Error::io(path, "read", e))?;
-        let place = number + 2;
-        let mut fields = line.split(',');
-        for column in &mut columns {
-            let text = fields.next().unwrap_or_default().trim();
-            let value: f64 = text.parse().map_err(|_| {
-                Error::content(path, format!("line {place}: `{text}` is not a number"))
-            })?;
-            column.push(value);
+    let (mut rows, mut last) = (0, b'\n');
+    loop {
+        let bytes = file.fill_buf().map_err(fault)?;
+        let Some(&end) = bytes.last() else { break };
+        rows += bytes.iter().filter(|b| **b == b'\n').count();
+        last = end;
+        let read = bytes.len();
+        file.consume(read);
+    }
+    Ok((channels, rows + usize::from(last != b'\n')))
+}
+
+/// Hands the `wanted` columns to `visit` piece by piece.
+pub(super) fn scan(
+    path: &Path,
+    wanted: &[usize],
+    visit: &mut dyn FnMut(&[&[f64]]),
+) -> Result<(), Error> {
+    let fault = |e: io::Error| Error::io(path, "read", e);
+    let mut file = BufReader::new(File::open(path).map_err(fault)?);
+    let mut line = String::new();
+    file.read_line(&mut line).map_err(fault)?;
+    let width = csv_text::fields(line.trim_end_matches(['\r', '\n'])).len();
+    let mut place_of = vec![None; width];
+    wanted.iter().enumerate().for_each(|(place, &k)| place_of[k] = Some(place));
+    let mut piece: Vec<Vec<f64>> = vec![Vec::with_capacity(ROWS_PER_PIECE); wanted.len()];
+    let mut number = 1;
+    loop {
+        line.clear();
+        let read = file.read_line(&mut line).map_err(fault)?;
+        if read == 0 || piece.first().is_some_and(|c| c.len() == ROWS_PER_PIECE) {
+            let columns: Vec<&[f64]> = piece.iter().map(Vec::as_slice).collect();
+            visit(&columns);
+            piece.iter_mut().for_each(Vec::clear);
         }
-        if fields.next().is_some() {
-            let reason = format!("line {place} has more fields than the header");
-            return Err(Error::content(path, reason));
+        if read == 0 {
+            return Ok(());
+        }
+        number += 1;
+        parse(&line, &place_of, &mut piece)
+            .map_err(|reason| Error::content(path, format!("line {number}{reason}")))?;
+    }
+}
+
+/// Appends the wanted fields of a line to their columns.
+fn parse(line: &str, place_of: &[Option<usize>], piece: &mut [Vec<f64>]) -> Result<(), String> {
+    let mut fields = line.split(',');
+    for place in place_of {
+        let text = fields.next().unwrap_or_default().trim();
+        if let Some(place) = place {
+            let value = text.parse().map_err(|_| format!(": `{text}` is not a number"))?;
+            piece[*place].push(value);
         }
     }
-    Ok(History { channels, columns, source: super::CSV.to_owned() })
+    if fields.next().is_some() {
+        return Err(" has more fields than the header".to_owned());
+    }
+    Ok(())
 }
 
 fn read_units(csv: &Path, channels: &mut [Channel]) -> Result<(), Error> {

@@ -2,10 +2,12 @@
 
 mod csv;
 mod parquet;
+mod source;
 mod writer;
 
 use std::path::Path;
 
+pub use source::{HistoryReader, HistorySource};
 pub use writer::{HistoryFile, HistoryFormat, HistoryWriter};
 
 use crate::error::Error;
@@ -74,18 +76,10 @@ impl From<&percuss::MemoryRecorder> for History {
     }
 }
 
-/// Reads the history in `dir`, from `history.parquet` or else from `history.csv`.
+/// Reads the whole history in `dir` into memory, from `history.parquet` or else from `history.csv`.
 ///
 /// # Errors
 /// If there is neither, or if the file is damaged.
 pub fn read(dir: impl AsRef<Path>) -> Result<History, Error> {
-    let dir = dir.as_ref();
-    let (parquet, csv) = (dir.join(PARQUET), dir.join(CSV));
-    if parquet.is_file() {
-        parquet::read(&parquet)
-    } else if csv.is_file() {
-        csv::read(&csv)
-    } else {
-        Err(Error::content(dir, "holds no history (neither history.parquet nor history.csv)"))
-    }
+    HistoryReader::open(dir)?.read()
 }

@@ -16,13 +16,15 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{Type, TypePtr};
 use serde_json::{Value, json};
 
-use super::{Channel, History};
+use super::Channel;
 use crate::error::Error;
 
 /// Values held in memory before a row group is written (16 MB).
 const VALUES_PER_GROUP: usize = 1 << 21;
 /// Rows put aside before they are sorted into columns, few enough for the first-level cache.
 const ROWS_ASIDE: usize = 64;
+/// Rows read together.
+const ROWS_PER_PIECE: usize = 1 << 13;
 
 /// Writes rows.
 pub(super) struct ParquetSink {
@@ -136,38 +138,70 @@ fn properties(channels: &[Channel], scenario: &str) -> WriterProperties {
         .build()
 }
 
-/// Reads a Parquet history.
-pub(super) fn read(path: &Path) -> std::result::Result<History, Error> {
-    let fault = |source: ParquetError| Error::content(path, format!("cannot be read: {source}"));
+/// What the library says, without the heading of its kind of error.
+pub(super) fn reason(error: &ParquetError) -> String {
+    let text = error.to_string();
+    text.strip_prefix("External: ").unwrap_or(&text).to_owned()
+}
+
+fn reader(path: &Path) -> std::result::Result<SerializedFileReader<File>, Error> {
     let file = File::open(path).map_err(|e| Error::io(path, "read", e))?;
-    let reader = SerializedFileReader::new(file).map_err(fault)?;
+    SerializedFileReader::new(file).map_err(|e| fault(path, &e))
+}
+
+fn fault(path: &Path, source: &ParquetError) -> Error {
+    Error::content(path, format!("cannot be read: {}", reason(source)))
+}
+
+/// Channels and number of rows.
+pub(super) fn open(path: &Path) -> std::result::Result<(Vec<Channel>, usize), Error> {
+    let reader = reader(path)?;
     let metadata = reader.metadata().file_metadata();
     let about = metadata
         .key_value_metadata()
         .and_then(|all| all.iter().find(|entry| entry.key == "percuss.channels"))
         .and_then(|entry| serde_json::from_str::<Value>(entry.value.as_deref()?).ok())
         .unwrap_or_default();
-    let channels: Vec<Channel> =
-        metadata.schema_descr().columns().iter().map(|c| channel(c.name(), &about)).collect();
-    let rows = usize::try_from(metadata.num_rows()).unwrap_or(0);
-    let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(rows); channels.len()];
-    for group in 0..reader.num_row_groups() {
-        let group = reader.get_row_group(group).map_err(fault)?;
-        let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-        for (k, column) in columns.iter_mut().enumerate() {
-            if group.metadata().column(k).column_type() != PhysicalType::DOUBLE {
-                return Err(Error::content(path, "has a column that does not hold doubles"));
+    let columns = metadata.schema_descr().columns();
+    if columns.iter().any(|c| c.physical_type() != PhysicalType::DOUBLE) {
+        return Err(Error::content(path, "has a column that does not hold doubles"));
+    }
+    let channels = columns.iter().map(|c| channel(c.name(), &about)).collect();
+    Ok((channels, usize::try_from(metadata.num_rows()).unwrap_or(0)))
+}
+
+/// Hands the `wanted` columns to `visit` piece by piece.
+pub(super) fn scan(
+    path: &Path,
+    wanted: &[usize],
+    visit: &mut dyn FnMut(&[&[f64]]),
+) -> std::result::Result<(), Error> {
+    let fault = |e: ParquetError| fault(path, &e);
+    let file = reader(path)?;
+    let mut piece: Vec<Vec<f64>> = vec![Vec::with_capacity(ROWS_PER_PIECE); wanted.len()];
+    for group in 0..file.num_row_groups() {
+        let group = file.get_row_group(group).map_err(fault)?;
+        let mut left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let pages = |&k: &usize| {
+            Ok(get_typed_column_reader::<DoubleType>(group.get_column_reader(k).map_err(fault)?))
+        };
+        let mut columns =
+            wanted.iter().map(pages).collect::<std::result::Result<Vec<_>, Error>>()?;
+        while left > 0 {
+            let rows = left.min(ROWS_PER_PIECE);
+            for (values, column) in piece.iter_mut().zip(&mut columns) {
+                values.clear();
+                column.read_records(rows, None, None, values).map_err(fault)?;
+                if values.len() != rows {
+                    return Err(Error::content(path, "has a column shorter than its row group"));
+                }
             }
-            let pages = group.get_column_reader(k).map_err(fault)?;
-            let mut pages = get_typed_column_reader::<DoubleType>(pages);
-            let before = column.len();
-            pages.read_records(rows, None, None, column).map_err(fault)?;
-            if column.len() - before != rows {
-                return Err(Error::content(path, "has a column shorter than its row group"));
-            }
+            let slices: Vec<&[f64]> = piece.iter().map(Vec::as_slice).collect();
+            visit(&slices);
+            left -= rows;
         }
     }
-    Ok(History { channels, columns, source: super::PARQUET.to_owned() })
+    Ok(())
 }
 
 fn channel(name: &str, about: &Value) -> Channel {

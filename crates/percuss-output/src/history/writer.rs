@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use percuss::{Channel, Recorder, RecorderError};
 
-use super::{CSV, PARQUET, csv::CsvSink, parquet::ParquetSink};
+use super::csv::CsvSink;
+use super::parquet::{self, ParquetSink};
+use super::{CSV, PARQUET};
 use crate::error::Error;
 use crate::files;
 
@@ -76,7 +78,7 @@ impl HistoryWriter {
             return Ok(None);
         }
         let closed = match sink {
-            Sink::Parquet(sink) => sink.close().map_err(|e| e.to_string()),
+            Sink::Parquet(sink) => sink.close().map_err(|e| parquet::reason(&e)),
             Sink::Csv(sink) => sink.close().map_err(|e| e.to_string()),
         };
         closed.map_err(|source| Error::io(&self.path, "write", source))?;
@@ -91,7 +93,8 @@ impl HistoryWriter {
         let channels: Vec<super::Channel> = channels.iter().map(Into::into).collect();
         self.sink = Some(match self.format {
             HistoryFormat::Parquet => Sink::Parquet(
-                ParquetSink::new(file, &channels, &self.scenario).map_err(|e| fault(&e))?,
+                ParquetSink::new(file, &channels, &self.scenario)
+                    .map_err(|e| fault(&parquet::reason(&e)))?,
             ),
             HistoryFormat::Csv => {
                 super::csv::write_units(&self.path, &channels)?;
@@ -110,7 +113,7 @@ impl Recorder for HistoryWriter {
 
     fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
         let written = match &mut self.sink {
-            Some(Sink::Parquet(sink)) => sink.row(values).map_err(|e| e.to_string()),
+            Some(Sink::Parquet(sink)) => sink.row(values).map_err(|e| parquet::reason(&e)),
             Some(Sink::Csv(sink)) => sink.row(values).map_err(|e| e.to_string()),
             None => Err("a row came before the channels".to_owned()),
         };

@@ -1,8 +1,5 @@
 //! A figure before anybody has drawn it: what the page and the pictures have in common.
 
-use super::decimate;
-use super::quantity::Scale;
-
 /// Where a figure stands on the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Section {
@@ -23,6 +20,8 @@ pub(crate) enum Shape {
     Line,
     /// One vertical line a value, never joined.
     Stem,
+    /// Spans of the abscissa, from one to the next of each pair of rows; the value belongs to the span.
+    Band,
 }
 
 /// Label and unit of an axis.
@@ -49,6 +48,10 @@ pub(crate) struct Series {
     pub label: String,
     /// Index of colour and dash pattern; 0 is the neutral one.
     pub style: usize,
+    /// Width of the line in units of the usual one.
+    pub weight: f64,
+    /// Whether the dash pattern of the style is used where curves are told apart by it.
+    pub dashed: bool,
     pub shape: Shape,
     pub y: Vec<f64>,
 }
@@ -71,60 +74,21 @@ pub(crate) struct Figure {
     pub title: String,
     pub x: Axis,
     pub y: Axis,
+    /// Whether the y axis starts at zero whatever the values.
+    pub from_zero: bool,
     pub note: String,
     pub tables: Vec<Table>,
 }
 
-/// A curve in SI units, all rows of it.
-pub(crate) struct Curve<'a> {
-    pub label: String,
-    pub style: usize,
-    pub y: &'a [f64],
-}
-
-impl<'a> Curve<'a> {
-    pub(crate) fn new(label: impl Into<String>, style: usize, y: &'a [f64]) -> Self {
-        Self { label: label.into(), style, y }
+impl Figure {
+    /// Whether the series is drawn with its dash pattern; a curve alone is solid.
+    pub(crate) fn is_dashed(&self, series: &Series) -> bool {
+        let several = self.tables.iter().map(|t| t.series.len()).sum::<usize>() > 1;
+        several && series.dashed && series.shape == Shape::Line
     }
 }
 
-/// What the figures of a page have in common.
-pub(crate) struct Canvas<'a> {
-    /// Times of all rows \[s\].
-    pub time: &'a [f64],
-    /// Scale of the time axis.
-    pub time_scale: Scale,
-    /// Bins to which long histories are reduced.
-    pub bins: usize,
-}
-
-impl Canvas<'_> {
-    /// The time axis.
-    pub(crate) fn time_axis(&self) -> Axis {
-        Axis { label: "time".to_owned(), unit: self.time_scale.unit.clone() }
-    }
-
-    /// Curves over time, decimated together and scaled.
-    pub(crate) fn lines(&self, unit: &str, curves: &[Curve<'_>]) -> (String, Table) {
-        let columns: Vec<&[f64]> = curves.iter().map(|c| c.y).collect();
-        let scale = Scale::new(largest(&columns), unit);
-        let rows = decimate::rows(&columns, self.time.len(), self.bins);
-        let pick = |column: &[f64], factor: f64| rows.iter().map(|&r| column[r] * factor).collect();
-        let series = curves
-            .iter()
-            .map(|c| Series {
-                label: c.label.clone(),
-                style: c.style,
-                shape: Shape::Line,
-                y: pick(c.y, scale.factor),
-            })
-            .collect();
-        (scale.unit, Table { x: pick(self.time, self.time_scale.factor), series })
-    }
-}
-
-/// Largest finite magnitude in `columns`.
-pub(crate) fn largest(columns: &[&[f64]]) -> f64 {
-    let all = columns.iter().flat_map(|c| c.iter()).map(|v| v.abs());
-    all.filter(|v| v.is_finite()).fold(0.0, f64::max)
+/// Largest finite magnitude of `values`.
+pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
+    values.into_iter().map(|v| v.abs()).filter(|v| v.is_finite()).fold(0.0, f64::max)
 }

@@ -4,116 +4,160 @@ use serde_json::Value;
 
 use super::ReportData;
 use super::decimate;
-use super::figure::{Axis, Canvas, Curve, Figure, Section, Series, Shape, Table, largest};
+use super::draft::{self, Curve, Draft, Entry, Omit};
+use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::impact;
 use super::quantity::Scale;
-use crate::history::History;
+use crate::error::Error;
+use crate::history::HistorySource;
 
 /// Recorded points that get a figure.
 const POINTS_SHOWN: usize = 24;
 /// Values on a page, all figures together; 4 bytes each before compression.
 const VALUES_PER_PAGE: usize = 600_000;
+/// Rows looked at before any curve is drawn.
+const SAMPLED: usize = 512;
 
 /// All figures of a run, in the order of the page.
-pub(crate) fn all(data: &ReportData) -> Vec<Figure> {
+pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     let history = &data.history;
-    let Some(time) = history.column("time").filter(|t| !t.is_empty()) else {
-        return Vec::new();
+    let Some(time) = history.position("time").filter(|_| history.rows() > 0) else {
+        return Ok(Vec::new());
     };
-    let canvas =
-        Canvas { time, time_scale: Scale::new(largest(&[time]), "s"), bins: bins(history) };
+    let sample = sample(history)?;
+    let time_scale = Scale::new(largest(&sample[time]), "s");
+    let canvas = Canvas { history, sample: &sample, time_scale, bins: bins(history) };
     let projectiles = names(history, "projectile.", ".position_1");
-    let mut figures = Vec::new();
+    let mut entries = Vec::new();
     for name in &projectiles {
-        figures.extend(impact::figures(&canvas, history, name, projectiles.len() > 1));
+        let several = projectiles.len() > 1;
+        entries.extend(impact::figures(&canvas, &data.summary, name, several));
     }
-    figures.extend(energy(&canvas, history));
-    figures.extend(momentum(&canvas, history));
-    figures.extend(restitution(&canvas, data));
-    figures.extend(energy_shares(&canvas, history));
-    figures.extend(audit(&canvas, data));
+    entries.push(energy(&canvas, data));
+    entries.extend(momentum(&canvas));
+    entries.extend(restitution(&canvas, data).map(Entry::Ready));
+    entries.push(energy_shares(&canvas));
+    entries.extend(audit(&canvas, &data.summary));
     for point in names(history, "point.", ".displacement_1").iter().take(POINTS_SHOWN) {
-        figures.extend(displacement_of(&canvas, history, point));
+        entries.push(displacement_of(&canvas, point));
     }
-    figures
+    draft::finish(entries, history, (time, &canvas.time_scale), canvas.bins)
+}
+
+/// What the figures of a page have in common.
+pub(super) struct Canvas<'a> {
+    pub history: &'a HistorySource,
+    /// Some rows of the motion, the first and the last among them; shape (n_channels, n_sampled or 0).
+    pub sample: &'a [Vec<f64>],
+    /// Scale of the time axis.
+    pub time_scale: Scale,
+    /// Bins to which long histories are reduced.
+    pub bins: usize,
+}
+
+impl Canvas<'_> {
+    /// The time axis.
+    pub(super) fn time_axis(&self) -> Axis {
+        Axis { label: "time".to_owned(), unit: self.time_scale.unit.clone() }
+    }
+
+    /// Curves of those channels that exist, with their styles.
+    fn curves(&self, wanted: &[(&str, &str, usize)]) -> Vec<Curve> {
+        let curve = |&(channel, label, style): &(&str, &str, usize)| {
+            Some(Curve::new(label, style, self.history.position(channel)?))
+        };
+        wanted.iter().filter_map(curve).collect()
+    }
+
+    fn over_time(
+        &self,
+        (id, title, label): (&str, &str, &str),
+        section: Section,
+        unit: &'static str,
+        curves: Vec<Curve>,
+    ) -> Draft {
+        let figure = Figure {
+            id: id.to_owned(),
+            section,
+            picture: false,
+            title: title.to_owned(),
+            x: self.time_axis(),
+            y: Axis { label: label.to_owned(), unit: String::new() },
+            from_zero: false,
+            note: String::new(),
+            tables: Vec::new(),
+        };
+        Draft { figure, unit, curves, omit: Omit::Zeros }
+    }
+}
+
+/// Some rows of the time, the projectiles, the gaps and the points' displacements; the rest stays empty.
+fn sample(history: &HistorySource) -> Result<Vec<Vec<f64>>, Error> {
+    let motion = |name: &str| {
+        let displacement = name.starts_with("point.") && name.contains(".displacement_");
+        name == "time" || name.starts_with("projectile.") || name.ends_with(".gap") || displacement
+    };
+    let channels = history.channels();
+    let wanted: Vec<usize> = (0..channels.len()).filter(|&k| motion(&channels[k].name)).collect();
+    let mut sample = vec![Vec::new(); channels.len()];
+    let last = history.rows().saturating_sub(1);
+    let stride = (history.rows() / SAMPLED).max(1);
+    let mut seen = 0;
+    history.scan(&wanted, &mut |piece| {
+        let length = piece.first().map_or(0, |c| c.len());
+        for row in (0..length).filter(|r| (seen + r).is_multiple_of(stride) || seen + r == last) {
+            wanted.iter().zip(piece).for_each(|(&k, column)| sample[k].push(column[row]));
+        }
+        seen += length;
+    })?;
+    Ok(sample)
 }
 
 /// Names between `prefix` and `suffix` among the channels, in their order.
-pub(crate) fn names(history: &History, prefix: &str, suffix: &str) -> Vec<String> {
+pub(super) fn names(history: &HistorySource, prefix: &str, suffix: &str) -> Vec<String> {
     let name = |c: &crate::history::Channel| {
         Some(c.name.strip_prefix(prefix)?.strip_suffix(suffix)?.to_owned())
     };
-    history.channels.iter().filter_map(name).collect()
+    history.channels().iter().filter_map(name).collect()
 }
 
 /// As many bins as keep the page small whatever the number of figures.
-fn bins(history: &History) -> usize {
+fn bins(history: &HistorySource) -> usize {
     let projectiles = names(history, "projectile.", ".position_1").len();
     let points = names(history, "point.", ".displacement_1").len().min(POINTS_SHOWN);
     let values_per_bin = 150 + 70 * projectiles + 20 * points;
     (VALUES_PER_PAGE / values_per_bin).clamp(200, 4000)
 }
 
-/// Leaves out curves that are round-off beside the others.
-fn without_round_off(mut curves: Vec<Curve<'_>>) -> Vec<Curve<'_>> {
-    let columns: Vec<&[f64]> = curves.iter().map(|c| c.y).collect();
-    let size = largest(&columns);
-    curves.retain(|c| largest(&[c.y]) > 1e-11 * size);
-    curves
-}
-
-/// Whether a column holds anything but zeros.
-fn is_alive(column: &[f64]) -> bool {
-    column.iter().any(|v| *v != 0.0 && v.is_finite())
-}
-
-/// Curves of those channels that exist and are alive, with their styles.
-fn curves<'a>(history: &'a History, wanted: &[(&str, &str, usize)]) -> Vec<Curve<'a>> {
-    let curve = |&(channel, label, style): &(&str, &str, usize)| {
-        let column = history.column(channel)?;
-        is_alive(column).then(|| Curve::new(label, style, column))
-    };
-    wanted.iter().filter_map(curve).collect()
-}
-
-fn over_time(
-    canvas: &Canvas<'_>,
-    (id, title, label): (&str, &str, &str),
-    section: Section,
-    unit: &str,
-    curves: &[Curve<'_>],
-) -> Option<Figure> {
-    if curves.is_empty() {
-        return None;
-    }
-    let (unit, table) = canvas.lines(unit, curves);
-    Some(Figure {
-        id: id.to_owned(),
-        section,
-        picture: false,
-        title: title.to_owned(),
-        x: canvas.time_axis(),
-        y: Axis { label: label.to_owned(), unit },
-        note: String::new(),
-        tables: vec![table],
-    })
-}
-
-fn energy(canvas: &Canvas<'_>, history: &History) -> Option<Figure> {
-    let wanted = [
+fn energy(canvas: &Canvas<'_>, data: &ReportData) -> Entry {
+    let curves = canvas.curves(&[
         ("energy.kinetic", "kinetic", 1),
         ("energy.strain", "strain", 2),
         ("energy.contact", "contact", 3),
         ("energy.total", "total", 0),
-    ];
-    let curves = curves(history, &wanted);
+    ]);
     let texts = ("energy", "Energy", "energy");
-    let figure = over_time(canvas, texts, Section::Books, "J", &curves)?;
-    Some(Figure { picture: true, ..figure })
+    let mut draft = canvas.over_time(texts, Section::Books, "J", curves);
+    draft.figure.picture = true;
+    if lacks_comparison(data) {
+        draft.figure.note = "Energies for other restitution coefficients are not compared here: runs \
+             of more than 200\u{202f}000 steps times elements leave that out unless the scenario asks \
+             for it with restitution = [1, 0.5, 0] under [report]."
+            .to_owned();
+    }
+    Entry::Draft(draft)
 }
 
-fn energy_shares(canvas: &Canvas<'_>, history: &History) -> Option<Figure> {
-    let wanted = [
+/// Whether a run to its end has a rigid projectile but no comparison of coefficients, unasked.
+fn lacks_comparison(data: &ReportData) -> bool {
+    let contacts = data.summary["contact"].as_object();
+    let rigid = contacts.is_some_and(|all| all.values().any(|c| c["impact_count"].is_u64()));
+    let asked = data.scenario.lines().any(|line| line.trim() == "[report]");
+    rigid && data.comparison.is_empty() && data.summary["status"] == "completed" && !asked
+}
+
+fn energy_shares(canvas: &Canvas<'_>) -> Entry {
+    let curves = canvas.curves(&[
         ("energy.kinetic_projectiles", "kinetic, projectiles", 1),
         ("energy.kinetic_beams", "kinetic, beams", 6),
         ("energy.strain_bending", "strain, bending", 2),
@@ -121,24 +165,26 @@ fn energy_shares(canvas: &Canvas<'_>, history: &History) -> Option<Figure> {
         ("energy.work_loads", "work of loads", 3),
         ("energy.work_supports", "work of supports", 4),
         ("energy.loss_impacts", "lost in impacts", 0),
-    ];
-    let curves = without_round_off(curves(history, &wanted));
+    ]);
     let texts = ("energy-shares", "Energy, where it is", "energy");
-    over_time(canvas, texts, Section::Books, "J", &curves)
+    let draft = canvas.over_time(texts, Section::Books, "J", curves);
+    Entry::Draft(Draft { omit: Omit::RoundOff, ..draft })
 }
 
-fn momentum(canvas: &Canvas<'_>, history: &History) -> Vec<Figure> {
-    let wanted = [("momentum.linear_1", "component 1", 1), ("momentum.linear_2", "component 2", 2)];
-    let components = without_round_off(curves(history, &wanted));
-    let note = "Momentum of beams and projectiles together. Supports and loads change it; \
-                the audit takes their impulses into the books.";
+fn momentum(canvas: &Canvas<'_>) -> [Entry; 2] {
+    let components = canvas
+        .curves(&[("momentum.linear_1", "along e1", 1), ("momentum.linear_2", "along e2", 2)]);
     let texts = ("momentum", "Linear momentum", "linear momentum");
-    let linear = over_time(canvas, texts, Section::Books, "kg*m/s", &components);
-    let angular = curves(history, &[("momentum.angular", "about the origin", 4)]);
+    let mut linear = canvas.over_time(texts, Section::Books, "kg*m/s", components);
+    linear.omit = Omit::RoundOff;
+    linear.figure.picture = true;
+    linear.figure.note = "Momentum of beams and projectiles together, by the axes' directions. \
+         Supports and loads change it; the audit takes their impulses into the books."
+        .to_owned();
+    let about = canvas.curves(&[("momentum.angular", "about the origin", 4)]);
     let texts = ("momentum-angular", "Angular momentum", "angular momentum");
-    let angular = over_time(canvas, texts, Section::Books, "kg*m^2/s", &angular);
-    let linear = linear.map(|f| Figure { picture: true, note: note.to_owned(), ..f });
-    linear.into_iter().chain(angular).collect()
+    let angular = canvas.over_time(texts, Section::Books, "kg*m^2/s", about);
+    [linear, angular].map(Entry::Draft)
 }
 
 /// Total energy for several restitution coefficients, each on its own times.
@@ -146,13 +192,18 @@ fn restitution(canvas: &Canvas<'_>, data: &ReportData) -> Option<Figure> {
     if data.comparison.is_empty() {
         return None;
     }
-    let columns: Vec<&[f64]> = data.comparison.iter().map(|s| s.energy.as_slice()).collect();
-    let scale = Scale::new(largest(&columns), "J");
+    let scale = Scale::new(largest(data.comparison.iter().flat_map(|s| &s.energy)), "J");
     let table = |(k, run): (usize, &crate::ComparisonSeries)| {
         let rows = decimate::rows(&[&run.energy], run.time.len(), canvas.bins / 2);
         let pick = |column: &[f64], by: f64| rows.iter().map(|&r| column[r] * by).collect();
-        let y = pick(&run.energy, scale.factor);
-        let series = Series { label: run.label.clone(), style: 1 + k % 6, shape: Shape::Line, y };
+        let series = Series {
+            label: run.label.clone(),
+            style: 1 + k % 6,
+            weight: 1.0,
+            dashed: false,
+            shape: Shape::Line,
+            y: pick(&run.energy, scale.factor),
+        };
         Table { x: pick(&run.time, canvas.time_scale.factor), series: vec![series] }
     };
     Some(Figure {
@@ -162,65 +213,56 @@ fn restitution(canvas: &Canvas<'_>, data: &ReportData) -> Option<Figure> {
         title: "Total energy and restitution".to_owned(),
         x: canvas.time_axis(),
         y: Axis { label: "total energy".to_owned(), unit: scale.unit.clone() },
+        from_zero: true,
         note: "The same scenario with other restitution coefficients.".to_owned(),
         tables: data.comparison.iter().enumerate().map(table).collect(),
     })
 }
 
-fn audit(canvas: &Canvas<'_>, data: &ReportData) -> Vec<Figure> {
-    let (history, summary) = (&data.history, &data.summary);
-    let scale = |value: &Value| value.as_f64().filter(|s| *s > 0.0);
-    let relative = |channel: &str, scale: Option<f64>| -> Option<Vec<f64>> {
-        let column = history.column(channel).filter(|c| is_alive(c))?;
-        Some(column.iter().map(|v| v / scale.unwrap_or(1.0)).collect())
+fn audit(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
+    let scale = |of: &str, key: &str| summary[of][key].as_f64().filter(|s| *s > 0.0);
+    let relative = |(channel, label, style): (&str, &str, usize), scale: f64| {
+        let term = (canvas.history.position(channel)?, 1.0 / scale);
+        Some(Curve::sum(label, style, vec![term], 0.0))
     };
-    let mut figures = Vec::new();
+    let energy_scale = scale("energy", "scale");
+    let (label, unit) = match energy_scale {
+        Some(_) => ("residual / largest energy", "1"),
+        None => ("residual", "J"),
+    };
+    let residual = relative(("energy.residual", "residual", 2), energy_scale.unwrap_or(1.0));
+    let texts = ("energy-residual", "Energy residual", label);
+    let mut drafts =
+        vec![canvas.over_time(texts, Section::Audit, unit, residual.into_iter().collect())];
 
-    let energy_scale = scale(&summary["energy"]["scale"]);
-    if let Some(residual) = relative("energy.residual", energy_scale) {
-        let (label, unit) = match energy_scale {
-            Some(_) => ("residual / largest energy", "1"),
-            None => ("residual", "J"),
-        };
-        let texts = ("energy-residual", "Energy residual", label);
-        let curve = [Curve::new("residual", 2, &residual)];
-        figures.extend(over_time(canvas, texts, Section::Audit, unit, &curve));
-    }
-
-    let linear = scale(&summary["momentum"]["linear_scale"]);
-    let angular = scale(&summary["momentum"]["angular_scale"]);
-    let residuals: Vec<(&str, usize, Vec<f64>)> = [
-        ("momentum.residual_1", "linear, component 1", 1, linear),
-        ("momentum.residual_2", "linear, component 2", 2, linear),
-        ("momentum.residual_angular", "angular", 4, angular),
-    ]
-    .into_iter()
-    .filter_map(|(channel, label, style, scale)| {
-        scale?;
-        Some((label, style, relative(channel, scale)?))
-    })
-    .collect();
-    let curve = |(label, style, y)| Curve::new(label, style, y);
-    let residuals: Vec<Curve<'_>> =
-        residuals.iter().map(|(label, style, y)| curve((*label, *style, y.as_slice()))).collect();
+    let residuals = [
+        (("momentum.residual_1", "linear, along e1", 1), "linear_scale"),
+        (("momentum.residual_2", "linear, along e2", 2), "linear_scale"),
+        (("momentum.residual_angular", "angular", 4), "angular_scale"),
+    ];
+    let residuals = residuals
+        .into_iter()
+        .filter_map(|(curve, key)| relative(curve, scale("momentum", key)?))
+        .collect();
     let texts = ("momentum-residual", "Momentum residual", "residual / largest momentum");
-    figures.extend(over_time(canvas, texts, Section::Audit, "1", &residuals));
+    drafts.push(canvas.over_time(texts, Section::Audit, "1", residuals));
 
     let drifts = [
         ("audit.curvature_drift", "curvature-drift", "Curvature drift", "curvature drift", "1/m"),
         ("audit.membrane_drift", "membrane-drift", "Membrane strain drift", "strain drift", "1"),
     ];
     for (channel, id, title, label, unit) in drifts {
-        let curves = curves(history, &[(channel, "stored strain against configuration", 3)]);
-        figures.extend(over_time(canvas, (id, title, label), Section::Audit, unit, &curves));
+        let curves = canvas.curves(&[(channel, "stored strain against configuration", 3)]);
+        drafts.push(canvas.over_time((id, title, label), Section::Audit, unit, curves));
     }
-    figures
+    drafts.into_iter().map(Entry::Draft).collect()
 }
 
-fn displacement_of(canvas: &Canvas<'_>, history: &History, point: &str) -> Option<Figure> {
+fn displacement_of(canvas: &Canvas<'_>, point: &str) -> Entry {
     let names = [1, 2].map(|i| format!("point.{point}.displacement_{i}"));
-    let wanted = [(names[0].as_str(), "component 1", 1), (names[1].as_str(), "component 2", 2)];
-    let curves = without_round_off(curves(history, &wanted));
+    let wanted = [(names[0].as_str(), "along e1", 1), (names[1].as_str(), "along e2", 2)];
     let (id, title) = (format!("point-{point}"), format!("Displacement of {point}"));
-    over_time(canvas, (&id, &title, "displacement"), Section::Points, "m", &curves)
+    let texts = (id.as_str(), title.as_str(), "displacement");
+    let draft = canvas.over_time(texts, Section::Points, "m", canvas.curves(&wanted));
+    Entry::Draft(Draft { omit: Omit::RoundOff, ..draft })
 }

@@ -1,32 +1,36 @@
 //! The figures of one projectile and the point it strikes.
 
-use super::figure::{Axis, Canvas, Curve, Figure, Section, Series, Shape, Table, largest};
-use super::quantity::Scale;
-use super::{decimate, figures};
-use crate::history::History;
+use serde_json::Value;
 
-/// More stems than these are shown as extremes of bins.
-const STEMS_SHOWN: usize = 50_000;
+use super::draft::{Curve, Draft, Entry, Omit};
+use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
+use super::figures::{self, Canvas};
+use super::quantity::{Scale, quantity};
+
+/// Impacts and contact intervals drawn at most.
+const SHOWN: usize = 10_000;
 
 /// Displacement, force or impulse, and velocity of projectile `name`.
 pub(super) fn figures(
     canvas: &Canvas<'_>,
-    history: &History,
+    summary: &Value,
     name: &str,
     several: bool,
-) -> Vec<Figure> {
-    let Some(flight) = Flight::new(history, name) else { return Vec::new() };
+) -> Vec<Entry> {
+    let Some(flight) = Flight::new(canvas, name) else { return Vec::new() };
     let frame = Frame { canvas, name, several };
-    let impulse = history.column(&format!("contact.{name}.impulse"));
-    let force = history.column(&format!("contact.{name}.force"));
+    let contact = &summary["contact"][name];
+    let force = canvas.history.position(&format!("contact.{name}.force"));
+    let impulse = contact["impacts"].is_array();
     let mut all = Vec::new();
     all.extend(displacement(&frame, &flight));
     all.extend(force.map(|force| {
-        let (unit, table) = canvas.lines("N", &[Curve::new("contact force", 2, force)]);
-        frame.figure("force", "Contact force", "contact force", unit, table)
+        let figure = frame.figure("force", "Contact force", "contact force");
+        let curves = vec![Curve::new("contact force", 2, force)];
+        Entry::Draft(Draft { figure, unit: "N", curves, omit: Omit::Nothing })
     }));
-    all.extend(impulse.map(|impulse| stems(&frame, impulse)));
-    all.extend(velocity(&frame, &flight, impulse.is_some()));
+    all.extend(impulse.then(|| Entry::Ready(impulses(&frame, contact))));
+    all.push(velocity(&frame, &flight, impulse));
     all
 }
 
@@ -38,7 +42,7 @@ struct Frame<'a> {
 }
 
 impl Frame<'_> {
-    fn figure(&self, id: &str, title: &str, label: &str, unit: String, table: Table) -> Figure {
+    fn figure(&self, id: &str, title: &str, label: &str) -> Figure {
         let (id, title) = if self.several {
             (format!("{id}-{}", self.name), format!("{title}, {}", self.name))
         } else {
@@ -50,82 +54,79 @@ impl Frame<'_> {
             picture: true,
             title,
             x: self.canvas.time_axis(),
-            y: Axis { label: label.to_owned(), unit },
+            y: Axis { label: label.to_owned(), unit: String::new() },
+            from_zero: false,
             note: String::new(),
-            tables: vec![table],
+            tables: Vec::new(),
         }
     }
 }
 
-/// A projectile along its line of flight.
-struct Flight<'a> {
-    history: &'a History,
+/// A projectile along its line of flight. Displacements and velocities along it are sums of channels.
+struct Flight {
     /// Unit vector of the line of flight.
     direction: [f64; 2],
-    /// Way gone since the start, shape (n_rows).
-    way: Vec<f64>,
-    /// Velocity along the line, shape (n_rows).
-    velocity: Vec<f64>,
-    gap: &'a [f64],
+    /// Channels of position, velocity and gap.
+    position: [usize; 2],
+    velocity: [usize; 2],
+    gap: usize,
+    /// Where it starts, along the line of flight.
+    start: f64,
+    /// Gap at the start.
+    standoff: f64,
+    /// The struck point, if it is among the recorded ones.
+    struck: Option<String>,
 }
 
-impl<'a> Flight<'a> {
-    fn new(history: &'a History, name: &str) -> Option<Self> {
-        let column = |what: &str| history.column(&format!("projectile.{name}.{what}"));
-        let position = [column("position_1")?, column("position_2")?];
-        let velocity = [column("velocity_1")?, column("velocity_2")?];
-        let direction = direction(velocity)?;
-        let start = position.map(|p| p.first().copied().unwrap_or(f64::NAN));
-        let along = |v: [&[f64]; 2], origin: [f64; 2]| -> Vec<f64> {
-            let pairs = v[0].iter().zip(v[1]);
-            pairs.map(|(x, y)| dot(direction, [x - origin[0], y - origin[1]])).collect()
+impl Flight {
+    fn new(canvas: &Canvas<'_>, name: &str) -> Option<Self> {
+        let (history, sample) = (canvas.history, canvas.sample);
+        let channel = |what: &str| history.position(&format!("projectile.{name}.{what}"));
+        let position = [channel("position_1")?, channel("position_2")?];
+        let velocity = [channel("velocity_1")?, channel("velocity_2")?];
+        let gap = history.position(&format!("contact.{name}.gap"))?;
+        let direction = direction(velocity.map(|k| sample[k].as_slice()))?;
+        let start =
+            dot(direction, position.map(|k| sample[k].first().copied().unwrap_or(f64::NAN)));
+        let standoff = sample[gap].first().copied().unwrap_or(0.0);
+        let mut flight = Self { direction, position, velocity, gap, start, standoff, struck: None };
+        flight.struck = flight.find_struck(canvas);
+        Some(flight)
+    }
+
+    /// Along the line of flight: the sum of two components.
+    fn along(&self, channels: [usize; 2]) -> Vec<(usize, f64)> {
+        let terms = channels.into_iter().zip(self.direction);
+        terms.filter(|(_, factor)| *factor != 0.0).collect()
+    }
+
+    /// The recorded point whose displacement agrees with gap and way in all sampled rows.
+    fn find_struck(&self, canvas: &Canvas<'_>) -> Option<String> {
+        let sample = canvas.sample;
+        let at = |channels: [usize; 2], row: usize| {
+            dot(self.direction, channels.map(|k| sample[k][row]))
         };
-        Some(Self {
-            history,
-            direction,
-            way: along(position, start),
-            velocity: along(velocity, [0.0; 2]),
-            gap: history.column(&format!("contact.{name}.gap"))?,
+        let way = |row: usize| at(self.position, row) - self.start;
+        let rows = 0..sample[self.gap].len();
+        let struck: Vec<f64> =
+            rows.clone().map(|r| sample[self.gap][r] + way(r) - self.standoff).collect();
+        let ways: Vec<f64> = rows.clone().map(way).collect();
+        let size = largest(struck.iter().chain(&ways));
+        figures::names(canvas.history, "point.", ".displacement_1").into_iter().find(|point| {
+            let Some(channels) = components(canvas, point, "displacement") else { return false };
+            rows.clone().all(|r| (at(channels, r) - struck[r]).abs() <= 1e-7 * size)
         })
     }
 
-    fn standoff(&self) -> f64 {
-        self.gap.first().copied().unwrap_or(0.0)
+    /// What legends call the struck point.
+    fn struck_label(&self) -> String {
+        self.struck.as_ref().map_or("contact point".to_owned(), |p| format!("contact point {p}"))
     }
+}
 
-    /// Displacement of the struck point along the line of flight, by gap and way.
-    fn struck(&self) -> Vec<f64> {
-        let standoff = self.standoff();
-        self.gap.iter().zip(&self.way).map(|(gap, way)| gap + way - standoff).collect()
-    }
-
-    /// Velocity of the struck point along the line of flight, if it is among the recorded points:
-    /// the one whose displacement agrees with gap and way throughout.
-    fn struck_velocity(&self) -> Option<(String, Vec<f64>)> {
-        let struck = self.struck();
-        let size = largest(&[&struck, &self.way]);
-        let stride = (struck.len() / 512).max(1);
-        let agrees = |point: &String| {
-            let [Some(x), Some(y)] = self.point(point, "displacement") else { return false };
-            if x.len().min(y.len()) < struck.len() {
-                return false;
-            }
-            let rows = (0..struck.len()).step_by(stride);
-            rows.clone().all(|r| {
-                let displacement = dot(self.direction, [x[r], y[r]]);
-                (displacement - struck[r]).abs() <= 1e-7 * size
-            })
-        };
-        let points = figures::names(self.history, "point.", ".displacement_1");
-        let point = points.into_iter().find(agrees)?;
-        let [Some(x), Some(y)] = self.point(&point, "velocity") else { return None };
-        let along = x.iter().zip(y).map(|(x, y)| dot(self.direction, [*x, *y])).collect();
-        Some((point, along))
-    }
-
-    fn point(&self, point: &str, what: &str) -> [Option<&'a [f64]>; 2] {
-        [1, 2].map(|i| self.history.column(&format!("point.{point}.{what}_{i}")))
-    }
+fn components(canvas: &Canvas<'_>, point: &str, what: &str) -> Option<[usize; 2]> {
+    let channel = |i: usize| canvas.history.position(&format!("point.{point}.{what}_{i}"));
+    Some([channel(1)?, channel(2)?])
 }
 
 /// Direction of the velocity at the start, or else of the largest one.
@@ -145,66 +146,110 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-fn displacement(frame: &Frame<'_>, flight: &Flight<'_>) -> Option<Figure> {
-    let standoff = flight.standoff();
-    if !standoff.is_finite() {
+fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
+    let from_touch = -flight.start - flight.standoff;
+    if !flight.standoff.is_finite() {
         return None;
     }
-    let from_touch: Vec<f64> = flight.way.iter().map(|way| way - standoff).collect();
-    let struck = flight.struck();
-    let curves = [
-        Curve::new(format!("projectile {}", frame.name), 1, &from_touch),
-        Curve::new("contact point", 2, &struck),
+    let way = flight.along(flight.position);
+    let mut struck = way.clone();
+    struck.push((flight.gap, 1.0));
+    let curves = vec![
+        Curve::sum(format!("projectile {}", frame.name), 1, way, from_touch),
+        Curve::sum(flight.struck_label(), 2, struck, from_touch),
     ];
-    let (unit, table) = frame.canvas.lines("m", &curves);
-    let figure = frame.figure("displacement", "Displacement", "displacement", unit, table);
-    let note =
-        "Along the line of flight; the projectile's is measured from where it first touches.";
-    Some(Figure { note: note.to_owned(), ..figure })
+    let label = "displacement along the line of flight";
+    let mut figure = frame.figure("displacement", "Displacement", label);
+    figure.note = "The projectile's is measured from where it first touches.".to_owned();
+    Some(Entry::Draft(Draft { figure, unit: "m", curves, omit: Omit::Nothing }))
 }
 
-fn velocity(frame: &Frame<'_>, flight: &Flight<'_>, picture: bool) -> Option<Figure> {
-    let struck = flight.struck_velocity();
-    let mut curves =
-        vec![Curve::new(format!("projectile {}", frame.name), 1, flight.velocity.as_slice())];
-    if let Some((point, velocity)) = &struck {
-        curves.push(Curve::new(format!("contact point {point}"), 2, velocity));
+fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
+    let struck = flight.struck.as_ref();
+    let struck = struck.and_then(|point| components(frame.canvas, point, "velocity"));
+    let mut figure = frame.figure("velocity", "Velocity", "velocity along the line of flight");
+    figure.picture = picture;
+    if struck.is_none() {
+        figure.note = "The struck point is not among the recorded points.".to_owned();
     }
-    let (unit, table) = frame.canvas.lines("m/s", &curves);
-    let figure = frame.figure("velocity", "Velocity", "velocity", unit, table);
-    let note = match struck {
-        Some(_) => "Along the line of flight.",
-        None => "Along the line of flight; the struck point is not among the recorded points.",
+    let point = struck.map(|channels| Curve {
+        weight: 0.6,
+        dashed: false,
+        ..Curve::sum(flight.struck_label(), 2, flight.along(channels), 0.0)
+    });
+    let projectile = Curve {
+        weight: 1.6,
+        ..Curve::sum(format!("projectile {}", frame.name), 1, flight.along(flight.velocity), 0.0)
     };
-    Some(Figure { picture, note: note.to_owned(), ..figure })
+    let curves = point.into_iter().chain([projectile]).collect(); // the later one lies on top
+    Entry::Draft(Draft { figure, unit: "m/s", curves, omit: Omit::Nothing })
 }
 
-/// Impulses where there are any; a run has few, unless a contact stays closed.
-fn stems(frame: &Frame<'_>, impulse: &[f64]) -> Figure {
+/// Impulses of impacts as stems, intervals of closed contact as bands.
+fn impulses(frame: &Frame<'_>, contact: &Value) -> Figure {
     let canvas = frame.canvas;
-    let nonzero: Vec<usize> =
-        (0..impulse.len().min(canvas.time.len())).filter(|&r| impulse[r] != 0.0).collect();
-    let values: Vec<f64> = nonzero.iter().map(|&r| impulse[r]).collect();
-    let few = values.len() <= STEMS_SHOWN;
-    let kept = if few {
-        (0..values.len()).collect()
-    } else {
-        decimate::rows(&[&values], values.len(), STEMS_SHOWN / 10)
+    let empty = Vec::new();
+    let list = |key: &str| contact[key].as_array().unwrap_or(&empty);
+    let (impacts, intervals) = (list("impacts"), list("intervals"));
+    let number = |entry: &Value, key: &str| entry[key].as_f64().unwrap_or(f64::NAN);
+    let column = |entries: &[Value], key: &str| -> Vec<f64> {
+        entries.iter().take(SHOWN).map(|entry| number(entry, key)).collect()
     };
-    let scale = Scale::new(largest(&[&values]), "N*s");
-    let series = Series {
-        label: "impulse".to_owned(),
-        style: 2,
-        shape: Shape::Stem,
-        y: kept.iter().map(|&k| values[k] * scale.factor).collect(),
+    let scaled = |values: Vec<f64>, by: f64| values.into_iter().map(|v| v * by).collect();
+
+    let stems = column(impacts, "impulse");
+    let bands = column(intervals, "impulse");
+    let scale = Scale::new(largest(stems.iter().chain(&bands)), "N*s");
+    let series = |label: String, style: usize, shape: Shape, y: Vec<f64>| Series {
+        label,
+        style,
+        weight: 1.0,
+        dashed: false,
+        shape,
+        y: scaled(y, scale.factor),
     };
-    let x = kept.iter().map(|&k| canvas.time[nonzero[k]] * canvas.time_scale.factor).collect();
-    let table = Table { x, series: vec![series] };
-    let mut figure = frame.figure("impulse", "Impulses", "impulse", scale.unit, table);
-    figure.note = match values.len() {
-        0 => "No impulse was handed over.".to_owned(),
-        _ if few => "Handed over at an instant each; not a force.".to_owned(),
-        n => format!("{n} impulses, shown as the extremes of {} bins.", STEMS_SHOWN / 10),
-    };
+    let times = column(impacts, "time");
+    let mut tables = vec![Table {
+        x: scaled(times, canvas.time_scale.factor),
+        series: vec![series("impulse of an impact".to_owned(), 2, Shape::Stem, stems)],
+    }];
+    if !intervals.is_empty() {
+        let last = canvas.history.position("time").and_then(|k| canvas.sample[k].last().copied());
+        let ends = |interval: &Value| {
+            let end = interval["end"].as_f64().or(last).unwrap_or(f64::NAN); // or still closed
+            [number(interval, "start"), end]
+        };
+        let x = intervals.iter().take(SHOWN).flat_map(ends).collect();
+        let total = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
+        let label = format!("closed contact, {} in all", quantity(Some(total), "N*s"));
+        let y = bands.iter().flat_map(|v| [*v, *v]).collect();
+        let series = vec![series(label, 3, Shape::Band, y)];
+        tables.insert(0, Table { x: scaled(x, canvas.time_scale.factor), series });
+    }
+    let mut figure = frame.figure("impulse", "Impulses", "impulse");
+    figure.y.unit = scale.unit.clone();
+    figure.tables = tables;
+    let count = contact["impact_count"].as_u64().map_or(impacts.len(), |n| n as usize);
+    figure.note = impulse_note(count, impacts.len().min(SHOWN), intervals.len());
     figure
+}
+
+fn impulse_note(count: usize, shown: usize, intervals: usize) -> String {
+    let mut parts = Vec::new();
+    if count == 0 && intervals == 0 {
+        parts.push("No impulse was handed over.".to_owned());
+    }
+    if count > 0 {
+        parts.push("Stems: impacts, each at an instant; not a force.".to_owned());
+    }
+    if count > shown {
+        parts.push(format!("Shown are the first {shown} of {count} impacts."));
+    }
+    if intervals > 0 {
+        parts.push("Bands: contact stays closed; its impulse is that of a force.".to_owned());
+    }
+    if intervals > SHOWN {
+        parts.push(format!("Shown are the first {SHOWN} of {intervals} bands."));
+    }
+    parts.join(" ")
 }

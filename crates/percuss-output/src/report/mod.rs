@@ -3,6 +3,7 @@
 mod audit;
 mod dashes;
 pub(crate) mod decimate;
+mod draft;
 mod figure;
 mod figures;
 mod html;
@@ -12,6 +13,7 @@ mod payload;
 mod pictures;
 mod quantity;
 mod results;
+mod thin;
 
 use std::path::Path;
 
@@ -20,14 +22,14 @@ use serde_json::Value;
 use crate::comparison::{ComparisonSeries, read_comparison};
 use crate::error::Error;
 use crate::files;
-use crate::history::{self, History};
+use crate::history::{HistoryReader, HistorySource};
 use crate::summary::read_summary;
 
 /// What a report is made of.
 #[derive(Clone, Debug, Default)]
 pub struct ReportData {
-    /// The history.
-    pub history: History,
+    /// The history; of a file only what the figures draw is read, piece by piece.
+    pub history: HistorySource,
     /// The content of `summary.json`.
     pub summary: Value,
     /// The text of `scenario.toml`; may be empty.
@@ -37,7 +39,8 @@ pub struct ReportData {
 }
 
 impl ReportData {
-    /// Reads what [`write()`] needs from the directory of a run.
+    /// Reads what [`write()`] needs from the directory of a run; the rows of the history stay there
+    /// until then.
     ///
     /// # Errors
     /// If the summary or the history is missing or damaged.
@@ -46,7 +49,7 @@ impl ReportData {
         let scenario = dir.join("scenario.toml");
         Ok(Self {
             summary: read_summary(dir)?,
-            history: history::read(dir)?,
+            history: HistorySource::File(HistoryReader::open(dir)?),
             scenario: if scenario.is_file() { files::read_text(&scenario)? } else { String::new() },
             comparison: read_comparison(dir)?,
         })
@@ -56,9 +59,9 @@ impl ReportData {
 /// Writes `report.html` and `figures/` into `dir`.
 ///
 /// # Errors
-/// If a file cannot be written or a picture not drawn.
+/// If the history cannot be read, a file not written or a picture not drawn.
 pub fn write(dir: impl AsRef<Path>, data: &ReportData) -> Result<(), Error> {
-    let figures = figures::all(data);
+    let figures = figures::all(data)?;
     write_page(dir.as_ref(), data, &figures)?;
     pictures::write(&dir.as_ref().join("figures"), &figures)
 }

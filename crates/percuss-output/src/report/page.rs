@@ -31,7 +31,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "impact" => section(figures, Section::Impact, "Impact"),
             "books" => section(figures, Section::Books, "Energy and momentum"),
             "points" => section(figures, Section::Points, "Recorded points"),
-            "audit_table" => audit::render(summary),
+            "audit_table" => audit::render(summary, &data.scenario),
             "audit_figures" => section(figures, Section::Audit, ""),
             "settings" => audit::settings(summary),
             "scenario" => escape(&data.scenario),
@@ -91,7 +91,10 @@ fn decimation(data: &ReportData, figures: &[Figure]) -> String {
         .map(|t| t.x.len())
         .min();
     let Some(drawn) = fewest.filter(|drawn| *drawn < rows) else { return String::new() };
-    let source = if data.history.source.is_empty() { "the history" } else { &data.history.source };
+    let source = match data.history.name() {
+        "" => "the history",
+        name => name,
+    };
     let text = format!(
         "{} rows were recorded. Long curves are drawn through the first, last, smallest and largest \
          value of some thousand bins each ({} rows or more a figure); every row is in {source}.",

@@ -44,16 +44,23 @@ fn figure(columns: &mut Columns, figure: &Figure) -> Value {
         "title": figure.title,
         "x": axis(&figure.x),
         "y": axis(&figure.y),
-        "tables": figure.tables.iter().map(|t| table(columns, t)).collect::<Vec<_>>(),
+        "from_zero": figure.from_zero,
+        "tables": figure.tables.iter().map(|t| table(columns, figure, t)).collect::<Vec<_>>(),
     })
 }
 
-fn table(columns: &mut Columns, table: &Table) -> Value {
+fn table(columns: &mut Columns, figure: &Figure, table: &Table) -> Value {
     let mut series = |s: &Series| {
         json!({
             "label": s.label,
             "style": s.style,
-            "stem": s.shape == Shape::Stem,
+            "shape": match s.shape {
+                Shape::Line => "line",
+                Shape::Stem => "stem",
+                Shape::Band => "band",
+            },
+            "weight": s.weight,
+            "dashed": figure.is_dashed(s),
             "y": columns.push(s.y.iter().map(|y| *y as f32), f32::to_le_bytes),
         })
     };

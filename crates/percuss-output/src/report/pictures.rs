@@ -8,6 +8,7 @@ use std::thread;
 
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
+use kuva::plot::annotations::ShadedRegion;
 use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
 use kuva::plot::line::{LinePlot, LineStyle};
 use kuva::plot::lollipop::LollipopPlot;
@@ -30,12 +31,20 @@ const COLOURS: [&str; 7] =
 const DASHES: [&str; 7] = ["", "", "9 4", "2 3", "9 3 2 3", "14 5", "5 2"];
 /// Bins per curve in a picture.
 const BINS: usize = 600;
-/// Stems per picture.
+/// Stems per picture, and bands.
 const STEMS: usize = 1000;
+/// Of the bands of closed contact.
+const BAND_OPACITY: f64 = 0.25;
+/// Their colour under that opacity on white.
+const BAND_IN_LEGEND: &str = "#bfe7dc";
+/// Width of a usual line.
+const LINE: f64 = 1.5;
 /// Panels in the overview.
 const PANELS: usize = 12;
 /// Size of a panel and of a single picture before scaling.
 const PANEL: (f64, f64) = (560.0, 380.0);
+/// Room to the right of a picture, so that the last number does not touch the edge.
+const RIGHT_MARGIN: f64 = 14.0;
 /// Pixels per unit of size.
 const SCALE: f32 = 1.25;
 
@@ -83,7 +92,8 @@ fn draw(dir: &Path, stem: &str, scene: Scene) -> Result<(), Error> {
 }
 
 fn has_data(figure: &Figure) -> bool {
-    figure.tables.iter().any(|t| !t.x.is_empty())
+    let drawn = |t: &&Table| t.series.iter().any(|s| s.shape != Shape::Band);
+    figure.tables.iter().filter(drawn).any(|t| !t.x.is_empty())
 }
 
 /// A name any file system takes; a second figure of the same name gets a number.
@@ -97,7 +107,9 @@ fn file_stem(id: &str, used: &mut BTreeMap<String, usize>) -> String {
 
 fn single(figure: &Figure, span: (f64, f64)) -> Scene {
     let layout = layout(figure, span).with_width(PANEL.0).with_height(PANEL.1);
-    render_multiple(plots(figure), layout)
+    let mut scene = render_multiple(plots(figure), layout);
+    scene.width += RIGHT_MARGIN;
+    scene
 }
 
 /// All panels on one sheet, lettered as in a paper.
@@ -105,12 +117,14 @@ fn overview(figures: &[&Figure], span: (f64, f64)) -> Scene {
     let shown = &figures[..figures.len().min(PANELS)];
     let columns = if shown.len() == 1 { 1 } else { 2 };
     let rows = shown.len().div_ceil(columns);
-    Sheet::new(rows, columns)
+    let mut scene = Sheet::new(rows, columns)
         .with_plots(shown.iter().map(|f| plots(f)).collect())
         .with_layouts(shown.iter().map(|f| layout(f, span)).collect())
         .with_labels_lowercase()
         .with_cell_size(PANEL.0, PANEL.1)
-        .render()
+        .render();
+    scene.width += RIGHT_MARGIN;
+    scene
 }
 
 /// First and last abscissa of all figures, a hair more so that the last tick is there.
@@ -138,6 +152,13 @@ fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
     if let Some((low, high)) = padded(figure) {
         layout = layout.with_y_axis_min(low).with_y_axis_max(high);
     }
+    if figure.from_zero {
+        layout = layout.with_y_axis_min(0.0);
+    }
+    for (from, to) in bands(figure) {
+        let region = ShadedRegion::vertical(from, to).with_color(COLOURS[3]);
+        layout = layout.with_shaded_region(region.with_opacity(BAND_OPACITY));
+    }
     let entries = legend(figure);
     if entries.len() < 2 {
         return layout; // the axis says it already
@@ -148,9 +169,17 @@ fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
         .with_legend_box(false)
 }
 
+/// Spans of the abscissa that are shaded.
+fn bands(figure: &Figure) -> Vec<(f64, f64)> {
+    let is_band = |t: &&Table| t.series.iter().any(|s| s.shape == Shape::Band);
+    let pairs = figure.tables.iter().filter(is_band).flat_map(|t| t.x.chunks_exact(2));
+    pairs.map(|pair| (pair[0], pair[1])).filter(|b| b.0 < b.1).take(STEMS).collect()
+}
+
 /// Range for values that differ by next to nothing, which is not worth enlarging.
 fn padded(figure: &Figure) -> Option<(f64, f64)> {
-    let values = figure.tables.iter().flat_map(|t| &t.series).flat_map(|s| s.y.iter().copied());
+    let values = figure.tables.iter().flat_map(|t| &t.series).filter(|s| s.shape != Shape::Band);
+    let values = values.flat_map(|s| s.y.iter().copied());
     let (low, high) = values
         .filter(|y| y.is_finite())
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
@@ -167,9 +196,12 @@ fn padded(figure: &Figure) -> Option<(f64, f64)> {
 fn legend(figure: &Figure) -> Vec<LegendEntry> {
     let entry = |s: &Series| LegendEntry {
         label: s.label.clone(),
-        color: COLOURS[s.style % COLOURS.len()].to_owned(),
-        shape: LegendShape::Line,
-        dasharray: Some(DASHES[s.style % DASHES.len()].to_owned()).filter(|d| !d.is_empty()),
+        color: match s.shape {
+            Shape::Band => BAND_IN_LEGEND.to_owned(),
+            _ => COLOURS[s.style % COLOURS.len()].to_owned(),
+        },
+        shape: if s.shape == Shape::Band { LegendShape::Rect } else { LegendShape::Line },
+        dasharray: dashes_of(figure, s).map(str::to_owned),
     };
     figure.tables.iter().flat_map(|t| &t.series).map(entry).collect()
 }
@@ -185,17 +217,27 @@ fn theme() -> Theme {
     }
 }
 
-fn plots(figure: &Figure) -> Vec<Plot> {
-    let several = figure.tables.iter().map(|t| t.series.len()).sum::<usize>() > 1;
-    let of_table = |table: &Table| -> Vec<Plot> {
-        table.series.iter().map(|s| plot(&table.x, s, several)).collect()
-    };
-    figure.tables.iter().flat_map(of_table).collect()
+/// The dash pattern of a series, if it has one in this figure.
+fn dashes_of(figure: &Figure, series: &Series) -> Option<&'static str> {
+    let pattern = DASHES[series.style % DASHES.len()];
+    (figure.is_dashed(series) && !pattern.is_empty()).then_some(pattern)
 }
 
-fn plot(x: &[f64], series: &Series, dashed: bool) -> Plot {
+fn plots(figure: &Figure) -> Vec<Plot> {
+    let drawn = |t: &&Table| !t.x.is_empty();
+    let of_table = |table: &Table| -> Vec<Plot> {
+        table.series.iter().filter_map(|s| plot(&table.x, s, dashes_of(figure, s))).collect()
+    };
+    figure.tables.iter().filter(drawn).flat_map(of_table).collect()
+}
+
+fn plot(x: &[f64], series: &Series, dashes: Option<&str>) -> Option<Plot> {
     let colour = COLOURS[series.style % COLOURS.len()];
-    let bins = if series.shape == Shape::Stem { STEMS / 4 } else { BINS };
+    let bins = match series.shape {
+        Shape::Band => return None, // part of the layout
+        Shape::Stem => STEMS / 4,
+        Shape::Line => BINS,
+    };
     let points: Vec<(f64, f64)> = decimate::rows(&[&series.y], x.len(), bins)
         .into_iter()
         .map(|row| (x[row], series.y[row]))
@@ -203,12 +245,9 @@ fn plot(x: &[f64], series: &Series, dashed: bool) -> Plot {
         .collect();
     if series.shape == Shape::Stem {
         let stems = LollipopPlot::new().with_points(points).with_color(colour);
-        return Plot::Lollipop(stems.with_stem_width(1.5).with_dot_radius(3.0));
+        return Some(Plot::Lollipop(stems.with_stem_width(LINE).with_dot_radius(3.0)));
     }
-    let style = match DASHES[series.style % DASHES.len()] {
-        dash if dashed && !dash.is_empty() => LineStyle::Custom(dash.to_owned()),
-        _ => LineStyle::Solid,
-    };
+    let style = dashes.map_or(LineStyle::Solid, |dash| LineStyle::Custom(dash.to_owned()));
     let line = LinePlot::new().with_data(points).with_color(colour);
-    Plot::Line(line.with_stroke_width(1.5).with_line_style(style))
+    Some(Plot::Line(line.with_stroke_width(LINE * series.weight).with_line_style(style)))
 }
