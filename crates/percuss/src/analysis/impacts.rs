@@ -11,6 +11,7 @@ use super::simulation::Simulation;
 use crate::error::Error;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
+use crate::math::vec2::norm;
 use crate::model::frozen::ContactLaw;
 use crate::record::Recorder;
 use crate::settings::ImpactResolution;
@@ -26,6 +27,8 @@ const PULSE: f64 = 1e-6;
 const LOCATED: f64 = 1e-3;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
 const STICK: f64 = 1e-6;
+/// Nor does approach slower than this share of the velocities themselves, which is their round-off.
+const NO_APPROACH: f64 = 1e-12;
 
 /// What remains of a step.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +43,7 @@ pub(super) struct Advance {
 
 impl Advance {
     /// More impacts than this in one step count as accumulated: the next one sticks.
-    pub const MOST_IMPACTS: usize = 200;
+    pub const MOST_IMPACTS: usize = 64;
 }
 
 impl Simulation<'_> {
@@ -112,6 +115,13 @@ impl Simulation<'_> {
         touching
     }
 
+    /// Approach velocities of projectile `i` up to this one do not bounce \[m/s\].
+    fn stick_velocity(&self, i: usize) -> f64 {
+        let p = &self.state.projectiles[i];
+        let beam = norm(self.model.projectiles[i].point.value(&self.state.velocity));
+        (STICK * p.approach_max).max(NO_APPROACH * (p.speed.abs() + beam))
+    }
+
     /// Contacts that stay closed: held at zero gap rate while their impulse pushes.
     fn resting(&self) -> Vec<ActiveContact> {
         self.rigid()
@@ -129,6 +139,7 @@ impl Simulation<'_> {
             integration: Integration::new(self.settings.scheme, h),
             gravity: external::gravity(self.model, self.state.time, h),
             active,
+            feedback: (h / self.settings.step).min(1.0),
         };
         problem.solve(&mut self.work, &mut self.effort)
     }
@@ -141,6 +152,7 @@ impl Simulation<'_> {
             integration: Integration::new(self.settings.scheme, h),
             gravity: external::gravity(self.model, self.state.time, h),
             active: &[],
+            feedback: 0.0,
         };
         [problem.gap_next(&self.work, i), problem.gap_rate_next(&self.work, i)]
     }
@@ -190,7 +202,16 @@ impl Simulation<'_> {
     }
 
     fn least_gap_ahead(&self, h: f64) -> f64 {
-        self.open_contacts().map(|i| self.gap_ahead(h, i)).fold(f64::INFINITY, f64::min)
+        self.nearest_ahead(h).0
+    }
+
+    /// Least gap ahead of all open contacts, and whether the one it belongs to approaches.
+    fn nearest_ahead(&self, h: f64) -> (f64, bool) {
+        let nearest = self
+            .open_contacts()
+            .map(|i| (self.gap_ahead(h, i), i))
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.map_or((f64::INFINITY, false), |(ahead, i)| (ahead, self.gap_next(h, i)[1] < 0.0))
     }
 
     /// The instant of the first contact within the step of size `size` solved last, if there is one; the step up to it is
@@ -243,7 +264,13 @@ impl Simulation<'_> {
             tolerance * rate,
             |t| {
                 self.solve(t, resting)?;
-                Ok::<f64, Failure>(self.least_gap_ahead(t))
+                let (ahead, approaching) = self.nearest_ahead(t);
+                // A contact that has just opened is as near as one about to close, but is not what is sought.
+                Ok::<f64, Failure>(if approaching {
+                    ahead
+                } else {
+                    ahead.max(2.0 * tolerance * rate)
+                })
             },
         )?;
         Ok(Some(instant))
@@ -264,7 +291,7 @@ impl Simulation<'_> {
             let rate = self.state.gap_rate(self.model, i);
             let p = &mut self.state.projectiles[i];
             p.approach_max = p.approach_max.max(-rate);
-            let sticks = -rate <= STICK * p.approach_max || advance.impacts_left == 0;
+            let sticks = -rate <= self.stick_velocity(i) || advance.impacts_left == 0;
             let e = if sticks { 0.0 } else { self.restitution(i).unwrap_or(0.0) };
             before.push((i, rate, e));
             active.push(ActiveContact { projectile: i, bound: -e * rate });
@@ -317,7 +344,7 @@ impl Simulation<'_> {
             let impulse = self.work.impulse[i];
             let p = &mut self.state.projectiles[i];
             p.approach_max = p.approach_max.max(-rate);
-            if -rate <= STICK * p.approach_max {
+            if -rate <= self.stick_velocity(i) {
                 self.monitor.persistent(i, impulse, self.state.time, impulse > 0.0);
             } else if impulse > 0.0 {
                 let energy_lost = -0.5 * impulse * (rate + separation);

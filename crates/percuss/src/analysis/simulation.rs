@@ -21,6 +21,8 @@ use crate::summary::*;
 
 /// A step is cut down to this share of its size before the analysis gives up.
 const SMALLEST_SHARE: f64 = 1e-4;
+/// Parts of a step, impacts and cuts included, before the analysis gives up: more would not end.
+const MOST_PARTS: usize = 20_000;
 /// Ends of steps closer than this share of the step are the same instant.
 pub(super) const SAME_INSTANT: f64 = 1e-9;
 
@@ -168,7 +170,7 @@ impl<'m> Simulation<'m> {
             *f = f.map(|c| -c);
         }
         let mut multiplier = vec![0.0; model.constraints.len()];
-        mass.solve(model, &rest, &rest, &mut force, &mut multiplier, true);
+        mass.solve(model, &rest, &rest, &mut force, &mut multiplier, None);
         self.state.acceleration = force;
     }
 
@@ -211,33 +213,40 @@ impl<'m> Simulation<'m> {
         }
         let last = self.step_count();
         while self.state.step < last {
-            if let Err(error) = self.advance(recorder) {
-                return Termination::Failed(error);
-            }
+            let flow = match self.advance(recorder) {
+                Ok(flow) => flow,
+                Err(error) => return Termination::Failed(error),
+            };
             let due = self.state.step.is_multiple_of(self.settings.record_every);
-            if (due || self.state.step == last)
+            if (due || self.state.step == last || flow == Flow::Stop)
                 && let Err(error) = self.record(recorder)
             {
                 return Termination::Failed(error);
             }
-            if recorder.progress(self.state.time) == Flow::Stop && self.state.step < last {
+            if flow == Flow::Stop && self.state.step < last {
                 return Termination::Interrupted { time: self.state.time };
             }
         }
         Termination::Completed
     }
 
-    /// Advances by one step of the given size; rows before and after an impact go to `recorder`.
+    /// Advances by one step of the given size; rows before and after an impact go to `recorder`, which may stop it between
+    /// two parts of the step.
     ///
     /// # Errors
     /// If no solution is found even for very short steps; the state is the last one accepted.
-    pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<(), Error> {
+    pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<Flow, Error> {
         let step = self.settings.step;
         let target = step.min(self.settings.end - self.state.step as f64 * step);
         let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
         let mut size = target;
         let mut impacts_left = Advance::MOST_IMPACTS;
+        let mut parts = 0;
         while self.state.offset < target * (1.0 - SAME_INSTANT) {
+            parts += 1;
+            if parts > MOST_PARTS {
+                return Err(self.give_up(Failure::Impact, size));
+            }
             let trial = size.min(target - self.state.offset);
             let mut advance = Advance { size: trial, share: size / target, impacts_left };
             match self.advance_part(&mut advance, recorder)? {
@@ -245,6 +254,10 @@ impl<'m> Simulation<'m> {
                     impacts_left = advance.impacts_left;
                     self.state.offset += done;
                     size = (2.0 * size).min(target);
+                    let ends = self.state.offset >= target * (1.0 - SAME_INSTANT);
+                    if !ends && recorder.progress(self.state.time) == Flow::Stop {
+                        return Ok(Flow::Stop);
+                    }
                 }
                 Err(failure) => {
                     self.step_cuts += 1;
@@ -264,7 +277,7 @@ impl<'m> Simulation<'m> {
         // Never back, not even by the last bit, behind an impact at the end of the step.
         let time = grid.min(self.settings.end) + self.state.offset;
         self.state.time = if self.state.offset > 0.0 { time.max(self.state.time) } else { time };
-        Ok(())
+        Ok(recorder.progress(self.state.time))
     }
 
     fn give_up(&self, failure: Failure, step: f64) -> Error {

@@ -115,7 +115,14 @@ impl<'m> Search<'m> {
                 *c = c.map(|x| -x);
             }
             let (u, d) = (&self.rest.displacement, &work.increment);
-            work.tangent.solve(self.model, u, d, &mut work.correction, &mut work.multiplier, false);
+            work.tangent.solve(
+                self.model,
+                u,
+                d,
+                &mut work.correction,
+                &mut work.multiplier,
+                Some(1.0),
+            );
             self.foresee(false);
             let work = &mut self.work;
             for (d, c) in work.increment.iter_mut().zip(&work.correction) {
@@ -232,7 +239,7 @@ pub fn mechanism(model: &Model) -> Option<Fault> {
         let load = mass.multiply(&x);
         let mut y = load.clone();
         let mut multiplier = vec![0.0; model.constraints.len()];
-        tangent.solve(model, rest, rest, &mut y, &mut multiplier, true);
+        tangent.solve(model, rest, rest, &mut y, &mut multiplier, None);
         let inner = |a: &[[f64; 4]], b: &[[f64; 4]]| -> f64 {
             a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
         };

@@ -86,7 +86,7 @@ fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: 
     let mut x = rest.clone();
     point.spread(direction, &mut x);
     let mut multiplier = vec![0.0; model.constraints.len()];
-    mass.solve(model, &rest, &rest, &mut x, &mut multiplier, true);
+    mass.solve(model, &rest, &rest, &mut x, &mut multiplier, None);
     let mobility = dot(direction, point.value(&x));
     let free = 1.0 / model.total_mass;
     if mobility <= 1e-12 * free { f64::INFINITY } else { 1.0 / mobility }

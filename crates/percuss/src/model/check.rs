@@ -236,7 +236,9 @@ fn check_projectile(model: &ModelBuilder, projectile: &Projectile, out: &mut Fau
         out.add(path(field), "no line of flight: zero velocity", expected);
     } else if let Some(d) = direction
         && norm(velocity) > 0.0
-        && (cross(d, velocity).abs() > 1e-9 * norm(d) * norm(velocity) || dot(d, velocity) < 0.0)
+        && (norm(d) == 0.0
+            || cross(d, velocity).abs() > 1e-9 * norm(d) * norm(velocity)
+            || dot(d, velocity) < 0.0)
     {
         let found = format!("[{}, {}], not along the velocity", d[0], d[1]);
         out.add(path("direction"), found, "no direction, or that of the velocity");
@@ -253,6 +255,9 @@ fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
             check_point(model, at, path("at"), out);
             out.finite(path("force"), force, "N");
             out.finite(path("moment"), &[*moment], "N*m");
+            if *force == [0.0; 2] && *moment == 0.0 {
+                out.add(path("force"), "no force and no moment", "a force or a moment");
+            }
         }
     }
     out.finite(path("from"), &[load.from], "s");

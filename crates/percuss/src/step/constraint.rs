@@ -16,26 +16,31 @@ fn tangent(p: &MaterialPoint, u: &[[f64; 4]], increment: &[[f64; 4]], share: f64
     add(p.tangent, add(p.gradient(u), scale(share, p.gradient(increment))))
 }
 
-/// Value of the constraint at the end of the step.
-pub fn value(c: &Constraint, u: &[[f64; 4]], increment: &[[f64; 4]]) -> f64 {
+/// Value of the constraint at the start of the step: round-off of the steps before.
+pub fn start_value(c: &Constraint, u: &[[f64; 4]]) -> f64 {
     match c {
         Constraint::Held { point, direction, gradient } => {
-            let moved = if *gradient {
-                add(point.gradient(u), point.gradient(increment))
-            } else {
-                add(point.value(u), point.value(increment))
-            };
-            dot(*direction, moved)
+            dot(*direction, if *gradient { point.gradient(u) } else { point.value(u) })
         }
         Constraint::Shared { points, direction } => {
-            let moved = |p: &MaterialPoint| add(p.value(u), p.value(increment));
-            dot(*direction, moved(&points[0])) - dot(*direction, moved(&points[1]))
+            dot(*direction, points[0].value(u)) - dot(*direction, points[1].value(u))
         }
         Constraint::Angle { points, cosine, sine } => {
-            let a = tangent(&points[0], u, increment, 1.0);
-            let b = tangent(&points[1], u, increment, 1.0);
-            cross(a, turn(*cosine, *sine, b))
+            let g = |p: &MaterialPoint| add(p.tangent, p.gradient(u));
+            cross(g(&points[0]), turn(*cosine, *sine, g(&points[1])))
         }
+    }
+}
+
+/// Change of the constraint over the step, exactly and without subtracting positions: linear constraints applied to the
+/// increment, the quadratic one by its gradient at the midpoint.
+pub fn change(c: &Constraint, u: &[[f64; 4]], increment: &[[f64; 4]]) -> f64 {
+    match c {
+        Constraint::Angle { points, cosine, sine } => {
+            let [on_a, on_b] = angle_forms(points, *cosine, *sine, u, increment, 0.5);
+            dot(on_a, points[0].gradient(increment)) + dot(on_b, points[1].gradient(increment))
+        }
+        linear => derivative(linear, u, increment, increment),
     }
 }
 

@@ -36,6 +36,8 @@ pub struct StepProblem<'a> {
     pub gravity: [f64; 2],
     /// Contacts that may carry an impulse.
     pub active: &'a [ActiveContact],
+    /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
+    pub feedback: f64,
 }
 
 /// What an iteration took.
@@ -107,13 +109,33 @@ impl StepProblem<'_> {
             }
             let correction_work = self.correct(work)?;
             effort.iterations += 1;
+            if iteration == 0 {
+                watch.play(self.energy_in_play(work, correction_work));
+            }
             let (_, reach) = largest(&self.state.displacement);
             let (_, step) = largest(&work.increment);
-            watch.corrected(largest(&work.correction).1, correction_work, reach, step);
+            watch.corrected(largest(&work.correction).1, reach, step);
             renew = false;
         }
         let (node, _) = largest(&work.residual);
         Err(Failure::Diverged { residual: watch.unbalanced / watch.energy, node })
+    }
+
+    /// The largest energy of the run so far, or what the loads bring in this step; in a first step without either, the work of
+    /// the first correction.
+    fn energy_in_play(&self, work: &Workspace, correction_work: f64) -> f64 {
+        let rule = &self.integration;
+        let loads = external::work(
+            self.model,
+            self.state,
+            rule.h,
+            rule.theta(),
+            self.gravity,
+            &work.increment,
+            &work.travel,
+        );
+        let energy = self.state.books.energy_scale.max(loads.work.abs());
+        if energy > 0.0 { energy } else { correction_work }
     }
 
     /// Whether nothing is left unbalanced.
@@ -201,7 +223,7 @@ impl StepProblem<'_> {
             column.fill([0.0; 4]);
             multiplier.fill(0.0);
             p.point.spread(p.direction, column);
-            work.tangent.solve(self.model, u, &work.increment, column, multiplier, true);
+            work.tangent.solve(self.model, u, &work.increment, column, multiplier, None);
         }
         Ok(())
     }
@@ -222,7 +244,7 @@ impl StepProblem<'_> {
         }
         let u = &self.state.displacement;
         let Workspace { tangent, correction, multiplier, increment, .. } = work;
-        tangent.solve(self.model, u, increment, correction, multiplier, false);
+        tangent.solve(self.model, u, increment, correction, multiplier, Some(self.feedback));
         self.impact(work)?;
         let mut correction_work = 0.0;
         for ((d, c), r) in work.increment.iter_mut().zip(&work.correction).zip(&work.residual) {
@@ -282,9 +304,13 @@ impl StepProblem<'_> {
 
     fn constraints_met(&self, work: &Workspace) -> bool {
         let u = &self.state.displacement;
+        let (_, reach) = largest(u);
+        let (_, step) = largest(&work.increment);
+        let tolerance = ROUND_OFF * (step + self.feedback * (1.0 + reach));
         self.model.constraints.iter().all(|c| {
-            let (_, reach) = largest(u);
-            constraint::value(c, u, &work.increment).abs() <= ROUND_OFF * (1.0 + reach)
+            let left = constraint::change(c, u, &work.increment)
+                + self.feedback * constraint::start_value(c, u);
+            left.abs() <= tolerance
         })
     }
 }

@@ -84,7 +84,9 @@ impl Tangent {
 
     /// Solves `A x + C^T dl = x_given`, `C x = -c` in place and adds dl to `multiplier`.
     ///
-    /// c is the value of each constraint at `increment`, or zero if `homogeneous`.
+    /// c is the change of each constraint over the step plus a share `feedback` of what it was at the start, or zero without
+    /// feedback. The share is that of the step in the given step size: round-off of positions, taken back within a very
+    /// short step, would be a velocity.
     pub fn solve(
         &mut self,
         model: &Model,
@@ -92,7 +94,7 @@ impl Tangent {
         increment: &[[f64; 4]],
         x: &mut [[f64; 4]],
         multiplier: &mut [f64],
-        homogeneous: bool,
+        feedback: Option<f64>,
     ) {
         project(model, x);
         self.chain.solve(x);
@@ -101,7 +103,9 @@ impl Tangent {
             return;
         }
         for (c, right) in model.constraints.iter().zip(&mut self.right) {
-            let value = if homogeneous { 0.0 } else { constraint::value(c, u, increment) };
+            let value = feedback.map_or(0.0, |share| {
+                constraint::change(c, u, increment) + share * constraint::start_value(c, u)
+            });
             *right = value + constraint::derivative(c, u, increment, x);
         }
         self.factored_schur.solve(&mut self.right);

@@ -60,10 +60,14 @@ impl Watch {
         self.settled && self.unbalanced <= MOST_ROUND_OFF * self.energy
     }
 
-    /// Takes in a correction: its size and work, and the size of the displacements and of the step.
-    pub fn corrected(&mut self, size: f64, correction_work: f64, reach: f64, step: f64) {
+    /// Takes in the energy in play, once the first correction has shown it.
+    pub fn play(&mut self, energy: f64) {
+        self.energy = energy;
+    }
+
+    /// Takes in a correction: its size, and the size of the displacements and of the step.
+    pub fn corrected(&mut self, size: f64, reach: f64, step: f64) {
         if self.size.is_infinite() {
-            self.energy = self.energy.max(correction_work);
             self.stiffness = self.unbalanced / size;
         } else {
             self.rate = size / self.size;
