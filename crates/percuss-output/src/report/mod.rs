@@ -11,7 +11,9 @@ mod impact;
 mod page;
 mod payload;
 mod pictures;
+mod png_file;
 mod quantity;
+mod raster;
 mod results;
 mod thin;
 

@@ -6,7 +6,6 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::thread;
 
-use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::annotations::ShadedRegion;
 use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
@@ -15,12 +14,12 @@ use kuva::plot::lollipop::LollipopPlot;
 use kuva::render::figure::Figure as Sheet;
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
-use kuva::render::render::{Scene, render_multiple};
+use kuva::render::render::{Primitive, Scene, render_multiple};
 use kuva::render::theme::Theme;
 
 use super::figure::{Figure, Series, Shape, Table};
 use super::quantity::number;
-use super::{dashes, decimate};
+use super::{dashes, decimate, raster};
 use crate::error::Error;
 use crate::files;
 
@@ -43,8 +42,9 @@ const LINE: f64 = 1.5;
 const PANELS: usize = 12;
 /// Size of a panel and of a single picture before scaling.
 const PANEL: (f64, f64) = (560.0, 380.0);
-/// Room to the right of a picture, so that the last number does not touch the edge.
-const RIGHT_MARGIN: f64 = 14.0;
+/// Room at the sides of a picture, so that labels touch neither numbers nor the edge.
+const ROOM_LEFT: f64 = 6.0;
+const ROOM_RIGHT: f64 = 14.0;
 /// Pixels per unit of size.
 const SCALE: f32 = 1.25;
 
@@ -84,9 +84,7 @@ fn draw(dir: &Path, stem: &str, scene: Scene) -> Result<(), Error> {
     let svg = SvgBackend::new().render_scene(&scene);
     files::write(&dir.join(format!("{stem}.svg")), svg.as_bytes())?;
     let path = dir.join(format!("{stem}.png"));
-    let png = RasterBackend::new()
-        .with_scale(SCALE)
-        .render_scene(&dashes::cut(scene))
+    let png = raster::png(dashes::cut(scene), SCALE)
         .map_err(|e| Error::content(&path, format!("cannot be drawn: {e}")))?;
     files::write(&path, &png)
 }
@@ -107,9 +105,7 @@ fn file_stem(id: &str, used: &mut BTreeMap<String, usize>) -> String {
 
 fn single(figure: &Figure, span: (f64, f64)) -> Scene {
     let layout = layout(figure, span).with_width(PANEL.0).with_height(PANEL.1);
-    let mut scene = render_multiple(plots(figure), layout);
-    scene.width += RIGHT_MARGIN;
-    scene
+    with_room(render_multiple(plots(figure), layout))
 }
 
 /// All panels on one sheet, lettered as in a paper.
@@ -117,13 +113,27 @@ fn overview(figures: &[&Figure], span: (f64, f64)) -> Scene {
     let shown = &figures[..figures.len().min(PANELS)];
     let columns = if shown.len() == 1 { 1 } else { 2 };
     let rows = shown.len().div_ceil(columns);
-    let mut scene = Sheet::new(rows, columns)
+    let scene = Sheet::new(rows, columns)
         .with_plots(shown.iter().map(|f| plots(f)).collect())
         .with_layouts(shown.iter().map(|f| layout(f, span)).collect())
         .with_labels_lowercase()
         .with_cell_size(PANEL.0, PANEL.1)
         .render();
-    scene.width += RIGHT_MARGIN;
+    with_room(scene)
+}
+
+/// The scene with room at its sides, the upright labels farther from the numbers beside them.
+fn with_room(mut scene: Scene) -> Scene {
+    for element in &mut scene.elements {
+        if let Primitive::Text { x, rotate: Some(_), .. } = element {
+            *x -= ROOM_LEFT;
+        }
+    }
+    let transform = Some(format!("translate({ROOM_LEFT},0)"));
+    let group = Primitive::GroupStart { transform, title: None, extra_attrs: None };
+    scene.elements.insert(0, group);
+    scene.elements.push(Primitive::GroupEnd);
+    scene.width += ROOM_LEFT + ROOM_RIGHT;
     scene
 }
 
