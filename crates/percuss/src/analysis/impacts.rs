@@ -11,7 +11,6 @@ use super::simulation::Simulation;
 use crate::error::Error;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
-use crate::math::vec2::norm;
 use crate::model::frozen::ContactLaw;
 use crate::record::Recorder;
 use crate::settings::ImpactResolution;
@@ -27,7 +26,7 @@ const PULSE: f64 = 1e-6;
 const LOCATED: f64 = 1e-3;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
 const STICK: f64 = 1e-6;
-/// Nor does approach slower than this share of the velocities themselves, which is their round-off.
+/// Nor does approach slower than this share of the velocities in play, which is round-off.
 const NO_APPROACH: f64 = 1e-12;
 
 /// What remains of a step.
@@ -37,13 +36,13 @@ pub(super) struct Advance {
     pub size: f64,
     /// Share of the step to which failures have cut it; pulses are cut likewise.
     pub share: f64,
-    /// Impacts that may still bounce in this step of the given size.
-    pub impacts_left: usize,
+    /// Events (instants located, pulses) that this step of the given size may still have.
+    pub events_left: usize,
 }
 
 impl Advance {
-    /// More impacts than this in one step count as accumulated: the next one sticks.
-    pub const MOST_IMPACTS: usize = 64;
+    /// More events than this in one step count as accumulated impacts: for the rest of the step what touches stays together.
+    pub const MOST_EVENTS: usize = 128;
 }
 
 impl Simulation<'_> {
@@ -56,9 +55,12 @@ impl Simulation<'_> {
         match self.settings.impacts {
             ImpactResolution::Event => {
                 self.settle();
+                if advance.events_left == 0 {
+                    return Ok(self.accumulated_part(advance.size));
+                }
                 let touching = self.touching();
                 if touching.is_empty() {
-                    Ok(self.free_part(advance.size))
+                    Ok(self.free_part(advance))
                 } else {
                     self.impact(&touching, advance, recorder)
                 }
@@ -89,13 +91,14 @@ impl Simulation<'_> {
         PULSE * self.settings.step
     }
 
-    /// Projectiles that rest on the beam without ever having struck it count as closed.
+    /// Projectiles that lie on the beam, at rest but for round-off, count as closed.
     fn settle(&mut self) {
+        let round_off = NO_APPROACH * self.velocity_in_play();
         for i in 0..self.model.projectiles.len() {
             let p = &self.model.projectiles[i];
             let reach = 1e-12 * self.model.beams[p.point.beam].length;
             let at_rest = self.restitution(i).is_some()
-                && self.state.gap_rate(self.model, i) == 0.0
+                && self.state.gap_rate(self.model, i).abs() <= round_off
                 && self.state.gap(self.model, i) <= reach;
             if at_rest {
                 self.state.projectiles[i].closed = true;
@@ -117,9 +120,13 @@ impl Simulation<'_> {
 
     /// Approach velocities of projectile `i` up to this one do not bounce \[m/s\].
     fn stick_velocity(&self, i: usize) -> f64 {
-        let p = &self.state.projectiles[i];
-        let beam = norm(self.model.projectiles[i].point.value(&self.state.velocity));
-        (STICK * p.approach_max).max(NO_APPROACH * (p.speed.abs() + beam))
+        let round_off = NO_APPROACH * self.velocity_in_play();
+        (STICK * self.state.projectiles[i].approach_max).max(round_off)
+    }
+
+    /// Velocity that goes with the largest energy of the run so far \[m/s\].
+    fn velocity_in_play(&self) -> f64 {
+        (2.0 * self.state.books.energy_scale / self.model.total_mass).sqrt()
     }
 
     /// Contacts that stay closed: held at zero gap rate while their impulse pushes.
@@ -171,11 +178,12 @@ impl Simulation<'_> {
     }
 
     /// A step without impacts: of the given size, or up to the first instant of contact.
-    fn free_part(&mut self, size: f64) -> Result<f64, Failure> {
+    fn free_part(&mut self, advance: &mut Advance) -> Result<f64, Failure> {
         let resting = self.resting();
-        self.solve(size, &resting)?;
-        let contact = self.first_contact(size, &resting)?;
-        let done = contact.unwrap_or(size);
+        self.solve(advance.size, &resting)?;
+        let contact = self.first_contact(advance.size, &resting)?;
+        let done = contact.unwrap_or(advance.size);
+        advance.events_left -= usize::from(contact.is_some());
         self.located = contact.and_then(|instant| {
             let ahead = |i: &usize| self.gap_ahead(instant, *i);
             self.open_contacts().min_by(|a, b| ahead(a).total_cmp(&ahead(b)))
@@ -185,6 +193,24 @@ impl Simulation<'_> {
             self.book_persistent(contact.projectile);
         }
         Ok(done)
+    }
+
+    /// The rest of a step in which impacts have accumulated: contacts no wider than the fastest approach covers in a pulse
+    /// are held while they push, and none is sought.
+    fn accumulated_part(&mut self, size: f64) -> Result<f64, Failure> {
+        for i in 0..self.model.projectiles.len() {
+            let reach = self.pulse() * self.state.projectiles[i].approach_max;
+            if self.restitution(i).is_some() && self.state.gap(self.model, i) <= reach {
+                self.state.projectiles[i].closed = true;
+            }
+        }
+        let resting = self.resting();
+        self.solve(size, &resting)?;
+        self.accept(size);
+        for contact in &resting {
+            self.book_persistent(contact.projectile);
+        }
+        Ok(size)
     }
 
     /// Releases a resting contact whose impulse has vanished, and notes its impulse.
@@ -291,7 +317,7 @@ impl Simulation<'_> {
             let rate = self.state.gap_rate(self.model, i);
             let p = &mut self.state.projectiles[i];
             p.approach_max = p.approach_max.max(-rate);
-            let sticks = -rate <= self.stick_velocity(i) || advance.impacts_left == 0;
+            let sticks = -rate <= self.stick_velocity(i);
             let e = if sticks { 0.0 } else { self.restitution(i).unwrap_or(0.0) };
             before.push((i, rate, e));
             active.push(ActiveContact { projectile: i, bound: -e * rate });
@@ -301,25 +327,31 @@ impl Simulation<'_> {
         }
         let time = self.state.time + 0.5 * pulse;
         let after: Vec<f64> = touching.iter().map(|i| self.gap_next(pulse, *i)[1]).collect();
-        self.record(recorder)?;
+        let strikes = touching.iter().any(|i| self.work.impulse[*i] > 0.0);
+        if strikes {
+            self.record(recorder)?;
+        }
         self.accept(pulse);
         for contact in &resting {
             self.book_persistent(contact.projectile);
         }
         for ((i, rate, e), separation) in before.into_iter().zip(after) {
+            // What sticks is held from here on; if nothing presses it, the next step releases it.
+            self.state.projectiles[i].closed = e == 0.0;
             let impulse = self.work.impulse[i];
-            let energy_lost = -0.5 * impulse * (rate + separation);
-            let (approach_velocity, separation_velocity) = (-rate, separation);
-            self.monitor.impact(
-                i,
-                Impact { time, impulse, approach_velocity, separation_velocity, energy_lost },
-            );
-            if e == 0.0 && impulse > 0.0 {
-                self.state.projectiles[i].closed = true;
+            if impulse > 0.0 {
+                let energy_lost = -0.5 * impulse * (rate + separation);
+                let (approach_velocity, separation_velocity) = (-rate, separation);
+                self.monitor.impact(
+                    i,
+                    Impact { time, impulse, approach_velocity, separation_velocity, energy_lost },
+                );
             }
         }
-        advance.impacts_left = advance.impacts_left.saturating_sub(1);
-        self.record(recorder)?;
+        advance.events_left = advance.events_left.saturating_sub(1);
+        if strikes {
+            self.record(recorder)?;
+        }
         Ok(Ok(pulse))
     }
 

@@ -240,7 +240,7 @@ impl<'m> Simulation<'m> {
         let target = step.min(self.settings.end - self.state.step as f64 * step);
         let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
         let mut size = target;
-        let mut impacts_left = Advance::MOST_IMPACTS;
+        let mut events_left = Advance::MOST_EVENTS;
         let mut parts = 0;
         while self.state.offset < target * (1.0 - SAME_INSTANT) {
             parts += 1;
@@ -248,10 +248,10 @@ impl<'m> Simulation<'m> {
                 return Err(self.give_up(Failure::Impact, size));
             }
             let trial = size.min(target - self.state.offset);
-            let mut advance = Advance { size: trial, share: size / target, impacts_left };
+            let mut advance = Advance { size: trial, share: size / target, events_left };
             match self.advance_part(&mut advance, recorder)? {
                 Ok(done) => {
-                    impacts_left = advance.impacts_left;
+                    events_left = advance.events_left;
                     self.state.offset += done;
                     size = (2.0 * size).min(target);
                     let ends = self.state.offset >= target * (1.0 - SAME_INSTANT);
