@@ -81,6 +81,9 @@ impl From<Stalled> for Failure {
 const MOST_ITERATIONS: usize = 24;
 /// Unbalanced impulse of an accepted step, relative to the momentum in play.
 const IMPULSE_TOLERANCE: f64 = 1e-15;
+/// Unbalanced impulse that may pass for round-off, relative to the momentum in play.
+const MOST_IMPULSE: f64 = 1e-10;
+
 impl StepProblem<'_> {
     /// Finds the increment; it and its residual stand in `work` afterwards.
     ///
@@ -96,7 +99,7 @@ impl StepProblem<'_> {
             if !watch.unbalanced.is_finite() {
                 break;
             }
-            if iteration > 0 && (watch.settled() || self.balanced(work, &watch)) {
+            if iteration > 0 && self.balanced(work, &watch) {
                 return Ok(());
             }
             if !renew && !watch.contracts() {
@@ -138,10 +141,14 @@ impl StepProblem<'_> {
         if energy > 0.0 { energy } else { correction_work }
     }
 
-    /// Whether nothing is left unbalanced.
+    /// Whether nothing is left unbalanced, or nothing but round-off.
     fn balanced(&self, work: &Workspace, watch: &Watch) -> bool {
+        let impulse = self.unbalanced_impulse(work) / self.momentum_in_play(watch.energy);
+        if watch.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
+            return true;
+        }
         watch.unbalanced <= WORK_TOLERANCE * watch.energy
-            && self.unbalanced_impulse(work) <= IMPULSE_TOLERANCE * self.momentum(watch.energy)
+            && (impulse <= IMPULSE_TOLERANCE || impulse.is_nan())
             && self.constraints_met(work)
     }
 
@@ -297,9 +304,13 @@ impl StepProblem<'_> {
         self.integration.h * sum[0].hypot(sum[1])
     }
 
-    /// Momentum that goes with an energy: a scale.
-    fn momentum(&self, energy: f64) -> f64 {
-        (2.0 * self.model.total_mass * energy).sqrt()
+    /// The largest momentum of the run so far, or in a first step without any the one that goes with an energy; NaN where
+    /// nothing moves.
+    fn momentum_in_play(&self, energy: f64) -> f64 {
+        let so_far = self.state.books.linear_scale;
+        let scale =
+            if so_far > 0.0 { so_far } else { (2.0 * self.model.total_mass * energy).sqrt() };
+        if scale > 0.0 { scale } else { f64::NAN }
     }
 
     fn constraints_met(&self, work: &Workspace) -> bool {
