@@ -180,3 +180,47 @@ fn a_flying_square_keeps_its_books_at_every_step() {
         }
     }
 }
+
+mod random {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+        /// Whatever strikes wherever: the run ends, its books close, impacts give no energy.
+        #[test]
+        fn scenes_end_with_closed_books(
+            shots in prop::collection::vec(
+                (0.0..1.0_f64, -60.0..60.0_f64, -60.0..60.0_f64, 0.0..1.0_f64, 1.0..500.0_f64, any::<bool>()),
+                1..4,
+            ),
+            support in 0..4_usize,
+            gravity in any::<bool>(),
+            inclined in 0.0..3.0_f64,
+        ) {
+            let mut b = ModelBuilder::new();
+            let (material, section) = plank(&mut b);
+            let end = [3.0 * inclined.cos(), 3.0 * inclined.sin()];
+            let girder = b.beam(beam("b", [0.0, 0.0], end, 5, material, section));
+            let kinds = [SupportKind::Clamp, SupportKind::Pin, SupportKind::Roller { direction: [1.0, 2.0] }];
+            if let Some(kind) = kinds.get(support) {
+                b.support(Support { name: "s".into(), at: at("s", girder, 0.2), kind: kind.clone() });
+            }
+            if gravity {
+                weight(&mut b);
+            }
+            for (i, (f, v1, v2, e, mass, elastic_one)) in shots.iter().enumerate() {
+                let (name, point) = (format!("p{i}"), at(&format!("at{i}"), girder, *f));
+                let mut shot = if *elastic_one {
+                    elastic(&name, point, [*v1, *v2])
+                } else {
+                    rigid(&name, point, [*v1, *v2], *e)
+                };
+                shot.mass = *mass;
+                b.projectile(shot);
+            }
+            run("a random scene", &b.build().unwrap(), 0.01, 5e-5);
+        }
+    }
+}
