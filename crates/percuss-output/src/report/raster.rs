@@ -33,7 +33,7 @@ pub(super) fn png(mut scene: Scene, scale: f32) -> Result<Vec<u8>, String> {
         let (from, to) = ((middle, baseline), (label.x, label.y));
         picture.lay_upright(&lying, (pixel(from.0), pixel(from.1)), (pixel(to.0), pixel(to.1)));
     }
-    Ok(png_file::write(picture.width, picture.height, picture.pixels.as_flattened()))
+    png_file::write(picture.width, picture.height, picture.pixels.as_flattened())
 }
 
 /// Text that reads upwards, centred.
