@@ -45,11 +45,26 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     text
 }
 
+/// Residuals beyond this are worth a warning whatever the scheme.
+const BOOKS_OPEN: f64 = 1e-8;
+
 /// What deserves attention.
 pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
     let rigid = |c: &&ContactSummary| matches!(c.record, ContactRecord::Nonsmooth { .. });
     let warn = |c: &ContactSummary| effective_mass::warning(&c.name, &c.effective_mass);
-    run.contacts.iter().filter(rigid).filter_map(warn).collect()
+    let mut all: Vec<String> = run.contacts.iter().filter(rigid).filter_map(warn).collect();
+    let residuals = [
+        ("energy", run.energy.residual_max),
+        ("linear momentum", run.momentum.linear_residual_max),
+        ("angular momentum", run.momentum.angular_residual_max),
+    ];
+    for (what, residual) in residuals {
+        if residual > BOOKS_OPEN || residual.is_nan() {
+            let size = small(residual);
+            all.push(format!("the books of {what} do not close: {size} of the largest in play"));
+        }
+    }
+    all
 }
 
 fn status(ended: &Ended) -> String {
