@@ -144,3 +144,24 @@ fn rows_never_go_back_in_time_and_show_both_sides_of_an_impact() {
         }
     }
 }
+
+#[test]
+fn impulses_of_the_rows_add_up_to_the_momentum_handed_over() {
+    for is_elastic in [true, false] {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+        let mid = at("mid", girder, 0.5);
+        b.projectile(if is_elastic {
+            elastic("shot", mid, [0.0, 20.0])
+        } else {
+            rigid("shot", mid, [0.0, 20.0], 0.4)
+        });
+        let mut memory = MemoryRecorder::default();
+        let settings = Settings { record_every: 7, ..Settings::new(0.12, 1e-4) };
+        let summary = simulate(&b.build().unwrap(), &settings, &mut memory).unwrap();
+        let sum: f64 = memory.column("contact.shot.impulse").unwrap().iter().sum();
+        let given = summary.projectiles[0].momentum_transferred;
+        assert!((sum - given).abs() < 1e-9 * given, "{sum} {given}");
+    }
+}

@@ -25,15 +25,11 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         }
         let gap = "Gap between projectile and struck point along the line of flight";
         add(format!("contact.{name}.gap"), "m", gap);
-        match p.law {
-            ContactLaw::Spring { .. } => {
-                add(format!("contact.{name}.force"), "N", "Contact force at this instant");
-            }
-            ContactLaw::Unilateral { .. } => {
-                let text = "Impulse handed over since the row before";
-                add(format!("contact.{name}.impulse"), "N*s", text);
-            }
+        if matches!(p.law, ContactLaw::Spring { .. }) {
+            add(format!("contact.{name}.force"), "N", "Contact force at this instant");
         }
+        let text = "Impulse handed over since the row before";
+        add(format!("contact.{name}.impulse"), "N*s", text);
     }
     for p in &model.points {
         let name = &p.label;
@@ -92,10 +88,10 @@ pub fn values(
         row.extend(scale(s.speed, p.direction));
         let gap = state.gap(model, i);
         row.push(gap);
-        row.push(match p.law {
-            ContactLaw::Spring { stiffness, .. } => law::force(stiffness, -gap),
-            ContactLaw::Unilateral { .. } => impulse[i],
-        });
+        if let ContactLaw::Spring { stiffness, .. } = p.law {
+            row.push(law::force(stiffness, -gap));
+        }
+        row.push(impulse[i]);
     }
     for p in &model.points {
         row.extend(p.value(&state.displacement));
