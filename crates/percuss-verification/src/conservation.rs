@@ -1,4 +1,4 @@
-//! What must be conserved: books, momenta, invariances (benchmarks, section G).
+//! What must be conserved: books, momenta, invariances.
 
 use percuss::*;
 
@@ -50,7 +50,7 @@ pub fn paper_books() -> Vec<Check> {
         c.at_least(format!("{name}: completed"), reached, 1.0);
         let energy = summary.energy.residual_max;
         if name.starts_with("elastic") && name.ends_with("-paper") {
-            // The midpoint force errs in the opening and closing steps, and only there (theory, section 4).
+            // The midpoint force errs in the opening and closing steps, and only there.
             c.at_least(format!("{name}: energy residual (midpoint force errs)"), energy, 1e-9);
             c.at_most(format!("{name}: energy residual"), energy, 1e-5);
         } else {
@@ -63,7 +63,7 @@ pub fn paper_books() -> Vec<Check> {
     c.into_vec()
 }
 
-/// The paper's own forms err where theory says they do (theory, sections 4 and 5).
+/// The paper's own forms err where they must: opening and closing steps, whole steps of contact.
 pub fn paper_forms() -> Vec<Check> {
     let mut c = Checks::new();
     let text = |wanted: &str| PAPER.iter().find(|(name, _)| *name == wanted).map_or("", |p| p.1);

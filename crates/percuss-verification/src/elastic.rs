@@ -38,7 +38,7 @@ fn figures(model: &Model, end: f64, step: f64) -> Figures {
     }
 }
 
-/// Theory, section 9: figures at a step of 1e-4 s, and their second order towards the limit.
+/// Figures at a step of 1e-4 s, and their second order towards the limit.
 pub fn clamped() -> Vec<Check> {
     let model = paper_beam(6).clamped().struck(paper_elastic()).build();
     let mut c = Checks::new();

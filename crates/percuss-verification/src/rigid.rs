@@ -39,7 +39,7 @@ pub fn first_impact() -> Vec<Check> {
     c.into_vec()
 }
 
-/// Limit h -> 0 on 6 elements (theory, section 5): adaptive 8th-order Runge-Kutta with located events.
+/// Limit h -> 0 on 6 elements: adaptive 8th-order Runge-Kutta with located events.
 pub fn sequence() -> Vec<Check> {
     let limit = [(0.0005, 3814.98), (0.00511715, 1366.99), (0.00565332, 1841.04)];
     let mut c = Checks::new();

@@ -2,7 +2,7 @@
 
 use crate::model::{Fault, Model};
 
-/// Time integration scheme (theory, section 3).
+/// Time integration scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Scheme {
     /// Energy-momentum through invariants: no strain history, conserves energy and both momenta.
@@ -21,7 +21,7 @@ pub enum Scheme {
     },
 }
 
-/// How impacts of rigid projectiles are resolved in time (theory, section 5).
+/// How impacts of rigid projectiles are resolved in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ImpactResolution {
     /// The instant of contact is located and the impulse acts in a very short step of its own.

@@ -184,9 +184,16 @@ fn a_flying_square_keeps_its_books_at_every_step() {
 mod random {
     use super::*;
     use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
 
     proptest! {
-        #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+        // The same scenes on every machine.
+        #![proptest_config(ProptestConfig {
+            cases: 400,
+            rng_seed: RngSeed::Fixed(7),
+            failure_persistence: None,
+            ..ProptestConfig::default()
+        })]
 
         /// Whatever strikes wherever: the run ends, its books close, impacts give no energy.
         #[test]
@@ -220,7 +227,10 @@ mod random {
                 shot.mass = *mass;
                 b.projectile(shot);
             }
-            run("a random scene", &b.build().unwrap(), 0.01, 5e-5);
+            // How many steps the solver takes is not limited here: some scenes chatter.
+            let model = b.build().unwrap();
+            let settings = Settings::new(0.01, 5e-5);
+            assert_books("a random scene", &simulate(&model, &settings, &mut NoRecorder).unwrap());
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Where in time impacts happen (theory, section 5).
+//! Where in time impacts happen.
 //!
 //! Event mode: if a step would end with a projectile inside the beam, the instant of contact is located by a root search
 //! over the step size, each trial a full step; the shortened step is accepted, and the impulse acts in a pulse, a very short

@@ -1,4 +1,4 @@
-//! Effective mass of a struck point, on the mesh and in the limit of an ever finer one (benchmarks, trap 2).
+//! Effective mass of a struck point, on the mesh and in the limit of an ever finer one.
 
 use crate::element::beam::ElementSums;
 use crate::element::point::PointResponse;

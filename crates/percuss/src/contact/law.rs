@@ -24,7 +24,7 @@ pub struct StepForce {
 
 /// Force over a step that starts with penetration `p0` and ends with `p1`.
 ///
-/// Conserving: `(V(p1) - V(p0)) / (p1 - p0)`, whose work is the change of the potential exactly (theory, section 4).
+/// Conserving: `(V(p1) - V(p0)) / (p1 - p0)`, whose work is the change of the potential exactly.
 /// Midpoint: the force at `(p0 + p1)/2` (the paper, section 2.2).
 pub fn step_force(kind: ContactForce, stiffness: f64, p0: f64, p1: f64) -> StepForce {
     match kind {

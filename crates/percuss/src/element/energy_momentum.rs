@@ -1,4 +1,4 @@
-//! The invariant energy-momentum scheme (theory, section 3): a discrete gradient written through the invariants
+//! The invariant energy-momentum scheme: a discrete gradient written through the invariants
 //! `a = g.g` and `b = g x p`, with no strain history.
 
 use super::point::{

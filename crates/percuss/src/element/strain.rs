@@ -1,4 +1,4 @@
-//! Strains of a configuration (theory, section 1), and their gradient coefficients.
+//! Strains of a configuration, and their gradient coefficients.
 
 use super::point::{SectionLaw, Strains, b_of};
 use crate::math::vec2::{add, dot};
@@ -41,7 +41,7 @@ pub struct Resultants {
 
 /// Resultants `N = dV/dnu`, `M = dV/dtheta'` of strains at a configuration (g, p).
 ///
-/// Green: `N = EA eps nu - EI kappa theta'`, `M = -EI kappa nu`, not `EA eps` and `EI kappa` (benchmarks, trap 1).
+/// Green: `N = EA eps nu - EI kappa theta'`, `M = -EI kappa nu`, not `EA eps` and `EI kappa`.
 pub fn resultants(
     law: &SectionLaw<f64>,
     strain: &Strains<f64>,

@@ -38,7 +38,7 @@ pub fn mass(length: f64) -> [[f64; 4]; 4] {
     ]
 }
 
-/// Number of Gauss points of an element; two are not enough, more change nothing (theory, section 2).
+/// Number of Gauss points of an element; two are not enough, more change nothing.
 pub const GAUSS: usize = 3;
 
 /// Abscissae in \[0, 1\] of the three-point Gauss rule.

@@ -35,7 +35,6 @@ pub fn commit(
     state.time += h;
 }
 
-/// The step problem `commit` belongs to was solved with the same integration and gravity.
 impl StepProblem<'_> {
     /// Gap rate of projectile `i` at the end of the solved step \[m/s\].
     pub fn gap_rate_next(&self, work: &Workspace, i: usize) -> f64 {

@@ -1,7 +1,7 @@
 //! Values and gradients of constraints.
 //!
 //! Linear ones are what they are. The angle of a rigid corner, `c = g_a x R g_b`, is quadratic: along its gradient at the
-//! midpoint a multiplier does no work, and `c` vanishes at the end of the step (theory, section 2).
+//! midpoint a multiplier does no work, and `c` vanishes at the end of the step.
 
 use crate::math::vec2::{add, cross, dot, rot90, scale};
 use crate::model::frozen::{Constraint, MaterialPoint};

@@ -8,7 +8,7 @@ use crate::math::vec2::{dot, scale};
 use crate::model::frozen::ContactLaw;
 
 impl StepProblem<'_> {
-    /// Contact springs, their projectiles' unknowns condensed into the band (theory, section 4).
+    /// Contact springs, their projectiles' unknowns condensed into the band.
     pub(super) fn springs<const TANGENT: bool>(&self, work: &mut Workspace) {
         let rule = &self.integration;
         for (i, p) in self.model.projectiles.iter().enumerate() {
