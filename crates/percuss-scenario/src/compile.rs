@@ -162,7 +162,7 @@ fn settings_alone(content: &Content, settings: &Settings) -> Vec<Fault> {
     let name = String::new;
     let strain = percuss::StrainMeasure::Green;
     let material =
-        builder.material(percuss::Material { name: "m".into(), young: 1.0, density: 1.0, strain });
+        builder.material(percuss::Material { strain, ..percuss::Material::new("m", 1.0, 1.0) });
     let section = builder.section(percuss::Section {
         name: "s".into(),
         area: 1.0,

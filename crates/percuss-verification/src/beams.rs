@@ -93,8 +93,8 @@ fn thrown(strain: StrainMeasure) -> Single {
     beam.rotary = RotaryInertia::Given(10.0);
     beam.strain = strain;
     let at = PointRef { label: String::new(), beam: dummy_beam(), along: Along::Fraction(1.0) };
-    let kind = LoadKind::Point { at, force: [8.0, 0.0], moment: -80.0 };
-    beam.loads.push((1.0, Load { name: "throw".into(), kind, from: 0.0, until: 2.5 }));
+    let kind = LoadKind::Point { at, force: [8.0, 0.0], moment: -80.0, follower: false };
+    beam.loads.push((1.0, Load { from: 0.0, until: 2.5, ..Load::new("throw", kind) }));
     beam
 }
 
@@ -102,11 +102,10 @@ fn thrown(strain: StrainMeasure) -> Single {
 fn dummy_beam() -> BeamId {
     let mut b = ModelBuilder::new();
     let strain = StrainMeasure::Green;
-    let material = b.material(Material { name: String::new(), young: 1.0, density: 1.0, strain });
+    let material = b.material(Material { strain, ..Material::new("", 1.0, 1.0) });
     let rotary_inertia = RotaryInertia::Density;
-    let section =
-        b.section(Section { name: String::new(), area: 1.0, inertia: 1.0, rotary_inertia });
-    b.beam(Beam { name: String::new(), points: Vec::new(), elements: 1, material, section })
+    let section = b.section(Section { rotary_inertia, ..Section::new("", 1.0, 1.0) });
+    b.beam(Beam::new("", &[], 1, material, section))
 }
 
 /// Centre of mass of the thrown beam (uniform Hermite elements of equal length).

@@ -121,7 +121,7 @@ pub fn bouncing_ball() -> Vec<Check> {
     };
     let mut beam = paper_beam(1).held().struck(ball);
     let gravity = LoadKind::Gravity { acceleration: [0.0, -g] };
-    let load = Load { name: "weight".into(), kind: gravity, from: 0.0, until: f64::INFINITY };
+    let load = Load::new("weight", gravity);
     beam.loads.push((0.0, load));
     let summary = run(&beam.build(), &Settings::new(5.0, 1e-3));
     let mut c = Checks::new();

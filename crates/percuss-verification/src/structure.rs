@@ -124,23 +124,15 @@ impl Single {
     pub fn build(&self) -> Model {
         let mut b = ModelBuilder::new();
         let (young, density, strain) = (self.young, self.density, self.strain);
-        let material = b.material(Material { name: "material".into(), young, density, strain });
+        let material = b.material(Material { strain, ..Material::new("material", young, density) });
         let section = b.section(Section {
-            name: "section".into(),
-            area: self.area,
-            inertia: self.inertia,
             rotary_inertia: self.rotary,
+            ..Section::new("section", self.area, self.inertia)
         });
-        let beam = b.beam(Beam {
-            name: "beam".into(),
-            points: self.points.to_vec(),
-            elements: self.elements,
-            material,
-            section,
-        });
+        let beam = b.beam(Beam::new("beam", &self.points, self.elements, material, section));
         let at = |f: f64| PointRef { label: format!("beam@{f}"), beam, along: Along::Fraction(f) };
         for (i, (f, kind)) in self.supports.iter().enumerate() {
-            b.support(Support { name: format!("support{i}"), at: at(*f), kind: kind.clone() });
+            b.support(Support::new(format!("support{i}"), at(*f), kind.clone()));
         }
         for (i, shot) in self.projectiles.iter().enumerate() {
             b.projectile(Projectile {

@@ -38,6 +38,16 @@ impl ImpactResolution {
     pub const CLOSED_TOLERANCE: f64 = 1e-9;
 }
 
+/// Configuration in which a transient analysis starts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Start {
+    /// The stress-free reference configuration.
+    #[default]
+    Reference,
+    /// Static equilibrium under the loads that act at time zero.
+    Static,
+}
+
 /// Settings of a transient analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -51,6 +61,8 @@ pub struct Settings {
     pub impacts: ImpactResolution,
     /// A row is recorded every so many steps (and at every impact).
     pub record_every: usize,
+    /// Configuration at time zero.
+    pub start: Start,
 }
 
 impl Settings {
@@ -62,6 +74,7 @@ impl Settings {
             scheme: Scheme::default(),
             impacts: ImpactResolution::Event,
             record_every: 1,
+            start: Start::Reference,
         }
     }
 }

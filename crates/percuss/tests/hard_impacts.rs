@@ -17,14 +17,14 @@ fn assert_books(name: &str, summary: &RunSummary) {
 /// A beam of stiff material, 3 m long.
 fn stiff_beam(b: &mut ModelBuilder, elements: usize) -> BeamId {
     let strain = StrainMeasure::Green;
-    let material = b.material(Material { name: "stiff".into(), young: 2e11, density: 3e3, strain });
+    let material = b.material(Material { strain, ..Material::new("stiff", 2e11, 3e3) });
     let section = plank(b).1;
     b.beam(beam("b", [0.0, 0.0], [3.0, 0.0], elements, material, section))
 }
 
 fn weight(b: &mut ModelBuilder) {
     let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
-    b.load(Load { name: "gravity".into(), kind, from: 0.0, until: f64::INFINITY });
+    b.load(Load::new("gravity", kind));
 }
 
 fn run(name: &str, model: &Model, end: f64, step: f64) -> RunSummary {
@@ -63,9 +63,9 @@ fn several_projectiles_end() {
             let beam = stiff_beam(&mut b, 8);
             if held {
                 let kind = SupportKind::Pin;
-                b.support(Support { name: "pin".into(), at: at("pin", beam, 0.37), kind });
+                b.support(Support::new("pin", at("pin", beam, 0.37), kind));
                 let kind = SupportKind::Roller { direction: [1.0, 0.4] };
-                b.support(Support { name: "roll".into(), at: at("roll", beam, 0.77), kind });
+                b.support(Support::new("roll", at("roll", beam, 0.77), kind));
             }
             for (i, (f, v)) in shots.iter().enumerate() {
                 b.projectile(rigid(
@@ -100,13 +100,8 @@ fn a_ball_on_a_beam_that_falls_with_it_stays_on_it() {
 fn hinge_chain(links: usize, elements: usize, e: f64) -> Model {
     let mut b = ModelBuilder::new();
     let strain = StrainMeasure::Green;
-    let material = b.material(Material { name: "m".into(), young: 2e9, density: 7850.0, strain });
-    let section = b.section(Section {
-        name: "s".into(),
-        area: 1e-3,
-        inertia: 1e-8,
-        rotary_inertia: RotaryInertia::Density,
-    });
+    let material = b.material(Material { strain, ..Material::new("m", 2e9, 7850.0) });
+    let section = b.section(Section::new("s", 1e-3, 1e-8));
     let chain: Vec<BeamId> = (0..links)
         .map(|i| {
             let (x0, x1) = ([i as f64, 0.0], [i as f64 + 1.0, 0.0]);
@@ -118,7 +113,7 @@ fn hinge_chain(links: usize, elements: usize, e: f64) -> Model {
         b.joint(Joint { name: format!("j{i}"), kind: JointKind::Hinge, between });
     }
     let kind = SupportKind::Pin;
-    b.support(Support { name: "pin".into(), at: at("c0.start", chain[0], 0.0), kind });
+    b.support(Support::new("pin", at("c0.start", chain[0], 0.0), kind));
     let mut q = rigid("q", at("struck", chain[links / 2], 0.5), [0.0, 20.0], e);
     q.mass = 20.0;
     q.standoff = 0.1;
@@ -146,14 +141,8 @@ fn a_flying_square_keeps_its_books_at_every_step() {
         for step in [1e-3, 1e-4, 1e-5, 1e-6] {
             let mut b = ModelBuilder::new();
             let strain = StrainMeasure::Green;
-            let material =
-                b.material(Material { name: "m".into(), young: 2e9, density: 7850.0, strain });
-            let section = b.section(Section {
-                name: "s".into(),
-                area: 1e-3,
-                inertia: 1e-8,
-                rotary_inertia: RotaryInertia::Density,
-            });
+            let material = b.material(Material { strain, ..Material::new("m", 2e9, 7850.0) });
+            let section = b.section(Section::new("s", 1e-3, 1e-8));
             let corner = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
             let side: Vec<BeamId> = (0..4)
                 .map(|i| {
@@ -212,7 +201,7 @@ mod random {
             let girder = b.beam(beam("b", [0.0, 0.0], end, 5, material, section));
             let kinds = [SupportKind::Clamp, SupportKind::Pin, SupportKind::Roller { direction: [1.0, 2.0] }];
             if let Some(kind) = kinds.get(support) {
-                b.support(Support { name: "s".into(), at: at("s", girder, 0.2), kind: kind.clone() });
+                b.support(Support::new("s", at("s", girder, 0.2), kind.clone()));
             }
             if gravity {
                 weight(&mut b);

@@ -11,11 +11,7 @@ fn girder(supported: bool, shots: &[(f64, [f64; 2], f64)]) -> Model {
     let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
     if supported {
         for (name, f) in [("left", 0.0), ("right", 1.0)] {
-            b.support(Support {
-                name: name.into(),
-                at: at(name, girder, f),
-                kind: SupportKind::Pin,
-            });
+            b.support(Support::new(name, at(name, girder, f), SupportKind::Pin));
         }
     }
     for (i, (f, velocity, e)) in shots.iter().enumerate() {
@@ -108,14 +104,14 @@ fn a_projectile_laid_on_a_rigid_beam_rests_there() {
     for (name, f) in [("left", 0.0), ("right", 1.0)] {
         let components = vec![Displacement1, Displacement2, Rotation, Stretch];
         let kind = SupportKind::Fix { components };
-        b.support(Support { name: name.into(), at: at(name, girder, f), kind });
+        b.support(Support::new(name, at(name, girder, f), kind));
     }
     let mut laid = rigid("weight", at("mid", girder, 0.5), [0.0, 0.0], 0.5);
     laid.direction = Some([0.0, -1.0]);
     laid.standoff = 0.0;
     b.projectile(laid);
     let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
-    b.load(Load { name: "weight".into(), kind, from: 0.0, until: f64::INFINITY });
+    b.load(Load::new("weight", kind));
     let summary = run(&b.build().unwrap(), &Settings::new(0.5, 1e-3));
     assert_books(&summary);
     let ContactRecord::Nonsmooth { impact_count, impulse_total, .. } = summary.contacts[0].record

@@ -12,18 +12,14 @@ fn corner(kind: JointKind, angle: f64) -> Model {
     let tip = [2.0 * angle.cos(), 3.0 + 2.0 * angle.sin()];
     let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 5, material, section));
     let girder = b.beam(beam("girder", [0.0, 3.0], tip, 4, material, section));
-    b.support(Support {
-        name: "foot".into(),
-        at: at("column.start", column, 0.0),
-        kind: SupportKind::Clamp,
-    });
+    b.support(Support::new("foot", at("column.start", column, 0.0), SupportKind::Clamp));
     if kind == JointKind::Hinge {
         // A girder on a hinge alone would swing about it: hold its tip sideways.
-        b.support(Support {
-            name: "tip".into(),
-            at: at("girder.end", girder, 1.0),
-            kind: SupportKind::Roller { direction: [1.0, 0.3] },
-        });
+        b.support(Support::new(
+            "tip",
+            at("girder.end", girder, 1.0),
+            SupportKind::Roller { direction: [1.0, 0.3] },
+        ));
     }
     b.joint(Joint {
         name: "knee".into(),
@@ -99,7 +95,7 @@ fn two_beams_joined_in_line_move_as_one() {
             b.projectile(elastic("mass", at("whole.mid", whole, 0.5), [0.0, 20.0]));
         }
         for (i, at) in ends.into_iter().enumerate() {
-            b.support(Support { name: format!("s{i}"), at, kind: SupportKind::Clamp });
+            b.support(Support::new(format!("s{i}"), at, SupportKind::Clamp));
         }
         let model = b.build().unwrap();
         let summary = simulate(&model, &Settings::new(0.12, 1e-4), &mut NoRecorder).unwrap();
@@ -122,11 +118,7 @@ fn beams_apart_do_not_feel_each_other() {
         b.projectile(elastic("mass", at("struck.mid", struck, 0.5), [0.0, 20.0]));
         if apart {
             let other = b.beam(beam("other", [0.0, 9.0], [1.0, 8.0], 3, material, section));
-            b.support(Support {
-                name: "other".into(),
-                at: at("other.start", other, 0.0),
-                kind: SupportKind::Pin,
-            });
+            b.support(Support::new("other", at("other.start", other, 0.0), SupportKind::Pin));
         }
         let model = b.build().unwrap();
         let mut simulation = Simulation::new(&model, &Settings::new(0.1, 1e-3)).unwrap();

@@ -15,7 +15,7 @@ const SCHEMES: [Scheme; 5] = [
 
 fn free_beam(strain: StrainMeasure) -> Model {
     let mut b = ModelBuilder::new();
-    let material = b.material(Material { name: "m".into(), young: 0.2e10, density: 3e3, strain });
+    let material = b.material(Material { strain, ..Material::new("m", 0.2e10, 3e3) });
     let section = plank(&mut b).1;
     let girder = b.beam(beam("girder", [0.0, 0.0], [2.4, 1.8], 6, material, section));
     b.projectile(elastic("mass", at("girder@0.3", girder, 0.3), [2.0, 20.0]));
@@ -104,11 +104,7 @@ fn supports_hold_and_their_impulses_are_on_the_books() {
             let mut b = ModelBuilder::new();
             let (material, section) = plank(&mut b);
             let girder = b.beam(beam("girder", [0.0, 0.0], [2.4, 1.8], 6, material, section));
-            b.support(Support {
-                name: "held".into(),
-                at: at("held", girder, place),
-                kind: kind.clone(),
-            });
+            b.support(Support::new("held", at("held", girder, place), kind.clone()));
             b.projectile(elastic("mass", at("tip", girder, 1.0), [3.0, -20.0]));
             b.record_point(at("held", girder, place));
             let model = b.build().unwrap();
@@ -137,7 +133,12 @@ fn loads_put_their_work_and_impulse_on_the_books() {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 5, material, section));
-    let point = |f: f64, force, moment| LoadKind::Point { at: at("p", girder, f), force, moment };
+    let point = |f: f64, force, moment| LoadKind::Point {
+        at: at("p", girder, f),
+        force,
+        moment,
+        follower: false,
+    };
     for (i, (kind, from, until)) in [
         (LoadKind::Gravity { acceleration: [1.0, -9.81] }, 0.0, f64::INFINITY),
         (point(0.37, [1e4, -2e4], 0.0), 0.0123, 0.0789),
@@ -146,7 +147,7 @@ fn loads_put_their_work_and_impulse_on_the_books() {
     .into_iter()
     .enumerate()
     {
-        b.load(Load { name: format!("load{i}"), kind, from, until });
+        b.load(Load { from, until, ..Load::new(format!("load{i}"), kind) });
     }
     b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 10.0]));
     let model = b.build().unwrap();
@@ -213,9 +214,14 @@ fn a_run_that_gives_up_says_where_and_keeps_what_it_has() {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
-    b.support(Support { name: "s".into(), at: at("s", girder, 0.0), kind: SupportKind::Clamp });
-    let kind = LoadKind::Point { at: at("tip", girder, 1.0), force: [0.0, 1e25], moment: 0.0 };
-    b.load(Load { name: "blow".into(), kind, from: 0.05, until: 0.06 });
+    b.support(Support::new("s", at("s", girder, 0.0), SupportKind::Clamp));
+    let kind = LoadKind::Point {
+        at: at("tip", girder, 1.0),
+        force: [0.0, 1e25],
+        moment: 0.0,
+        follower: false,
+    };
+    b.load(Load { from: 0.05, until: 0.06, ..Load::new("blow", kind) });
     let model = b.build().unwrap();
     let mut memory = MemoryRecorder::default();
     let summary = simulate(&model, &Settings::new(0.1, 1e-2), &mut memory).unwrap();

@@ -14,17 +14,12 @@ fn cantilever(
     moment: f64,
 ) -> Model {
     let mut b = ModelBuilder::new();
-    let material = b.material(Material { name: "m".into(), young: 1e9, density: 1e3, strain });
-    let section = b.section(Section {
-        name: "s".into(),
-        area: 1.0,
-        inertia,
-        rotary_inertia: RotaryInertia::Density,
-    });
+    let material = b.material(Material { strain, ..Material::new("m", 1e9, 1e3) });
+    let section = b.section(Section::new("s", 1.0, inertia));
     let arm = b.beam(beam("arm", [0.0, 0.0], [1.0, 0.0], elements, material, section));
-    b.support(Support { name: "root".into(), at: at("root", arm, 0.0), kind: SupportKind::Clamp });
-    let kind = LoadKind::Point { at: at("tip", arm, 1.0), force, moment };
-    b.load(Load { name: "tip".into(), kind, from: 0.0, until: f64::INFINITY });
+    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+    let kind = LoadKind::Point { at: at("tip", arm, 1.0), force, moment, follower: false };
+    b.load(Load::new("tip", kind));
     b.record_point(at("tip", arm, 1.0));
     b.build().unwrap()
 }
@@ -90,11 +85,7 @@ fn a_frame_held_by_its_joints_carries_its_load() {
     let girder = b.beam(beam("girder", [0.0, 3.0], [4.0, 3.0], 8, material, section));
     let right = b.beam(beam("right", [4.0, 0.0], [4.0, 3.0], 6, material, section));
     for (name, column) in [("l", left), ("r", right)] {
-        b.support(Support {
-            name: name.into(),
-            at: at(name, column, 0.0),
-            kind: SupportKind::Clamp,
-        });
+        b.support(Support::new(name, at(name, column, 0.0), SupportKind::Clamp));
         let corner = if name == "l" { 0.0 } else { 1.0 };
         b.joint(Joint {
             name: name.into(),
@@ -102,8 +93,13 @@ fn a_frame_held_by_its_joints_carries_its_load() {
             between: [at("top", column, 1.0), at("girder", girder, corner)],
         });
     }
-    let kind = LoadKind::Point { at: at("mid", girder, 0.5), force: [0.0, -2e4], moment: 0.0 };
-    b.load(Load { name: "load".into(), kind, from: 0.0, until: f64::INFINITY });
+    let kind = LoadKind::Point {
+        at: at("mid", girder, 0.5),
+        force: [0.0, -2e4],
+        moment: 0.0,
+        follower: false,
+    };
+    b.load(Load::new("load", kind));
     b.record_point(at("mid", girder, 0.5));
     let model = b.build().unwrap();
     assert_eq!(mechanism(&model), None);
@@ -122,11 +118,7 @@ fn mechanisms_are_named() {
         let (material, section) = plank(&mut b);
         let loose = b.beam(beam("loose", [0.0, 0.0], [3.0, 1.0], 5, material, section));
         for (i, (f, kind)) in kinds.iter().enumerate() {
-            b.support(Support {
-                name: format!("s{i}"),
-                at: at("p", loose, *f),
-                kind: kind.clone(),
-            });
+            b.support(Support::new(format!("s{i}"), at("p", loose, *f), kind.clone()));
         }
         b.build().unwrap()
     };

@@ -32,9 +32,9 @@ pub(super) const SAME_INSTANT: f64 = 1e-9;
 /// # use percuss::*;
 /// # fn model() -> Model {
 /// # let mut b = ModelBuilder::new();
-/// # let m = b.material(Material { name: "m".into(), young: 2e9, density: 3e3, strain: StrainMeasure::Green });
-/// # let s = b.section(Section { name: "s".into(), area: 0.1, inertia: 8.33e-5, rotary_inertia: RotaryInertia::Density });
-/// # b.beam(Beam { name: "girder".into(), points: vec![[0.0, 0.0], [3.0, 0.0]], elements: 2, material: m, section: s });
+/// # let m = b.material(Material::new("m", 2e9, 3e3));
+/// # let s = b.section(Section::new("s", 0.1, 8.33e-5));
+/// # b.beam(Beam::new("girder", &[[0.0, 0.0], [3.0, 0.0]], 2, m, s));
 /// # b.build().unwrap() }
 /// let model = model();
 /// let mut simulation = Simulation::new(&model, &Settings::new(1.0, 1e-3)).unwrap();

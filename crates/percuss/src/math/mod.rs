@@ -2,4 +2,5 @@
 
 pub mod hermite;
 pub mod roots;
+pub mod spline;
 pub mod vec2;

@@ -18,6 +18,10 @@ pub struct ModelBuilder {
     pub(super) joints: Vec<Joint>,
     pub(super) projectiles: Vec<Projectile>,
     pub(super) loads: Vec<Load>,
+    pub(super) springs: Vec<Spring>,
+    pub(super) masses: Vec<PointMass>,
+    pub(super) initial_motion: InitialMotion,
+    pub(super) modal_damping: Vec<f64>,
     pub(super) points: Vec<PointRef>,
 }
 
@@ -63,6 +67,27 @@ impl ModelBuilder {
     /// Adds a load.
     pub fn load(&mut self, load: Load) {
         self.loads.push(load);
+    }
+
+    /// Adds a spring between two points.
+    pub fn spring(&mut self, spring: Spring) {
+        self.springs.push(spring);
+    }
+
+    /// Adds a mass at a point.
+    pub fn point_mass(&mut self, mass: PointMass) {
+        self.masses.push(mass);
+    }
+
+    /// Lets all beams and point masses start in a rigid motion.
+    pub fn initial_motion(&mut self, motion: InitialMotion) {
+        self.initial_motion = motion;
+    }
+
+    /// Damps the flexible modes of the structure about its initial configuration, from the lowest on, each by a ratio of
+    /// critical damping.
+    pub fn modal_damping(&mut self, ratios: Vec<f64>) {
+        self.modal_damping = ratios;
     }
 
     /// Records the displacement of a point.
@@ -113,7 +138,7 @@ impl ModelBuilder {
             let tangent = scale(1.0 / length, sub(end, start));
             let mass_per_length = material.density * section.area;
             let first = model.nodes.len();
-            let n = beam.elements;
+            let ElementSize::Number(n) = beam.mesh.size else { unreachable!() };
             for i in 0..=n {
                 let f = i as f64 / n as f64;
                 model
@@ -174,7 +199,8 @@ impl ModelBuilder {
                 LoadKind::Gravity { acceleration } => {
                     model.gravity.push(GravityData { acceleration: *acceleration, from, until });
                 }
-                LoadKind::Point { at, force, moment } => {
+                LoadKind::Distributed { .. } => {}
+                LoadKind::Point { at, force, moment, .. } => {
                     let point = locate(model, at);
                     let (force, moment) = (*force, *moment);
                     model.point_loads.push(PointLoadData { point, force, moment, from, until });

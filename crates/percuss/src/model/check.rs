@@ -97,10 +97,11 @@ fn names(model: &ModelBuilder, out: &mut Faults) {
 
 fn check_beam(model: &ModelBuilder, beam: &Beam, out: &mut Faults) {
     let path = |field: &str| format!("beam.{}.{field}", beam.name);
-    if beam.elements == 0 {
+    let ElementSize::Number(elements) = beam.mesh.size else { return };
+    if elements == 0 {
         out.add(path("elements"), "0 elements", "at least 1 element");
-    } else if beam.elements > 10_000_000 {
-        let found = format!("{} elements", beam.elements);
+    } else if elements > 10_000_000 {
+        let found = format!("{elements} elements");
         out.add(path("elements"), found, "at most 10 million elements");
     }
     if beam.points.len() != 2 {
@@ -251,7 +252,8 @@ fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
         LoadKind::Gravity { acceleration } => {
             out.finite(path("acceleration"), acceleration, "m/s^2");
         }
-        LoadKind::Point { at, force, moment } => {
+        LoadKind::Distributed { .. } => {}
+        LoadKind::Point { at, force, moment, .. } => {
             check_point(model, at, path("at"), out);
             out.finite(path("force"), force, "N");
             out.finite(path("moment"), &[*moment], "N*m");

@@ -67,6 +67,7 @@ fn held_directions(kind: &SupportKind, tangent: [f64; 2]) -> Vec<HeldDirection> 
     match kind {
         SupportKind::Clamp => vec![e1, e2, slope(rot90(tangent))],
         SupportKind::Pin => vec![e1, e2],
+        SupportKind::Elastic { .. } | SupportKind::Stop { .. } => Vec::new(),
         SupportKind::Roller { direction } => {
             vec![displacement(rot90(scale(1.0 / norm(*direction), *direction)))]
         }

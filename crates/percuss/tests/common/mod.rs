@@ -5,18 +5,8 @@ use percuss::*;
 
 /// The paper's first material and its section.
 pub fn plank(b: &mut ModelBuilder) -> (MaterialId, SectionId) {
-    let material = b.material(Material {
-        name: "composite".into(),
-        young: 0.2e10,
-        density: 3e3,
-        strain: StrainMeasure::Green,
-    });
-    let section = b.section(Section {
-        name: "plank".into(),
-        area: 0.1,
-        inertia: 8.33e-5,
-        rotary_inertia: RotaryInertia::Density,
-    });
+    let material = b.material(Material::new("composite", 0.2e10, 3e3));
+    let section = b.section(Section::new("plank", 0.1, 8.33e-5));
     (material, section)
 }
 
@@ -29,7 +19,7 @@ pub fn beam(
     material: MaterialId,
     section: SectionId,
 ) -> Beam {
-    Beam { name: name.into(), points: vec![start, end], elements, material, section }
+    Beam::new(name, &[start, end], elements, material, section)
 }
 
 /// A point at a fraction of a beam.

@@ -1,0 +1,197 @@
+//! Functions of time for loads and prescribed motions.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::math::spline::Spline;
+
+/// A factor as a function of time, which counts from the start of the load or motion.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum TimeFunction {
+    /// One, always.
+    #[default]
+    Constant,
+    /// Zero before, one from this time on \[s\].
+    Step {
+        /// When it rises.
+        at: f64,
+    },
+    /// Rises linearly to one, then stays.
+    Ramp {
+        /// Time of the rise \[s\].
+        duration: f64,
+    },
+    /// Half a sine wave, then zero.
+    HalfSine {
+        /// Its length \[s\].
+        duration: f64,
+    },
+    /// Rises linearly to one at half of its length and falls to zero.
+    Triangle {
+        /// Its length \[s\].
+        duration: f64,
+    },
+    /// `sin(2 pi frequency t + phase)`.
+    Harmonic {
+        /// Frequency \[Hz\].
+        frequency: f64,
+        /// Phase \[rad\].
+        phase: f64,
+    },
+    /// Values at given times, the first and the last held outside.
+    Table {
+        /// Times, increasing \[s\].
+        times: Vec<f64>,
+        /// Values there.
+        values: Vec<f64>,
+        /// A natural cubic spline through the values instead of straight lines.
+        smooth: bool,
+    },
+    /// Any function; must depend on nothing but the time.
+    Function(Function),
+}
+
+/// A function given as code.
+#[derive(Clone)]
+pub struct Function(pub Arc<dyn Fn(f64) -> f64 + Send + Sync>);
+
+impl fmt::Debug for Function {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Function")
+    }
+}
+
+impl PartialEq for Function {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl TimeFunction {
+    /// A function given as code.
+    pub fn function(f: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
+        Self::Function(Function(Arc::new(f)))
+    }
+}
+
+/// A [`TimeFunction`] ready for evaluation: it knows its kinks.
+#[derive(Clone, Debug)]
+pub(crate) struct Course {
+    function: TimeFunction,
+    spline: Option<Spline>,
+    /// Times at which the function is not smooth, increasing.
+    kinks: Vec<f64>,
+}
+
+impl Course {
+    pub fn new(function: &TimeFunction) -> Self {
+        use TimeFunction::*;
+        let kinks = match function {
+            Constant | Harmonic { .. } | Function(_) => Vec::new(),
+            Step { at } => vec![*at],
+            Ramp { duration } | HalfSine { duration } => vec![0.0, *duration],
+            Triangle { duration } => vec![0.0, 0.5 * duration, *duration],
+            Table { times, .. } => times.clone(),
+        };
+        let spline = match function {
+            Table { times, values, smooth: true } => Some(Spline::natural(times, values)),
+            _ => None,
+        };
+        Self { function: function.clone(), spline, kinks }
+    }
+
+    /// Value at time `t`; at a jump the value after it.
+    pub fn value(&self, t: f64) -> f64 {
+        use TimeFunction::*;
+        let tau = std::f64::consts::TAU;
+        match &self.function {
+            Constant => 1.0,
+            Step { at } => f64::from(u8::from(t >= *at)),
+            Ramp { duration } => (t / duration).clamp(0.0, 1.0),
+            HalfSine { duration } if t > 0.0 && t < *duration => (0.5 * tau * t / duration).sin(),
+            Triangle { duration } => (1.0 - (2.0 * t / duration - 1.0).abs()).max(0.0),
+            HalfSine { .. } => 0.0,
+            Harmonic { frequency, phase } => (tau * frequency * t + phase).sin(),
+            Table { times, values, .. } => match &self.spline {
+                Some(spline) => spline.value(t.clamp(times[0], times[times.len() - 1])),
+                None => piecewise_linear(times, values, t),
+            },
+            Function(f) => f.0(t),
+        }
+    }
+
+    /// Mean over `[start, start + h]`: exact for piecewise polynomials up to degree five between kinks.
+    pub fn mean(&self, start: f64, h: f64) -> f64 {
+        let end = start + h;
+        let mut sum = 0.0;
+        let mut a = start;
+        let first = self.kinks.partition_point(|k| *k <= start);
+        for b in self.kinks[first..].iter().copied().take_while(|k| *k < end).chain([end]) {
+            sum += (b - a) / h * self.smooth_mean(a, b);
+            a = b;
+        }
+        sum
+    }
+
+    /// Mean over an interval without kinks inside, by three Gauss points.
+    fn smooth_mean(&self, a: f64, b: f64) -> f64 {
+        use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
+        if matches!(self.function, TimeFunction::Constant) {
+            return 1.0;
+        }
+        let at = |x: f64| self.value(a + x * (b - a));
+        gauss_points().into_iter().zip(GAUSS_WEIGHTS).map(|(x, w)| w * at(x)).sum()
+    }
+}
+
+fn piecewise_linear(times: &[f64], values: &[f64], t: f64) -> f64 {
+    let next = times.partition_point(|x| *x <= t);
+    if next == 0 {
+        return values[0];
+    }
+    if next == times.len() {
+        return values[next - 1];
+    }
+    let f = (t - times[next - 1]) / (times[next] - times[next - 1]);
+    values[next - 1] + f * (values[next] - values[next - 1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_are_integrals() {
+        let table = |smooth| TimeFunction::Table {
+            times: vec![0.0, 0.4, 1.0, 1.5],
+            values: vec![0.0, 2.0, -1.0, 0.5],
+            smooth,
+        };
+        for f in [
+            TimeFunction::Step { at: 0.3 },
+            TimeFunction::Ramp { duration: 0.7 },
+            TimeFunction::HalfSine { duration: 1.2 },
+            TimeFunction::Triangle { duration: 0.9 },
+            TimeFunction::Harmonic { frequency: 0.5, phase: 0.4 },
+            table(false),
+            table(true),
+        ] {
+            let course = Course::new(&f);
+            for (start, h) in [(-0.1, 0.5), (0.2, 1.1), (1.4, 0.3)] {
+                let n = 20_000;
+                let sum: f64 = (0..n)
+                    .map(|k| course.value(start + (k as f64 + 0.5) / n as f64 * h) / n as f64)
+                    .sum();
+                assert!((course.mean(start, h) - sum).abs() < 1e-4, "{f:?} {start}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_tabled_mean_over_a_tiny_interval_is_its_value() {
+        let times = vec![0.0, 1.0];
+        let course =
+            Course::new(&TimeFunction::Table { times, values: vec![0.0, 3.0], smooth: false });
+        assert!((course.mean(0.5, 1e-14) - 1.5).abs() < 1e-12);
+    }
+}
