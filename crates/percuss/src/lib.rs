@@ -30,7 +30,7 @@ pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;
 pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder, RecorderError};
-pub use settings::{ImpactResolution, Scheme, Settings, Start};
+pub use settings::{ImpactResolution, PathEnd, PathSettings, Scheme, Settings, Start};
 pub use state::{ProjectileState, State};
 pub use step::newton::Effort;
 pub use summary::*;

@@ -130,3 +130,36 @@ impl Scheme {
         matches!(self, Self::Newmark | Self::GeneralizedAlpha { .. })
     }
 }
+
+/// How an equilibrium path is followed by arc length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathSettings {
+    /// Load factor of the first point; the arc that leads there is the largest.
+    pub first: f64,
+    /// Most points.
+    pub points: usize,
+    /// Where the path ends, besides.
+    pub end: PathEnd,
+}
+
+/// What ends an equilibrium path.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PathEnd {
+    /// A load factor reached for the first time.
+    Factor(f64),
+    /// A displacement reached.
+    Displacement {
+        /// Label of a recorded point.
+        point: String,
+        /// Component, 1 or 2.
+        component: usize,
+        /// Displacement \[m\].
+        value: f64,
+    },
+}
+
+impl Default for PathSettings {
+    fn default() -> Self {
+        Self { first: 0.05, points: 500, end: PathEnd::Factor(1.0) }
+    }
+}
