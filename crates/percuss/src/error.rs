@@ -12,6 +12,7 @@ pub struct Error {
 enum ErrorKind {
     NoConvergence { time: f64, step: f64, residual: f64, place: String },
     NoEquilibrium { share: f64 },
+    MomentBeyondLaw { share: f64, beam: String, most: f64 },
     Singular { time: f64, place: String },
     Recorder(crate::record::RecorderError),
 }
@@ -27,6 +28,11 @@ impl Error {
         Self { kind: ErrorKind::NoEquilibrium { share } }
     }
 
+    /// No equilibrium beyond a share of the loads, since a section in Green strains carries no larger moment.
+    pub(crate) fn moment_beyond_law(share: f64, beam: String, most: f64) -> Self {
+        Self { kind: ErrorKind::MomentBeyondLaw { share, beam, most } }
+    }
+
     /// The tangent cannot be factorised.
     pub(crate) fn singular(time: f64, place: String) -> Self {
         Self { kind: ErrorKind::Singular { time, place } }
@@ -39,7 +45,12 @@ impl Error {
 
     /// Whether Newton's iteration failed down to the smallest step (of time, or of load).
     pub fn is_no_convergence(&self) -> bool {
-        matches!(self.kind, ErrorKind::NoConvergence { .. } | ErrorKind::NoEquilibrium { .. })
+        matches!(
+            self.kind,
+            ErrorKind::NoConvergence { .. }
+                | ErrorKind::NoEquilibrium { .. }
+                | ErrorKind::MomentBeyondLaw { .. }
+        )
     }
 
     /// Whether the tangent was singular.
@@ -66,6 +77,12 @@ impl fmt::Display for Error {
                 "no equilibrium found beyond {:.4} of the loads: a limit point (which only arc length passes), \
                  or a load that the structure cannot carry",
                 share
+            ),
+            ErrorKind::MomentBeyondLaw { share, beam, most } => write!(
+                f,
+                "no equilibrium found beyond {share:.4} of the loads: a section of beam `{beam}` in Green strains \
+                 (strain = \"green\") carries a bending moment of at most {most:.6e} N m, \
+                 2/3 EI / sqrt(6 I/A); engineering strains (strain = \"engineering\") have no such limit"
             ),
             ErrorKind::Singular { time, place } => {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")

@@ -3,10 +3,9 @@
 use crate::contact::law;
 use crate::element::beam::ElementValues;
 use crate::element::strain::strains;
-use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
-use crate::model::frozen::ContactLaw;
+use crate::model::frozen::{ContactLaw, Span};
 use crate::state::State;
 
 /// What entered and left since the start of the run.
@@ -20,6 +19,8 @@ pub struct Books {
     pub work_supports: f64,
     /// Energy lost in impacts \[J\].
     pub loss_impacts: f64,
+    /// Energy taken by damping \[J\].
+    pub loss_damping: f64,
     /// Linear momentum at the start \[kg m/s\].
     pub linear_initial: [f64; 2],
     /// Angular momentum about the origin at the start \[kg m^2/s\].
@@ -32,6 +33,10 @@ pub struct Books {
     pub angular_impulse_loads: f64,
     /// Angular impulse of the supports and of the projectiles' guides about the origin \[N m s\].
     pub angular_impulse_supports: f64,
+    /// Impulse of damping forces against the ground \[N s\].
+    pub impulse_damping: [f64; 2],
+    /// Their angular impulse about the origin \[N m s\].
+    pub angular_impulse_damping: f64,
     /// Largest energy in play so far \[J\].
     pub energy_scale: f64,
     /// Largest linear momentum in play so far \[kg m/s\].
@@ -53,6 +58,8 @@ pub struct Measures {
     pub strain_bending: f64,
     /// Energy of the contact springs \[J\].
     pub contact: f64,
+    /// Energy of springs, elastic supports and stops \[J\].
+    pub springs: f64,
     /// Linear momentum \[kg m/s\].
     pub linear: [f64; 2],
     /// Angular momentum about the origin \[kg m^2/s\].
@@ -75,61 +82,93 @@ impl Measures {
             + self.strain_axial
             + self.strain_bending
             + self.contact
+            + self.springs
     }
 
     /// Measures the state of a model.
     pub(crate) fn of(model: &Model, state: &State) -> Self {
         let mut m = Self::default();
-        for beam in &model.beams {
-            m.add_beam(model, state, beam);
+        for span in &model.spans {
+            m.add_span(model, state, span);
         }
+        m.add_masses(model, state);
         m.add_projectiles(model, state);
+        for (c, q) in model.connectors.iter().zip(&state.coordinates) {
+            if state.time < c.until {
+                m.springs += c.potential(*q);
+            }
+        }
         m
     }
 
-    fn add_beam(&mut self, model: &Model, state: &State, beam: &crate::model::frozen::BeamData) {
-        let table = &beam.table;
-        let reference = (table.tangent, 0.0);
+    fn add_span(&mut self, model: &Model, state: &State, span: &Span) {
         let stored = !state.strain.is_empty();
         let (mut linear, mut angular) = ([0.0; 2], 0.0);
         let (mut translation, mut rotation, mut axial, mut bending) = (0.0, 0.0, 0.0, 0.0);
-        for (k, e) in beam.elements.clone().enumerate() {
-            let a = beam.nodes.start + k;
+        for (k, e) in span.elements.clone().enumerate() {
+            let (a, table) = (span.nodes.start + k, span.table(k));
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
             let momentum = momentum(table, &state.velocity[a], &state.velocity[a + 1]);
             for (node, p) in [(a, &momentum[0]), (a + 1, &momentum[1])] {
-                let (x, u, v) =
+                let (frame, u, v) =
                     (&model.nodes[node], &state.displacement[node], &state.velocity[node]);
                 translation += p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
                 linear = add(linear, [p[0], p[1]]);
-                let slope = [table.tangent[0] + u[2], table.tangent[1] + u[3]];
-                angular +=
-                    cross([x[0] + u[0], x[1] + u[1]], [p[0], p[1]]) + cross(slope, [p[2], p[3]]);
+                let x = add(frame.position, [u[0], u[1]]);
+                let slope = add(frame.tangent, [u[2], u[3]]);
+                angular += cross(x, [p[0], p[1]]) + cross(slope, [p[2], p[3]]);
             }
-            for j in 0..GAUSS {
-                let row = &table.rows[j];
-                let (slope, bend) = (u.at(&row.first), u.at(&row.second));
-                let s = strains(beam.law.measure, reference.0, reference.1, slope, bend);
+            for (j, row) in table.rows.iter().enumerate() {
+                let (slope, bend) = (u.at(&row.first), add(row.bend, u.at(&row.second)));
+                let s = strains(span.measure, row.tangent, row.curvature, slope, bend);
                 let (mut eps, mut kappa) = (s.membrane, s.bending);
                 if stored {
                     [eps, kappa] = state.strain[e][j];
-                    self.membrane_drift = self.membrane_drift.max((eps - s.membrane).abs());
                     self.curvature_drift = self.curvature_drift.max((kappa - s.bending).abs());
+                    if table.membrane.is_none() {
+                        self.membrane_drift = self.membrane_drift.max((eps - s.membrane).abs());
+                    }
                 }
                 let spin = state.spin[e][j];
-                rotation += row.weight * spin * spin;
-                axial += row.weight * eps * eps;
-                bending += row.weight * kappa * kappa;
-                angular += row.weight * beam.law.rotary * spin;
+                rotation += row.weight * row.law.rotary * spin * spin;
+                axial += row.weight * row.law.axial * eps * eps;
+                bending += row.weight * row.law.bending * kappa * kappa;
+                angular += row.weight * row.law.rotary * spin;
+            }
+            if let Some(samples) = &table.membrane {
+                let mut eps = samples.strains(span.measure, &u);
+                if stored {
+                    for (eps, stored) in eps.iter_mut().zip(&state.strain[e]) {
+                        self.membrane_drift = self.membrane_drift.max((*eps - stored[0]).abs());
+                        *eps = stored[0];
+                    }
+                }
+                axial += 2.0 * samples.energy(eps);
             }
         }
-        self.kinetic_beams += 0.5 * (translation + beam.law.rotary * rotation);
-        self.strain_axial += 0.5 * beam.law.axial * axial;
-        self.strain_bending += 0.5 * beam.law.bending * bending;
+        self.kinetic_beams += 0.5 * (translation + rotation);
+        self.strain_axial += 0.5 * axial;
+        self.strain_bending += 0.5 * bending;
+        self.add_momentum(linear, angular);
+    }
+
+    fn add_momentum(&mut self, linear: [f64; 2], angular: f64) {
         self.linear = add(self.linear, linear);
         self.angular += angular;
         self.linear_size += linear[0].hypot(linear[1]);
         self.angular_size += angular.abs();
+    }
+
+    fn add_masses(&mut self, model: &Model, state: &State) {
+        for (mass, spin) in model.masses.iter().zip(&state.mass_spin) {
+            let p = &mass.point;
+            let v = p.value(&state.velocity);
+            let turning = mass.rotary_inertia * spin;
+            self.kinetic_beams += 0.5 * (mass.mass * (v[0] * v[0] + v[1] * v[1]) + turning * spin);
+            let linear = scale(mass.mass, v);
+            let x = add(p.position, p.value(&state.displacement));
+            self.add_momentum(linear, cross(x, linear) + turning);
+        }
     }
 
     fn add_projectiles(&mut self, model: &Model, state: &State) {
@@ -137,10 +176,7 @@ impl Measures {
             self.kinetic_projectiles += 0.5 * p.mass * s.speed * s.speed;
             let linear = scale(p.mass * s.speed, p.direction);
             let angular = cross(p.position, linear); // the line of flight keeps its distance
-            self.linear = add(self.linear, linear);
-            self.angular += angular;
-            self.linear_size += linear[0].hypot(linear[1]);
-            self.angular_size += angular.abs();
+            self.add_momentum(linear, angular);
             if let ContactLaw::Spring { stiffness, .. } = p.law {
                 self.contact += law::potential(stiffness, -state.gap(model, i));
             }
@@ -181,7 +217,10 @@ impl Books {
 
     /// Takes a new state into the scales.
     pub(crate) fn rescale(&mut self, m: &Measures) {
-        let energy = m.total().abs().max(self.work_loads.abs()).max(self.loss_impacts.abs());
+        let energy =
+            [m.total(), self.work_loads, self.work_supports, self.loss_impacts, self.loss_damping]
+                .into_iter()
+                .fold(0.0, |most: f64, e| most.max(e.abs()));
         self.energy_scale = self.energy_scale.max(energy);
         let impulse = |j: [f64; 2]| j[0].hypot(j[1]);
         self.linear_scale = self
@@ -198,20 +237,24 @@ impl Books {
 
     /// What is missing from the energy books \[J\].
     pub fn energy_residual(&self, m: &Measures) -> f64 {
-        m.total() - self.energy_initial - self.work_loads - self.work_supports + self.loss_impacts
+        let entered = self.energy_initial + self.work_loads + self.work_supports;
+        m.total() - entered + self.loss_impacts + self.loss_damping
     }
 
     /// What is missing from the books of linear momentum \[kg m/s\].
     pub fn linear_residual(&self, m: &Measures) -> [f64; 2] {
         std::array::from_fn(|i| {
-            let impulse = self.impulse_loads[i] + self.impulse_supports[i];
+            let impulse =
+                self.impulse_loads[i] + self.impulse_supports[i] + self.impulse_damping[i];
             m.linear[i] - self.linear_initial[i] - impulse
         })
     }
 
     /// What is missing from the books of angular momentum \[kg m^2/s\].
     pub fn angular_residual(&self, m: &Measures) -> f64 {
-        let impulse = self.angular_impulse_loads + self.angular_impulse_supports;
+        let impulse = self.angular_impulse_loads
+            + self.angular_impulse_supports
+            + self.angular_impulse_damping;
         m.angular - self.angular_initial - impulse
     }
 }

@@ -23,7 +23,8 @@ mod step;
 mod summary;
 
 pub use analysis::{
-    Equilibrium, Simulation, equilibrium, mechanism, natural_frequencies, simulate,
+    BucklingMode, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,
+    equilibrium_in, equilibrium_path, mechanism, modes_about, natural_frequencies, simulate,
 };
 pub use contact::effective_mass::EffectiveMass;
 pub use error::Error;

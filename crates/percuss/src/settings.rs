@@ -120,6 +120,12 @@ impl Settings {
                             an impulse has no acceleration";
             add("integrator.scheme", found.into(), expected);
         }
+        if self.scheme.advances_accelerations() && model.has_viscous_parts() {
+            let found = "a scheme that advances accelerations, with viscous or modal damping";
+            let expected = "energy-momentum, strain-rate or midpoint: \
+                            their damping takes exactly what the books say";
+            add("integrator.scheme", found.into(), expected);
+        }
         out
     }
 }

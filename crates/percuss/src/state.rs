@@ -4,6 +4,7 @@ use crate::ledger::Books;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::dot;
 use crate::model::Model;
+use crate::model::frozen::Coordinate;
 use crate::settings::Scheme;
 
 /// State of a projectile on its line of flight.
@@ -41,6 +42,12 @@ pub struct State {
     /// Stored strains (membrane, bending) at the Gauss points, shape (n_elem, n_gauss) \[1, 1/m\]; strain-rate scheme
     /// only, empty otherwise.
     pub strain: Vec<[[f64; 2]; GAUSS]>,
+    /// Coordinates of springs and dampers, angles unwound, shape (n_connector) \[m, rad\].
+    pub coordinates: Vec<f64>,
+    /// Angular rates of the point masses, shape (n_mass) \[rad/s\].
+    pub mass_spin: Vec<f64>,
+    /// Impulse and angular impulse about its own point of each support so far, shape (n_support) \[N s, N m s\].
+    pub reactions: Vec<[f64; 3]>,
     /// Multipliers of the constraints, shape (n_constraint) \[N, N m\].
     pub multiplier: Vec<f64>,
     /// Projectiles, in the model's order.
@@ -64,6 +71,9 @@ impl State {
             acceleration: if advances_accelerations { vec![[0.0; 4]; nodes] } else { Vec::new() },
             spin: vec![[0.0; GAUSS]; elements],
             strain: if stores_strain { vec![[[0.0; 2]; GAUSS]; elements] } else { Vec::new() },
+            coordinates: Vec::new(),
+            mass_spin: vec![0.0; model.masses.len()],
+            reactions: vec![[0.0; 3]; model.supports.len()],
             multiplier: vec![0.0; model.constraints.len()],
             projectiles: model
                 .projectiles
@@ -78,6 +88,22 @@ impl State {
                 .collect(),
             books: Books::default(),
         }
+        .with_coordinates(model)
+    }
+
+    /// Coordinates of the connectors in the configuration as it stands.
+    pub(crate) fn with_coordinates(mut self, model: &Model) -> Self {
+        let value = |c: &crate::model::frozen::Connector| {
+            let moved = match &c.coordinate {
+                Coordinate::Displacement { drive, .. } => {
+                    drive.iter().map(|(motion, a)| a * model.motions[*motion].value(0.0)).sum()
+                }
+                _ => 0.0,
+            };
+            c.value(&self.displacement, 0.0) - moved
+        };
+        self.coordinates = model.connectors.iter().map(value).collect();
+        self
     }
 
     /// Gap between projectile `i` and the point it strikes \[m\].

@@ -48,6 +48,8 @@ pub struct EnergySummary {
     pub work_supports: f64,
     /// Energy lost in impacts.
     pub loss_impacts: f64,
+    /// Energy taken by damping.
+    pub loss_damping: f64,
     /// Largest energy in play, the scale of `residual_max`.
     pub scale: f64,
     /// Largest magnitude of the energy residual, relative to `scale`.
@@ -180,20 +182,99 @@ impl Default for SectionPeak {
     }
 }
 
-/// Largest section forces of a beam, over its length and over time.
+/// Smallest and largest value over the length of a beam and over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SectionRange {
+    /// Smallest, signed.
+    pub min: SectionPeak,
+    /// Largest, signed.
+    pub max: SectionPeak,
+}
+
+impl SectionRange {
+    /// The one of larger magnitude.
+    pub fn largest(&self) -> SectionPeak {
+        if self.min.value.abs() > self.max.value.abs() { self.min } else { self.max }
+    }
+
+    /// Takes in a value.
+    pub(crate) fn take(&mut self, value: f64, s: f64, time: f64) {
+        if value > self.max.value || self.max.value.is_nan() {
+            self.max = SectionPeak { value, s, time };
+        }
+        if value < self.min.value || self.min.value.is_nan() {
+            self.min = SectionPeak { value, s, time };
+        }
+    }
+}
+
+/// Smallest and largest values along a beam, over time: both ends of each element, shapes (2 n_element).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Envelope {
+    /// Arc length from the start of the beam \[m\].
+    pub s: Vec<f64>,
+    /// Axial force, smallest and largest \[N\].
+    pub axial: [Vec<f64>; 2],
+    /// Shear force \[N\].
+    pub shear: [Vec<f64>; 2],
+    /// Bending moment \[N m\].
+    pub moment: [Vec<f64>; 2],
+    /// Stress of the extreme fibres \[Pa\]; NaN where the section has no depth.
+    pub stress: [Vec<f64>; 2],
+}
+
+/// Section forces of a beam: extremes over its length and over time.
 ///
-/// True resultants. The moment is extrapolated linearly from the Gauss points of an element to its ends, the axial force is the
-/// mean over an element, the shear force follows from the moment's slope, `-M' / nu`, without the share of rotary inertia.
+/// True resultants. Within an element the moment is a straight line (least squares through the Gauss points), the axial force the
+/// mean, and the shear force follows from the balance of moments, `V = (rhoI theta'' - M') / nu`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionForceSummary {
     /// The beam's name.
     pub name: String,
     /// Axial force, positive in tension \[N\].
-    pub axial_max: SectionPeak,
+    pub axial: SectionRange,
     /// Shear force \[N\].
-    pub shear_max: SectionPeak,
+    pub shear: SectionRange,
     /// Bending moment, positive where it turns the tangent counter-clockwise along the beam \[N m\].
-    pub moment_max: SectionPeak,
+    pub moment: SectionRange,
+    /// Strain of the extreme fibres, `nu - 1 -+ (theta' - theta0') depth / 2` \[1\]; NaN where no section has a depth.
+    pub strain: SectionRange,
+    /// Stress of the extreme fibres, `N/A -+ M depth / (2 I)` \[Pa\].
+    pub stress: SectionRange,
+    /// Extremes along the beam.
+    pub envelope: Envelope,
+}
+
+/// Smallest and largest value over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Range {
+    /// Smallest, signed.
+    pub min: Peak,
+    /// Largest, signed.
+    pub max: Peak,
+}
+
+impl Range {
+    /// Takes in a value.
+    pub(crate) fn take(&mut self, value: f64, time: f64) {
+        if value > self.max.value || self.max.value.is_nan() {
+            self.max = Peak { value, time };
+        }
+        if value < self.min.value || self.min.value.is_nan() {
+            self.min = Peak { value, time };
+        }
+    }
+}
+
+/// Reactions of a support on the structure, each the mean over a step; steps as short as an impact are left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SupportSummary {
+    /// The user's name for it.
+    pub name: String,
+    /// Components of the force \[N\].
+    pub force: [Range; 2],
+    /// Moment about the support's point \[N m\].
+    pub moment: Range,
 }
 
 /// The result of a run.
@@ -227,6 +308,8 @@ pub struct RunSummary {
     pub contacts: Vec<ContactSummary>,
     /// One entry a recorded point.
     pub points: Vec<PointSummary>,
+    /// One entry a support, in the model's order.
+    pub supports: Vec<SupportSummary>,
     /// One entry a beam.
     pub section_forces: Vec<SectionForceSummary>,
 }

@@ -15,13 +15,14 @@ use crate::model::frozen::ContactLaw;
 use crate::record::Recorder;
 use crate::settings::ImpactResolution;
 use crate::step::commit;
-use crate::step::external;
 use crate::step::integration::Integration;
 use crate::step::newton::{ActiveContact, Failure, StepProblem};
 use crate::summary::Impact;
 
 /// Length of a pulse as a share of the step.
 const PULSE: f64 = 1e-6;
+/// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
+const BRIEF: f64 = 1e-3;
 /// A contact is located to this share of a pulse.
 const LOCATED: f64 = 1e-3;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
@@ -140,11 +141,13 @@ impl Simulation<'_> {
     /// Solves a step of size `h` without accepting it.
     fn solve(&mut self, h: f64, active: &[ActiveContact]) -> Result<(), Failure> {
         self.solver_steps += 1;
+        self.forcing.set(self.model, self.state.time, h, self.settings.step);
         let problem = StepProblem {
             model: self.model,
             state: &self.state,
             integration: Integration::new(self.settings.scheme, h),
-            gravity: external::gravity(self.model, self.state.time, h),
+            forcing: &self.forcing,
+            damping: &self.damping,
             active,
             feedback: (h / self.settings.step).min(1.0),
         };
@@ -157,7 +160,8 @@ impl Simulation<'_> {
             model: self.model,
             state: &self.state,
             integration: Integration::new(self.settings.scheme, h),
-            gravity: external::gravity(self.model, self.state.time, h),
+            forcing: &self.forcing,
+            damping: &self.damping,
             active: &[],
             feedback: 0.0,
         };
@@ -167,10 +171,17 @@ impl Simulation<'_> {
     /// Accepts the step solved last and measures the new state.
     fn accept(&mut self, h: f64) {
         let integration = Integration::new(self.settings.scheme, h);
-        let gravity = external::gravity(self.model, self.state.time, h);
         self.monitor.begin_step(self.model, &self.state);
-        commit::commit(self.model, &mut self.state, integration, gravity, &self.work);
-        self.monitor.end_step(self.model, &self.state, h, &self.work.force);
+        let brief = h < BRIEF * self.settings.step;
+        let before = brief.then(|| self.state.multiplier.clone());
+        let (state, forcing) = (&mut self.state, &self.forcing);
+        commit::commit(self.model, state, integration, forcing, &self.damping, &self.work);
+        if let Some(before) = before {
+            // Multipliers of an impact are impulses over its time: no prediction for what follows.
+            self.state.multiplier = before;
+        }
+        self.monitor.end_step(self.model, &self.state, h, &self.work.force, brief);
+        self.gather_reactions(h, brief);
         for (i, sum) in self.row_impulse.iter_mut().enumerate() {
             *sum += self.work.impulse[i] + h * self.work.force[i]; // one of the two is zero
         }

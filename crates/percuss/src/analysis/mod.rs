@@ -1,13 +1,18 @@
 //! Analyses: what is done with steps.
 
+mod buckling;
 mod channels;
 mod impacts;
 mod modes;
 mod monitor;
+mod path;
 mod section_forces;
 mod simulation;
+mod static_search;
 mod statics;
 
-pub use modes::natural_frequencies;
+pub use buckling::{BucklingMode, buckling};
+pub use modes::{Mode, modes_about, natural_frequencies};
+pub use path::{Path, PathPoint, equilibrium_path};
 pub use simulation::{Simulation, simulate};
-pub use statics::{Equilibrium, equilibrium, mechanism};
+pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanism};

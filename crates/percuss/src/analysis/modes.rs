@@ -1,97 +1,210 @@
-//! Natural frequencies about the reference configuration.
+//! Natural modes about an equilibrium: subspace iteration on the factored tangent, linear in the number of elements.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::contact::effective_mass;
-use crate::element::beam::{ElementSums, ElementValues, step_point};
-use crate::element::collocation;
+use super::static_search::{factor_shifted, linearized};
+use super::statics::bending_scale;
+use crate::contact::effective_mass::mass_band;
 use crate::linalg::chain::Chain;
 use crate::model::Model;
-use crate::model::frozen::Constraint;
-use crate::step::{assemble, constraint};
+use crate::settings::Scheme;
+use crate::state::State;
+use crate::step::modal_damping::ModalDamping;
+use crate::step::tangent::{Tangent, inner, project};
 
-/// Natural frequencies of the beams about their stress-free reference configuration \[Hz\], in ascending order.
-///
-/// Projectiles are not part of the structure. Solved densely: meant for up to some hundred elements; the round-off of the
-/// reduction to standard form grows with the fourth power of the number of elements along a beam.
-pub fn natural_frequencies(model: &Model) -> Vec<f64> {
-    let (stiffness, mass) = (dense(&stiffness(model)), dense(&effective_mass::mass_band(model)));
-    let basis = free_motions(model);
-    let k = basis.transpose() * stiffness * &basis;
-    let m = basis.transpose() * mass * &basis;
-    let Some(cholesky) = m.cholesky() else { return Vec::new() };
-    let l = cholesky.l();
-    // L^-1 K L^-T
-    let Some(half) = l.solve_lower_triangular(&k) else { return Vec::new() };
-    let Some(reduced) = l.solve_lower_triangular(&half.transpose()) else { return Vec::new() };
-    let symmetric = (&reduced + reduced.transpose()) * 0.5;
-    let mut omega2: Vec<f64> = SymmetricEigen::new(symmetric).eigenvalues.iter().copied().collect();
-    omega2.sort_by(f64::total_cmp);
-    omega2.iter().map(|w2| w2.max(0.0).sqrt() / std::f64::consts::TAU).collect()
+/// Iterations before the modes count as found as well as they can be.
+const MOST_ITERATIONS: usize = 300;
+/// Relative change of an eigenvalue that has settled.
+const SETTLED: f64 = 1e-13;
+/// Modes of an eigenvalue below this share of the lowest bending frequency's square are motions of a rigid body.
+const RIGID: f64 = 1e-6;
+
+/// A natural mode.
+#[derive(Clone, Debug)]
+pub struct Mode {
+    /// Square of the angular frequency \[1/s^2\]; negative for a motion that grows: the equilibrium is unstable.
+    pub eigenvalue: f64,
+    /// Nodal displacements and slopes (u1, u2, u1', u2') of unit modal mass, shape (n_node).
+    pub shape: Vec<[f64; 4]>,
 }
 
-/// Stiffness of the reference configuration, without supports.
-fn stiffness(model: &Model) -> Chain {
-    let mut chain = Chain::zeros(model.node_count());
-    let rest = ElementValues { chord: [0.0; 2], slope_a: [0.0; 2], slope_b: [0.0; 2] };
-    for beam in &model.beams {
-        let mut sums = ElementSums::zero();
-        for row in &beam.table.rows {
-            let point = step_point(&beam.table, row, &rest, &rest);
-            sums.add::<true>(row, &collocation::response::<f64, true>(&beam.law, &point, 1.0));
-        }
-        let no_mass = [[0.0; 4]; 4];
-        for a in beam.nodes.start..beam.nodes.end - 1 {
-            assemble::spread(&sums.tangent, &no_mass, 0.0, a, &mut chain);
+impl Mode {
+    /// Natural frequency \[Hz\]; zero for a motion without stiffness, NaN where the equilibrium is unstable.
+    pub fn frequency(&self) -> f64 {
+        self.eigenvalue.sqrt() / std::f64::consts::TAU
+    }
+}
+
+/// The `count` lowest natural modes about `state`, an equilibrium, in ascending order; projectiles take no part.
+///
+/// Fewer if the mesh has fewer; empty where the tangent is singular.
+pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
+    let mut modes = lowest(model, state, count).unwrap_or_default();
+    // Zero within round-off is zero.
+    let zero = 1e-9 * bending_scale(model);
+    for mode in &mut modes {
+        if mode.eigenvalue.abs() <= zero {
+            mode.eigenvalue = 0.0;
         }
     }
-    chain
+    modes
 }
 
-fn dense(chain: &Chain) -> DMatrix<f64> {
-    let n = chain.diag.len();
-    let mut out = DMatrix::zeros(4 * n, 4 * n);
-    for a in 0..n {
-        for i in 0..4 {
-            for j in 0..4 {
-                out[(4 * a + i, 4 * a + j)] = chain.diag[a][i][j];
-                if a + 1 < n {
-                    out[(4 * a + i, 4 * a + 4 + j)] = chain.upper[a][i][j];
-                    out[(4 * a + 4 + i, 4 * a + j)] = chain.lower[a][i][j];
-                }
+/// The `count` lowest natural frequencies about the stress-free reference configuration \[Hz\], in ascending order.
+pub fn natural_frequencies(model: &Model, count: usize) -> Vec<f64> {
+    let rest = State::at_rest(model, Scheme::EnergyMomentum);
+    modes_about(model, &rest, count).iter().map(Mode::frequency).collect()
+}
+
+/// Damping of the flexible modes about `state`.
+pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
+    let ratios = &model.modal_damping;
+    if ratios.is_empty() {
+        return ModalDamping::default();
+    }
+    // At most three motions of a rigid body a beam, and as many as there are beams come first.
+    let rigid = RIGID * bending_scale(model);
+    let found = lowest(model, state, ratios.len() + 3).unwrap_or_default();
+    let mass = mass_band(model, &state.displacement);
+    let flexible = found.into_iter().filter(|m| m.eigenvalue > rigid);
+    let mut damping = ModalDamping::default();
+    for (mode, ratio) in flexible.zip(ratios) {
+        damping.vectors.push(mass.multiply(&mode.shape));
+        damping.rates.push(2.0 * ratio * mode.eigenvalue.sqrt());
+    }
+    damping.vectors.iter_mut().for_each(|v| project(model, v));
+    damping
+}
+
+/// Lowest modes, or `None` where the shifted tangent is singular.
+pub(super) fn lowest(model: &Model, state: &State, count: usize) -> Option<Vec<Mode>> {
+    let mass = mass_band(model, &state.displacement);
+    let mut search = linearized(model, state);
+    // Moves motions of a rigid body off zero.
+    let shift = bending_scale(model);
+    let mut tangent = factor_shifted(&mut search, &mass, shift)?;
+    let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
+    let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
+    let count = count.min(free);
+    let size = (2 * count).max(count + 8).min(free);
+    let mut basis = start(model, size);
+    let mut previous = vec![f64::INFINITY; count];
+    for iteration in 0..MOST_ITERATIONS {
+        orthonormalize(&mass, &mut basis);
+        let image = solve_all(model, &mut tangent, &mass, &basis);
+        let (inverse, rotation) = ritz(&mass, &basis, &image);
+        // Shapes from the basis, which is orthonormal; the images go on.
+        let eigenvalues: Vec<f64> = inverse.iter().take(count).map(|t| 1.0 / t - shift).collect();
+        let settled = eigenvalues
+            .iter()
+            .zip(&previous)
+            .all(|(a, b)| (a - b).abs() <= SETTLED * (a.abs() + shift));
+        if settled || iteration + 1 == MOST_ITERATIONS {
+            let mut shapes = combine(&image, &rotation, count);
+            orthonormalize(&mass, &mut shapes);
+            let modes = eigenvalues.into_iter().zip(shapes);
+            return Some(modes.map(|(eigenvalue, shape)| Mode { eigenvalue, shape }).collect());
+        }
+        previous = eigenvalues;
+        basis = combine(&image, &rotation, size);
+    }
+    None
+}
+
+/// Vectors that are orthogonal to no motion.
+pub(super) fn start(model: &Model, size: usize) -> Vec<Vec<[f64; 4]>> {
+    let mut seed = 1_u64;
+    let mut next = || {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (seed >> 33) as f64 / (1_u64 << 31) as f64 - 0.5
+    };
+    (0..size)
+        .map(|_| {
+            let mut x: Vec<[f64; 4]> =
+                (0..model.node_count()).map(|_| std::array::from_fn(|_| next())).collect();
+            project(model, &mut x);
+            x
+        })
+        .collect()
+}
+
+fn solve_all(
+    model: &Model,
+    tangent: &mut Tangent,
+    mass: &Chain,
+    basis: &[Vec<[f64; 4]>],
+) -> Vec<Vec<[f64; 4]>> {
+    let solve = |x: &Vec<[f64; 4]>| {
+        let mut y = mass.multiply(x);
+        tangent.solve_linear(model, &mut y);
+        y
+    };
+    basis.iter().map(solve).collect()
+}
+
+/// Gram-Schmidt in the inner product of the mass, twice.
+fn orthonormalize(mass: &Chain, vectors: &mut [Vec<[f64; 4]>]) {
+    for i in 0..vectors.len() {
+        let (done, rest) = vectors.split_at_mut(i);
+        let x = &mut rest[0];
+        for _ in 0..2 {
+            let weighed = mass.multiply(x);
+            for y in done.iter() {
+                subtract(x, inner(y, &weighed), y);
             }
         }
+        let size = inner(x, &mass.multiply(x)).sqrt();
+        scale(x, 1.0 / size);
     }
-    out
 }
 
-/// Orthonormal basis, column by column, of the motions that supports and joints leave free.
-fn free_motions(model: &Model) -> DMatrix<f64> {
-    let n = 4 * model.node_count();
-    let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
-    let mut rows = DMatrix::zeros(n, held + model.constraints.len());
-    let mut column = 0;
-    for hold in &model.holds {
-        for normal in &hold.normals {
-            (0..4).for_each(|i| rows[(4 * hold.node + i, column)] = normal[i]);
-            column += 1;
-        }
+/// Eigenvalues of the inverse within the basis, descending, and the rotation to their vectors.
+fn ritz(
+    mass: &Chain,
+    basis: &[Vec<[f64; 4]>],
+    image: &[Vec<[f64; 4]>],
+) -> (Vec<f64>, DMatrix<f64>) {
+    let weighed: Vec<Vec<[f64; 4]>> = basis.iter().map(|x| mass.multiply(x)).collect();
+    let n = basis.len();
+    let matrix = DMatrix::from_fn(n, n, |i, j| inner(&weighed[i], &image[j]));
+    sorted_eigen(&matrix)
+}
+
+/// Eigenvalues of the symmetric part, descending, with their vectors as columns.
+pub(super) fn sorted_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
+    let n = matrix.nrows();
+    let eigen = SymmetricEigen::new((matrix + matrix.transpose()) * 0.5);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|a, b| eigen.eigenvalues[*b].total_cmp(&eigen.eigenvalues[*a]));
+    let values = order.iter().map(|i| eigen.eigenvalues[*i]).collect();
+    (values, DMatrix::from_fn(n, n, |r, c| eigen.eigenvectors[(r, order[c])]))
+}
+
+/// The first `count` combinations of vectors.
+pub(super) fn combine(
+    vectors: &[Vec<[f64; 4]>],
+    rotation: &DMatrix<f64>,
+    count: usize,
+) -> Vec<Vec<[f64; 4]>> {
+    (0..count)
+        .map(|c| {
+            let mut sum = vec![[0.0; 4]; vectors[0].len()];
+            for (r, v) in vectors.iter().enumerate() {
+                subtract(&mut sum, -rotation[(r, c)], v);
+            }
+            sum
+        })
+        .collect()
+}
+
+/// `x -= factor y`.
+pub(super) fn subtract(x: &mut [[f64; 4]], factor: f64, y: &[[f64; 4]]) {
+    for (x, y) in x.as_flattened_mut().iter_mut().zip(y.as_flattened()) {
+        *x -= factor * y;
     }
-    let rest = vec![[0.0; 4]; model.node_count()];
-    let gradient = |c: &Constraint| {
-        let mut nodal = rest.clone();
-        constraint::add_gradient(c, &rest, &rest, 0.0, 1.0, &mut nodal);
-        nodal
-    };
-    for c in &model.constraints {
-        for (i, value) in gradient(c).as_flattened().iter().enumerate() {
-            rows[(i, column)] = *value;
-        }
-        column += 1;
-    }
-    let mut complement = DMatrix::identity(n, n);
-    if column > 0 {
-        rows.qr().q_tr_mul(&mut complement);
-    }
-    complement.rows(column, n - column).transpose()
+}
+
+/// `x *= factor`.
+pub(super) fn scale(x: &mut [[f64; 4]], factor: f64) {
+    x.as_flattened_mut().iter_mut().for_each(|c| *c *= factor);
 }

@@ -6,12 +6,14 @@
 use super::section_forces;
 use crate::contact::law;
 use crate::ledger::{Books, Measures};
-use crate::math::hermite::Cubic;
+use crate::math::hermite::{Cubic, GAUSS};
 use crate::math::roots;
 use crate::model::Model;
 use crate::model::frozen::ContactLaw;
 use crate::state::State;
-use crate::summary::{ContactInterval, ContactRecord, Impact, Peak, SectionForceSummary};
+use crate::summary::{
+    ContactInterval, ContactRecord, Impact, Peak, Range, SectionForceSummary, SupportSummary,
+};
 
 /// Values at the start of a step that the monitor compares with those at its end.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +21,8 @@ struct Start {
     time: f64,
     gap: Vec<[f64; 2]>,
     points: Vec<[[f64; 2]; 2]>,
+    spin: Vec<[f64; GAUSS]>,
+    reactions: Vec<[f64; 3]>,
 }
 
 /// Follows one run.
@@ -29,8 +33,12 @@ pub struct Monitor {
     pub contacts: Vec<ContactRecord>,
     /// Extremes of the recorded points.
     pub points: Vec<[Peak; 2]>,
-    /// Largest section forces, one entry a beam.
+    /// Extremes of the section forces, one entry a beam.
     pub section_forces: Vec<SectionForceSummary>,
+    /// Extremes of the reactions, one entry a support.
+    pub supports: Vec<SupportSummary>,
+    /// Size of the last step that was not as short as an impact \[s\], and the spins at its start.
+    steady: Option<(Vec<[f64; GAUSS]>, f64)>,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
     /// Largest residual of linear momentum \[kg m/s\].
@@ -68,6 +76,8 @@ impl Monitor {
             contacts: contacts.collect(),
             points: points.collect(),
             section_forces: section_forces::unset(model),
+            supports: model.supports.iter().map(|s| unset_support(&s.name)).collect(),
+            steady: None,
             energy_residual: 0.0,
             linear_residual: 0.0,
             angular_residual: 0.0,
@@ -76,6 +86,7 @@ impl Monitor {
         };
         monitor.start.gap.resize(model.projectiles.len(), [0.0; 2]);
         monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
+        section_forces::update(model, state, None, &mut monitor.section_forces);
         monitor.begin_step(model, state);
         monitor
     }
@@ -89,11 +100,28 @@ impl Monitor {
         for (start, p) in self.start.points.iter_mut().zip(&model.points) {
             *start = [p.value(&state.displacement), p.value(&state.velocity)];
         }
+        self.start.spin.clone_from(&state.spin);
+        self.start.reactions.clone_from(&state.reactions);
     }
 
-    /// Takes in the end of a step of size `h` with its smooth contact forces.
-    pub fn end_step(&mut self, model: &Model, state: &State, h: f64, force: &[f64]) {
-        section_forces::update(model, state, &mut self.section_forces);
+    /// Angular rates at the start of the last step that was not as short as an impact, and its size.
+    pub fn before(&self) -> section_forces::Before<'_> {
+        self.steady.as_ref().map(|(spin, h)| (spin.as_slice(), *h))
+    }
+
+    /// Takes in the end of a step of size `h` with its smooth contact forces; `brief` if it is as short as an impact, so that
+    /// quotients over it are impulsive.
+    pub fn end_step(&mut self, model: &Model, state: &State, h: f64, force: &[f64], brief: bool) {
+        if brief {
+            section_forces::update(model, state, None, &mut self.section_forces);
+        } else {
+            self.reactions(state, h);
+            let (spin, size) = self.steady.get_or_insert_default();
+            spin.clone_from(&self.start.spin);
+            *size = h;
+            let before = self.steady.as_ref().map(|(spin, h)| (spin.as_slice(), *h));
+            section_forces::update(model, state, before, &mut self.section_forces);
+        }
         for (i, p) in model.projectiles.iter().enumerate() {
             if let ContactLaw::Spring { stiffness, .. } = p.law {
                 let end = [state.gap(model, i), state.gap_rate(model, i)];
@@ -108,6 +136,16 @@ impl Monitor {
                 let path = Cubic { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
                 update_peak(&mut self.points[k][c], &path, self.start.time);
             }
+        }
+    }
+
+    fn reactions(&mut self, state: &State, h: f64) {
+        let impulses = state.reactions.iter().zip(&self.start.reactions);
+        for (summary, (now, then)) in self.supports.iter_mut().zip(impulses) {
+            let mean = |i: usize| (now[i] - then[i]) / h;
+            summary.force[0].take(mean(0), state.time);
+            summary.force[1].take(mean(1), state.time);
+            summary.moment.take(mean(2), state.time);
         }
     }
 
@@ -179,6 +217,11 @@ impl Monitor {
         self.curvature_drift = larger(self.curvature_drift, m.curvature_drift);
         self.membrane_drift = larger(self.membrane_drift, m.membrane_drift);
     }
+}
+
+fn unset_support(name: &str) -> SupportSummary {
+    let none = Range::default();
+    SupportSummary { name: name.into(), force: [none; 2], moment: none }
 }
 
 /// The larger magnitude; NaN stays, so that a broken book cannot look closed.

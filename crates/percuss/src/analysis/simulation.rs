@@ -1,19 +1,22 @@
 //! The transient analysis: steps of the given size, cut where Newton's iteration fails, recorded row by row.
 
-use super::channels;
+use super::channels::{self, SinceLast};
 use super::impacts::Advance;
+use super::modes;
 use super::monitor::Monitor;
+use super::static_search::StaticSearch;
+use super::statics::equilibrium;
 use crate::contact::effective_mass;
 use crate::error::Error;
 use crate::ledger::{Books, Measures};
-use crate::math::vec2::{dot, scale};
-use crate::model::{Fault, Model};
+use crate::math::vec2::{dot, rot90, scale};
+use crate::model::{Fault, InitialMotion, Model};
 use crate::record::{Channel, Flow, Recorder};
-use crate::settings::Settings;
+use crate::settings::{Settings, Start};
 use crate::state::State;
 use crate::step::commit;
-use crate::step::external;
-use crate::step::integration::Integration;
+use crate::step::forcing::Forcing;
+use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::{Effort, Failure};
 use crate::step::tangent::Singular;
 use crate::step::workspace::Workspace;
@@ -48,6 +51,8 @@ pub struct Simulation<'m> {
     pub(super) settings: Settings,
     pub(super) state: State,
     pub(super) work: Workspace,
+    pub(super) forcing: Forcing,
+    pub(super) damping: ModalDamping,
     pub(super) monitor: Monitor,
     pub(super) effort: Effort,
     /// Steps of the solver accepted, and solved in search of impacts.
@@ -58,6 +63,11 @@ pub struct Simulation<'m> {
     row: Vec<f64>,
     /// Impulses since the last row, shape (n_projectile) \[N s\].
     pub(super) row_impulse: Vec<f64>,
+    /// Impulses of the supports since the last row and the time they took, impacts left out; mean reactions then.
+    row_reactions: (Vec<[f64; 3]>, f64),
+    mean_reactions: Vec<[f64; 3]>,
+    /// Impulses of the supports up to the last accepted part.
+    seen_reactions: Vec<[f64; 3]>,
     row_iterations: usize,
     /// Time of the last row \[s\].
     row_time: f64,
@@ -75,13 +85,15 @@ impl<'m> Simulation<'m> {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let state = State::at_rest(model, settings.scheme);
+        let state = initial_state(model, settings)?;
         let mut simulation = Self {
             model,
             settings: *settings,
             monitor: Monitor::new(model, &state),
             state,
             work: Workspace::new(model),
+            forcing: Forcing::new(model),
+            damping: ModalDamping::default(),
             effort: Effort::default(),
             solver_steps: 0,
             step_cuts: 0,
@@ -89,10 +101,14 @@ impl<'m> Simulation<'m> {
             rows: 0,
             row: Vec::new(),
             row_impulse: vec![0.0; model.projectiles.len()],
+            row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
+            mean_reactions: vec![[0.0; 3]; model.supports.len()],
+            seen_reactions: vec![[0.0; 3]; model.supports.len()],
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,
         };
+        simulation.start_moving();
         simulation.open();
         Ok(simulation)
     }
@@ -101,19 +117,44 @@ impl<'m> Simulation<'m> {
     /// of a rigid motion between neighbouring nodes. Opens the books anew.
     pub fn set_velocities(&mut self, velocity: impl Fn(&str, [f64; 2]) -> [f64; 2]) {
         for beam in &self.model.beams {
-            for n in beam.nodes.clone() {
-                let v = velocity(&beam.name, self.model.nodes[n]);
-                let x = |k: usize| self.model.nodes[k];
-                let (a, b) = if n + 1 < beam.nodes.end { (n, n + 1) } else { (n - 1, n) };
-                let (va, vb) = (velocity(&beam.name, x(a)), velocity(&beam.name, x(b)));
-                let l = beam.table.length;
-                let target = &mut self.state.velocity[n];
-                *target = [v[0], v[1], (vb[0] - va[0]) / l, (vb[1] - va[1]) / l];
+            for span in &self.model.spans[beam.spans.clone()] {
+                for n in span.nodes.clone() {
+                    let x = |k: usize| self.model.nodes[k].position;
+                    let v = velocity(&beam.name, x(n));
+                    let (a, b) = if n + 1 < span.nodes.end { (n, n + 1) } else { (n - 1, n) };
+                    let (va, vb) = (velocity(&beam.name, x(a)), velocity(&beam.name, x(b)));
+                    let l =
+                        span.stations[b - span.nodes.start] - span.stations[a - span.nodes.start];
+                    let target = &mut self.state.velocity[n];
+                    *target = [v[0], v[1], (vb[0] - va[0]) / l, (vb[1] - va[1]) / l];
+                }
             }
         }
+        self.settle_velocities();
+        self.open();
+    }
+
+    /// Gives beams and masses the rigid motion of the model, about the configuration they stand in.
+    fn start_moving(&mut self) {
+        let motion = self.model.initial_motion;
+        if motion == InitialMotion::default() {
+            return;
+        }
+        let state = &mut self.state;
+        for ((node, u), v) in
+            self.model.nodes.iter().zip(&state.displacement).zip(&mut state.velocity)
+        {
+            let x = [0, 1].map(|i| node.position[i] + u[i] - motion.about[i]);
+            let g = [0, 1].map(|i| node.tangent[i] + u[2 + i]);
+            let (x, g) = (scale(motion.spin, rot90(x)), scale(motion.spin, rot90(g)));
+            *v = [motion.velocity[0] + x[0], motion.velocity[1] + x[1], g[0], g[1]];
+        }
+        self.settle_velocities();
+    }
+
+    fn settle_velocities(&mut self) {
         crate::step::tangent::project(self.model, &mut self.state.velocity);
         commit::spin_from_velocity(self.model, &mut self.state);
-        self.open();
     }
 
     /// Turns every velocity round: without losses the motion runs back. Opens the books anew.
@@ -123,6 +164,9 @@ impl<'m> Simulation<'m> {
         }
         for w in &mut self.state.spin {
             *w = w.map(|c| -c);
+        }
+        for w in &mut self.state.mass_spin {
+            *w = -*w;
         }
         for p in &mut self.state.projectiles {
             p.speed = -p.speed;
@@ -136,41 +180,35 @@ impl<'m> Simulation<'m> {
         if self.settings.scheme.advances_accelerations() {
             self.initial_acceleration();
         }
+        self.damping = modes::modal_damping(self.model, &self.state);
         self.measures = Measures::of(self.model, &self.state);
         self.state.books = Books::open(&self.measures);
         self.monitor = Monitor::new(self.model, &self.state);
         self.row_time = f64::NEG_INFINITY;
     }
 
-    /// Accelerations of the model at rest under its loads.
+    /// Accelerations under the loads and stresses of the initial state.
     fn initial_acceleration(&mut self) {
         let model = self.model;
-        let gravity = external::gravity(model, 0.0, self.settings.step);
+        let step = self.settings.step;
+        self.forcing.set(model, 0.0, step, step);
+        let forcing = &self.forcing;
         for (s, p) in self.state.projectiles.iter_mut().zip(&model.projectiles) {
-            s.acceleration = dot(gravity, p.direction);
+            s.acceleration = dot(forcing.gravity, p.direction);
         }
-        let Ok(mut mass) = effective_mass::mass_matrix(model) else { return };
-        let rule = Integration::new(self.settings.scheme, self.settings.step);
-        let rest = vec![[0.0; 4]; model.node_count()];
-        let mut force = rest.clone();
-        let mut chain = crate::linalg::chain::Chain::zeros(model.node_count());
-        // With nothing moving, the residual is what the loads leave unbalanced.
-        crate::step::assemble::beams::<false>(
-            model,
-            &self.state,
-            &rule,
-            gravity,
-            &rest,
-            &mut force,
-            &mut chain,
-        );
-        let h = rule.h;
-        external::apply::<false>(model, &self.state, h, 1.0, &rest, &mut force, &mut chain);
+        let Ok(mut mass) = effective_mass::mass_matrix(model, &self.state.displacement) else {
+            return;
+        };
+        let mut search = StaticSearch::at(model, &self.state);
+        search.forcing.clone_from(forcing);
+        search.forcing.rest_motions();
+        search.work.multiplier.fill(0.0);
+        search.assemble::<false>();
+        let mut force = search.work.residual;
         for f in &mut force {
             *f = f.map(|c| -c);
         }
-        let mut multiplier = vec![0.0; model.constraints.len()];
-        mass.solve(model, &rest, &rest, &mut force, &mut multiplier, None);
+        mass.solve_linear(model, &mut force);
         self.state.acceleration = force;
     }
 
@@ -247,7 +285,7 @@ impl<'m> Simulation<'m> {
             if parts > MOST_PARTS {
                 return Err(self.give_up(Failure::Impact, size));
             }
-            let trial = size.min(target - self.state.offset);
+            let trial = size.min(target - self.state.offset).min(self.until_release());
             let mut advance = Advance { size: trial, share: size / target, events_left };
             match self.advance_part(&mut advance, recorder)? {
                 Ok(done) => {
@@ -278,6 +316,13 @@ impl<'m> Simulation<'m> {
         let time = grid.min(self.settings.end) + self.state.offset;
         self.state.time = if self.state.offset > 0.0 { time.max(self.state.time) } else { time };
         Ok(recorder.progress(self.state.time))
+    }
+
+    /// Time to the next release of a support that does not lie at the end of this part of the step \[s\].
+    fn until_release(&self) -> f64 {
+        let slack = SAME_INSTANT * self.settings.step;
+        let ahead = self.model.releases().map(|t| t - self.state.time);
+        ahead.filter(|t| *t > slack).fold(f64::INFINITY, f64::min)
     }
 
     fn give_up(&self, failure: Failure, step: f64) -> Error {
@@ -317,18 +362,45 @@ impl<'m> Simulation<'m> {
         }
         let iterations = self.effort.iterations - self.row_iterations;
         self.row_iterations = self.effort.iterations;
-        channels::values(
-            self.model,
-            &self.state,
-            &self.measures,
-            &self.row_impulse,
+        self.average_reactions();
+        let since = SinceLast {
+            impulse: &self.row_impulse,
+            reactions: &self.mean_reactions,
+            before: self.monitor.before(),
             iterations,
-            &mut self.row,
-        );
+        };
+        channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);
         self.row_impulse.fill(0.0);
         self.rows += 1;
         self.row_time = self.state.time;
         recorder.row(&self.row).map_err(Error::recorder)
+    }
+
+    /// Adds the reactions of an accepted part of a step.
+    pub(super) fn gather_reactions(&mut self, h: f64, brief: bool) {
+        let (sum, time) = &mut self.row_reactions;
+        let seen = &mut self.seen_reactions;
+        for ((sum, now), seen) in sum.iter_mut().zip(&self.state.reactions).zip(seen) {
+            for i in 0..3 {
+                if !brief {
+                    sum[i] += now[i] - seen[i];
+                }
+                seen[i] = now[i];
+            }
+        }
+        *time += if brief { 0.0 } else { h };
+    }
+
+    /// Means of the reactions since the last row; those of the row before if nothing but impacts lies between.
+    fn average_reactions(&mut self) {
+        let (sum, time) = &mut self.row_reactions;
+        if *time > 0.0 {
+            for (mean, sum) in self.mean_reactions.iter_mut().zip(sum.iter_mut()) {
+                *mean = sum.map(|impulse| impulse / *time);
+                *sum = [0.0; 3];
+            }
+        }
+        *time = 0.0;
     }
 
     fn summary(self, termination: Termination) -> RunSummary {
@@ -351,6 +423,7 @@ impl<'m> Simulation<'m> {
                 work_loads: books.work_loads,
                 work_supports: books.work_supports,
                 loss_impacts: books.loss_impacts,
+                loss_damping: books.loss_damping,
                 scale: books.energy_scale,
                 residual_max: relative(self.monitor.energy_residual, books.energy_scale),
             },
@@ -385,9 +458,42 @@ impl<'m> Simulation<'m> {
                     displacement_max,
                 })
                 .collect(),
+            supports: self.monitor.supports,
             section_forces: self.monitor.section_forces,
         }
     }
+}
+
+/// The reference configuration or static equilibrium, projectiles as far from it as they stand off.
+fn initial_state(model: &Model, settings: &Settings) -> Result<State, Vec<Fault>> {
+    let mut state = State::at_rest(model, settings.scheme);
+    if settings.start == Start::Static {
+        let fault = |e: Error| {
+            vec![Fault::new(
+                "time.start",
+                e.to_string(),
+                "loads at time zero that have an equilibrium",
+            )]
+        };
+        let found = equilibrium(model).map_err(fault)?.state;
+        state.displacement = found.displacement;
+        state.multiplier = found.multiplier;
+        state.coordinates = found.coordinates;
+        for (s, p) in state.projectiles.iter_mut().zip(&model.projectiles) {
+            s.travel = dot(p.direction, p.point.value(&state.displacement));
+        }
+        if !state.strain.is_empty() {
+            stored_strains(model, &mut state);
+        }
+    }
+    Ok(state)
+}
+
+/// Stores the strains of the configuration, for the scheme that keeps them.
+fn stored_strains(model: &Model, state: &mut State) {
+    let mut search = StaticSearch::at(model, state);
+    search.foresee(true);
+    state.strain = search.base.strain;
 }
 
 /// Simulates `model` under `settings`, handing rows to `recorder`.

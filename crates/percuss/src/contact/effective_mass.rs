@@ -1,12 +1,14 @@
 //! Effective mass of a struck point, on the mesh and in the limit of an ever finer one.
 
-use crate::element::beam::ElementSums;
+use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::point::PointResponse;
 use crate::linalg::chain::Chain;
-use crate::math::vec2::{cross, dot};
+use crate::math::vec2::{add, cross, dot};
 use crate::model::Model;
-use crate::model::frozen::{BeamData, Constraint, MaterialPoint, ProjectileData};
+use crate::model::frozen::{BeamData, MaterialPoint, ProjectileData};
 use crate::step::assemble;
+use crate::step::constraint::ConstraintStep;
+use crate::step::forcing::Forcing;
 use crate::step::tangent::{Singular, Tangent};
 
 /// Effective mass of a struck point, along the line of flight of its projectile.
@@ -31,7 +33,8 @@ impl Model {
         if self.projectiles.is_empty() {
             return Vec::new();
         }
-        let Ok(mut mass) = mass_matrix(self) else {
+        let rest = vec![[0.0; 4]; self.node_count()];
+        let Ok(mut mass) = mass_matrix(self, &rest) else {
             let unknown = EffectiveMass { on_mesh: f64::NAN, limit: f64::NAN };
             return vec![unknown; self.projectiles.len()];
         };
@@ -43,50 +46,60 @@ impl Model {
     }
 }
 
-/// The mass matrix of the reference configuration, rotary inertia included, without supports.
-pub fn mass_band(model: &Model) -> Chain {
+/// The mass matrix of a configuration, rotary inertia and point masses included, without supports.
+pub fn mass_band(model: &Model, u: &[[f64; 4]]) -> Chain {
     let mut chain = Chain::zeros(model.node_count());
-    for beam in &model.beams {
-        let t = beam.table.tangent;
-        // dtheta = (t x dg): rhoI dtheta . dtheta
-        let normal = [-t[1], t[0]];
-        let mut point =
-            PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
-        for i in 0..2 {
-            for j in 0..2 {
-                point.tangent[i][j] = beam.law.rotary * normal[i] * normal[j];
-            }
-        }
+    for (span, k, a, _) in model.each_element() {
+        let table = span.table(k);
+        let values = ElementValues::new(&u[a], &u[a + 1]);
         let mut sums = ElementSums::zero();
-        for row in &beam.table.rows {
+        for row in &table.rows {
+            let mut point =
+                PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
+            let block = turning(row.law.rotary, add(row.tangent, values.at(&row.first)));
+            for i in 0..2 {
+                for j in 0..2 {
+                    point.tangent[i][j] = block[i][j];
+                }
+            }
             sums.add::<true>(row, &point);
         }
-        for a in beam.nodes.start..beam.nodes.end - 1 {
-            assemble::spread(&sums.tangent, &beam.table.mass, 1.0, a, &mut chain);
-        }
+        assemble::spread(&sums.tangent, &table.mass, 1.0, a, &mut chain);
+    }
+    for mass in &model.masses {
+        let p = &mass.point;
+        let m = mass.mass;
+        chain.add_outer(p.node, &p.shape, &p.shape, &[[m, 0.0], [0.0, m]]);
+        let g = add(p.tangent, p.gradient(u));
+        chain.add_outer(p.node, &p.slope, &p.slope, &turning(mass.rotary_inertia, g));
     }
     chain
 }
 
-/// The mass matrix of the reference configuration with supports and joints, factored.
+/// `rhoI dtheta . dtheta` with `dtheta = (g x dg) / a`.
+fn turning(rotary: f64, g: [f64; 2]) -> [[f64; 2]; 2] {
+    let a = dot(g, g);
+    let normal = [-g[1] / a, g[0] / a];
+    [0, 1].map(|i| [0, 1].map(|j| rotary * normal[i] * normal[j]))
+}
+
+/// The mass matrix of a configuration with supports and joints, factored.
 ///
 /// # Errors
 /// Where it is singular.
-pub fn mass_matrix(model: &Model) -> Result<Tangent, Singular> {
+pub fn mass_matrix(model: &Model, u: &[[f64; 4]]) -> Result<Tangent, Singular> {
     let mut tangent = Tangent::new(model);
-    tangent.chain = mass_band(model);
-    let rest = vec![[0.0; 4]; model.node_count()];
-    tangent.factor(model, &rest, &rest)?;
+    *tangent.chain_mut() = mass_band(model, u);
+    let forcing = Forcing::new(model);
+    tangent.factor(model, &ConstraintStep::at_rest(u, &forcing), None)?;
     Ok(tangent)
 }
 
 /// Effective mass `1 / (n M^-1 n^T)` of a point in a direction \[kg\]; infinite if the point is held.
 fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: [f64; 2]) -> f64 {
-    let rest = vec![[0.0; 4]; model.node_count()];
-    let mut x = rest.clone();
+    let mut x = vec![[0.0; 4]; model.node_count()];
     point.spread(direction, &mut x);
-    let mut multiplier = vec![0.0; model.constraints.len()];
-    mass.solve(model, &rest, &rest, &mut x, &mut multiplier, None);
+    mass.solve_linear(model, &mut x);
     let mobility = dot(direction, point.value(&x));
     let free = 1.0 / model.total_mass;
     if mobility <= 1e-12 * free { f64::INFINITY } else { 1.0 / mobility }
@@ -104,7 +117,9 @@ fn limit(model: &Model, point: &MaterialPoint, direction: [f64; 2], on_mesh: f64
         return 0.0;
     }
     let beam = &model.beams[point.beam];
-    let interior = 2.0 * (beam.mass_per_length * beam.law.rotary).sqrt();
+    let (span, k) = model.element_of(point.node);
+    let section = &span.table(k).rows[1];
+    let interior = 2.0 * (section.mass * section.law.rotary).sqrt();
     if is_free_end(model, beam, point) {
         0.5 * interior * cross(point.tangent, direction).abs()
     } else {
@@ -114,11 +129,9 @@ fn limit(model: &Model, point: &MaterialPoint, direction: [f64; 2], on_mesh: f64
 
 fn is_free_end(model: &Model, beam: &BeamData, point: &MaterialPoint) -> bool {
     let at_end = point.s <= 1e-9 * beam.length || point.s >= beam.length * (1.0 - 1e-9);
-    let joined = model.constraints.iter().any(|c| match c {
-        Constraint::Held { .. } => false,
-        Constraint::Shared { points, .. } | Constraint::Angle { points, .. } => points
-            .iter()
-            .any(|p| p.beam == point.beam && (p.s - point.s).abs() < 1e-9 * beam.length),
+    let joined = model.constraints.iter().filter(|c| c.support.is_none()).any(|c| {
+        let mut points = c.points().iter();
+        points.any(|p| p.beam == point.beam && (p.s - point.s).abs() < 1e-9 * beam.length)
     });
     at_end && !joined
 }

@@ -2,13 +2,18 @@
 //!
 //! Degrees of freedom of a node are (u1, u2, u1', u2'), of an element those of its two nodes.
 
-use super::point::{PointResponse, StepPoint};
+use super::membrane::MembraneTable;
+use super::point::{PointResponse, SectionLaw, StepPoint};
 use crate::math::hermite::{self, GAUSS, GAUSS_WEIGHTS};
+use crate::math::vec2::{cross, norm};
 use crate::scalar::Real;
 
-/// Derivatives of the interpolation at a Gauss point, acting on (u_b - u_a, u_a', u_b').
+/// What is known of the beam at a Gauss point, and the derivatives of the interpolation there, acting on
+/// (u_b - u_a, u_a', u_b').
 ///
-/// Only the difference of displacements enters: a translation leaves strains untouched to the last bit.
+/// Only the difference of displacements enters: a translation leaves strains untouched to the last bit. Derivatives are with
+/// respect to the arc length of the interpolated reference; of x'' only the part across x' is formed, since strains know
+/// no other.
 #[derive(Clone, Copy, Debug)]
 pub struct GaussRow {
     /// Coefficients of u'.
@@ -17,37 +22,108 @@ pub struct GaussRow {
     pub second: [f64; 3],
     /// Integration weight \[m\].
     pub weight: f64,
+    /// Reference tangent X'.
+    pub tangent: [f64; 2],
+    /// Reference second derivative X'' \[1/m\].
+    pub bend: [f64; 2],
+    /// Reference curvature X' x X'' \[1/m\].
+    pub curvature: f64,
+    /// Section constants of the kernels; no axial stiffness where membrane strains are those of [`MembraneTable`].
+    pub law: SectionLaw<f64>,
+    /// Section constants.
+    pub section: SectionLaw<f64>,
+    /// Mass rhoA per length \[kg/m\].
+    pub mass: f64,
+    /// Area \[m^2\].
+    pub area: f64,
+    /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
+    pub half_depth: f64,
 }
 
-/// What all elements of a straight, evenly meshed beam share.
+/// An element: its interpolation, section and mass.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementTable {
-    /// Length of an element \[m\].
+    /// Length between its nodes by the arc of the centre line \[m\].
     pub length: f64,
-    /// Reference tangent.
-    pub tangent: [f64; 2],
     /// Rows at the Gauss points.
     pub rows: [GaussRow; GAUSS],
     /// Mass matrix of one displacement component, `int rhoA N_a N_b ds`, order (u_a, u_a', u_b, u_b').
     pub mass: [[f64; 4]; 4],
+    /// Membrane strains sampled at the nodes and the middle, in elements long against the radius of gyration.
+    pub membrane: Option<MembraneTable>,
+}
+
+/// Section constants at a place of a beam, per length.
+#[derive(Clone, Copy, Debug)]
+pub struct SectionValues {
+    /// Stiffnesses, rotary inertia, strain measure.
+    pub law: SectionLaw<f64>,
+    /// Mass rhoA \[kg/m\].
+    pub mass: f64,
+    /// Area \[m^2\].
+    pub area: f64,
+    /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
+    pub half_depth: f64,
+}
+
+/// Position and unit tangent of a node in the reference configuration.
+#[derive(Clone, Copy, Debug)]
+pub struct NodeFrame {
+    /// Position \[m\].
+    pub position: [f64; 2],
+    /// Tangent.
+    pub tangent: [f64; 2],
 }
 
 impl ElementTable {
-    /// Table of elements of the given length along `tangent`.
-    pub fn new(length: f64, tangent: [f64; 2], mass_per_length: f64) -> Self {
+    /// Table of an element between two nodes, `length` of arc apart; `section` gives constants at a share of the way.
+    ///
+    /// The reference is interpolated as displacements are, so rigid motions leave strains at zero.
+    pub fn new(length: f64, ends: [NodeFrame; 2], section: impl Fn(f64) -> SectionValues) -> Self {
+        let [a, b] = ends;
+        let chord = [0, 1].map(|i| b.position[i] - a.position[i]);
+        let reference = ElementValues { chord, slope_a: a.tangent, slope_b: b.tangent };
         let points = hermite::gauss_points();
+        let middle = section(0.5);
+        let gyration = (middle.law.bending / middle.law.axial).sqrt();
+        let slender = length > MembraneTable::SLENDER * gyration;
         let rows = std::array::from_fn(|k| {
-            let first = hermite::slope(points[k], length);
-            let second = hermite::curvature(points[k], length);
+            let (first, second) = (
+                chord_form(hermite::slope(points[k], length)),
+                chord_form(hermite::curvature(points[k], length)),
+            );
+            let values = section(points[k]);
+            let stretch = norm(reference.at(&first));
+            let (first, second) =
+                (first.map(|c| c / stretch), second.map(|c| c / (stretch * stretch)));
+            let (tangent, bend) = (reference.at(&first), reference.at(&second));
+            let law =
+                SectionLaw { axial: if slender { 0.0 } else { values.law.axial }, ..values.law };
             GaussRow {
-                first: [first[2], first[1], first[3]],
-                second: [second[2], second[1], second[3]],
-                weight: GAUSS_WEIGHTS[k] * length,
+                first,
+                second,
+                weight: GAUSS_WEIGHTS[k] * length * stretch,
+                tangent,
+                bend,
+                curvature: cross(tangent, bend),
+                law,
+                section: values.law,
+                mass: values.mass,
+                area: values.area,
+                half_depth: values.half_depth,
             }
         });
-        let mass = hermite::mass(length).map(|row| row.map(|m| m * mass_per_length));
-        Self { length, tangent, rows, mass }
+        let mass = hermite::mass(length, |xi| {
+            section(xi).mass * norm(reference.at(&chord_form(hermite::slope(xi, length))))
+        });
+        let membrane = slender.then(|| MembraneTable::new(length, &reference, &rows));
+        Self { length, rows, mass, membrane }
     }
+}
+
+/// Coefficients of (u_b - u_a, u_a', u_b') from those of (u_a, u_a', u_b, u_b'), whose first and third are opposite.
+fn chord_form(c: [f64; 4]) -> [f64; 3] {
+    [c[2], c[1], c[3]]
 }
 
 /// Nodal values of one element in the form the interpolation uses.
@@ -78,19 +154,19 @@ impl<S: Real> ElementValues<S> {
     }
 }
 
-/// The two ends of a step at a Gauss point of an element of a straight beam.
+/// The two ends of a step at a Gauss point.
 #[inline(always)]
 pub fn step_point<S: Real>(
-    table: &ElementTable,
     row: &GaussRow,
     old: &ElementValues<S>,
     increment: &ElementValues<S>,
 ) -> StepPoint<S> {
+    let bend = old.at(&row.second);
     StepPoint {
-        tangent: [S::constant(table.tangent[0]), S::constant(table.tangent[1])],
-        curvature: S::constant(0.0),
+        tangent: [S::constant(row.tangent[0]), S::constant(row.tangent[1])],
+        curvature: S::constant(row.curvature),
         slope_0: old.at(&row.first),
-        bend_0: old.at(&row.second),
+        bend_0: [bend[0] + S::constant(row.bend[0]), bend[1] + S::constant(row.bend[1])],
         d_slope: increment.at(&row.first),
         d_bend: increment.at(&row.second),
     }
@@ -173,6 +249,8 @@ mod tests {
     }
 
     const H: f64 = 1e-3;
+    /// Share of Kelvin-Voigt stresses.
+    const LAG: f64 = 0.2;
 
     fn law<S: Real>(measure: StrainMeasure) -> SectionLaw<S> {
         let [axial, bending, rotary] = [5.0e3, 40.0, 0.3].map(S::constant);
@@ -191,12 +269,12 @@ mod tests {
         let spin = S::constant(3.0);
         match scheme {
             0 => {
-                let mut r = energy_momentum::response::<S, T>(&law, point);
-                rotary::add_step::<S, T>(&mut r, law.rotary, g0, point.d_slope, spin, H);
+                let mut r = energy_momentum::response::<S, T>(&law, point, LAG);
+                rotary::add_step::<S, T>(&mut r, law.rotary, g0, point.d_slope, spin, H, 30.0);
                 r
             }
-            1 => strain_rate::response::<S, T>(&law, point, old),
-            2 => collocation::response::<S, T>(&law, point, 0.5),
+            1 => strain_rate::response::<S, T>(&law, point, old, LAG),
+            2 => collocation::damped::<S, T>(&law, point, LAG),
             _ => {
                 let theta = 0.7;
                 let mut r = collocation::response::<S, T>(&law, point, theta);
@@ -292,7 +370,7 @@ mod tests {
                     let s = strain::strains(measure, p.tangent, p.curvature, slope, bend);
                     0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
                 };
-                let r = energy_momentum::response::<f64, false>(&law, &p);
+                let r = energy_momentum::response::<f64, false>(&law, &p, 0.0);
                 let work = dot(r.force_g, p.d_slope) + dot(r.force_p, p.d_bend);
                 let change = energy(add(p.slope_0, p.d_slope), add(p.bend_0, p.d_bend))
                     - energy(p.slope_0, p.bend_0);
@@ -312,9 +390,9 @@ mod tests {
             for measure in measures() {
                 let law = law::<f64>(measure);
                 for r in [
-                    energy_momentum::response::<f64, false>(&law, &p),
-                    strain_rate::response::<f64, false>(&law, &p, old),
-                    collocation::response::<f64, false>(&law, &p, 0.5),
+                    energy_momentum::response::<f64, false>(&law, &p, LAG),
+                    strain_rate::response::<f64, false>(&law, &p, old, LAG),
+                    collocation::damped::<f64, false>(&law, &p, LAG),
                 ] {
                     let turn = cross(g, r.force_g) + cross(b, r.force_p);
                     prop_assert!(turn.abs() <= 1e-12 * law.axial);

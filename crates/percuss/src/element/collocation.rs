@@ -5,6 +5,7 @@ use super::point::{
     PointResponse, SectionLaw, StepPoint, Strains, Stress, StressRate, form_a, form_b,
 };
 use super::strain::{gradient, strains};
+use super::strain_rate;
 use crate::math::vec2::add;
 use crate::scalar::Real;
 
@@ -16,6 +17,24 @@ pub fn response<S: Real, const TANGENT: bool>(
     theta: f64,
 ) -> PointResponse<S> {
     evaluate::<S, TANGENT>(law, point, theta, None)
+}
+
+/// The same at the midpoint, with Kelvin-Voigt stresses of the strain rates there; `lag` is the retardation time over the
+/// step size.
+#[inline(always)]
+pub fn damped<S: Real, const TANGENT: bool>(
+    law: &SectionLaw<S>,
+    point: &StepPoint<S>,
+    lag: f64,
+) -> PointResponse<S> {
+    let elastic = response::<S, TANGENT>(law, point, 0.5);
+    if lag == 0.0 {
+        return elastic;
+    }
+    // Without strains at the start, the strain-rate scheme is all rate.
+    let zero = Strains { membrane: S::constant(0.0), bending: S::constant(0.0) };
+    let viscous = strain_rate::response::<S, TANGENT>(law, point, zero, lag - 0.5);
+    elastic.plus(&viscous)
 }
 
 /// The same at the end of the step, with the geometric stiffness of the strains `foreseen` by the last correction.

@@ -13,10 +13,14 @@ use crate::scalar::Real;
 /// `N = EA (eps0 + eps1)/2`, `deps = alpha g_m.dg`, `B = EI (kappa0 + kappa1)/2`,
 /// `dkappa = c1 (dg x p_m + g_m x dp) + c2 g_m.dg`; on the increment of the step itself `deps` and `dkappa` are exactly
 /// `eps1 - eps0` and `kappa1 - kappa0`.
+///
+/// `lag` is the retardation time of Kelvin-Voigt damping over the step size: the stresses `EA tau (eps1 - eps0)/h` weigh the
+/// ends of the step `1/2 - lag` and `1/2 + lag`.
 #[inline(always)]
 pub fn response<S: Real, const TANGENT: bool>(
     law: &SectionLaw<S>,
     point: &StepPoint<S>,
+    lag: f64,
 ) -> PointResponse<S> {
     let slope_1 = add(point.slope_0, point.d_slope);
     let g0 = add(point.tangent, point.slope_0);
@@ -33,6 +37,7 @@ pub fn response<S: Real, const TANGENT: bool>(
         eps0: green(point.slope_0),
         eps1: green(slope_1),
         kappa_ref: point.curvature,
+        weights: [0.5 - lag, 0.5 + lag],
     };
     let (stress, slopes) = match law.measure {
         StrainMeasure::Green => ends.green(law),
@@ -62,6 +67,8 @@ struct Ends<S> {
     eps0: S,
     eps1: S,
     kappa_ref: S,
+    /// Weights of the ends in the stresses.
+    weights: [f64; 2],
 }
 
 /// Derivatives along `g1.dg` (`_a`) and `db1` (`_b`).
@@ -81,21 +88,22 @@ impl<S: Real> Ends<S> {
         let (r0, r1) = (self.a0.sqrt(), self.a1.sqrt());
         let (q0, q1, q) = (r0.recip(), r1.recip(), (r0 + r1).recip());
         let q1_cubed = q1 * q1 * q1;
-        let (half_ea, half_ei) = (law.axial * 0.5, law.bending * 0.5);
-        let kappa_sum = self.kappa_ref + self.kappa_ref - self.b0 * q0 - self.b1 * q1;
+        let [w0, w1] = self.weights;
+        let (end_ea, end_ei) = (law.axial * w1, law.bending * w1);
+        let kappa = (self.kappa_ref - self.b0 * q0) * w0 + (self.kappa_ref - self.b1 * q1) * w1;
         let c2_b = q0 * q1 * q;
         let c2 = (self.b0 + self.b1) * c2_b;
         let stress = Stress {
-            axial: half_ea * (self.eps0 + self.eps1),
-            moment: half_ei * kappa_sum,
+            axial: law.axial * (self.eps0 * w0 + self.eps1 * w1),
+            moment: law.bending * kappa,
             alpha: S::constant(1.0),
             c1: (q0 + q1) * -0.5,
             c2,
         };
         let slopes = Slopes {
-            axial_a: half_ea,
-            moment_a: half_ei * self.b1 * q1_cubed,
-            moment_b: -(half_ei * q1),
+            axial_a: end_ea,
+            moment_a: end_ei * self.b1 * q1_cubed,
+            moment_b: -(end_ei * q1),
             alpha_a: S::constant(0.0),
             c1_a: q1_cubed * 0.5,
             c2_a: -(c2 * (q1 + q) * q1),
@@ -108,24 +116,25 @@ impl<S: Real> Ends<S> {
     fn engineering(&self, law: &SectionLaw<S>) -> (Stress<S>, Slopes<S>) {
         let (r0, r1) = (self.a0.sqrt(), self.a1.sqrt());
         let (q0, q1, q) = (self.a0.recip(), self.a1.recip(), (r0 + r1).recip());
-        let (half_ea, half_ei) = (law.axial * 0.5, law.bending * 0.5);
+        let [w0, w1] = self.weights;
+        let (end_ea, end_ei) = (law.axial * w1, law.bending * w1);
         let one = S::constant(1.0);
         let eps = |green: S, r: S| (green + green) / (r + one);
-        let kappa_sum = self.kappa_ref + self.kappa_ref - self.b0 * q0 - self.b1 * q1;
+        let kappa = (self.kappa_ref - self.b0 * q0) * w0 + (self.kappa_ref - self.b1 * q1) * w1;
         let c2_b = q0 * q1;
         let c2 = (self.b0 + self.b1) * c2_b;
         let inv_r1 = r1 * q1;
         let stress = Stress {
-            axial: half_ea * (eps(self.eps0, r0) + eps(self.eps1, r1)),
-            moment: half_ei * kappa_sum,
+            axial: law.axial * (eps(self.eps0, r0) * w0 + eps(self.eps1, r1) * w1),
+            moment: law.bending * kappa,
             alpha: q + q,
             c1: (q0 + q1) * -0.5,
             c2,
         };
         let slopes = Slopes {
-            axial_a: half_ea * inv_r1,
-            moment_a: half_ei * self.b1 * q1 * q1 * 2.0,
-            moment_b: -(half_ei * q1),
+            axial_a: end_ea * inv_r1,
+            moment_a: end_ei * self.b1 * q1 * q1 * 2.0,
+            moment_b: -(end_ei * q1),
             alpha_a: q * q * inv_r1 * -2.0,
             c1_a: q1 * q1,
             c2_a: c2 * q1 * -2.0,

@@ -6,6 +6,7 @@
 pub mod beam;
 pub mod collocation;
 pub mod energy_momentum;
+pub mod membrane;
 pub mod point;
 pub mod rotary;
 pub mod strain;

@@ -3,7 +3,7 @@
 //! Generalised forces are conjugate to the tangent `g = x'` and to `p = x''`: the virtual work per length of any
 //! scheme is `force_g . dg + force_p . dp`.
 
-use crate::math::vec2::{cross, dot, rot90};
+use crate::math::vec2::{add, cross, dot, rot90};
 use crate::model::StrainMeasure;
 use crate::scalar::Real;
 
@@ -100,6 +100,20 @@ pub struct PointResponse<S> {
     pub force_p: [S; 2],
     /// Derivatives of (force_g, force_p), row by row, with respect to (g, p).
     pub tangent: [[S; 4]; 4],
+}
+
+impl<S: Real> PointResponse<S> {
+    /// Sum of two responses.
+    #[inline(always)]
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            force_g: add(self.force_g, other.force_g),
+            force_p: add(self.force_p, other.force_p),
+            tangent: std::array::from_fn(|i| {
+                std::array::from_fn(|j| self.tangent[i][j] + other.tangent[i][j])
+            }),
+        }
+    }
 }
 
 /// Generalised forces of `N deps + B dkappa` with `deps = alpha G`, `dkappa = c1 P + c2 G`, where `G = form_a(g)` and

@@ -11,7 +11,8 @@ pub fn mean_spin<S: Real>(g0: [S; 2], d_g: [S; 2], h: f64) -> S {
     cross(g, d_g) / (dot(g, g) * h)
 }
 
-/// Adds rotary inertia over a step: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`.
+/// Adds rotary inertia over a step: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`, and mass-proportional damping
+/// `rhoI damping w_m`.
 #[inline(always)]
 pub fn add_step<S: Real, const TANGENT: bool>(
     response: &mut PointResponse<S>,
@@ -20,11 +21,12 @@ pub fn add_step<S: Real, const TANGENT: bool>(
     d_g: [S; 2],
     spin_0: S,
     h: f64,
+    damping: f64,
 ) {
     let g = [g0[0] + d_g[0] * 0.5, g0[1] + d_g[1] * 0.5];
     let inv_a = dot(g, g).recip();
     let spin = cross(g, d_g) * inv_a * (1.0 / h);
-    let moment = rotary * (spin - spin_0) * (2.0 / h);
+    let moment = rotary * ((spin - spin_0) * (2.0 / h) + spin * damping);
     let normal = [-g[1] * inv_a, g[0] * inv_a];
     response.force_g = add(response.force_g, [moment * normal[0], moment * normal[1]]);
     if TANGENT {
@@ -34,7 +36,7 @@ pub fn add_step<S: Real, const TANGENT: bool>(
             (g0_turned[0] * (1.0 / h) - spin * g[0]) * inv_a,
             (g0_turned[1] * (1.0 / h) - spin * g[1]) * inv_a,
         ];
-        let inertia = rotary * (2.0 / h);
+        let inertia = rotary * (2.0 / h + damping);
         add_moment_tangent(
             response,
             [inertia * d_spin[0], inertia * d_spin[1]],

@@ -2,4 +2,6 @@
 
 pub mod block;
 pub mod chain;
+pub mod condensed;
 pub mod dense;
+pub mod sparse;

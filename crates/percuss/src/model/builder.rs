@@ -1,9 +1,11 @@
 //! Collects definitions and turns them into a frozen [`Model`]; the one place that validates.
 
+use super::centre_line::CentreLine;
 use super::definition::*;
 use super::frozen::*;
-use super::{Fault, check, constrain};
-use crate::element::beam::ElementTable;
+use super::mesh::SpanPlan;
+use super::{Fault, check, connect, constrain, loads, mesh};
+use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
 use crate::math::hermite;
 use crate::math::vec2::{norm, scale, sub};
@@ -106,14 +108,16 @@ impl ModelBuilder {
         }
         let mut model = self.mesh();
         self.place_projectiles(&mut model);
-        self.place_loads(&mut model);
+        self.place_masses(&mut model);
+        loads::place(self, &mut model);
         for point in self.projectiles.iter().map(|p| &p.strikes).chain(&self.points) {
             if !model.points.iter().any(|p| p.label == point.label) {
                 model.points.push(locate(&model, point));
             }
         }
-        constrain::supports(self, &mut model);
-        constrain::joints(self, &mut model)?;
+        connect::supports(self, &mut model);
+        connect::springs(self, &mut model);
+        constrain::all(self, &mut model)?;
         Ok(model)
     }
 
@@ -121,52 +125,79 @@ impl ModelBuilder {
         let mut model = Model {
             nodes: Vec::new(),
             beams: Vec::new(),
+            spans: Vec::new(),
             holds: Vec::new(),
             constraints: Vec::new(),
+            connectors: Vec::new(),
+            masses: Vec::new(),
+            supports: Vec::new(),
+            motions: Vec::new(),
             projectiles: Vec::new(),
-            gravity: Vec::new(),
-            point_loads: Vec::new(),
+            loads: Vec::new(),
+            modal_damping: self.modal_damping.clone(),
+            initial_motion: self.initial_motion,
             points: Vec::new(),
             total_mass: self.projectiles.iter().map(|p| p.mass).sum(),
         };
-        let mut elements = 0;
         for beam in &self.beams {
-            let material = &self.materials[beam.material.0 as usize];
-            let section = &self.sections[beam.section.0 as usize];
-            let (start, end) = (beam.points[0], beam.points[1]);
-            let length = norm(sub(end, start));
-            let tangent = scale(1.0 / length, sub(end, start));
-            let mass_per_length = material.density * section.area;
-            let first = model.nodes.len();
-            let ElementSize::Number(n) = beam.mesh.size else { unreachable!() };
-            for i in 0..=n {
-                let f = i as f64 / n as f64;
-                model
-                    .nodes
-                    .push([start[0] + f * (end[0] - start[0]), start[1] + f * (end[1] - start[1])]);
+            let Some(line) = CentreLine::new(beam) else { continue }; // checked before
+            let first = (model.spans.len(), model.nodes.len(), model.element_count());
+            for plan in mesh::spans(beam, &line) {
+                self.add_span(&line, &plan, &mut model);
             }
             model.beams.push(BeamData {
                 name: beam.name.clone(),
-                nodes: first..first + n + 1,
-                elements: elements..elements + n,
-                table: ElementTable::new(length / n as f64, tangent, mass_per_length),
-                law: SectionLaw {
-                    axial: material.young * section.area,
-                    bending: material.young * section.inertia,
-                    rotary: match section.rotary_inertia {
-                        RotaryInertia::Density => material.density * section.inertia,
-                        RotaryInertia::Neglected => 0.0,
-                        RotaryInertia::Given(value) => value,
-                    },
-                    measure: material.strain,
-                },
-                mass_per_length,
-                length,
+                spans: first.0..model.spans.len(),
+                nodes: first.1..model.nodes.len(),
+                elements: first.2..model.element_count(),
+                length: line.length(),
             });
-            elements += n;
-            model.total_mass += mass_per_length * length;
         }
         model
+    }
+
+    fn add_span(&self, line: &CentreLine, plan: &SpanPlan, model: &mut Model) {
+        let material = &self.materials[plan.material.0 as usize];
+        let section = &self.sections[plan.section.0 as usize];
+        let stations = &plan.stations;
+        let n = stations.len() - 1;
+        let frames: Vec<NodeFrame> = (0..=n)
+            .map(|i| {
+                let (position, tangent) = plan.node(line, i);
+                NodeFrame { position, tangent }
+            })
+            .collect();
+        let total = line.length();
+        let table = |k: usize, length: f64| {
+            let values =
+                |xi: f64| section_values(material, section, (stations[k] + xi * length) / total);
+            ElementTable::new(length, [frames[k], frames[k + 1]], values)
+        };
+        let even = n as f64 * (stations[1] - stations[0]) / (stations[n] - stations[0]);
+        let alike = mesh::is_straight(&line.pieces[plan.piece])
+            && section.stations.is_empty()
+            && (even - 1.0).abs() < 1e-9;
+        let tables: Vec<ElementTable> = if alike {
+            vec![table(0, (stations[n] - stations[0]) / n as f64)]
+        } else {
+            (0..n).map(|k| table(k, stations[k + 1] - stations[k])).collect()
+        };
+        let (first, element) = (model.nodes.len(), model.element_count());
+        let span = Span {
+            nodes: first..first + n + 1,
+            elements: element..element + n,
+            tables,
+            stations: stations.clone(),
+            measure: material.strain,
+            retardation: material.retardation,
+            mass_damping: material.mass_damping,
+        };
+        for k in 0..n {
+            let m = &span.table(k).mass;
+            model.total_mass += m[0][0] + 2.0 * m[0][2] + m[2][2];
+        }
+        model.nodes.extend(frames);
+        model.spans.push(span);
     }
 
     fn place_projectiles(&self, model: &mut Model) {
@@ -192,51 +223,95 @@ impl ModelBuilder {
         }
     }
 
-    fn place_loads(&self, model: &mut Model) {
-        for load in &self.loads {
-            let (from, until) = (load.from, load.until);
-            match &load.kind {
-                LoadKind::Gravity { acceleration } => {
-                    model.gravity.push(GravityData { acceleration: *acceleration, from, until });
-                }
-                LoadKind::Distributed { .. } => {}
-                LoadKind::Point { at, force, moment, .. } => {
-                    let point = locate(model, at);
-                    let (force, moment) = (*force, *moment);
-                    model.point_loads.push(PointLoadData { point, force, moment, from, until });
-                }
-            }
+    fn place_masses(&self, model: &mut Model) {
+        for mass in &self.masses {
+            let point = locate(model, &mass.at);
+            let rotary_inertia = mass.rotary_inertia;
+            model.masses.push(MassData { point, mass: mass.mass, rotary_inertia });
+            model.total_mass += mass.mass;
         }
     }
 }
 
-/// The material point meant by a (checked) reference; points within a billionth of an element of a node are that node.
+fn section_values(material: &Material, section: &Section, fraction: f64) -> SectionValues {
+    let station = section.at(fraction);
+    SectionValues {
+        law: SectionLaw {
+            axial: material.young * station.area,
+            bending: material.young * station.inertia,
+            rotary: match section.rotary_inertia {
+                RotaryInertia::Density => material.density * station.inertia,
+                RotaryInertia::Neglected => 0.0,
+                RotaryInertia::Given(value) => value,
+            },
+            measure: material.strain,
+        },
+        mass: material.density * station.area,
+        area: station.area,
+        half_depth: station.depth.map_or(f64::NAN, |d| 0.5 * d),
+    }
+}
+
+/// The material point meant by a (checked) reference; points within a billionth of an element of a node are that node, at a
+/// corner the end of the span before it.
 pub(super) fn locate(model: &Model, reference: &PointRef) -> MaterialPoint {
     let beam_index = reference.beam.0 as usize;
     let beam = &model.beams[beam_index];
-    let h = beam.table.length;
     let s = match reference.along {
         Along::Fraction(f) => f * beam.length,
         Along::Distance(s) => s,
     };
-    let n = beam.elements.len();
-    let mut x = s / h;
-    if (x - x.round()).abs() < 1e-9 {
-        x = x.round();
+    MaterialPoint { label: reference.label.clone(), ..point_at(model, beam_index, s) }
+}
+
+/// The material point at arc length `s` of a beam.
+pub(super) fn point_at(model: &Model, beam_index: usize, s: f64) -> MaterialPoint {
+    let beam = &model.beams[beam_index];
+    let spans = &model.spans[beam.spans.clone()];
+    let slack = 1e-12 * beam.length;
+    let last = |span: &Span| span.stations[span.stations.len() - 1];
+    let span = spans.iter().find(|span| s <= last(span) + slack).unwrap_or(&spans[spans.len() - 1]);
+    let n = span.elements.len();
+    let mut element = span.stations.partition_point(|x| *x <= s).clamp(1, n) - 1;
+    let share = |element: usize| {
+        (s - span.stations[element]) / (span.stations[element + 1] - span.stations[element])
+    };
+    let mut xi = share(element);
+    if (xi - xi.round()).abs() < 1e-9 {
+        xi = xi.round();
+        if xi == 1.0 && element + 1 < n {
+            (element, xi) = (element + 1, 0.0);
+        }
     }
-    let element = (x.floor() as usize).min(n - 1);
-    let xi = x - element as f64;
-    let node = beam.nodes.start + element;
-    let t = beam.table.tangent;
-    let origin = model.nodes[node];
+    let (node, h) = (span.nodes.start + element, span.table(element).length);
+    let (a, b) = (model.nodes[node], model.nodes[node + 1]);
+    let (shape, slope) = (hermite::shape(xi, h), hermite::slope(xi, h));
+    let combine = |n: &[f64; 4]| {
+        [0, 1].map(|i| {
+            n[0] * a.position[i] + n[1] * a.tangent[i] + n[2] * b.position[i] + n[3] * b.tangent[i]
+        })
+    };
+    // Derivatives with respect to the arc length of the interpolated reference.
+    let stretch = match xi {
+        0.0 | 1.0 => 1.0,
+        _ => norm(combine(&slope)),
+    };
+    let slope = slope.map(|c| c / stretch);
+    let tangent = if xi == 0.0 {
+        a.tangent
+    } else if xi == 1.0 {
+        b.tangent
+    } else {
+        combine(&slope)
+    };
     MaterialPoint {
-        label: reference.label.clone(),
+        label: String::new(),
         beam: beam_index,
         node,
         s,
-        shape: hermite::shape(xi, h),
-        slope: hermite::slope(xi, h),
-        position: [origin[0] + xi * h * t[0], origin[1] + xi * h * t[1]],
-        tangent: t,
+        position: combine(&shape),
+        shape,
+        slope,
+        tangent,
     }
 }

@@ -1,6 +1,9 @@
 //! Supports and joints as held components of nodes and as constraints with multipliers.
 
+use std::collections::BTreeMap;
+
 use super::builder::{ModelBuilder, locate};
+use super::connect::drive_of;
 use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
@@ -13,58 +16,38 @@ struct HeldDirection {
     gradient: bool,
 }
 
-/// Adds the supports: at nodes as held components, between nodes as constraints.
-pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
-    for support in &builder.supports {
-        let point = locate(model, &support.at);
-        for held in held_directions(&support.kind, point.tangent) {
-            match node_of(&point) {
-                Some(node) => hold(model, node, held),
-                None => {
-                    let (direction, gradient) = (held.direction, held.gradient);
-                    let point = point.clone();
-                    model.constraints.push(Constraint::Held { point, direction, gradient });
-                }
-            }
-        }
-    }
-    remove_dependent(model);
-}
-
-/// Adds the joints.
+/// Adds supports, the joints between spans of a beam, and joints: first what holds for ever, then what holds for a time.
 ///
 /// # Errors
 /// A fault for a joint that repeats what supports and earlier joints already hold.
-pub(super) fn joints(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
-    let mut faults = Vec::new();
-    for joint in &builder.joints {
-        let points = [locate(model, &joint.between[0]), locate(model, &joint.between[1])];
-        let before = model.constraints.len();
-        for direction in [[1.0, 0.0], [0.0, 1.0]] {
-            let points = Box::new(points.clone());
-            model.constraints.push(Constraint::Shared { points, direction });
+pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
+    let mut independent = Independent::default();
+    for (index, support) in builder.supports.iter().enumerate() {
+        if support.until == f64::INFINITY {
+            hold_nodes(index, support, model);
         }
-        if joint.kind == JointKind::Rigid {
-            let (ta, tb) = (points[0].tangent, points[1].tangent);
-            let (cosine, sine) = (dot(tb, ta), cross(tb, ta));
-            let points = Box::new(points);
-            model.constraints.push(Constraint::Angle { points, cosine, sine });
+    }
+    model.holds.sort_by_key(|h| h.node);
+    for (index, support) in builder.supports.iter().enumerate() {
+        if support.until == f64::INFINITY {
+            constrain_points(index, support, model, &mut independent);
         }
-        remove_dependent(model);
-        if model.constraints.len() == before {
-            let found = "a joint between points that are held or joined already";
-            let path = format!("joint.{}.between", joint.name);
-            faults.push(Fault::new(path, found, "a joint that connects something"));
+    }
+    corners(model, &mut independent);
+    let faults = joints(builder, model, &mut independent);
+    for (index, support) in builder.supports.iter().enumerate() {
+        if support.until < f64::INFINITY {
+            constrain_points(index, support, model, &mut independent);
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 
-fn held_directions(kind: &SupportKind, tangent: [f64; 2]) -> Vec<HeldDirection> {
+fn held_directions(support: &Support, tangent: [f64; 2]) -> Vec<HeldDirection> {
     let displacement = |direction| HeldDirection { direction, gradient: false };
     let slope = |direction| HeldDirection { direction, gradient: true };
     let (e1, e2) = (displacement([1.0, 0.0]), displacement([0.0, 1.0]));
-    match kind {
+    match &support.kind {
         SupportKind::Clamp => vec![e1, e2, slope(rot90(tangent))],
         SupportKind::Pin => vec![e1, e2],
         SupportKind::Elastic { .. } | SupportKind::Stop { .. } => Vec::new(),
@@ -83,6 +66,11 @@ fn held_directions(kind: &SupportKind, tangent: [f64; 2]) -> Vec<HeldDirection> 
     }
 }
 
+/// Whether a support turns the tangent it holds.
+fn turns(support: &Support) -> bool {
+    support.motion.as_ref().is_some_and(|m| m.rotation != 0.0)
+}
+
 fn node_of(point: &MaterialPoint) -> Option<usize> {
     if point.shape[0] == 1.0 {
         Some(point.node)
@@ -93,51 +81,188 @@ fn node_of(point: &MaterialPoint) -> Option<usize> {
     }
 }
 
+/// Holds components of nodes; a prescribed rotation is left to a constraint.
+fn hold_nodes(index: usize, support: &Support, model: &mut Model) {
+    let point = model.supports[index].point.clone();
+    let Some(node) = node_of(&point) else { return };
+    for held in held_directions(support, point.tangent) {
+        if held.gradient && turns(support) && dot(held.direction, point.tangent).abs() < 0.5 {
+            continue;
+        }
+        let drive = if held.gradient {
+            Vec::new()
+        } else {
+            drive_of(support, model, index, held.direction)
+        };
+        hold(model, index, node, held, drive);
+    }
+}
+
 /// Holds one more direction at a node, unless it is held already (Gram-Schmidt).
-fn hold(model: &mut Model, node: usize, held: HeldDirection) {
+fn hold(model: &mut Model, support: usize, node: usize, held: HeldDirection, mut drive: Drive) {
     let offset = if held.gradient { 2 } else { 0 };
     let mut normal = [0.0; 4];
     normal[offset] = held.direction[0];
     normal[offset + 1] = held.direction[1];
     let index = model.holds.iter().position(|h| h.node == node).unwrap_or_else(|| {
-        model.holds.push(NodeHold { node, normals: Vec::new() });
+        model.holds.push(NodeHold { node, support, normals: Vec::new(), drives: Vec::new() });
         model.holds.len() - 1
     });
-    let normals = &mut model.holds[index].normals;
-    for n in normals.iter() {
+    let at = &mut model.holds[index];
+    for (n, own) in at.normals.iter().zip(&at.drives) {
         let along: f64 = (0..4).map(|k| n[k] * normal[k]).sum();
         (0..4).for_each(|k| normal[k] -= along * n[k]);
+        drive.extend(own.iter().map(|(motion, a)| (*motion, -along * a)));
     }
     let size = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
     if size > 1e-9 {
-        normals.push(normal.map(|c| c / size));
+        at.normals.push(normal.map(|c| c / size));
+        at.drives.push(drive.into_iter().map(|(motion, a)| (motion, a / size)).collect());
     }
 }
 
-/// Drops constraints that follow from held components and the constraints before them, so that no multiplier is
+/// What a support holds by constraints: between nodes, for a time, or turning the tangent.
+fn constrain_points(
+    index: usize,
+    support: &Support,
+    model: &mut Model,
+    independent: &mut Independent,
+) {
+    let point = model.supports[index].point.clone();
+    let for_ever = support.until == f64::INFINITY;
+    for held in held_directions(support, point.tangent) {
+        let turned =
+            held.gradient && turns(support) && dot(held.direction, point.tangent).abs() < 0.5;
+        if !turned && for_ever && node_of(&point).is_some() {
+            continue; // held at its node
+        }
+        let (direction, gradient) = (held.direction, held.gradient);
+        let (kind, drive) = if turned {
+            let rotation = support.motion.as_ref().map_or(0.0, |m| m.rotation);
+            let motion = model.supports[index].motion;
+            let drive = motion.map(|m| (m, rotation)).into_iter().collect();
+            (ConstraintKind::Turned { point: point.clone() }, drive)
+        } else {
+            let drive =
+                if gradient { Vec::new() } else { drive_of(support, model, index, direction) };
+            (ConstraintKind::Held { point: point.clone(), direction, gradient }, drive)
+        };
+        let constraint = Constraint { kind, support: Some(index), drive, until: support.until };
+        independent.keep(model, constraint);
+    }
+}
+
+/// Rigid joints between the spans of each beam.
+fn corners(model: &mut Model, independent: &mut Independent) {
+    for beam in 0..model.beams.len() {
+        for span in model.beams[beam].spans.clone().skip(1) {
+            let end = end_point(model, beam, span - 1, true);
+            let start = end_point(model, beam, span, false);
+            join(model, independent, [end, start], true);
+        }
+    }
+}
+
+/// The point at the last or first node of a span.
+fn end_point(model: &Model, beam: usize, span: usize, last: bool) -> MaterialPoint {
+    let span = &model.spans[span];
+    let n = span.nodes.len();
+    let (node, shape, slope, frame, s) = if last {
+        let node = span.nodes.end - 2;
+        let unit = [0.0, 0.0, 1.0, 0.0];
+        (node, unit, [0.0, 0.0, 0.0, 1.0], model.nodes[node + 1], span.stations[n - 1])
+    } else {
+        let node = span.nodes.start;
+        let unit = [1.0, 0.0, 0.0, 0.0];
+        (node, unit, [0.0, 1.0, 0.0, 0.0], model.nodes[node], span.stations[0])
+    };
+    let (position, tangent) = (frame.position, frame.tangent);
+    MaterialPoint { label: String::new(), beam, node, s, shape, slope, position, tangent }
+}
+
+/// Adds the joints; returns faults of those that join nothing.
+fn joints(builder: &ModelBuilder, model: &mut Model, independent: &mut Independent) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for joint in &builder.joints {
+        let points = [locate(model, &joint.between[0]), locate(model, &joint.between[1])];
+        let rigid = joint.kind == JointKind::Rigid;
+        let kept = join(model, independent, points, rigid);
+        if kept == 0 && !matches!(joint.kind, JointKind::ElasticHinge { .. }) {
+            let found = "a joint between points that are held or joined already";
+            let path = format!("joint.{}.between", joint.name);
+            faults.push(Fault::new(path, found, "a joint that connects something"));
+        }
+    }
+    faults
+}
+
+/// Joins two points; returns how many constraints that took.
+fn join(
+    model: &mut Model,
+    independent: &mut Independent,
+    points: [MaterialPoint; 2],
+    rigid: bool,
+) -> usize {
+    let (ta, tb) = (points[0].tangent, points[1].tangent);
+    let shared = |direction| ConstraintKind::Shared { points: Box::new(points.clone()), direction };
+    let mut kinds = vec![shared([1.0, 0.0]), shared([0.0, 1.0])];
+    if rigid {
+        let (cosine, sine) = (dot(tb, ta), cross(tb, ta));
+        kinds.push(ConstraintKind::Angle { points: Box::new(points.clone()), cosine, sine });
+    }
+    let keep = |kind| {
+        let until = f64::INFINITY;
+        let constraint = Constraint { kind, support: None, drive: Vec::new(), until };
+        usize::from(independent.keep(model, constraint))
+    };
+    kinds.into_iter().map(keep).sum()
+}
+
+/// Keeps constraints that do not follow from held components and the constraints before them, so that no multiplier is
 /// indeterminate (Gram-Schmidt on the constraint gradients of the reference configuration).
-fn remove_dependent(model: &mut Model) {
-    let mut basis: Vec<Vec<(usize, f64)>> = Vec::new();
-    let mut kept = Vec::new();
-    for constraint in std::mem::take(&mut model.constraints) {
+#[derive(Default)]
+struct Independent {
+    basis: Vec<BTreeMap<usize, f64>>,
+    /// Basis vectors that touch a component.
+    touching: BTreeMap<usize, Vec<usize>>,
+}
+
+impl Independent {
+    /// Adds the constraint to the model if it is independent; tells whether it was.
+    fn keep(&mut self, model: &mut Model, constraint: Constraint) -> bool {
         let mut row = reference_gradient(&constraint, model);
         let before = size(&row);
-        for b in &basis {
-            let along = -inner(&row, b);
-            row = combine(&row, along, b);
+        let mut others: Vec<usize> =
+            row.keys().filter_map(|k| self.touching.get(k)).flatten().copied().collect();
+        others.sort_unstable();
+        others.dedup();
+        // Twice is enough: the basis is orthonormal to round-off.
+        for _ in 0..2 {
+            for other in &others {
+                let b = &self.basis[*other];
+                let along: f64 = b.iter().map(|(k, c)| c * row.get(k).unwrap_or(&0.0)).sum();
+                for (k, c) in b {
+                    *row.entry(*k).or_default() -= along * c;
+                }
+            }
         }
         let after = size(&row);
-        if after > 1e-9 * before.max(1e-300) && after > 1e-9 {
-            basis.push(row.into_iter().map(|(k, c)| (k, c / after)).collect());
-            kept.push(constraint);
+        if after <= 1e-9 * before.max(1.0) {
+            return false;
         }
+        row.values_mut().for_each(|c| *c /= after);
+        for k in row.keys() {
+            self.touching.entry(*k).or_default().push(self.basis.len());
+        }
+        self.basis.push(row);
+        model.constraints.push(constraint);
+        true
     }
-    model.constraints = kept;
 }
 
-/// Gradient in the reference configuration as (component, value) pairs in order, free components only.
-fn reference_gradient(constraint: &Constraint, model: &Model) -> Vec<(usize, f64)> {
-    let mut row = std::collections::BTreeMap::<usize, [f64; 4]>::new();
+/// Gradient in the reference configuration by component, free components only.
+fn reference_gradient(constraint: &Constraint, model: &Model) -> BTreeMap<usize, f64> {
+    let mut row = BTreeMap::<usize, [f64; 4]>::new();
     let mut add = |point: &MaterialPoint, direction: [f64; 2], gradient: bool, sign: f64| {
         let n = if gradient { point.slope } else { point.shape };
         for (node, value, slope) in [(point.node, n[0], n[1]), (point.node + 1, n[2], n[3])] {
@@ -148,13 +273,16 @@ fn reference_gradient(constraint: &Constraint, model: &Model) -> Vec<(usize, f64
             }
         }
     };
-    match constraint {
-        Constraint::Held { point, direction, gradient } => add(point, *direction, *gradient, 1.0),
-        Constraint::Shared { points, direction } => {
+    match &constraint.kind {
+        ConstraintKind::Held { point, direction, gradient } => {
+            add(point, *direction, *gradient, 1.0)
+        }
+        ConstraintKind::Turned { point } => add(point, rot90(point.tangent), true, 1.0),
+        ConstraintKind::Shared { points, direction } => {
             add(&points[0], *direction, false, 1.0);
             add(&points[1], *direction, false, -1.0);
         }
-        Constraint::Angle { points, .. } => {
+        ConstraintKind::Angle { points, .. } => {
             add(&points[0], rot90(points[0].tangent), true, 1.0);
             add(&points[1], rot90(points[1].tangent), true, -1.0);
         }
@@ -173,20 +301,6 @@ fn reference_gradient(constraint: &Constraint, model: &Model) -> Vec<(usize, f64
         .collect()
 }
 
-fn size(row: &[(usize, f64)]) -> f64 {
-    row.iter().map(|(_, c)| c * c).sum::<f64>().sqrt()
-}
-
-fn inner(a: &[(usize, f64)], b: &[(usize, f64)]) -> f64 {
-    let value = |k: usize| b.binary_search_by_key(&k, |x| x.0).map_or(0.0, |i| b[i].1);
-    a.iter().map(|(k, c)| c * value(*k)).sum()
-}
-
-/// `a + factor b`.
-fn combine(a: &[(usize, f64)], factor: f64, b: &[(usize, f64)]) -> Vec<(usize, f64)> {
-    let mut sum: std::collections::BTreeMap<usize, f64> = a.iter().copied().collect();
-    for (k, c) in b {
-        *sum.entry(*k).or_default() += factor * c;
-    }
-    sum.into_iter().collect()
+fn size(row: &BTreeMap<usize, f64>) -> f64 {
+    row.values().map(|c| c * c).sum::<f64>().sqrt()
 }

@@ -2,53 +2,111 @@
 
 use std::ops::Range;
 
-use super::definition::{ContactForce, StrainMeasure};
-use crate::element::beam::ElementTable;
-use crate::element::point::SectionLaw;
+use super::definition::{ContactForce, InitialMotion, StrainMeasure};
+use super::time_function::Course;
+use crate::element::beam::{ElementTable, NodeFrame};
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
 ///
-/// Nodes and elements of all beams stand in one row, beam after beam.
+/// Nodes and elements of all beams stand in one row, beam after beam, span after span.
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// Reference positions of the nodes, shape (n_node) \[m\].
-    pub(crate) nodes: Vec<[f64; 2]>,
+    /// Nodes in the reference configuration, shape (n_node).
+    pub(crate) nodes: Vec<NodeFrame>,
     /// Beams, in the order they were defined.
     pub(crate) beams: Vec<BeamData>,
-    /// Components held at nodes.
+    /// Spans of all beams, in the order of their nodes.
+    pub(crate) spans: Vec<Span>,
+    /// Components held at nodes, in the order of the nodes.
     pub(crate) holds: Vec<NodeHold>,
-    /// Constraints that a node's own components cannot express: joints, supports between nodes.
+    /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time.
     pub(crate) constraints: Vec<Constraint>,
+    /// Springs and dampers.
+    pub(crate) connectors: Vec<Connector>,
+    /// Masses at points.
+    pub(crate) masses: Vec<MassData>,
+    /// Supports, in the order they were defined.
+    pub(crate) supports: Vec<SupportData>,
+    /// Prescribed motions.
+    pub(crate) motions: Vec<Course>,
     /// Projectiles, in the order they were defined.
     pub(crate) projectiles: Vec<ProjectileData>,
-    /// Acceleration of gravity, with its interval of action.
-    pub(crate) gravity: Vec<GravityData>,
-    /// Point loads.
-    pub(crate) point_loads: Vec<PointLoadData>,
+    /// Loads, in the order they were defined.
+    pub(crate) loads: Vec<LoadData>,
+    /// Ratios of damping of the flexible modes, from the lowest on.
+    pub(crate) modal_damping: Vec<f64>,
+    /// Motion at the start.
+    pub(crate) initial_motion: InitialMotion,
     /// Recorded points, each once.
     pub(crate) points: Vec<MaterialPoint>,
-    /// Mass of beams and projectiles, a scale \[kg\].
+    /// Mass of beams, point masses and projectiles, a scale \[kg\].
     pub(crate) total_mass: f64,
 }
 
-/// A straight beam, evenly meshed.
+/// A beam: what its spans have in common.
 #[derive(Clone, Debug)]
 pub(crate) struct BeamData {
     pub name: String,
+    pub spans: Range<usize>,
     pub nodes: Range<usize>,
     pub elements: Range<usize>,
-    pub table: ElementTable,
-    pub law: SectionLaw<f64>,
-    pub mass_per_length: f64,
+    /// Arc length \[m\].
     pub length: f64,
 }
 
-/// Components of a node's displacement held to zero.
+/// A part of a beam without corner, of one material and one section.
+#[derive(Clone, Debug)]
+pub(crate) struct Span {
+    pub nodes: Range<usize>,
+    pub elements: Range<usize>,
+    /// One table for all elements, or one for each.
+    pub tables: Vec<ElementTable>,
+    /// Arc length from the start of the beam at the nodes, shape (n_node of the span) \[m\].
+    pub stations: Vec<f64>,
+    pub measure: StrainMeasure,
+    /// Retardation time of Kelvin-Voigt damping \[s\].
+    pub retardation: f64,
+    /// Mass-proportional damping \[1/s\].
+    pub mass_damping: f64,
+}
+
+impl Span {
+    /// Table of the element of number `k` in the span.
+    #[inline(always)]
+    pub fn table(&self, k: usize) -> &ElementTable {
+        &self.tables[if self.tables.len() == 1 { 0 } else { k }]
+    }
+
+    /// Whether anything in it is damped by its material.
+    pub fn is_damped(&self) -> bool {
+        self.retardation > 0.0 || self.mass_damping > 0.0
+    }
+}
+
+/// Components of a node's displacement that are held, or moved as prescribed.
 #[derive(Clone, Debug)]
 pub(crate) struct NodeHold {
     pub node: usize,
+    /// The support that holds them; the first one where several do.
+    pub support: usize,
     /// Held directions in (u1, u2, u1', u2'), orthonormal; at most four.
     pub normals: Vec<[f64; 4]>,
+    /// Motion along each of them.
+    pub drives: Vec<Drive>,
+}
+
+/// A prescribed value: amplitudes times courses of [`Model::motions`].
+pub(crate) type Drive = Vec<(usize, f64)>;
+
+/// A support, for its reactions.
+#[derive(Clone, Debug)]
+pub(crate) struct SupportData {
+    pub name: String,
+    pub point: MaterialPoint,
+    /// Holds until this time \[s\].
+    pub until: f64,
+    /// Its course among [`Model::motions`].
+    pub motion: Option<usize>,
 }
 
 /// A material point: where it lies in the mesh and how it follows the nodes.
@@ -117,13 +175,100 @@ fn spread(n: &[f64; 4], node: usize, force: [f64; 2], nodal: &mut [[f64; 4]]) {
 
 /// A scalar constraint on material points, kept by a multiplier.
 #[derive(Clone, Debug)]
-pub(crate) enum Constraint {
-    /// `direction . u(point) = 0`, or of its gradient: a support between nodes.
+pub(crate) struct Constraint {
+    pub kind: ConstraintKind,
+    /// The support it belongs to; a joint's belong to none.
+    pub support: Option<usize>,
+    /// Prescribed value.
+    pub drive: Drive,
+    /// Holds until this time \[s\].
+    pub until: f64,
+}
+
+/// What is constrained.
+#[derive(Clone, Debug)]
+pub(crate) enum ConstraintKind {
+    /// `direction . u(point) = value`, or of its gradient: a support between nodes.
     Held { point: MaterialPoint, direction: [f64; 2], gradient: bool },
+    /// `J t . g(point) = 0` with t the reference tangent turned by the prescribed angle.
+    Turned { point: MaterialPoint },
     /// `direction . (u(a) - u(b)) = 0`: positions shared.
     Shared { points: Box<[MaterialPoint; 2]>, direction: [f64; 2] },
     /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is kept.
     Angle { points: Box<[MaterialPoint; 2]>, cosine: f64, sine: f64 },
+}
+
+impl Constraint {
+    /// The points it ties.
+    pub fn points(&self) -> &[MaterialPoint] {
+        match &self.kind {
+            ConstraintKind::Held { point, .. } | ConstraintKind::Turned { point } => {
+                std::slice::from_ref(point)
+            }
+            ConstraintKind::Shared { points, .. } | ConstraintKind::Angle { points, .. } => {
+                points.as_slice()
+            }
+        }
+    }
+}
+
+/// A spring and damper on one coordinate.
+#[derive(Clone, Debug)]
+pub(crate) struct Connector {
+    pub coordinate: Coordinate,
+    pub law: ConnectorLaw,
+    /// Viscous damping of the coordinate, force per rate.
+    pub damping: f64,
+    /// The support it belongs to, if any.
+    pub support: Option<usize>,
+    /// Acts until this time \[s\].
+    pub until: f64,
+}
+
+/// A scalar coordinate of the configuration, zero or its natural value in the reference configuration.
+#[derive(Clone, Debug)]
+pub(crate) enum Coordinate {
+    /// `direction . u(point)` less a prescribed motion.
+    Displacement { point: MaterialPoint, direction: [f64; 2], drive: Drive },
+    /// Distance between two places.
+    Distance { ends: Box<[Place; 2]> },
+    /// Angle from the tangent at b, or its reference, to that at a, less that in the reference configuration; the rotation R
+    /// takes the reference tangent of b to that of a.
+    Angle { a: Box<MaterialPoint>, b: Option<Box<MaterialPoint>>, cosine: f64, sine: f64 },
+}
+
+/// A place on a beam or in space.
+#[derive(Clone, Debug)]
+pub(crate) enum Place {
+    Point(MaterialPoint),
+    Ground([f64; 2]),
+}
+
+/// Potential of a connector.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum ConnectorLaw {
+    /// `k (q - rest)^2 / 2`.
+    Linear { stiffness: f64, rest: f64 },
+    /// `k <q - gap>^2 / 2`: no force before the gap is closed.
+    OneSided { stiffness: f64, gap: f64 },
+}
+
+impl ConnectorLaw {
+    /// A value of the coordinate without force and energy.
+    pub fn free(self) -> f64 {
+        match self {
+            Self::Linear { rest, .. } => rest,
+            Self::OneSided { gap, .. } => gap,
+        }
+    }
+}
+
+/// A mass at a point.
+#[derive(Clone, Debug)]
+pub(crate) struct MassData {
+    pub point: MaterialPoint,
+    pub mass: f64,
+    pub rotary_inertia: f64,
 }
 
 /// A projectile on its line of flight.
@@ -153,22 +298,47 @@ pub(crate) enum ContactLaw {
     Unilateral { restitution: f64 },
 }
 
-/// Gravity with its interval of action.
+/// A load and its course.
 #[derive(Clone, Debug)]
-pub(crate) struct GravityData {
-    pub acceleration: [f64; 2],
+pub(crate) struct LoadData {
+    pub kind: LoadAction,
+    pub course: Course,
     pub from: f64,
     pub until: f64,
 }
 
-/// A dead force and a moment at a material point, with their interval of action.
+/// What a load applies, for a factor of one.
 #[derive(Clone, Debug)]
-pub(crate) struct PointLoadData {
+pub(crate) enum LoadAction {
+    /// Acceleration of everything that has mass.
+    Gravity { acceleration: [f64; 2] },
+    /// A force, dead or along (tangent, normal), and a moment.
+    Point { point: MaterialPoint, force: [f64; 2], moment: f64, follower: bool },
+    /// Nodal forces of a dead distributed load.
+    Dead { nodal: Vec<(usize, [f64; 4])> },
+    /// Forces per length along (tangent, normal) at quadrature points.
+    Follower { points: Vec<FollowerPoint> },
+}
+
+/// A quadrature point of a follower load.
+#[derive(Clone, Debug)]
+pub(crate) struct FollowerPoint {
     pub point: MaterialPoint,
+    /// Force per length times the weight of the point, along (tangent, normal) \[N\].
     pub force: [f64; 2],
-    pub moment: f64,
-    pub from: f64,
-    pub until: f64,
+}
+
+impl LoadData {
+    /// Mean factor over the step `[start, start + h]`: its impulse is exact.
+    pub fn factor(&self, start: f64, h: f64) -> f64 {
+        let share = share(self.from, self.until, start, h);
+        if share == 0.0 {
+            return 0.0;
+        }
+        let (lo, hi) = (self.from.max(start), self.until.min(start + h));
+        let (lo, length) = if share == 1.0 { (start, h) } else { (lo, hi - lo) };
+        share * self.course.mean(lo - self.from, length)
+    }
 }
 
 /// Share of the step `[start, start + h]` in which a load that acts in `[from, until]` acts.
@@ -189,7 +359,7 @@ impl Model {
 
     /// Number of elements of all beams.
     pub fn element_count(&self) -> usize {
-        self.beams.iter().map(|b| b.elements.len()).sum()
+        self.spans.last().map_or(0, |span| span.elements.end)
     }
 
     /// Names of the beams, in their order.
@@ -198,15 +368,33 @@ impl Model {
     }
 
     /// Reference positions of the nodes of the beam called `name` \[m\], start to end.
-    pub fn beam_nodes(&self, name: &str) -> Option<&[[f64; 2]]> {
+    pub fn beam_nodes(&self, name: &str) -> Option<Vec<[f64; 2]>> {
         let beam = self.beams.iter().find(|b| b.name == name)?;
-        Some(&self.nodes[beam.nodes.clone()])
+        Some(self.nodes[beam.nodes.clone()].iter().map(|n| n.position).collect())
     }
 
-    /// Reference tangent at a node.
-    pub(crate) fn tangent_at_node(&self, node: usize) -> [f64; 2] {
-        let beam = self.beams.partition_point(|b| b.nodes.end <= node);
-        self.beams[beam].table.tangent
+    /// Elements with their spans: (span, number in the span, node a, element).
+    pub(crate) fn each_element(&self) -> impl Iterator<Item = (&Span, usize, usize, usize)> {
+        self.spans.iter().flat_map(|span| {
+            let place = move |k| (span, k, span.nodes.start + k, span.elements.start + k);
+            (0..span.elements.len()).map(place)
+        })
+    }
+
+    /// The span and the number in it of the element that starts at a node.
+    pub(crate) fn element_of(&self, node: usize) -> (&Span, usize) {
+        let span = &self.spans[self.spans.partition_point(|s| s.nodes.end <= node)];
+        (span, (node - span.nodes.start).min(span.elements.len() - 1))
+    }
+
+    /// What is held at a node.
+    pub(crate) fn hold_at(&self, node: usize) -> Option<&NodeHold> {
+        self.holds.binary_search_by_key(&node, |h| h.node).ok().map(|i| &self.holds[i])
+    }
+
+    /// Names of the supports, in their order.
+    pub fn support_names(&self) -> impl Iterator<Item = &str> {
+        self.supports.iter().map(|s| s.name.as_str())
     }
 
     /// Names of the projectiles, in their order, and whether each is rigid.
@@ -220,8 +408,21 @@ impl Model {
         self.projectile_names().any(|(_, rigid)| rigid)
     }
 
-    /// Strain measure of the beam called `name`.
+    /// Strain measure of the beam called `name`, at its start.
     pub fn strain_measure(&self, name: &str) -> Option<StrainMeasure> {
-        self.beams.iter().find(|b| b.name == name).map(|b| b.law.measure)
+        let beam = self.beams.iter().find(|b| b.name == name)?;
+        Some(self.spans[beam.spans.start].measure)
+    }
+
+    /// Whether any force depends on a rate: such forces know the midpoint family of schemes only.
+    pub(crate) fn has_viscous_parts(&self) -> bool {
+        self.spans.iter().any(|s| s.retardation > 0.0)
+            || self.connectors.iter().any(|c| c.damping > 0.0)
+            || !self.modal_damping.is_empty()
+    }
+
+    /// Times at which a support lets go \[s\].
+    pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
+        self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
 }

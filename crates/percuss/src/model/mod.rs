@@ -1,11 +1,15 @@
 //! From definitions to the frozen [`Model`].
 
 mod builder;
+mod centre_line;
 mod check;
+mod connect;
 mod constrain;
 mod definition;
 mod fault;
 pub(crate) mod frozen;
+mod loads;
+mod mesh;
 mod time_function;
 
 pub use builder::ModelBuilder;

@@ -120,27 +120,42 @@ impl Course {
         }
     }
 
-    /// Mean over `[start, start + h]`: exact for piecewise polynomials up to degree five between kinks.
+    /// Mean over `[start, start + h]`: exact but for functions given as code, which are taken at three Gauss points.
     pub fn mean(&self, start: f64, h: f64) -> f64 {
         let end = start + h;
-        let mut sum = 0.0;
-        let mut a = start;
         let first = self.kinks.partition_point(|k| *k <= start);
-        for b in self.kinks[first..].iter().copied().take_while(|k| *k < end).chain([end]) {
-            sum += (b - a) / h * self.smooth_mean(a, b);
+        let inside = self.kinks[first..].iter().copied().take_while(|k| *k < end);
+        let (mut sum, mut a) = (0.0, start);
+        for b in inside {
+            sum += (b - a) / h * self.smooth_mean(a, b - a);
             a = b;
         }
-        sum
+        if a == start {
+            // No kink inside: no lengths are compared, however short the interval.
+            return self.smooth_mean(start, h);
+        }
+        sum + (end - a) / h * self.smooth_mean(a, end - a)
     }
 
-    /// Mean over an interval without kinks inside, by three Gauss points.
-    fn smooth_mean(&self, a: f64, b: f64) -> f64 {
+    /// Mean over an interval without kinks inside.
+    fn smooth_mean(&self, start: f64, h: f64) -> f64 {
         use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
-        if matches!(self.function, TimeFunction::Constant) {
-            return 1.0;
+        use TimeFunction::*;
+        let middle = start + 0.5 * h;
+        // The mean of a sine is the sine in the middle times sin(x)/x of half the angle.
+        let damped =
+            |half: f64| if half.abs() < 1e-4 { 1.0 - half * half / 6.0 } else { half.sin() / half };
+        let pi = std::f64::consts::PI;
+        match &self.function {
+            Constant => 1.0,
+            Step { .. } | Ramp { .. } | Triangle { .. } => self.value(middle),
+            HalfSine { duration } => self.value(middle) * damped(0.5 * pi * h / duration),
+            Harmonic { frequency, .. } => self.value(middle) * damped(pi * frequency * h),
+            Table { .. } | Function(_) => {
+                let at = |x: f64| self.value(start + x * h);
+                gauss_points().into_iter().zip(GAUSS_WEIGHTS).map(|(x, w)| w * at(x)).sum()
+            }
         }
-        let at = |x: f64| self.value(a + x * (b - a));
-        gauss_points().into_iter().zip(GAUSS_WEIGHTS).map(|(x, w)| w * at(x)).sum()
     }
 }
 

@@ -2,25 +2,29 @@
 
 use super::integration::{Integration, MidpointForces, Rule};
 use crate::element::beam::{ElementSums, ElementTable, ElementValues, GaussRow, step_point};
-use crate::element::point::{PointResponse, SectionLaw, StepPoint, Strains};
+use crate::element::membrane::{MembranePoint, MembraneStep};
+use crate::element::point::{PointResponse, StepPoint, Strains};
 use crate::element::{collocation, energy_momentum, rotary, strain_rate};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::add;
-use crate::model::Model;
-use crate::model::frozen::BeamData;
+use crate::model::frozen::Span;
+use crate::model::{Model, StrainMeasure};
 use crate::state::State;
 
 /// Where a Gauss point stands: its element and its number there.
 #[derive(Clone, Copy)]
 struct Place<'a> {
-    beam: &'a BeamData,
     row: &'a GaussRow,
     /// Node `a` of the element.
     node: usize,
     element: usize,
     gauss: usize,
+    /// Retardation time over the step size.
+    lag: f64,
+    /// Mass-proportional damping \[1/s\].
+    damping: f64,
 }
 
 /// Residual `M (a - gravity) + f_int` of the beams at `increment`, and their tangent if `TANGENT`.
@@ -37,60 +41,68 @@ pub fn beams<const TANGENT: bool>(
 ) {
     let h = integration.h;
     let ends = Ends { model, state, integration, gravity, increment };
+    let stored = |place: Place| {
+        let [membrane, bending] = state.strain[place.element][place.gauss];
+        Strains { membrane, bending }
+    };
     match integration.rule {
-        Rule::Midpoint(MidpointForces::Invariant) => {
-            ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-                let mut r = energy_momentum::response::<f64, TANGENT>(law, point);
-                add_rotary::<TANGENT>(
-                    &mut r,
-                    law,
-                    point,
-                    state.spin[place.element][place.gauss],
-                    h,
-                );
+        Rule::Midpoint(MidpointForces::Invariant) => ends.sum::<TANGENT>(
+            residual,
+            chain,
+            |point, place| {
+                let mut r =
+                    energy_momentum::response::<f64, TANGENT>(&place.row.law, point, place.lag);
+                add_rotary::<TANGENT>(&mut r, point, place, state, h);
                 r
-            })
-        }
-        Rule::Midpoint(MidpointForces::StrainRate) => {
-            ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-                let [membrane, bending] = state.strain[place.element][place.gauss];
-                let old = Strains { membrane, bending };
-                let mut r = strain_rate::response::<f64, TANGENT>(law, point, old);
-                add_rotary::<TANGENT>(
-                    &mut r,
-                    law,
-                    point,
-                    state.spin[place.element][place.gauss],
-                    h,
-                );
+            },
+            |step, measure, place| step.invariant(measure, place.lag),
+        ),
+        Rule::Midpoint(MidpointForces::StrainRate) => ends.sum::<TANGENT>(
+            residual,
+            chain,
+            |point, place| {
+                let (law, old) = (&place.row.law, stored(place));
+                let mut r = strain_rate::response::<f64, TANGENT>(law, point, old, place.lag);
+                add_rotary::<TANGENT>(&mut r, point, place, state, h);
                 r
-            })
-        }
-        Rule::Midpoint(MidpointForces::Collocated) => {
-            ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-                let mut r = collocation::response::<f64, TANGENT>(law, point, 0.5);
-                add_rotary::<TANGENT>(
-                    &mut r,
-                    law,
-                    point,
-                    state.spin[place.element][place.gauss],
-                    h,
-                );
+            },
+            |step, measure, place| step.strain_rate(measure, stored(place).membrane, place.lag),
+        ),
+        Rule::Midpoint(MidpointForces::Collocated) => ends.sum::<TANGENT>(
+            residual,
+            chain,
+            |point, place| {
+                let mut r = collocation::damped::<f64, TANGENT>(&place.row.law, point, place.lag);
+                add_rotary::<TANGENT>(&mut r, point, place, state, h);
                 r
-            })
-        }
-        Rule::Static { .. } => ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-            let [membrane, bending] = state.strain[place.element][place.gauss];
-            let foreseen = Strains { membrane, bending };
-            collocation::foreseeing::<f64, TANGENT>(law, point, foreseen)
-        }),
+            },
+            |step, measure, place| step.collocated(measure, 0.5, place.lag),
+        ),
+        Rule::Static => ends.sum::<TANGENT>(
+            residual,
+            chain,
+            |point, place| {
+                let law = &place.row.law;
+                collocation::foreseeing::<f64, TANGENT>(law, point, stored(place))
+            },
+            |step, measure, place| MembranePoint {
+                geometric: stored(place).membrane,
+                ..step.collocated(measure, 1.0, 0.0)
+            },
+        ),
         Rule::Alpha(_) => {
             let theta = integration.theta();
-            ends.sum::<TANGENT>(residual, chain, |law, point, place| {
-                let mut r = collocation::response::<f64, TANGENT>(law, point, theta);
-                ends.add_alpha_rotary::<TANGENT>(&mut r, law, point, place);
-                r
-            });
+            ends.sum::<TANGENT>(
+                residual,
+                chain,
+                |point, place| {
+                    let law = &place.row.law;
+                    let mut r = collocation::response::<f64, TANGENT>(law, point, theta);
+                    ends.add_alpha_rotary::<TANGENT>(&mut r, point, place);
+                    r
+                },
+                |step, measure, _| step.collocated(measure, theta, 0.0),
+            );
         }
     }
 }
@@ -98,13 +110,15 @@ pub fn beams<const TANGENT: bool>(
 #[inline(always)]
 fn add_rotary<const TANGENT: bool>(
     response: &mut PointResponse<f64>,
-    law: &SectionLaw<f64>,
     point: &StepPoint<f64>,
-    spin: f64,
+    place: Place,
+    state: &State,
     h: f64,
 ) {
     let g0 = add(point.tangent, point.slope_0);
-    rotary::add_step::<f64, TANGENT>(response, law.rotary, g0, point.d_slope, spin, h);
+    let spin = state.spin[place.element][place.gauss];
+    let (rotary, damping) = (place.row.law.rotary, place.damping);
+    rotary::add_step::<f64, TANGENT>(response, rotary, g0, point.d_slope, spin, h, damping);
 }
 
 /// The start of the step and the increment that leads to its end.
@@ -117,55 +131,75 @@ struct Ends<'a> {
 }
 
 impl Ends<'_> {
-    /// Sums over all elements what `response` gives at their Gauss points, and the inertia of their mass.
+    /// Sums over all elements what `response` gives at their Gauss points, `membrane` at the sampling points of slender
+    /// ones, and the inertia of their mass.
     #[inline(always)]
     fn sum<const TANGENT: bool>(
         &self,
         residual: &mut [[f64; 4]],
         chain: &mut Chain,
-        response: impl Fn(&SectionLaw<f64>, &StepPoint<f64>, Place) -> PointResponse<f64>,
+        response: impl Fn(&StepPoint<f64>, Place) -> PointResponse<f64>,
+        membrane: impl Fn(&MembraneStep<f64>, StrainMeasure, Place) -> MembranePoint<f64>,
     ) {
-        let slope = self.integration.inertia_slope();
-        for beam in &self.model.beams {
-            let first = beam.nodes.start;
+        let theta = self.integration.theta();
+        for span in &self.model.spans {
+            let slope = self.integration.inertia_slope()
+                + span.mass_damping * self.integration.rate_slope();
+            let first = span.nodes.start;
             residual[first] = [0.0; 4];
             if TANGENT {
                 chain.diag[first] = ZERO;
             }
-            let mut start = self.inertia(first);
-            for (k, element) in beam.elements.clone().enumerate() {
+            let lag = self.integration.lag(span.retardation);
+            let damping = span.mass_damping;
+            let mut start = self.inertia(span, first);
+            for (k, element) in span.elements.clone().enumerate() {
                 let a = first + k;
-                let end = self.inertia(a + 1);
+                let table = span.table(k);
+                let end = self.inertia(span, a + 1);
                 let u = &self.state.displacement;
                 let old = ElementValues::new(&u[a], &u[a + 1]);
                 let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
                 let mut sums = ElementSums::zero();
+                let place = |row, gauss| Place { row, node: a, element, gauss, lag, damping };
                 for gauss in 0..GAUSS {
-                    let row = &beam.table.rows[gauss];
-                    let point = step_point(&beam.table, row, &old, &step);
-                    let place = Place { beam, row, node: a, element, gauss };
-                    sums.add::<TANGENT>(row, &response(&beam.law, &point, place));
+                    let row = &table.rows[gauss];
+                    let point = step_point(row, &old, &step);
+                    sums.add::<TANGENT>(row, &response(&point, place(row, gauss)));
+                }
+                if let Some(samples) = &table.membrane {
+                    let steps = samples.step(&old, &step);
+                    let points = std::array::from_fn(|i| {
+                        membrane(&steps[i], span.measure, place(&table.rows[i], i))
+                    });
+                    samples.add::<f64, TANGENT>(&points, theta, &mut sums);
                 }
                 let [mut on_a, mut on_b] = sums.nodal_force();
-                add_inertia(&beam.table, &start, &end, &mut on_a, &mut on_b);
+                add_inertia(table, &start, &end, &mut on_a, &mut on_b);
                 for i in 0..4 {
                     residual[a][i] += on_a[i];
                 }
                 residual[a + 1] = on_b;
                 if TANGENT {
-                    spread(&sums.tangent, &beam.table.mass, slope, a, chain);
+                    spread(&sums.tangent, &table.mass, slope, a, chain);
                 }
                 start = end;
             }
         }
     }
 
-    /// Acceleration of a node in the equation of motion, less gravity.
+    /// Acceleration of a node in the equation of motion, less gravity, with what mass-proportional damping adds.
     #[inline(always)]
-    fn inertia(&self, node: usize) -> [f64; 4] {
+    fn inertia(&self, span: &Span, node: usize) -> [f64; 4] {
         let (d, v) = (&self.increment[node], &self.state.velocity[node]);
         let a = self.state.acceleration.get(node).unwrap_or(&[0.0; 4]);
-        let mut out: [f64; 4] = std::array::from_fn(|i| self.integration.inertia(d[i], v[i], a[i]));
+        let rule = self.integration;
+        let mut out: [f64; 4] = std::array::from_fn(|i| rule.inertia(d[i], v[i], a[i]));
+        if span.mass_damping != 0.0 {
+            for i in 0..4 {
+                out[i] += span.mass_damping * rule.rate(d[i], v[i], a[i]);
+            }
+        }
         out[0] -= self.gravity[0];
         out[1] -= self.gravity[1];
         out
@@ -176,12 +210,10 @@ impl Ends<'_> {
     fn add_alpha_rotary<const TANGENT: bool>(
         &self,
         response: &mut PointResponse<f64>,
-        law: &SectionLaw<f64>,
         point: &StepPoint<f64>,
         place: Place,
     ) {
         let Rule::Alpha(w) = self.integration.rule else { return };
-        debug_assert!(place.beam.law.rotary == law.rotary);
         let theta = 1.0 - w.alpha_f;
         let g0 = add(point.tangent, point.slope_0);
         let g = [g0[0] + theta * point.d_slope[0], g0[1] + theta * point.d_slope[1]];
@@ -190,12 +222,23 @@ impl Ends<'_> {
         };
         let (v0, a0) = (at(&self.state.velocity), at(&self.state.acceleration));
         let rule = self.integration;
-        let g_dot = std::array::from_fn(|i| {
+        let g_dot: [f64; 2] = std::array::from_fn(|i| {
             (1.0 - theta) * v0[i] + theta * rule.velocity(point.d_slope[i], v0[i], a0[i])
         });
-        let g_ddot = std::array::from_fn(|i| rule.inertia(point.d_slope[i], v0[i], a0[i]));
-        let slopes = [theta, theta * w.gamma / (w.beta * rule.h), rule.inertia_slope()];
-        rotary::add_collocated::<f64, TANGENT>(response, law.rotary, g, g_dot, g_ddot, slopes);
+        // Mass-proportional damping turns with the same arm: its couple is that of an acceleration.
+        let g_ddot = std::array::from_fn(|i| {
+            rule.inertia(point.d_slope[i], v0[i], a0[i]) + place.damping * g_dot[i]
+        });
+        let rate = theta * w.gamma / (w.beta * rule.h);
+        let slopes = [theta, rate, rule.inertia_slope() + place.damping * rate];
+        rotary::add_collocated::<f64, TANGENT>(
+            response,
+            place.row.law.rotary,
+            g,
+            g_dot,
+            g_ddot,
+            slopes,
+        );
     }
 }
 

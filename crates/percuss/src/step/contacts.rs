@@ -19,14 +19,12 @@ impl StepProblem<'_> {
             let p1 = p0 + work.travel[i] - moved;
             let step = match rule.rule {
                 Rule::Midpoint(_) => law::step_force(force, stiffness, p0, p1),
-                Rule::Alpha(_) | Rule::Static { .. } => {
-                    law::collocated(stiffness, p0, p1, rule.theta())
-                }
+                Rule::Alpha(_) | Rule::Static => law::collocated(stiffness, p0, p1, rule.theta()),
             };
             work.force[i] = step.force;
             let acceleration = rule.inertia(work.travel[i], state.speed, state.acceleration);
             work.projectile_residual[i] =
-                step.force + p.mass * (acceleration - dot(self.gravity, p.direction));
+                step.force + p.mass * (acceleration - dot(self.forcing.gravity, p.direction));
             p.point.spread(scale(-step.force, p.direction), &mut work.residual);
             if TANGENT {
                 work.spring_slope[i] = step.slope;
@@ -37,7 +35,7 @@ impl StepProblem<'_> {
                     let matrix =
                         [[k * d[0] * d[0], k * d[0] * d[1]], [k * d[1] * d[0], k * d[1] * d[1]]];
                     let (node, n) = (p.point.node, &p.point.shape);
-                    work.tangent.chain.add_outer(node, n, n, &matrix);
+                    work.tangent.chain_mut().add_outer(node, n, n, &matrix);
                 }
             }
         }
@@ -70,7 +68,8 @@ impl StepProblem<'_> {
             let v0 = p.point.value(&self.state.velocity);
             let beam: f64 =
                 (0..2).map(|k| p.direction[k] * (2.0 * (d[k] + c[k]) / h - v0[k])).sum();
-            let speed = self.state.projectiles[i].speed + h * dot(self.gravity, p.direction)
+            let speed = self.state.projectiles[i].speed
+                + h * dot(self.forcing.gravity, p.direction)
                 - work.impulse[i] / p.mass;
             let row = &problem.delassus[a * n..(a + 1) * n];
             let carried: f64 =

@@ -1,71 +1,119 @@
-//! Loads in a step, constant over it: a load that acts for a share of the step acts with that share, so that its impulse
+//! Loads in a step, constant over it but for what turns with the beam: a load acts with its mean factor, so that its impulse
 //! is exact.
 
-use crate::linalg::chain::Chain;
-use crate::math::vec2::{cross, dot};
+use super::forcing::Forcing;
+use super::tangent::Tangent;
+use crate::math::vec2::{cross, dot, rot90};
 use crate::model::Model;
-use crate::model::frozen::{PointLoadData, share};
+use crate::model::frozen::{LoadAction, MaterialPoint};
 use crate::state::State;
 
-/// Acceleration of gravity in the step `[start, start + h]`.
-pub fn gravity(model: &Model, start: f64, h: f64) -> [f64; 2] {
-    let mut sum = [0.0; 2];
-    for g in &model.gravity {
-        let share = share(g.from, g.until, start, h);
-        sum[0] += share * g.acceleration[0];
-        sum[1] += share * g.acceleration[1];
-    }
-    sum
+/// Tangent g at a point, `theta` of the way through the step.
+fn tangent_at(p: &MaterialPoint, state: &State, increment: &[[f64; 4]], theta: f64) -> [f64; 2] {
+    let (u, d) = (p.gradient(&state.displacement), p.gradient(increment));
+    std::array::from_fn(|i| p.tangent[i] + u[i] + theta * d[i])
 }
 
-/// Tangent g at a load's point, `theta` of the way through the step.
-fn tangent_at(load: &PointLoadData, state: &State, increment: &[[f64; 4]], theta: f64) -> [f64; 2] {
-    let (u, d) = (load.point.gradient(&state.displacement), load.point.gradient(increment));
-    std::array::from_fn(|i| load.point.tangent[i] + u[i] + theta * d[i])
-}
-
-/// Subtracts the point loads from the residual, and their tangent (a moment follows the rotation) if `TANGENT`.
+/// Subtracts the loads but gravity from the residual, and their tangent if `TANGENT`.
 ///
 /// A moment acts on `dtheta = (g x dg) / a` of the configuration of evaluation.
 pub fn apply<const TANGENT: bool>(
     model: &Model,
     state: &State,
-    h: f64,
+    forcing: &Forcing,
     theta: f64,
     increment: &[[f64; 4]],
     residual: &mut [[f64; 4]],
-    chain: &mut Chain,
+    tangent: &mut Tangent,
 ) {
-    for load in &model.point_loads {
-        let share = share(load.from, load.until, state.time, h);
-        if share == 0.0 {
+    for (load, factor) in model.loads.iter().zip(&forcing.factors) {
+        if *factor == 0.0 {
             continue;
         }
-        load.point.spread([-share * load.force[0], -share * load.force[1]], residual);
-        let moment = share * load.moment;
-        if moment == 0.0 {
-            continue;
-        }
-        let g = tangent_at(load, state, increment, theta);
-        let inv_a = 1.0 / dot(g, g);
-        let normal = [-g[1] * inv_a, g[0] * inv_a];
-        load.point.spread_gradient([-moment * normal[0], -moment * normal[1]], residual);
-        if TANGENT {
-            let turned = moment * inv_a * theta;
-            let mut k = [[0.0; 2]; 2];
-            for i in 0..2 {
-                for j in 0..2 {
-                    k[i][j] = moment * normal[i] * inv_a * g[j] * 2.0 * theta;
+        match &load.kind {
+            LoadAction::Gravity { .. } => {}
+            LoadAction::Point { point, force, moment, follower } => {
+                if *follower {
+                    let g = tangent_at(point, state, increment, theta);
+                    let unit = 1.0 / dot(g, g).sqrt();
+                    let f = turned(force.map(|f| factor * f * unit), g);
+                    point.spread([-f[0], -f[1]], residual);
+                    if TANGENT {
+                        // d(g/r) = (I - g (x) g / a) dg / r
+                        let mut k = turning(force.map(|f| -factor * theta * f * unit));
+                        for row in &mut k {
+                            let along = dot(*row, g) * unit * unit;
+                            (0..2).for_each(|j| row[j] -= along * g[j]);
+                        }
+                        tangent.chain_mut().add_outer(point.node, &point.shape, &point.slope, &k);
+                    }
+                } else {
+                    point.spread([-factor * force[0], -factor * force[1]], residual);
+                }
+                let moment = factor * moment;
+                if moment != 0.0 {
+                    let g = tangent_at(point, state, increment, theta);
+                    add_moment::<TANGENT>(point, moment, g, theta, residual, tangent);
                 }
             }
-            k[0][1] += turned;
-            k[1][0] -= turned;
-            chain.add_outer(load.point.node, &load.point.slope, &load.point.slope, &k);
+            LoadAction::Dead { nodal } => {
+                for (node, force) in nodal {
+                    (0..4).for_each(|i| residual[*node][i] -= factor * force[i]);
+                }
+            }
+            LoadAction::Follower { points } => {
+                for p in points {
+                    let g = tangent_at(&p.point, state, increment, theta);
+                    let f = turned(p.force.map(|f| factor * f), g);
+                    p.point.spread([-f[0], -f[1]], residual);
+                    if TANGENT {
+                        let k = turning(p.force.map(|f| -factor * theta * f));
+                        let (node, n, s) = (p.point.node, &p.point.shape, &p.point.slope);
+                        tangent.chain_mut().add_outer(node, n, s, &k);
+                    }
+                }
+            }
         }
     }
 }
 
-/// Work, impulse and angular impulse of the loads over a step.
+/// `f_t g + f_n J g`.
+fn turned(force: [f64; 2], g: [f64; 2]) -> [f64; 2] {
+    let across = rot90(g);
+    [force[0] * g[0] + force[1] * across[0], force[0] * g[1] + force[1] * across[1]]
+}
+
+/// Derivative of [`turned`] with respect to g.
+fn turning(force: [f64; 2]) -> [[f64; 2]; 2] {
+    [[force[0], -force[1]], [force[1], force[0]]]
+}
+
+fn add_moment<const TANGENT: bool>(
+    point: &MaterialPoint,
+    moment: f64,
+    g: [f64; 2],
+    theta: f64,
+    residual: &mut [[f64; 4]],
+    tangent: &mut Tangent,
+) {
+    let inv_a = 1.0 / dot(g, g);
+    let normal = [-g[1] * inv_a, g[0] * inv_a];
+    point.spread_gradient([-moment * normal[0], -moment * normal[1]], residual);
+    if TANGENT {
+        let turned = moment * inv_a * theta;
+        let mut k = [[0.0; 2]; 2];
+        for i in 0..2 {
+            for j in 0..2 {
+                k[i][j] = moment * normal[i] * inv_a * g[j] * 2.0 * theta;
+            }
+        }
+        k[0][1] += turned;
+        k[1][0] -= turned;
+        tangent.chain_mut().add_outer(point.node, &point.slope, &point.slope, &k);
+    }
+}
+
+/// Work, impulse and angular impulse of forces over a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LoadWork {
     /// Work \[J\].
@@ -84,32 +132,83 @@ impl LoadWork {
         self.impulse[1] += h * force[1];
         self.angular_impulse += h * cross(x, force);
     }
+
+    /// Adds forces on a node's values and slopes.
+    pub fn add_nodal(
+        &mut self,
+        model: &Model,
+        state: &State,
+        increment: &[[f64; 4]],
+        node: usize,
+        force: &[f64; 4],
+        h: f64,
+    ) {
+        let (frame, u, d) = (&model.nodes[node], &state.displacement[node], &increment[node]);
+        let x = [0, 1].map(|i| frame.position[i] + u[i] + 0.5 * d[i]);
+        self.add_force([force[0], force[1]], x, [d[0], d[1]], h);
+        // Slope parts: no net force, but work and moment.
+        let g = [0, 1].map(|i| frame.tangent[i] + u[2 + i] + 0.5 * d[2 + i]);
+        let couple = [force[2], force[3]];
+        self.work += dot(couple, [d[2], d[3]]);
+        self.angular_impulse += h * cross(g, couple);
+    }
 }
 
-/// What the loads did over a step, beams' and projectiles' gravity included.
+/// What the loads did over a step, beams', masses' and projectiles' gravity included.
 pub fn work(
     model: &Model,
     state: &State,
     h: f64,
     theta: f64,
-    gravity: [f64; 2],
+    forcing: &Forcing,
     increment: &[[f64; 4]],
     travel: &[f64],
 ) -> LoadWork {
     let mut sum = LoadWork::default();
-    for load in &model.point_loads {
-        let share = share(load.from, load.until, state.time, h);
-        let p = &load.point;
+    let add = |p: &MaterialPoint, force: [f64; 2], sum: &mut LoadWork| {
         let (u, d) = (p.value(&state.displacement), p.value(increment));
         let x = std::array::from_fn(|i| p.position[i] + u[i] + 0.5 * d[i]);
-        sum.add_force([share * load.force[0], share * load.force[1]], x, d, h);
-        let g = tangent_at(load, state, increment, theta);
-        let moment = share * load.moment;
-        sum.work += moment * cross(g, p.gradient(increment)) / dot(g, g);
-        sum.angular_impulse += h * moment;
+        sum.add_force(force, x, d, h);
+    };
+    for (load, factor) in model.loads.iter().zip(&forcing.factors) {
+        if *factor == 0.0 {
+            continue;
+        }
+        match &load.kind {
+            LoadAction::Gravity { .. } => {}
+            LoadAction::Point { point, force, moment, follower } => {
+                let g = tangent_at(point, state, increment, theta);
+                let scaled = force.map(|f| factor * f);
+                if *follower {
+                    let unit = 1.0 / dot(g, g).sqrt();
+                    add(point, turned(scaled.map(|f| f * unit), g), &mut sum);
+                } else {
+                    add(point, scaled, &mut sum);
+                }
+                let moment = factor * moment;
+                sum.work += moment * cross(g, point.gradient(increment)) / dot(g, g);
+                sum.angular_impulse += h * moment;
+            }
+            LoadAction::Dead { nodal } => {
+                for (node, force) in nodal {
+                    let force = force.map(|f| factor * f);
+                    sum.add_nodal(model, state, increment, *node, &force, h);
+                }
+            }
+            LoadAction::Follower { points } => {
+                for p in points {
+                    let g = tangent_at(&p.point, state, increment, theta);
+                    add(&p.point, turned(p.force.map(|f| factor * f), g), &mut sum);
+                }
+            }
+        }
     }
-    if gravity != [0.0; 2] {
-        add_gravity(model, state, h, gravity, increment, travel, &mut sum);
+    if forcing.gravity != [0.0; 2] {
+        add_gravity(model, state, h, forcing.gravity, increment, travel, &mut sum);
+        for mass in &model.masses {
+            let force = forcing.gravity.map(|g| mass.mass * g);
+            add(&mass.point, force, &mut sum);
+        }
     }
     sum
 }
@@ -123,25 +222,19 @@ fn add_gravity(
     travel: &[f64],
     sum: &mut LoadWork,
 ) {
-    for beam in &model.beams {
-        let m = &beam.table.mass;
-        for a in beam.nodes.start..beam.nodes.end - 1 {
-            // Consistent nodal weights of a uniform acceleration: columns of positions summed.
-            for (k, node) in [(0, a), (2, a + 1)] {
-                let on_value = m[k][0] + m[k][2];
-                let on_slope = m[k + 1][0] + m[k + 1][2];
-                let (u, d) = (&state.displacement[node], &increment[node]);
-                let x = model.nodes[node];
-                let position = [x[0] + u[0] + 0.5 * d[0], x[1] + u[1] + 0.5 * d[1]];
-                let force = [on_value * gravity[0], on_value * gravity[1]];
-                sum.add_force(force, position, [d[0], d[1]], h);
-                // Slope parts: no net force, but work and moment.
-                let t = beam.table.tangent;
-                let slope = [t[0] + u[2] + 0.5 * d[2], t[1] + u[3] + 0.5 * d[3]];
-                let couple = [on_slope * gravity[0], on_slope * gravity[1]];
-                sum.work += dot(couple, [d[2], d[3]]);
-                sum.angular_impulse += h * cross(slope, couple);
-            }
+    for (span, k, a, _) in model.each_element() {
+        let m = &span.table(k).mass;
+        // Consistent nodal weights of a uniform acceleration: columns of values summed.
+        for (row, node) in [(0, a), (2, a + 1)] {
+            let on_value = m[row][0] + m[row][2];
+            let on_slope = m[row + 1][0] + m[row + 1][2];
+            let force = [
+                on_value * gravity[0],
+                on_value * gravity[1],
+                on_slope * gravity[0],
+                on_slope * gravity[1],
+            ];
+            sum.add_nodal(model, state, increment, node, &force, h);
         }
     }
     for (i, p) in model.projectiles.iter().enumerate() {

@@ -18,12 +18,8 @@ pub enum Rule {
     Midpoint(MidpointForces),
     /// Newmark's family with accelerations.
     Alpha(AlphaWeights),
-    /// Equilibrium: no inertia in the residual; the tangent is shifted by `shift` times the mass, so that a beam held by joints
-    /// alone has a regular band.
-    Static {
-        /// Shift \[1/s^2\].
-        shift: f64,
-    },
+    /// Equilibrium at the end of the step: no inertia.
+    Static,
 }
 
 /// Internal forces of the midpoint family.
@@ -83,14 +79,14 @@ impl Integration {
         match self.rule {
             Rule::Midpoint(_) => 0.5,
             Rule::Alpha(w) => 1.0 - w.alpha_f,
-            Rule::Static { .. } => 1.0,
+            Rule::Static => 1.0,
         }
     }
 
     /// Increment if nothing accelerates further.
     pub fn predict(&self, v0: f64, a0: f64) -> f64 {
         match self.rule {
-            Rule::Midpoint(_) | Rule::Static { .. } => self.h * v0,
+            Rule::Midpoint(_) | Rule::Static => self.h * v0,
             Rule::Alpha(_) => self.h * (v0 + 0.5 * self.h * a0),
         }
     }
@@ -100,7 +96,34 @@ impl Integration {
         match self.rule {
             Rule::Midpoint(_) => 2.0 / (self.h * self.h),
             Rule::Alpha(w) => (1.0 - w.alpha_m) / (w.beta * self.h * self.h),
-            Rule::Static { shift } => shift,
+            Rule::Static => 0.0,
+        }
+    }
+
+    /// Velocity in the equation of motion, where forces are evaluated.
+    #[inline(always)]
+    pub fn rate(&self, d: f64, v0: f64, a0: f64) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => d / self.h,
+            Rule::Alpha(w) => w.alpha_f * v0 + (1.0 - w.alpha_f) * self.velocity(d, v0, a0),
+            Rule::Static => 0.0,
+        }
+    }
+
+    /// Derivative of [`Integration::rate`] with respect to the increment \[1/s\].
+    pub fn rate_slope(&self) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => 1.0 / self.h,
+            Rule::Alpha(w) => (1.0 - w.alpha_f) * w.gamma / (w.beta * self.h),
+            Rule::Static => 0.0,
+        }
+    }
+
+    /// A time over the step size; zero in statics, where nothing has a rate.
+    pub fn lag(&self, time: f64) -> f64 {
+        match self.rule {
+            Rule::Midpoint(_) => time / self.h,
+            Rule::Alpha(_) | Rule::Static => 0.0,
         }
     }
 
@@ -110,7 +133,7 @@ impl Integration {
         match self.rule {
             Rule::Midpoint(_) => 2.0 * (d / self.h - v0) / self.h,
             Rule::Alpha(w) => (1.0 - w.alpha_m) * self.acceleration(d, v0, a0) + w.alpha_m * a0,
-            Rule::Static { .. } => 0.0,
+            Rule::Static => 0.0,
         }
     }
 
@@ -118,7 +141,7 @@ impl Integration {
     #[inline(always)]
     pub fn acceleration(&self, d: f64, v0: f64, a0: f64) -> f64 {
         match self.rule {
-            Rule::Midpoint(_) | Rule::Static { .. } => 0.0,
+            Rule::Midpoint(_) | Rule::Static => 0.0,
             Rule::Alpha(w) => (d / self.h - v0) / (w.beta * self.h) - (0.5 / w.beta - 1.0) * a0,
         }
     }
@@ -128,7 +151,7 @@ impl Integration {
     pub fn velocity(&self, d: f64, v0: f64, a0: f64) -> f64 {
         match self.rule {
             Rule::Midpoint(_) => 2.0 * d / self.h - v0,
-            Rule::Static { .. } => 0.0,
+            Rule::Static => 0.0,
             Rule::Alpha(w) => {
                 let a1 = self.acceleration(d, v0, a0);
                 v0 + self.h * ((1.0 - w.gamma) * a0 + w.gamma * a1)

@@ -3,15 +3,18 @@
 //! The tangent is factored at the predictor and kept while the iteration contracts well with it; unbalanced forces are
 //! always those of the current increment, so the result does not depend on how often the tangent was renewed.
 
+use super::constraint::ConstraintStep;
+use super::forcing::Forcing;
 use super::integration::Integration;
+use super::modal_damping::ModalDamping;
 use super::tangent::{Singular, project};
 use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
-use super::{assemble, constraint, external};
+use super::{assemble, connectors, external, masses};
 use crate::contact::impact::Stalled;
 use crate::math::vec2::{dot, scale};
 use crate::model::Model;
-use crate::model::frozen::ContactLaw;
+use crate::model::frozen::{ConstraintKind, ContactLaw};
 use crate::state::State;
 
 /// A rigid contact that takes part in a step.
@@ -32,8 +35,10 @@ pub struct StepProblem<'a> {
     pub state: &'a State,
     /// Scheme and size of the step.
     pub integration: Integration,
-    /// Gravity in the step \[m/s^2\].
-    pub gravity: [f64; 2],
+    /// Loads and prescribed motions in the step.
+    pub forcing: &'a Forcing,
+    /// Modal damping.
+    pub damping: &'a ModalDamping,
     /// Contacts that may carry an impulse.
     pub active: &'a [ActiveContact],
     /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
@@ -133,7 +138,7 @@ impl StepProblem<'_> {
             self.state,
             rule.h,
             rule.theta(),
-            self.gravity,
+            self.forcing,
             &work.increment,
             &work.travel,
         );
@@ -159,7 +164,10 @@ impl StepProblem<'_> {
             let v0 = &state.velocity[n];
             *d = std::array::from_fn(|i| self.integration.predict(v0[i], a0[i]));
         }
-        work.multiplier.copy_from_slice(&state.multiplier);
+        prescribe(self.model, self.forcing, &mut work.increment);
+        for (i, acts) in self.forcing.constrained.iter().enumerate() {
+            work.multiplier[i] = if *acts { state.multiplier[i] } else { 0.0 };
+        }
         for (i, p) in state.projectiles.iter().enumerate() {
             work.travel[i] = self.integration.predict(p.speed, p.acceleration);
         }
@@ -172,7 +180,7 @@ impl StepProblem<'_> {
         let h = self.integration.h;
         for (i, p) in self.model.projectiles.iter().enumerate() {
             if matches!(p.law, ContactLaw::Unilateral { .. }) {
-                let change = h * dot(self.gravity, p.direction) - work.impulse[i] / p.mass;
+                let change = h * dot(self.forcing.gravity, p.direction) - work.impulse[i] / p.mass;
                 work.travel[i] = h * (self.state.projectiles[i].speed + 0.5 * change);
             }
         }
@@ -185,29 +193,27 @@ impl StepProblem<'_> {
 
     fn residual_with<const TANGENT: bool>(&self, work: &mut Workspace) {
         let Workspace { increment, residual, tangent, .. } = work;
-        let rule = &self.integration;
-        let chain = &mut tangent.chain;
-        assemble::beams::<TANGENT>(
-            self.model,
-            self.state,
-            rule,
-            self.gravity,
-            increment,
-            residual,
-            chain,
-        );
-        external::apply::<TANGENT>(
-            self.model,
-            self.state,
-            rule.h,
-            rule.theta(),
-            increment,
-            residual,
-            chain,
-        );
-        for (c, multiplier) in self.model.constraints.iter().zip(&work.multiplier) {
-            let u = &self.state.displacement;
-            constraint::add_gradient(c, u, increment, 0.5, *multiplier, residual);
+        let (model, state, rule) = (self.model, self.state, &self.integration);
+        let gravity = self.forcing.gravity;
+        let chain = tangent.chain_mut();
+        assemble::beams::<TANGENT>(model, state, rule, gravity, increment, residual, chain);
+        if TANGENT {
+            tangent.clear_ties();
+        }
+        let (forcing, theta) = (self.forcing, rule.theta());
+        external::apply::<TANGENT>(model, state, forcing, theta, increment, residual, tangent);
+        masses::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
+        connectors::apply::<TANGENT>(model, state, rule, forcing, increment, residual, tangent);
+        self.damping.apply(increment, rule.h, residual);
+        let step = self.constraint_step(increment);
+        for (i, (c, multiplier)) in model.constraints.iter().zip(&work.multiplier).enumerate() {
+            step.add_gradient(c, *multiplier, residual);
+            if TANGENT
+                && let ConstraintKind::Angle { points, .. } = &c.kind
+                && let Some(k) = step.hessian(c, *multiplier)
+            {
+                tangent.add_hessian(i, points, &k);
+            }
         }
         self.springs::<TANGENT>(work);
         for contact in self.active {
@@ -217,9 +223,17 @@ impl StepProblem<'_> {
         }
     }
 
+    /// The step as constraints see it.
+    fn constraint_step<'b>(&'b self, increment: &'b [[f64; 4]]) -> ConstraintStep<'b> {
+        let start = &self.state.displacement;
+        ConstraintStep { start, increment, forcing: self.forcing, share: 0.5 }
+    }
+
     fn factor(&self, work: &mut Workspace) -> Result<(), Failure> {
-        let u = &self.state.displacement;
-        work.tangent.factor(self.model, u, &work.increment)?;
+        let Workspace { tangent, increment, .. } = work;
+        let step = self.constraint_step(increment);
+        let damping = Some((self.damping, self.integration.h));
+        tangent.factor(self.model, &step, damping)?;
         let (nodes, constraints) = (self.model.node_count(), self.model.constraints.len());
         if work.contact_columns.len() < self.active.len() {
             let empty = (vec![[0.0; 4]; nodes], vec![0.0; constraints]);
@@ -230,7 +244,8 @@ impl StepProblem<'_> {
             column.fill([0.0; 4]);
             multiplier.fill(0.0);
             p.point.spread(p.direction, column);
-            work.tangent.solve(self.model, u, &work.increment, column, multiplier, None);
+            let (model, step) = (self.model, self.constraint_step(&work.increment));
+            work.tangent.solve(model, &step, self.damping, column, multiplier, None);
         }
         Ok(())
     }
@@ -249,9 +264,10 @@ impl StepProblem<'_> {
                 p.point.spread(scale(force, p.direction), &mut work.correction);
             }
         }
-        let u = &self.state.displacement;
         let Workspace { tangent, correction, multiplier, increment, .. } = work;
-        tangent.solve(self.model, u, increment, correction, multiplier, Some(self.feedback));
+        let step = self.constraint_step(increment);
+        let feedback = Some(self.feedback);
+        tangent.solve(self.model, &step, self.damping, correction, multiplier, feedback);
         self.impact(work)?;
         let mut correction_work = 0.0;
         for ((d, c), r) in work.increment.iter_mut().zip(&work.correction).zip(&work.residual) {
@@ -318,11 +334,22 @@ impl StepProblem<'_> {
         let (_, reach) = largest(u);
         let (_, step) = largest(&work.increment);
         let tolerance = ROUND_OFF * (step + self.feedback * (1.0 + reach));
-        self.model.constraints.iter().all(|c| {
-            let left = constraint::change(c, u, &work.increment)
-                + self.feedback * constraint::start_value(c, u);
-            left.abs() <= tolerance
+        let seen = self.constraint_step(&work.increment);
+        self.model.constraints.iter().zip(&self.forcing.constrained).all(|(c, acts)| {
+            let left = seen.change(c) + self.feedback * seen.start_value(c);
+            !acts || left.abs() <= tolerance
         })
+    }
+}
+
+/// Sets held components to their prescribed increments.
+pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
+    for hold in &model.holds {
+        let x = &mut increment[hold.node];
+        for (n, drive) in hold.normals.iter().zip(&hold.drives) {
+            let miss = (0..4).map(|k| n[k] * x[k]).sum::<f64>() - forcing.increment(drive);
+            (0..4).for_each(|k| x[k] -= miss * n[k]);
+        }
     }
 }
 

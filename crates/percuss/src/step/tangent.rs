@@ -1,22 +1,33 @@
-//! The tangent of a step: the band of the beams with the components held at nodes, and its border of constraints.
+//! The tangent of a step: the band of the beams with the components held at nodes, what ties it together, and the low-rank
+//! part of modal damping.
 
-use super::constraint;
-use crate::linalg::block::Block;
-use crate::linalg::chain::{Chain, SingularPivot};
+use super::constraint::{self, ConstraintStep};
+use super::modal_damping::ModalDamping;
+use crate::linalg::block::{Block, ZERO, mul};
+use crate::linalg::chain::Chain;
+use crate::linalg::condensed::Condensed;
 use crate::linalg::dense::DenseLu;
 use crate::model::Model;
-use crate::model::frozen::NodeHold;
+use crate::model::frozen::{Connector, ConstraintKind, MaterialPoint, NodeHold};
 
-/// The band, factored in place, and the Schur complement of the border.
+/// The tangent, assembled or factored in place.
 #[derive(Clone, Debug)]
 pub struct Tangent {
-    /// The band.
-    pub chain: Chain,
-    /// `A^-1 C^T`, one nodal vector a constraint.
+    matrix: Condensed,
+    /// Number of the first coupling of each connector.
+    of_connector: Vec<usize>,
+    /// Number of the first coupling of each constraint.
+    of_constraint: Vec<usize>,
+    right: Vec<f64>,
+    low_rank: LowRank,
+}
+
+/// Solutions for the vectors of modal damping, and the small system between them (Woodbury).
+#[derive(Clone, Debug, Default)]
+struct LowRank {
     columns: Vec<Vec<[f64; 4]>>,
-    /// `C A^-1 C^T`, row by row.
-    schur: Vec<f64>,
-    factored_schur: DenseLu,
+    multipliers: Vec<Vec<f64>>,
+    lu: DenseLu,
     right: Vec<f64>,
 }
 
@@ -25,61 +36,196 @@ pub struct Tangent {
 pub enum Singular {
     /// At a node.
     Node(usize),
-    /// In the border of constraints.
+    /// Where beams are tied together.
     Constraints,
 }
 
-impl From<SingularPivot> for Singular {
-    fn from(pivot: SingularPivot) -> Self {
-        Self::Node(pivot.node)
-    }
+/// Nodes of a point that its shape functions or their slopes know.
+fn nodes_of(point: &MaterialPoint, gradient: bool) -> Vec<usize> {
+    let n = if gradient { &point.slope } else { &point.shape };
+    let known = |k: usize| n[k] != 0.0 || n[k + 1] != 0.0;
+    [(0, point.node), (2, point.node + 1)]
+        .into_iter()
+        .filter(|(k, _)| known(*k))
+        .map(|(_, node)| node)
+        .collect()
+}
+
+/// Pairs of nodes tied by two points, both ways.
+fn pairs(a: (&MaterialPoint, bool), b: (&MaterialPoint, bool)) -> Vec<(usize, usize)> {
+    let (a, b) = (nodes_of(a.0, a.1), nodes_of(b.0, b.1));
+    a.iter().flat_map(|i| b.iter().flat_map(move |j| [(*i, *j), (*j, *i)])).collect()
 }
 
 impl Tangent {
     /// Room for the tangent of `model`.
     pub fn new(model: &Model) -> Self {
-        let (n, k) = (model.node_count(), model.constraints.len());
+        let mut couplings = Vec::new();
+        let (mut of_connector, mut of_constraint) = (Vec::new(), Vec::new());
+        for connector in &model.connectors {
+            of_connector.push(couplings.len());
+            let grips: Vec<_> = connector.grips().map(|(_, grip)| grip).collect();
+            if let [a, b] = grips[..] {
+                couplings.extend(pairs(a, b));
+            }
+        }
+        for c in &model.constraints {
+            of_constraint.push(couplings.len());
+            if let ConstraintKind::Angle { points, .. } = &c.kind {
+                couplings.extend(pairs((&points[0], true), (&points[1], true)));
+            }
+        }
+        let border: Vec<Vec<usize>> = model.constraints.iter().map(constraint::nodes).collect();
+        let mut linked = vec![true; model.node_count()];
+        for span in &model.spans {
+            linked[span.nodes.end - 1] = false;
+        }
         Self {
-            chain: Chain::zeros(n),
-            columns: vec![vec![[0.0; 4]; n]; k],
-            schur: vec![0.0; k * k],
-            factored_schur: DenseLu::default(),
-            right: vec![0.0; k],
+            matrix: Condensed::new(model.node_count(), |i| linked[i], &couplings, &border),
+            of_connector,
+            of_constraint,
+            right: vec![0.0; border.len()],
+            low_rank: LowRank::default(),
         }
     }
 
-    /// Factors the assembled band with its held components, and the border, whose columns are the constraint gradients
-    /// at the midpoint and whose rows those at the end of the step.
+    /// The band, not yet factored.
+    pub fn chain_mut(&mut self) -> &mut Chain {
+        &mut self.matrix.chain
+    }
+
+    /// Clears what is not the band.
+    pub fn clear_ties(&mut self) {
+        for coupling in &mut self.matrix.couplings {
+            coupling.2 = ZERO;
+        }
+    }
+
+    /// Product with nodal values, before factorisation; constraints have no part in it.
+    pub fn multiply(&self, x: &[[f64; 4]]) -> Vec<[f64; 4]> {
+        self.matrix.multiply(x)
+    }
+
+    /// Adds the tangent of connector `i`.
+    pub fn add_connector(
+        &mut self,
+        i: usize,
+        connector: &Connector,
+        blocks: &[[[[f64; 2]; 2]; 2]; 2],
+    ) {
+        let grips: Vec<_> = connector.grips().collect();
+        for (g, (p, gradient)) in &grips {
+            let n = if *gradient { &p.slope } else { &p.shape };
+            self.matrix.chain.add_outer(p.node, n, n, &blocks[*g][*g]);
+        }
+        if let [(_, a), (_, b)] = grips[..] {
+            self.add_between(self.of_connector[i], a, b, &blocks[0][1], &blocks[1][0]);
+        }
+    }
+
+    /// Adds the derivative of the force of constraint `i`, a matrix between the slopes at its two points.
+    pub fn add_hessian(&mut self, i: usize, points: &[MaterialPoint; 2], k: &[[f64; 2]; 2]) {
+        let transposed = [[k[0][0], k[1][0]], [k[0][1], k[1][1]]];
+        let first = self.of_constraint[i];
+        self.add_between(first, (&points[0], true), (&points[1], true), k, &transposed);
+    }
+
+    fn add_between(
+        &mut self,
+        first: usize,
+        a: (&MaterialPoint, bool),
+        b: (&MaterialPoint, bool),
+        forth: &[[f64; 2]; 2],
+        back: &[[f64; 2]; 2],
+    ) {
+        let weights = |(p, gradient): (&MaterialPoint, bool)| {
+            let n = if gradient { p.slope } else { p.shape };
+            [[n[0], n[1]], [n[2], n[3]]].into_iter().filter(|w| *w != [0.0; 2]).collect::<Vec<_>>()
+        };
+        let (a, b) = (weights(a), weights(b));
+        let mut k = first;
+        for wa in &a {
+            for wb in &b {
+                add_block(&mut self.matrix.couplings[k].2, wa, wb, forth);
+                add_block(&mut self.matrix.couplings[k + 1].2, wb, wa, back);
+                k += 2;
+            }
+        }
+    }
+
+    /// Factors the assembled tangent with its held components; border columns are the constraint gradients where their forces
+    /// act, rows those at the end of the step.
     ///
     /// # Errors
     /// Where it is singular.
     pub fn factor(
         &mut self,
         model: &Model,
-        u: &[[f64; 4]],
-        increment: &[[f64; 4]],
+        step: &ConstraintStep,
+        damping: Option<(&ModalDamping, f64)>,
     ) -> Result<(), Singular> {
         for hold in &model.holds {
-            hold_block(&mut self.chain, hold);
+            hold_block(&mut self.matrix.chain, hold);
         }
-        self.chain.factor()?;
-        let k = model.constraints.len();
-        if k == 0 {
-            return Ok(());
-        }
-        for (c, column) in model.constraints.iter().zip(&mut self.columns) {
-            column.fill([0.0; 4]);
-            constraint::add_gradient(c, u, increment, 0.5, 1.0, column);
-            project(model, column);
-            self.chain.solve(column);
-            project(model, column);
-        }
-        for (i, c) in model.constraints.iter().enumerate() {
-            for (j, column) in self.columns.iter().enumerate() {
-                self.schur[i * k + j] = constraint::derivative(c, u, increment, column);
+        for (a, b, block) in &mut self.matrix.couplings {
+            if let Some(hold) = model.hold_at(*a) {
+                *block = mul(&projector(hold), block);
+            }
+            if let Some(hold) = model.hold_at(*b) {
+                *block = mul(block, &projector(hold));
             }
         }
-        if self.factored_schur.factor(k, &self.schur) { Ok(()) } else { Err(Singular::Constraints) }
+        for (i, c) in model.constraints.iter().enumerate() {
+            let acts = step.forcing.constrained[i];
+            self.matrix.corner[i] = if acts { 0.0 } else { 1.0 };
+            for (end, vector) in
+                [(false, &mut self.matrix.columns[i]), (true, &mut self.matrix.rows[i])]
+            {
+                step.border(c, end, vector);
+                for (node, value) in vector.iter_mut() {
+                    if !acts {
+                        *value = [0.0; 4];
+                    } else if let Some(hold) = model.hold_at(*node) {
+                        project_node(hold, value);
+                    }
+                }
+            }
+        }
+        self.matrix
+            .factor()
+            .map_err(|at| at.map_or(Singular::Constraints, |p| Singular::Node(p.node)))?;
+        self.factor_damping(model, damping);
+        Ok(())
+    }
+
+    /// Solutions for the vectors of modal damping.
+    fn factor_damping(&mut self, model: &Model, damping: Option<(&ModalDamping, f64)>) {
+        let Some((damping, h)) = damping.filter(|(d, _)| !d.is_empty()) else {
+            self.low_rank.columns.clear();
+            return;
+        };
+        let n = damping.vectors.len();
+        let mut low_rank = std::mem::take(&mut self.low_rank);
+        low_rank.columns.resize(n, Vec::new());
+        low_rank.multipliers.resize(n, Vec::new());
+        let mut matrix = vec![0.0; n * n];
+        for (j, vector) in damping.vectors.iter().enumerate() {
+            low_rank.columns[j].clone_from(vector);
+            low_rank.multipliers[j] = vec![0.0; model.constraints.len()];
+            self.solve_plain(model, &mut low_rank.columns[j], &mut low_rank.multipliers[j]);
+            for (i, other) in damping.vectors.iter().enumerate() {
+                matrix[i * n + j] = inner(other, &low_rank.columns[j]);
+            }
+            matrix[j * n + j] += h / damping.rates[j];
+        }
+        low_rank.lu.factor(n, &matrix);
+        self.low_rank = low_rank;
+    }
+
+    fn solve_plain(&mut self, model: &Model, x: &mut [[f64; 4]], border: &mut [f64]) {
+        project(model, x);
+        self.matrix.solve(x, border);
+        project(model, x);
     }
 
     /// Solves `A x + C^T dl = x_given`, `C x = -c` in place and adds dl to `multiplier`.
@@ -90,30 +236,74 @@ impl Tangent {
     pub fn solve(
         &mut self,
         model: &Model,
-        u: &[[f64; 4]],
-        increment: &[[f64; 4]],
+        step: &ConstraintStep,
+        damping: &ModalDamping,
         x: &mut [[f64; 4]],
         multiplier: &mut [f64],
         feedback: Option<f64>,
     ) {
-        project(model, x);
-        self.chain.solve(x);
-        project(model, x);
-        if model.constraints.is_empty() {
+        let mut right = std::mem::take(&mut self.right);
+        for (i, (c, right)) in model.constraints.iter().zip(&mut right).enumerate() {
+            *right = match feedback {
+                Some(share) if step.forcing.constrained[i] => {
+                    -(step.change(c) + share * step.start_value(c))
+                }
+                _ => 0.0,
+            };
+        }
+        self.solve_plain(model, x, &mut right);
+        self.correct_for_damping(damping, x, &mut right);
+        for (m, change) in multiplier.iter_mut().zip(&right) {
+            *m += change;
+        }
+        self.right = right;
+    }
+
+    /// Solves `A x + C^T dl = x_given`, `C x = 0` in place, without damping; returns dl.
+    pub fn solve_linear(&mut self, model: &Model, x: &mut [[f64; 4]]) -> Vec<f64> {
+        let mut border = vec![0.0; model.constraints.len()];
+        self.solve_plain(model, x, &mut border);
+        border
+    }
+
+    fn correct_for_damping(
+        &mut self,
+        damping: &ModalDamping,
+        x: &mut [[f64; 4]],
+        border: &mut [f64],
+    ) {
+        let low_rank = &mut self.low_rank;
+        if low_rank.columns.is_empty() {
             return;
         }
-        for (c, right) in model.constraints.iter().zip(&mut self.right) {
-            let value = feedback.map_or(0.0, |share| {
-                constraint::change(c, u, increment) + share * constraint::start_value(c, u)
-            });
-            *right = value + constraint::derivative(c, u, increment, x);
-        }
-        self.factored_schur.solve(&mut self.right);
-        for ((column, change), multiplier) in self.columns.iter().zip(&self.right).zip(multiplier) {
-            *multiplier += change;
+        low_rank.right.clear();
+        low_rank.right.extend(damping.vectors.iter().map(|v| inner(v, x)));
+        low_rank.lu.solve(&mut low_rank.right);
+        for ((column, multipliers), share) in
+            low_rank.columns.iter().zip(&low_rank.multipliers).zip(&low_rank.right)
+        {
             for (target, c) in x.iter_mut().zip(column) {
-                for i in 0..4 {
-                    target[i] -= change * c[i];
+                (0..4).for_each(|i| target[i] -= share * c[i]);
+            }
+            for (target, m) in border.iter_mut().zip(multipliers) {
+                *target -= share * m;
+            }
+        }
+    }
+}
+
+/// Inner product of nodal values.
+pub fn inner(a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
+    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
+}
+
+/// Adds `left^T k right` between two nodes' values and slopes.
+fn add_block(block: &mut Block, left: &[f64; 2], right: &[f64; 2], k: &[[f64; 2]; 2]) {
+    for p in 0..2 {
+        for q in 0..2 {
+            for i in 0..2 {
+                for j in 0..2 {
+                    block[2 * p + i][2 * q + j] += left[p] * right[q] * k[i][j];
                 }
             }
         }
@@ -123,37 +313,46 @@ impl Tangent {
 /// Removes the held components of nodal values.
 pub fn project(model: &Model, nodal: &mut [[f64; 4]]) {
     for hold in &model.holds {
-        let x = &mut nodal[hold.node];
-        for n in &hold.normals {
-            let along = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] + n[3] * x[3];
-            for i in 0..4 {
-                x[i] -= along * n[i];
-            }
+        project_node(hold, &mut nodal[hold.node]);
+    }
+}
+
+/// Removes the held components of a node's values.
+pub fn project_node(hold: &NodeHold, x: &mut [f64; 4]) {
+    for n in &hold.normals {
+        let along = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] + n[3] * x[3];
+        for i in 0..4 {
+            x[i] -= along * n[i];
         }
     }
 }
 
-/// Replaces the rows and columns of held components: `P A P + s N N^T` with the scale s of the block.
-fn hold_block(chain: &mut Chain, hold: &NodeHold) {
-    let i = hold.node;
-    let mut p: Block = [[0.0; 4]; 4];
-    let mut held: Block = [[0.0; 4]; 4];
-    let diag = &chain.diag[i];
-    let scale = (0..4).map(|k| diag[k][k].abs()).fold(0.0_f64, f64::max).max(1e-300);
+/// `I - N N^T`.
+fn projector(hold: &NodeHold) -> Block {
+    let mut p: Block = ZERO;
     for r in 0..4 {
         p[r][r] = 1.0;
         for c in 0..4 {
             for n in &hold.normals {
                 p[r][c] -= n[r] * n[c];
-                held[r][c] += scale * n[r] * n[c];
             }
         }
     }
-    use crate::linalg::block::mul;
+    p
+}
+
+/// Replaces the rows and columns of held components: `P A P + s N N^T` with the scale s of the block.
+fn hold_block(chain: &mut Chain, hold: &NodeHold) {
+    let i = hold.node;
+    let p = projector(hold);
+    let diag = &chain.diag[i];
+    let scale = (0..4).map(|k| diag[k][k].abs()).fold(0.0_f64, f64::max).max(1e-300);
     let mut block = mul(&mul(&p, diag), &p);
     for r in 0..4 {
         for c in 0..4 {
-            block[r][c] += held[r][c];
+            for n in &hold.normals {
+                block[r][c] += scale * n[r] * n[c];
+            }
         }
     }
     chain.diag[i] = block;

@@ -23,6 +23,7 @@ pub struct Workspace {
     pub correction: Vec<[f64; 4]>,
     /// The factored tangent.
     pub tangent: Tangent,
+
     /// Residuals of the projectiles' equations, shape (n_projectile) \[N\].
     pub projectile_residual: Vec<f64>,
     /// Derivatives of the smooth contact forces with respect to the penetration, as in the factored tangent,

@@ -1,0 +1,150 @@
+//! Linear buckling: the load factor at which the tangent would turn singular if the geometric stiffness grew with the load.
+
+use nalgebra::DMatrix;
+
+use super::modes::{combine, scale, sorted_eigen, start, subtract};
+use super::static_search::{StaticSearch, largest, linearized};
+use crate::model::Model;
+use crate::settings::Scheme;
+use crate::state::State;
+use crate::step::tangent::{Tangent, inner, project};
+
+/// Iterations of the subspace.
+const MOST_ITERATIONS: usize = 200;
+/// Relative change of a factor that has settled.
+const SETTLED: f64 = 1e-12;
+/// Largest membrane strain of the configurations between which the geometric stiffness is a difference.
+const SMALL_STRAIN: f64 = 1e-5;
+
+/// A buckling mode of the linearised structure.
+#[derive(Clone, Debug)]
+pub struct BucklingMode {
+    /// Factor on the loads that act at time zero.
+    pub factor: f64,
+    /// Nodal displacements and slopes, largest component one, shape (n_node).
+    pub shape: Vec<[f64; 4]>,
+}
+
+/// Linear buckling factors of the loads that act at time zero: up to `count` positive ones, in ascending order.
+///
+/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the derivative of the tangent along the linear
+/// response to the loads. Empty if no load acts, nothing buckles, or the structure is a mechanism.
+pub fn buckling(model: &Model, count: usize) -> Vec<BucklingMode> {
+    find(model, count).unwrap_or_default()
+}
+
+fn find(model: &Model, count: usize) -> Option<Vec<BucklingMode>> {
+    let rest = State::at_rest(model, Scheme::EnergyMomentum);
+    let stiffness = linearized_free(model, &rest, &[], 0.0);
+    let (response, multipliers, mut factored) = linear_response(model)?;
+    let small = SMALL_STRAIN / reach(model, &response);
+    if !small.is_finite() {
+        return None;
+    }
+    let at = |share: f64| {
+        let mut state = rest.clone();
+        state.displacement.clone_from(&response);
+        scale(&mut state.displacement, share);
+        let multipliers: Vec<f64> = multipliers.iter().map(|m| share * m).collect();
+        linearized_free(model, &state, &multipliers, share)
+    };
+    let (ahead, behind) = (at(small), at(-small));
+    // - K_g x
+    let geometric = |x: &[[f64; 4]]| {
+        let mut y = behind.multiply(x);
+        subtract(&mut y, 1.0, &ahead.multiply(x));
+        scale(&mut y, 0.5 / small);
+        project(model, &mut y);
+        y
+    };
+    let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
+    let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
+    let size = (2 * count + 8).min(free);
+    let mut basis = start(model, size);
+    for x in &mut basis {
+        factored.solve_linear(model, x);
+    }
+    let mut previous = Vec::new();
+    for iteration in 0..MOST_ITERATIONS {
+        orthonormalize(&stiffness, &mut basis);
+        let loads: Vec<Vec<[f64; 4]>> = basis.iter().map(|x| geometric(x)).collect();
+        let matrix = DMatrix::from_fn(size, size, |i, j| inner(&basis[i], &loads[j]));
+        let (inverse, rotation) = sorted_eigen(&matrix);
+        let factors: Vec<f64> = inverse.iter().take(count).map(|t| 1.0 / t).collect();
+        let settled = !previous.is_empty()
+            && factors
+                .iter()
+                .zip(&previous)
+                .all(|(a, b): (&f64, &f64)| *a <= 0.0 || (a - b).abs() <= SETTLED * a.abs());
+        if settled || iteration + 1 == MOST_ITERATIONS {
+            let shapes = combine(&basis, &rotation, count.min(size));
+            let modes = factors.into_iter().zip(shapes).filter(|(f, _)| *f > 0.0);
+            return Some(modes.map(|(factor, shape)| normalized(factor, shape)).collect());
+        }
+        previous = factors;
+        basis = combine(&loads, &rotation, size);
+        for x in &mut basis {
+            factored.solve_linear(model, x);
+        }
+    }
+    None
+}
+
+fn normalized(factor: f64, mut shape: Vec<[f64; 4]>) -> BucklingMode {
+    let most = shape.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
+    scale(&mut shape, 1.0 / most);
+    BucklingMode { factor, shape }
+}
+
+/// The tangent about a state that carries `share` of the loads, not factored.
+fn linearized_free(model: &Model, state: &State, multipliers: &[f64], share: f64) -> Tangent {
+    let mut search = StaticSearch::at(model, state);
+    search.work.multiplier[..multipliers.len()].copy_from_slice(multipliers);
+    search.forcing.set_static(model, share);
+    search.forcing.hold_motions();
+    search.assemble::<true>();
+    search.work.tangent
+}
+
+/// Displacements and multipliers of the linear response to the loads, and the factored stiffness.
+fn linear_response(model: &Model) -> Option<(Vec<[f64; 4]>, Vec<f64>, Tangent)> {
+    let rest = State::at_rest(model, Scheme::EnergyMomentum);
+    let mut search = linearized(model, &rest);
+    search.work.multiplier.fill(0.0);
+    search.factor_assembled().ok()?;
+    let mut x: Vec<[f64; 4]> = search.work.residual.iter().map(|r| r.map(|c| -c)).collect();
+    let mut tangent = search.work.tangent.clone();
+    let multipliers = tangent.solve_linear(model, &mut x);
+    (largest(&x) > 0.0).then_some((x, multipliers, tangent))
+}
+
+/// Largest membrane strain of a response, or a tenth of its largest rotation.
+fn reach(model: &Model, response: &[[f64; 4]]) -> f64 {
+    use crate::element::beam::ElementValues;
+    let mut most = 0.0_f64;
+    for (span, k, a, _) in model.each_element() {
+        let u = ElementValues::new(&response[a], &response[a + 1]);
+        for row in &span.table(k).rows {
+            let slope = u.at(&row.first);
+            let along = slope[0] * row.tangent[0] + slope[1] * row.tangent[1];
+            most = most.max(along.abs()).max(0.1 * slope[0].hypot(slope[1]));
+        }
+    }
+    most
+}
+
+/// Gram-Schmidt in the inner product of the stiffness, twice.
+fn orthonormalize(stiffness: &Tangent, vectors: &mut [Vec<[f64; 4]>]) {
+    for i in 0..vectors.len() {
+        let (done, rest) = vectors.split_at_mut(i);
+        let x = &mut rest[0];
+        for _ in 0..2 {
+            let weighed = stiffness.multiply(x);
+            for y in done.iter() {
+                subtract(x, inner(y, &weighed), y);
+            }
+        }
+        let size = inner(x, &stiffness.multiply(x)).abs().sqrt();
+        scale(x, 1.0 / size);
+    }
+}

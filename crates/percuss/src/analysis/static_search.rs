@@ -1,0 +1,293 @@
+//! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
+
+use super::section_forces;
+use crate::element::beam::{ElementValues, step_point};
+use crate::element::collocation;
+use crate::element::membrane::green_or_engineering;
+use crate::math::vec2::{add, cross, scale};
+use crate::model::Model;
+use crate::model::frozen::{ConstraintKind, Coordinate};
+use crate::settings::Scheme;
+use crate::state::State;
+use crate::step::constraint::ConstraintStep;
+use crate::step::forcing::Forcing;
+use crate::step::integration::{Integration, Rule};
+use crate::step::modal_damping::ModalDamping;
+use crate::step::newton::prescribe;
+use crate::step::tangent::{Singular, Tangent, project};
+use crate::step::workspace::Workspace;
+use crate::step::{assemble, connectors, external};
+use crate::summary::SectionForceSummary;
+
+/// Corrections before an equilibrium counts as not found.
+const MOST_ITERATIONS: usize = 20;
+/// Last correction of an equilibrium, relative to its displacements; the next would be its square.
+const SETTLED: f64 = 1e-9;
+/// Statics has no step size; this one keeps quotients finite.
+const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
+
+/// A structure between its reference and an equilibrium.
+pub(super) struct StaticSearch<'m> {
+    pub model: &'m Model,
+    /// The configuration increments count from; its stored strains are those foreseen for the next correction.
+    pub base: State,
+    pub work: Workspace,
+    pub forcing: Forcing,
+    pub iterations: usize,
+}
+
+impl<'m> StaticSearch<'m> {
+    pub fn new(model: &'m Model) -> Self {
+        let mut base = State::at_rest(model, Scheme::StrainRate);
+        // Prescribed motions start from nothing here.
+        base.coordinates =
+            model.connectors.iter().map(|c| c.value(&base.displacement, 0.0)).collect();
+        let (work, forcing) = (Workspace::new(model), Forcing::new(model));
+        Self { model, base, work, forcing, iterations: 0 }
+    }
+
+    /// At an equilibrium: increments count from it.
+    pub fn at(model: &'m Model, state: &State) -> Self {
+        let mut search = Self::new(model);
+        search.base.displacement.clone_from(&state.displacement);
+        search.base.coordinates.clone_from(&state.coordinates);
+        search.work.multiplier.clone_from(&state.multiplier);
+        search.forcing.set_static(model, 1.0);
+        search.forcing.hold_motions();
+        search.foresee(true);
+        search
+    }
+
+    /// Newton's iteration at a share of the loads, from the increment that stands in the workspace.
+    pub fn solve(&mut self, share: f64) -> bool {
+        self.forcing.set_static(self.model, share);
+        prescribe(self.model, &self.forcing, &mut self.work.increment);
+        for _ in 0..MOST_ITERATIONS {
+            if !self.factor() {
+                return false;
+            }
+            self.correction();
+            if !self.correct() {
+                return false;
+            }
+            if self.settled() {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Assembles and factors at the current increment.
+    pub fn factor(&mut self) -> bool {
+        self.assemble::<true>();
+        self.factor_assembled().is_ok()
+    }
+
+    pub fn factor_assembled(&mut self) -> Result<(), Singular> {
+        let step = constraint_step(&self.base, &self.work.increment, &self.forcing);
+        self.work.tangent.factor(self.model, &step, None)
+    }
+
+    /// The correction that the factored tangent asks for; multipliers move with it.
+    pub fn correction(&mut self) {
+        let work = &mut self.work;
+        for (c, r) in work.correction.iter_mut().zip(&work.residual) {
+            *c = r.map(|x| -x);
+        }
+        project(self.model, &mut work.correction);
+        let step = constraint_step(&self.base, &work.increment, &self.forcing);
+        let (x, multiplier) = (&mut work.correction, &mut work.multiplier);
+        work.tangent.solve(self.model, &step, &ModalDamping::default(), x, multiplier, Some(1.0));
+    }
+
+    /// Applies the correction; false if it leads nowhere.
+    pub fn correct(&mut self) -> bool {
+        self.foresee(false);
+        let work = &mut self.work;
+        for (d, c) in work.increment.iter_mut().zip(&work.correction) {
+            (0..4).for_each(|i| d[i] += c[i]);
+        }
+        self.iterations += 1;
+        let reach = largest(&work.increment);
+        largest(&work.correction).is_finite() && reach <= 1e6 * self.size()
+    }
+
+    /// Whether the last correction was small.
+    pub fn settled(&self) -> bool {
+        largest(&self.work.correction) <= SETTLED * largest(&self.work.increment)
+    }
+
+    /// Strains that the correction leads to, to first order; those of the increment itself if `still`.
+    pub fn foresee(&mut self, still: bool) {
+        let nothing = ElementValues { chord: [0.0; 2], slope_a: [0.0; 2], slope_b: [0.0; 2] };
+        let Self { model, base, work, .. } = self;
+        for (span, k, a, element) in model.each_element() {
+            let table = span.table(k);
+            let values = |n: &[[f64; 4]]| ElementValues::new(&n[a], &n[a + 1]);
+            let (u, d) = (values(&base.displacement), values(&work.increment));
+            let c = if still { nothing } else { values(&work.correction) };
+            let stored = &mut base.strain[element];
+            for (row, stored) in table.rows.iter().zip(stored.iter_mut()) {
+                let point = step_point(row, &u, &d);
+                let (slope, bend) = (c.at(&row.first), c.at(&row.second));
+                let s = collocation::foresee(&row.law, &point, slope, bend);
+                *stored = [s.membrane, s.bending];
+            }
+            let Some(samples) = &table.membrane else { continue };
+            for (i, stored) in stored.iter_mut().enumerate() {
+                let (t, row) = (samples.tangent[i], &samples.rows[i]);
+                let slope = add(u.at(row), d.at(row));
+                let step = crate::element::membrane::MembraneStep {
+                    tangent: t,
+                    slope_0: slope,
+                    d_slope: [0.0; 2],
+                };
+                let here = step.collocated(span.measure, 0.0, 0.0);
+                let (g, moved) = (add(t, slope), c.at(row));
+                stored[0] = green_or_engineering(span.measure, t, slope)
+                    + here.alpha * (g[0] * moved[0] + g[1] * moved[1]);
+            }
+        }
+    }
+
+    /// Residual, and tangent if `TANGENT`, at the current increment.
+    pub fn assemble<const TANGENT: bool>(&mut self) {
+        let Self { model, base, forcing, .. } = self;
+        let Workspace { increment, residual, tangent, multiplier, .. } = &mut self.work;
+        let chain = tangent.chain_mut();
+        assemble::beams::<TANGENT>(model, base, &RULE, forcing.gravity, increment, residual, chain);
+        if TANGENT {
+            tangent.clear_ties();
+        }
+        weigh_masses(model, forcing, residual);
+        external::apply::<TANGENT>(model, base, forcing, 1.0, increment, residual, tangent);
+        connectors::apply::<TANGENT>(model, base, &RULE, forcing, increment, residual, tangent);
+        let step = constraint_step(base, increment, forcing);
+        for (i, (c, multiplier)) in model.constraints.iter().zip(multiplier.iter()).enumerate() {
+            step.add_gradient(c, *multiplier, residual);
+            if TANGENT
+                && let ConstraintKind::Angle { points, .. } = &c.kind
+                && let Some(k) = step.hessian(c, *multiplier)
+            {
+                tangent.add_hessian(i, points, &k);
+            }
+        }
+    }
+
+    /// Size of the structure \[m\].
+    pub fn size(&self) -> f64 {
+        self.model.beams.iter().map(|b| b.length).sum::<f64>().max(1.0)
+    }
+
+    /// The state reached, at rest.
+    pub fn state(&self) -> State {
+        let mut state = self.base.clone();
+        for (u, d) in state.displacement.iter_mut().zip(&self.work.increment) {
+            (0..4).for_each(|i| u[i] += d[i]);
+        }
+        state.multiplier.clone_from(&self.work.multiplier);
+        let step = |(c, q0): (&crate::model::frozen::Connector, &f64)| {
+            let moved = match &c.coordinate {
+                Coordinate::Displacement { drive, .. } => {
+                    self.forcing.start(drive) + self.forcing.increment(drive)
+                }
+                _ => 0.0,
+            };
+            c.value(&state.displacement, *q0) - moved
+        };
+        state.coordinates =
+            self.model.connectors.iter().zip(&self.base.coordinates).map(step).collect();
+        state.strain.clear();
+        state
+    }
+
+    /// Section forces of largest magnitude in the state reached.
+    pub fn section_forces(&self, state: &State) -> Vec<SectionForceSummary> {
+        let mut forces = section_forces::unset(self.model);
+        section_forces::update(self.model, state, None, &mut forces);
+        forces
+    }
+
+    /// Force and moment of each support on the structure; the residual must be that of the state reached.
+    pub fn reactions(&self, state: &State) -> Vec<[f64; 3]> {
+        let (model, work) = (self.model, &self.work);
+        let mut out = vec![[0.0; 3]; model.supports.len()];
+        let mut enter = |support: Option<usize>, force: [f64; 2], moment: f64| {
+            if let Some(s) = support {
+                out[s] = [out[s][0] + force[0], out[s][1] + force[1], out[s][2] + moment];
+            }
+        };
+        let g_at = |p: &crate::model::frozen::MaterialPoint| {
+            add(p.tangent, p.gradient(&state.displacement))
+        };
+        for hold in &model.holds {
+            let mut r = [0.0; 4];
+            for n in &hold.normals {
+                let along: f64 = (0..4).map(|k| n[k] * work.residual[hold.node][k]).sum();
+                (0..4).for_each(|k| r[k] += along * n[k]);
+            }
+            let u = &state.displacement[hold.node];
+            let g = add(model.nodes[hold.node].tangent, [u[2], u[3]]);
+            enter(Some(hold.support), [r[0], r[1]], cross(g, [r[2], r[3]]));
+        }
+        let step = constraint_step(&self.base, &work.increment, &self.forcing);
+        for (c, multiplier) in model.constraints.iter().zip(&work.multiplier) {
+            let (form, gradient) = step.support_form(c);
+            let force = scale(-multiplier, form);
+            if gradient {
+                enter(c.support, [0.0; 2], cross(g_at(&c.points()[0]), force));
+            } else {
+                enter(c.support, force, 0.0);
+            }
+        }
+        for (i, c) in model.connectors.iter().enumerate() {
+            let (u, q0) = (&self.base.displacement, self.base.coordinates[i]);
+            let step = c.step(&RULE, &self.forcing, q0, u, &work.increment);
+            let force = scale(-step.force, step.forms[0]);
+            match &c.coordinate {
+                Coordinate::Angle { a, .. } => enter(c.support, [0.0; 2], cross(g_at(a), force)),
+                _ => enter(c.support, force, 0.0),
+            }
+        }
+        out
+    }
+}
+
+/// The step from the base as constraints see it, their forces directed at its end.
+fn constraint_step<'a>(
+    base: &'a State,
+    increment: &'a [[f64; 4]],
+    forcing: &'a Forcing,
+) -> ConstraintStep<'a> {
+    ConstraintStep { start: &base.displacement, increment, forcing, share: 1.0 }
+}
+
+fn weigh_masses(model: &Model, forcing: &Forcing, residual: &mut [[f64; 4]]) {
+    for mass in &model.masses {
+        mass.point.spread(scale(-mass.mass, forcing.gravity), residual);
+    }
+}
+
+/// Largest magnitude of nodal values; NaN if any is.
+pub(super) fn largest(nodal: &[[f64; 4]]) -> f64 {
+    nodal.as_flattened().iter().fold(0.0, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) })
+}
+
+/// The tangent of a structure about a state, assembled and not yet factored, with the search that made it.
+pub(super) fn linearized<'m>(model: &'m Model, state: &State) -> StaticSearch<'m> {
+    let mut search = StaticSearch::at(model, state);
+    search.assemble::<true>();
+    search
+}
+
+/// Factors an assembled tangent plus `shift` times a mass.
+pub(super) fn factor_shifted(
+    search: &mut StaticSearch,
+    mass: &crate::linalg::chain::Chain,
+    shift: f64,
+) -> Option<Tangent> {
+    let chain = search.work.tangent.chain_mut();
+    chain.add_scaled(mass, shift);
+    search.factor_assembled().ok()?;
+    Some(search.work.tangent.clone())
+}

@@ -1,0 +1,277 @@
+//! Membrane strains of slender elements, sampled at the nodes and the middle.
+//!
+//! A cubic element that is bent cannot keep its membrane strain at zero throughout. Sampled at three inner Gauss points that
+//! locks an element much longer than its radius of gyration; sampled at the ends, which neighbours share, and the middle,
+//! and interpolated between, it leaves as many constraints as bending can afford (minimally constrained strains: Meier,
+//! Popp, Wall 2014, a locking-free finite element formulation for Kirchhoff beams).
+
+use super::beam::{ElementSums, ElementValues, GaussRow};
+use crate::math::hermite::{self, GAUSS};
+use crate::math::vec2::{add, dot, norm};
+use crate::model::StrainMeasure;
+use crate::scalar::Real;
+
+/// Number of sampling points: node a, middle, node b.
+pub const SAMPLES: usize = 3;
+
+/// Membrane strains at the sampling points and the stiffness between them.
+#[derive(Clone, Copy, Debug)]
+pub struct MembraneTable {
+    /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b').
+    pub rows: [[f64; 3]; SAMPLES],
+    /// Reference tangents there.
+    pub tangent: [[f64; 2]; SAMPLES],
+    /// `int EA L_i L_k ds` with the quadratics L through the sampling points \[N m\].
+    pub stiffness: [[f64; SAMPLES]; SAMPLES],
+    /// Values of the L at the Gauss points, shape (n_gauss, n_sample).
+    pub at_gauss: [[f64; SAMPLES]; GAUSS],
+}
+
+/// What a scheme makes of the membrane strain at a sampling point: `deps = alpha g.dg` at the configuration g.
+#[derive(Clone, Copy, Debug)]
+pub struct MembranePoint<S> {
+    /// Membrane strain that sets the stress \[1\].
+    pub strain: S,
+    /// Strain of the geometric stiffness; that of the stress as a rule \[1\].
+    pub geometric: S,
+    /// alpha.
+    pub alpha: S,
+    /// Configuration of evaluation.
+    pub g: [S; 2],
+    /// Derivative of `strain` with respect to g at the end of the step.
+    pub d_strain: [S; 2],
+    /// Derivative of `alpha` with respect to g at the end of the step.
+    pub d_alpha: [S; 2],
+}
+
+impl MembraneTable {
+    /// Elements longer than so many radii of gyration are sampled here. Below, Gauss points serve as well: their locking falls
+    /// with the square of this number, times the fourth power of the angle an element is bent by.
+    pub const SLENDER: f64 = 50.0;
+
+    /// Table of an element of the given length with its reference and its Gauss points.
+    pub fn new(length: f64, reference: &ElementValues<f64>, gauss: &[GaussRow; GAUSS]) -> Self {
+        let middle = hermite::slope(0.5, length);
+        let middle = [middle[2], middle[1], middle[3]];
+        let stretch = norm(reference.at(&middle));
+        let rows = [[0.0, 1.0, 0.0], middle.map(|c| c / stretch), [0.0, 0.0, 1.0]];
+        let at_gauss = hermite::gauss_points()
+            .map(|x| [(1.0 - x) * (1.0 - 2.0 * x), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)]);
+        let mut stiffness = [[0.0; SAMPLES]; SAMPLES];
+        for (row, l) in gauss.iter().zip(&at_gauss) {
+            for i in 0..SAMPLES {
+                for k in 0..SAMPLES {
+                    stiffness[i][k] += row.section.axial * row.weight * l[i] * l[k];
+                }
+            }
+        }
+        Self { rows, tangent: rows.map(|row| reference.at(&row)), stiffness, at_gauss }
+    }
+
+    /// Membrane strains at the Gauss points from those at the sampling points.
+    pub fn to_gauss(&self, strain: [f64; SAMPLES]) -> [f64; GAUSS] {
+        self.at_gauss.map(|l| l[0] * strain[0] + l[1] * strain[1] + l[2] * strain[2])
+    }
+
+    /// Strain energy of membrane strains at the sampling points \[J\].
+    pub fn energy(&self, strain: [f64; SAMPLES]) -> f64 {
+        0.5 * dot3(strain, self.stiffness.map(|row| dot3(row, strain)))
+    }
+
+    /// Membrane strains of a configuration at the sampling points.
+    pub fn strains(&self, measure: StrainMeasure, u: &ElementValues<f64>) -> [f64; SAMPLES] {
+        std::array::from_fn(|i| green_or_engineering(measure, self.tangent[i], u.at(&self.rows[i])))
+    }
+
+    /// Adds forces, and their tangent if `TANGENT`; `theta` is the weight of the end of the step in the configurations of
+    /// evaluation.
+    #[inline(always)]
+    pub fn add<S: Real, const TANGENT: bool>(
+        &self,
+        points: &[MembranePoint<S>; SAMPLES],
+        theta: f64,
+        sums: &mut ElementSums<S>,
+    ) {
+        let force_of = |strain: [S; SAMPLES], i: usize| {
+            let q = &self.stiffness[i];
+            strain[0] * q[0] + strain[1] * q[1] + strain[2] * q[2]
+        };
+        let strain = [points[0].strain, points[1].strain, points[2].strain];
+        let geometric = [points[0].geometric, points[1].geometric, points[2].geometric];
+        for i in 0..SAMPLES {
+            let p = &points[i];
+            let n = force_of(strain, i) * p.alpha;
+            for l in 0..3 {
+                for c in 0..2 {
+                    sums.force[2 * l + c] += n * p.g[c] * self.rows[i][l];
+                }
+            }
+            if !TANGENT {
+                continue;
+            }
+            let force = force_of(geometric, i);
+            let turned = force * p.alpha * theta;
+            for k in 0..SAMPLES {
+                let mut block = [[S::constant(0.0); 2]; 2];
+                for c in 0..2 {
+                    for d in 0..2 {
+                        block[c][d] =
+                            p.alpha * p.g[c] * points[k].d_strain[d] * self.stiffness[i][k];
+                        if i == k {
+                            block[c][d] += force * p.d_alpha[d] * p.g[c];
+                        }
+                    }
+                    if i == k {
+                        block[c][c] += turned;
+                    }
+                }
+                add_block(&self.rows[i], &self.rows[k], &block, sums);
+            }
+        }
+    }
+}
+
+/// Adds `left^T block right` to the tangent of an element.
+#[inline(always)]
+fn add_block<S: Real>(
+    left: &[f64; 3],
+    right: &[f64; 3],
+    block: &[[S; 2]; 2],
+    sums: &mut ElementSums<S>,
+) {
+    for l in 0..3 {
+        for r in 0..3 {
+            let factor = left[l] * right[r];
+            if factor == 0.0 {
+                continue;
+            }
+            for c in 0..2 {
+                for d in 0..2 {
+                    sums.tangent[2 * l + c][2 * r + d] += block[c][d] * factor;
+                }
+            }
+        }
+    }
+}
+
+/// The ends of a step at a sampling point.
+#[derive(Clone, Copy, Debug)]
+pub struct MembraneStep<S> {
+    /// Reference tangent.
+    pub tangent: [S; 2],
+    /// Displacement gradient at the start.
+    pub slope_0: [S; 2],
+    /// Its increment.
+    pub d_slope: [S; 2],
+}
+
+impl MembraneTable {
+    /// The ends of a step at the sampling points.
+    #[inline(always)]
+    pub fn step<S: Real>(
+        &self,
+        old: &ElementValues<S>,
+        increment: &ElementValues<S>,
+    ) -> [MembraneStep<S>; SAMPLES] {
+        std::array::from_fn(|i| MembraneStep {
+            tangent: self.tangent[i].map(S::constant),
+            slope_0: old.at(&self.rows[i]),
+            d_slope: increment.at(&self.rows[i]),
+        })
+    }
+}
+
+/// `eps` of a displacement gradient, written so that small strains lose no digits.
+#[inline(always)]
+pub fn green_or_engineering<S: Real>(measure: StrainMeasure, tangent: [S; 2], slope: [S; 2]) -> S {
+    let green = dot(tangent, slope) + dot(slope, slope) * 0.5;
+    match measure {
+        StrainMeasure::Green => green,
+        StrainMeasure::Engineering => {
+            let g = add(tangent, slope);
+            (green + green) / (dot(g, g).sqrt() + S::constant(1.0))
+        }
+    }
+}
+
+impl<S: Real> MembraneStep<S> {
+    /// Configuration a share of the way through the step.
+    #[inline(always)]
+    fn at(&self, theta: f64) -> [S; 2] {
+        std::array::from_fn(|i| self.tangent[i] + self.slope_0[i] + self.d_slope[i] * theta)
+    }
+
+    /// The invariant scheme: strains at both ends, the end weighing `1/2 + lag`.
+    #[inline(always)]
+    pub fn invariant(&self, measure: StrainMeasure, lag: f64) -> MembranePoint<S> {
+        let (w0, w1) = (0.5 - lag, 0.5 + lag);
+        let (g, g1) = (self.at(0.5), self.at(1.0));
+        let slope_1 = add(self.slope_0, self.d_slope);
+        let eps = |slope| green_or_engineering(measure, self.tangent, slope);
+        let strain = eps(self.slope_0) * w0 + eps(slope_1) * w1;
+        let zero = S::constant(0.0);
+        let (alpha, d_strain, d_alpha) = match measure {
+            StrainMeasure::Green => (S::constant(1.0), g1.map(|c| c * w1), [zero; 2]),
+            StrainMeasure::Engineering => {
+                let g0 = self.at(0.0);
+                let (r0, r1) = (dot(g0, g0).sqrt(), dot(g1, g1).sqrt());
+                let (q, inv) = ((r0 + r1).recip(), r1.recip());
+                (q + q, g1.map(|c| c * inv * w1), g1.map(|c| c * inv * q * q * -2.0))
+            }
+        };
+        MembranePoint { strain, geometric: strain, alpha, g, d_strain, d_alpha }
+    }
+
+    /// Strain at one configuration, with the rate of a step of size h weighing `lag`.
+    #[inline(always)]
+    pub fn collocated(&self, measure: StrainMeasure, theta: f64, lag: f64) -> MembranePoint<S> {
+        let g = self.at(theta);
+        let slope = [0, 1].map(|i| self.slope_0[i] + self.d_slope[i] * theta);
+        let (alpha, alpha_a) = alpha(measure, g);
+        let power = dot(g, self.d_slope);
+        let strain = green_or_engineering(measure, self.tangent, slope) + alpha * power * lag;
+        let g1 = self.at(2.0 * theta); // d(g . Dg) = (g + theta Dg) . dg
+        let d_alpha = g.map(|c| c * alpha_a * theta);
+        let d_strain = std::array::from_fn(|i| {
+            g[i] * alpha * theta + (d_alpha[i] * power + alpha * g1[i]) * lag
+        });
+        MembranePoint { strain, geometric: strain, alpha, g, d_strain, d_alpha }
+    }
+
+    /// The paper's scheme: the stored strain `old` advanced by its midpoint rate.
+    #[inline(always)]
+    pub fn strain_rate(&self, measure: StrainMeasure, old: S, lag: f64) -> MembranePoint<S> {
+        let w1 = 0.5 + lag;
+        let (g, g1) = (self.at(0.5), self.at(1.0));
+        let (alpha, alpha_a) = alpha(measure, g);
+        let power = dot(g, self.d_slope);
+        let strain = old + alpha * power * w1;
+        let d_alpha = g.map(|c| c * alpha_a * 0.5);
+        let d_strain = std::array::from_fn(|i| (d_alpha[i] * power + alpha * g1[i]) * w1);
+        MembranePoint { strain, geometric: strain, alpha, g, d_strain, d_alpha }
+    }
+
+    /// Change of the membrane strain over the step as the scheme's virtual work knows it, and to first order of the stored
+    /// strain.
+    #[inline(always)]
+    pub fn midpoint_change(&self, measure: StrainMeasure) -> S {
+        let g = self.at(0.5);
+        alpha(measure, g).0 * dot(g, self.d_slope)
+    }
+}
+
+/// alpha of `deps = alpha g.dg` at one configuration, and its derivative along `g.dg`.
+#[inline(always)]
+fn alpha<S: Real>(measure: StrainMeasure, g: [S; 2]) -> (S, S) {
+    match measure {
+        StrainMeasure::Green => (S::constant(1.0), S::constant(0.0)),
+        StrainMeasure::Engineering => {
+            let inv = dot(g, g).sqrt().recip();
+            (inv, -(inv * inv * inv))
+        }
+    }
+}
+
+fn dot3(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

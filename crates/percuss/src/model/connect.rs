@@ -1,0 +1,122 @@
+//! Springs and dampers between points and to ground.
+
+use super::builder::{ModelBuilder, locate};
+use super::definition::*;
+use super::frozen::*;
+use super::time_function::Course;
+use crate::math::vec2::{cross, dot, norm, rot90, scale, sub};
+
+/// Adds the supports' names, their motions and their springs.
+pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
+    for (index, support) in builder.supports.iter().enumerate() {
+        let point = locate(model, &support.at);
+        let motion = support.motion.as_ref().map(|motion| {
+            model.motions.push(Course::new(&motion.function));
+            model.motions.len() - 1
+        });
+        let (name, until) = (support.name.clone(), support.until);
+        model.supports.push(SupportData { name, point: point.clone(), until, motion });
+        match support.kind {
+            SupportKind::Elastic {
+                direction,
+                stiffness,
+                damping,
+                rotational_stiffness,
+                rotational_damping,
+            } => {
+                let along = scale(1.0 / norm(direction), direction);
+                for (axis, k, c) in
+                    [(along, stiffness[0], damping[0]), (rot90(along), stiffness[1], damping[1])]
+                {
+                    let drive = drive_of(support, model, index, axis);
+                    let coordinate =
+                        Coordinate::Displacement { point: point.clone(), direction: axis, drive };
+                    let law = ConnectorLaw::Linear { stiffness: k, rest: 0.0 };
+                    push(model, coordinate, law, c, index, support);
+                }
+                let a = Box::new(point.clone());
+                let coordinate = Coordinate::Angle { a, b: None, cosine: 1.0, sine: 0.0 };
+                let law = ConnectorLaw::Linear { stiffness: rotational_stiffness, rest: 0.0 };
+                push(model, coordinate, law, rotational_damping, index, support);
+            }
+            SupportKind::Stop { direction, gap, stiffness, two_sided } => {
+                let along = scale(1.0 / norm(direction), direction);
+                let sides = if two_sided { vec![1.0, -1.0] } else { vec![1.0] };
+                for side in sides {
+                    let direction = scale(side, along);
+                    let drive = drive_of(support, model, index, direction);
+                    let coordinate =
+                        Coordinate::Displacement { point: point.clone(), direction, drive };
+                    let law = ConnectorLaw::OneSided { stiffness, gap };
+                    push(model, coordinate, law, 0.0, index, support);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Prescribed displacement along `axis` of the support of number `index`.
+pub(super) fn drive_of(support: &Support, model: &Model, index: usize, axis: [f64; 2]) -> Drive {
+    let amplitude = support.motion.as_ref().map_or(0.0, |m| dot(m.displacement, axis));
+    let motion = model.supports[index].motion.filter(|_| amplitude != 0.0);
+    motion.map(|m| (m, amplitude)).into_iter().collect()
+}
+
+fn push(
+    model: &mut Model,
+    coordinate: Coordinate,
+    law: ConnectorLaw,
+    damping: f64,
+    index: usize,
+    support: &Support,
+) {
+    if !matches!(law, ConnectorLaw::Linear { stiffness: 0.0, .. }) || damping > 0.0 {
+        let (support, until) = (Some(index), support.until);
+        model.connectors.push(Connector { coordinate, law, damping, support, until });
+    }
+}
+
+/// Adds springs between points, and those of elastic hinges.
+pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
+    for spring in &builder.springs {
+        let place = |anchor: &Anchor| match anchor {
+            Anchor::Point(p) => Place::Point(locate(model, p)),
+            Anchor::Ground(x) => Place::Ground(*x),
+        };
+        let ends = Box::new([place(&spring.between[0]), place(&spring.between[1])]);
+        let distance = norm(sub(ends[0].reference(), ends[1].reference()));
+        let rest = spring.length.unwrap_or(distance);
+        model.connectors.push(Connector {
+            coordinate: Coordinate::Distance { ends },
+            law: ConnectorLaw::Linear { stiffness: spring.stiffness, rest },
+            damping: spring.damping,
+            support: None,
+            until: f64::INFINITY,
+        });
+    }
+    for joint in &builder.joints {
+        if let JointKind::ElasticHinge { stiffness, damping } = joint.kind {
+            let [a, b] = joint.between.each_ref().map(|p| locate(model, p));
+            let (cosine, sine) = (dot(b.tangent, a.tangent), cross(b.tangent, a.tangent));
+            let (a, b) = (Box::new(a), Some(Box::new(b)));
+            model.connectors.push(Connector {
+                coordinate: Coordinate::Angle { a, b, cosine, sine },
+                law: ConnectorLaw::Linear { stiffness, rest: 0.0 },
+                damping,
+                support: None,
+                until: f64::INFINITY,
+            });
+        }
+    }
+}
+
+impl Place {
+    /// Position in the reference configuration \[m\].
+    pub fn reference(&self) -> [f64; 2] {
+        match self {
+            Self::Point(p) => p.position,
+            Self::Ground(x) => *x,
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Loads placed on the mesh.
+
+use super::builder::{ModelBuilder, locate, point_at};
+use super::definition::*;
+use super::frozen::*;
+use super::time_function::Course;
+use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
+
+/// Adds the loads.
+pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
+    for load in &builder.loads {
+        let kind = match &load.kind {
+            LoadKind::Gravity { acceleration } => {
+                LoadAction::Gravity { acceleration: *acceleration }
+            }
+            LoadKind::Point { at, force, moment, follower } => LoadAction::Point {
+                point: locate(model, at),
+                force: *force,
+                moment: *moment,
+                follower: *follower,
+            },
+            LoadKind::Distributed { beam, stretch, force, follower } => {
+                let points = distributed(model, beam.0 as usize, *stretch, *force);
+                if *follower { LoadAction::Follower { points } } else { dead(&points) }
+            }
+        };
+        let course = Course::new(&load.function);
+        model.loads.push(LoadData { kind, course, from: load.from, until: load.until });
+    }
+}
+
+/// Quadrature points of a force per length along a stretch of a beam; elements it covers in part count in part.
+fn distributed(
+    model: &Model,
+    beam_index: usize,
+    stretch: [Along; 2],
+    force: [[f64; 2]; 2],
+) -> Vec<FollowerPoint> {
+    let beam = &model.beams[beam_index];
+    let [from, to] = stretch.map(|along| match along {
+        Along::Fraction(f) => f * beam.length,
+        Along::Distance(s) => s,
+    });
+    let mut points = Vec::new();
+    for span in &model.spans[beam.spans.clone()] {
+        for w in span.stations.windows(2) {
+            let (a, b) = (w[0].max(from), w[1].min(to));
+            if b - a <= 1e-12 * beam.length {
+                continue;
+            }
+            for (x, weight) in gauss_points().into_iter().zip(GAUSS_WEIGHTS) {
+                let s = a + x * (b - a);
+                let f = (s - from) / (to - from);
+                let q = [0, 1].map(|i| force[0][i] + f * (force[1][i] - force[0][i]));
+                let force = q.map(|q| q * weight * (b - a));
+                points.push(FollowerPoint { point: point_at(model, beam_index, s), force });
+            }
+        }
+    }
+    points
+}
+
+/// Nodal forces of a dead load.
+fn dead(points: &[FollowerPoint]) -> LoadAction {
+    let mut nodal: Vec<(usize, [f64; 4])> = Vec::new();
+    for p in points {
+        let n = &p.point.shape;
+        for (node, value, slope) in [(p.point.node, n[0], n[1]), (p.point.node + 1, n[2], n[3])] {
+            let index = nodal.iter().rposition(|(k, _)| *k == node).unwrap_or_else(|| {
+                nodal.push((node, [0.0; 4]));
+                nodal.len() - 1
+            });
+            for i in 0..2 {
+                nodal[index].1[i] += value * p.force[i];
+                nodal[index].1[2 + i] += slope * p.force[i];
+            }
+        }
+    }
+    LoadAction::Dead { nodal }
+}

@@ -1,0 +1,304 @@
+//! Books of a solved step: what loads, supports, damping and impacts brought and took.
+
+use super::constraint::ConstraintStep;
+use super::external::{self, LoadWork};
+use super::forcing::Forcing;
+use super::integration::Integration;
+use super::modal_damping::ModalDamping;
+use super::workspace::Workspace;
+use crate::element::beam::{ElementValues, step_point};
+use crate::element::point::Strains;
+use crate::element::strain::strains;
+use crate::element::{rotary, strain_rate};
+use crate::math::vec2::{add, cross, dot, scale};
+use crate::model::Model;
+use crate::model::frozen::{ContactLaw, Coordinate, MaterialPoint, Place, Span};
+use crate::settings::Scheme;
+use crate::state::State;
+
+/// Books the step from `state` that stands solved in `work`.
+pub fn book(
+    model: &Model,
+    state: &mut State,
+    rule: &Integration,
+    forcing: &Forcing,
+    damping: &ModalDamping,
+    work: &Workspace,
+) {
+    let done =
+        external::work(model, state, rule.h, rule.theta(), forcing, &work.increment, &work.travel);
+    let books = &mut state.books;
+    books.work_loads += done.work;
+    books.impulse_loads = add(books.impulse_loads, done.impulse);
+    books.angular_impulse_loads += done.angular_impulse;
+    let mut entry = Entry { model, state, rule, forcing, work };
+    entry.holds();
+    entry.constraints();
+    entry.connectors();
+    entry.spans();
+    entry.modes(damping);
+    entry.contacts();
+}
+
+struct Entry<'a> {
+    model: &'a Model,
+    state: &'a mut State,
+    rule: &'a Integration,
+    forcing: &'a Forcing,
+    work: &'a Workspace,
+}
+
+impl Entry<'_> {
+    /// Position and tangent of a point in the middle of the step.
+    fn middle(&self, p: &MaterialPoint) -> ([f64; 2], [f64; 2]) {
+        let (u, d) = (&self.state.displacement, &self.work.increment);
+        let half = |a: [f64; 2], b: [f64; 2]| add(a, scale(0.5, b));
+        (
+            add(p.position, half(p.value(u), p.value(d))),
+            add(p.tangent, half(p.gradient(u), p.gradient(d))),
+        )
+    }
+
+    /// Books a force and a couple of a support on a point.
+    fn reaction(&mut self, support: usize, x: [f64; 2], force: [f64; 2], moment: f64) {
+        let h = self.rule.h;
+        let books = &mut self.state.books;
+        books.impulse_supports = add(books.impulse_supports, scale(h, force));
+        books.angular_impulse_supports += h * (cross(x, force) + moment);
+        let own = &mut self.state.reactions[support];
+        own[0] += h * force[0];
+        own[1] += h * force[1];
+        own[2] += h * moment;
+    }
+
+    /// Reactions at nodes are what the residual leaves at held components.
+    fn holds(&mut self) {
+        let (model, work) = (self.model, self.work);
+        for hold in &model.holds {
+            let (n, r) = (hold.node, &work.residual[hold.node]);
+            let (frame, u, d) = (&model.nodes[n], &self.state.displacement[n], &work.increment[n]);
+            let mut reaction = [0.0; 4];
+            for normal in &hold.normals {
+                let along: f64 = (0..4).map(|k| normal[k] * r[k]).sum();
+                (0..4).for_each(|k| reaction[k] += along * normal[k]);
+            }
+            let x = [0, 1].map(|i| frame.position[i] + u[i] + 0.5 * d[i]);
+            let g = [0, 1].map(|i| frame.tangent[i] + u[2 + i] + 0.5 * d[2 + i]);
+            let moment = cross(g, [reaction[2], reaction[3]]);
+            self.state.books.work_supports += (0..4).map(|k| reaction[k] * d[k]).sum::<f64>();
+            self.reaction(hold.support, x, [reaction[0], reaction[1]], moment);
+        }
+    }
+
+    /// Multipliers of supports between nodes, for a time, or turning a tangent.
+    fn constraints(&mut self) {
+        let (model, work, forcing) = (self.model, self.work, self.forcing);
+        for (c, multiplier) in model.constraints.iter().zip(&work.multiplier) {
+            let Some(support) = c.support else { continue };
+            let point = &c.points()[0];
+            let (x, g) = self.middle(point);
+            let start = &self.state.displacement;
+            let step = ConstraintStep { start, increment: &work.increment, forcing, share: 0.5 };
+            let (form, gradient) = step.support_form(c);
+            let force = scale(-multiplier, form);
+            if gradient {
+                self.state.books.work_supports += dot(force, point.gradient(&work.increment));
+                self.reaction(support, x, [0.0; 2], cross(g, force));
+            } else {
+                self.state.books.work_supports += dot(force, point.value(&work.increment));
+                self.reaction(support, x, force, 0.0);
+            }
+        }
+    }
+
+    /// Dampers; forces of the ground, and its work where it moves.
+    fn connectors(&mut self) {
+        let (model, work, forcing) = (self.model, self.work, self.forcing);
+        for (i, c) in model.connectors.iter().enumerate() {
+            if !forcing.connected[i] {
+                // A support that lets go takes the energy of its springs with it.
+                self.state.books.work_supports -= c.potential(self.state.coordinates[i]);
+                continue;
+            }
+            let u = &self.state.displacement;
+            let step = c.step(self.rule, forcing, self.state.coordinates[i], u, &work.increment);
+            self.state.books.loss_damping += step.damper * step.change;
+            let force = |g: usize| scale(-step.force, step.forms[g]);
+            match &c.coordinate {
+                Coordinate::Displacement { point, drive, .. } => {
+                    self.state.books.work_supports -= step.force * forcing.increment(drive);
+                    let (x, _) = self.middle(point);
+                    self.ground(c.support, x, force(0), 0.0);
+                }
+                Coordinate::Angle { a, b: None, .. } => {
+                    let (x, g) = self.middle(a);
+                    self.ground(c.support, x, [0.0; 2], cross(g, force(0)));
+                }
+                Coordinate::Angle { .. } => {}
+                Coordinate::Distance { ends } => {
+                    for (k, (end, other)) in
+                        [(&ends[0], &ends[1]), (&ends[1], &ends[0])].iter().enumerate()
+                    {
+                        if let (Place::Point(p), Place::Ground(_)) = (end, other) {
+                            let (x, _) = self.middle(p);
+                            self.ground(None, x, force(k), 0.0);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Books a force of the ground, of a support or of a spring that has no reaction of its own.
+    fn ground(&mut self, support: Option<usize>, x: [f64; 2], force: [f64; 2], moment: f64) {
+        if let Some(support) = support {
+            return self.reaction(support, x, force, moment);
+        }
+        let (h, books) = (self.rule.h, &mut self.state.books);
+        books.impulse_supports = add(books.impulse_supports, scale(h, force));
+        books.angular_impulse_supports += h * (cross(x, force) + moment);
+    }
+
+    /// Damping of the beams' materials.
+    fn spans(&mut self) {
+        let (model, h) = (self.model, self.rule.h);
+        let mut sum = LoadWork::default();
+        for span in model.spans.iter().filter(|s| s.is_damped()) {
+            for k in 0..span.elements.len() {
+                if span.mass_damping > 0.0 {
+                    self.mass_damping(span, k, &mut sum);
+                }
+                if span.retardation > 0.0 {
+                    self.state.books.loss_damping +=
+                        self.viscous_loss(span, k) * span.retardation / h;
+                }
+            }
+        }
+        self.damped(&sum);
+    }
+
+    /// Enters the work of damping forces as a loss.
+    fn damped(&mut self, sum: &LoadWork) {
+        let books = &mut self.state.books;
+        books.loss_damping -= sum.work;
+        books.impulse_damping = add(books.impulse_damping, sum.impulse);
+        books.angular_impulse_damping += sum.angular_impulse;
+    }
+
+    fn mass_damping(&self, span: &Span, k: usize, sum: &mut LoadWork) {
+        let (h, a, table) = (self.rule.h, span.nodes.start + k, span.table(k));
+        let d = &self.work.increment;
+        let rate = |n: usize| {
+            let a0 = self.state.acceleration.get(n).unwrap_or(&[0.0; 4]);
+            std::array::from_fn::<f64, 4, _>(|i| {
+                self.rule.rate(d[n][i], self.state.velocity[n][i], a0[i])
+            })
+        };
+        let (va, vb) = (rate(a), rate(a + 1));
+        for (row, node) in [(0, a), (2, a + 1)] {
+            let force: [f64; 4] = std::array::from_fn(|i| {
+                let (m, c) = (&table.mass[row + i / 2], i % 2);
+                let v = m[0] * va[c] + m[1] * va[2 + c] + m[2] * vb[c] + m[3] * vb[2 + c];
+                -span.mass_damping * v
+            });
+            sum.add_nodal(self.model, self.state, d, node, &force, h);
+        }
+        let u = &self.state.displacement;
+        let (old, step) =
+            (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
+        for row in &table.rows {
+            let point = step_point(row, &old, &step);
+            let g0 = add(point.tangent, point.slope_0);
+            let spin = rotary::mean_spin(g0, point.d_slope, h);
+            let moment = -span.mass_damping * row.law.rotary * row.weight * spin;
+            sum.work += moment * spin * h;
+            sum.angular_impulse += h * moment;
+        }
+    }
+
+    /// `int EA (Deps)^2 + EI (Dkappa)^2 ds` of an element over the step, strains changing as the scheme has it.
+    fn viscous_loss(&self, span: &Span, k: usize) -> f64 {
+        let (a, table) = (span.nodes.start + k, span.table(k));
+        let (u, d) = (&self.state.displacement, &self.work.increment);
+        let (old, step) =
+            (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
+        let end = ElementValues::new(
+            &std::array::from_fn(|i| u[a][i] + d[a][i]),
+            &std::array::from_fn(|i| u[a + 1][i] + d[a + 1][i]),
+        );
+        let invariant =
+            Integration::new(Scheme::EnergyMomentum, self.rule.h).rule == self.rule.rule;
+        let mut loss = 0.0;
+        for row in &table.rows {
+            let point = step_point(row, &old, &step);
+            let change = if invariant {
+                let at = |u: &ElementValues<f64>| {
+                    let bend = add(row.bend, u.at(&row.second));
+                    strains(span.measure, row.tangent, row.curvature, u.at(&row.first), bend)
+                };
+                let (s0, s1) = (at(&old), at(&end));
+                Strains { membrane: s1.membrane - s0.membrane, bending: s1.bending - s0.bending }
+            } else {
+                let none = Strains { membrane: 0.0, bending: 0.0 };
+                strain_rate::advance(&row.law, &point, none)
+            };
+            loss += row.weight
+                * (row.law.axial * change.membrane.powi(2)
+                    + row.law.bending * change.bending.powi(2));
+        }
+        if let Some(samples) = &table.membrane {
+            let change = if invariant {
+                let (s0, s1) =
+                    (samples.strains(span.measure, &old), samples.strains(span.measure, &end));
+                std::array::from_fn(|i| s1[i] - s0[i])
+            } else {
+                samples.step(&old, &step).map(|s| s.midpoint_change(span.measure))
+            };
+            loss += 2.0 * samples.energy(change);
+        }
+        loss
+    }
+
+    /// Damping of modes.
+    fn modes(&mut self, damping: &ModalDamping) {
+        if damping.is_empty() {
+            return;
+        }
+        let (h, d) = (self.rule.h, &self.work.increment);
+        let mut force = vec![[0.0; 4]; d.len()];
+        damping.apply(d, h, &mut force);
+        let mut sum = LoadWork::default();
+        for (node, f) in force.iter().enumerate() {
+            let f = f.map(|x| -x);
+            sum.add_nodal(self.model, self.state, d, node, &f, h);
+        }
+        self.damped(&sum);
+    }
+
+    /// Loss of impacts, and the couple by which a projectile's guide answers a contact point off its line of flight.
+    fn contacts(&mut self) {
+        let (h, work) = (self.rule.h, self.work);
+        for (i, p) in self.model.projectiles.iter().enumerate() {
+            let impulse = match p.law {
+                ContactLaw::Spring { .. } => h * work.force[i],
+                ContactLaw::Unilateral { .. } => work.impulse[i],
+            };
+            if impulse == 0.0 {
+                continue;
+            }
+            let d = p.point.value(&work.increment);
+            let (x, _) = self.middle(&p.point);
+            let arm = add(x, scale(-1.0, p.position));
+            let books = &mut self.state.books;
+            books.angular_impulse_supports += impulse * cross(arm, p.direction);
+            if matches!(p.law, ContactLaw::Unilateral { .. }) {
+                // Work of the impulse: L (z0 + z1)/2, the mean gap rate over the step.
+                let speed = self.state.projectiles[i].speed
+                    + 0.5 * h * dot(self.forcing.gravity, p.direction)
+                    - 0.5 * impulse / p.mass;
+                let mean_rate = dot(p.direction, d) / h - speed;
+                books.loss_impacts -= impulse * mean_rate;
+            }
+        }
+    }
+}
