@@ -33,7 +33,7 @@ macro_rules! describe_key {
 }
 
 /// A table: `key: Type as Format`, `= default` where it may be left out, `with` the part that
-/// depends on its kind.
+/// depends on its kind, `then` a function that sees the whole table once it has been read.
 macro_rules! table {
     (
         $(#[doc = $doc:literal])*
@@ -47,6 +47,7 @@ macro_rules! table {
             $(#[doc = $choice_doc:literal])*
             $choice:ident: $choice_type:ty
         })?
+        $(then $settle:path)?
     ) => {
         $(#[doc = $doc])*
         #[derive(Clone, Debug, PartialEq)]
@@ -76,7 +77,10 @@ macro_rules! table {
             fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
                 $(let $key = read_key!(body, reader, $key, $format $(, $default)?);)*
                 $(let $choice = <$choice_type as crate::table::Choice>::read(body, reader)?;)?
-                Some(Self { $($key,)* $($choice,)? })
+                #[allow(unused_mut)]
+                let mut table = Self { $($key,)* $($choice,)? };
+                $($settle(&mut table, body, reader);)?
+                Some(table)
             }
 
             fn placeholder() -> Self {
