@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use crate::format::{Format, Inline, List};
 use crate::measure::Length;
-use crate::node::{Node, Reader};
+use crate::node::{Node, Reader, count};
 use crate::quantity::Vector;
 
 /// Two numbers and the line they stand on.
@@ -52,9 +52,7 @@ fn parse(text: &str) -> Result<Vec<Row>, (usize, String)> {
             continue;
         }
         let [a, b] = cells[..] else {
-            let count =
-                if cells.len() == 1 { "1 column" } else { &format!("{} columns", cells.len()) };
-            return Err((i + 1, count.to_string()));
+            return Err((i + 1, count(cells.len(), "column")));
         };
         let number = |cell: &str| {
             let value = cell.parse().ok().filter(|v: &f64| v.is_finite());
@@ -128,7 +126,7 @@ impl Format for Pulse {
         let rows = load(node, "time (s) and value", reader)?;
         let name = node.value.as_str().unwrap_or_default();
         if rows.len() < 2 {
-            let found = format!("{name:?} with {} rows", rows.len());
+            let found = format!("{name:?} with {}", count(rows.len(), "row"));
             reader.wrong(node, found, "at least two rows");
             return None;
         }

@@ -58,7 +58,7 @@ impl Words for Presets {
         "gfrp" = 23_000 MPa, 1900 kg,
             "pultruded glass fibre profiles, grade E23, lengthwise (EN 13706-3; density of equal volumes of E-glass and polyester)";
         "cfrp-ud" = 147_000 MPa, 1600 kg,
-            "unidirectional carbon fibre AS4/3501-6, along the fibres (Daniel and Ishai 2006, table A.4)";
+            "unidirectional carbon fibre AS4/3501-6, along the fibres (Daniel and Ishai 2006)";
         "nylon" = 3100 MPa, 1140 kg,
             "polyamide 66, dry; moist air halves its modulus (data sheet of Zytel 101L)";
     };

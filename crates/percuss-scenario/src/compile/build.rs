@@ -9,6 +9,7 @@ use super::section::sections;
 use crate::content::{
     self, Anchor, Content, JointKind, LoadKind, ModalRatios, ProjectileKind, SupportKind,
 };
+use crate::node::count;
 use crate::point::Point;
 use crate::table::Named;
 
@@ -180,7 +181,7 @@ fn ratios(damping: &content::Damping, faults: &mut Vec<Fault>) -> Vec<f64> {
             vec![*ratio; modes]
         }
         (ModalRatios::All(_), modes) => {
-            let found = format!("{} modes", modes.unwrap_or_default());
+            let found = count(modes.unwrap_or_default(), "mode");
             let expected = format!("from 1 to {MODES} modes");
             faults.push(Fault::new("damping.modes", found, expected));
             Vec::new()

@@ -3,6 +3,7 @@
 use percuss::{Fault, TimeFunction};
 
 use crate::content::Function;
+use crate::node::count;
 
 /// The function of the core; one at fault becomes a constant, so that the rest can be checked.
 pub(super) fn function(path: &str, function: &Function, faults: &mut Vec<Fault>) -> TimeFunction {
@@ -32,11 +33,16 @@ fn found(path: &str, function: &Function) -> Option<Fault> {
         }
         Function::Table { times: Some(times), values: Some(values), .. } => {
             if times.len() != values.len() {
-                let found = format!("{} values for {} times", values.len(), times.len());
+                let found =
+                    format!("{} for {}", count(values.len(), "value"), count(times.len(), "time"));
                 return fault("values", found, "as many values as times");
             }
             if times.len() < 2 {
-                return fault("times", format!("a table of {}", rows(times.len())), "at least two");
+                return fault(
+                    "times",
+                    format!("a table of {}", count(times.len(), "time")),
+                    "at least two",
+                );
             }
             let fallen = times.windows(2).find(|pair| pair[1] <= pair[0])?;
             let found = format!("{} s after {} s", fallen[1], fallen[0]);
@@ -44,10 +50,6 @@ fn found(path: &str, function: &Function) -> Option<Fault> {
         }
         _ => None,
     }
-}
-
-fn rows(count: usize) -> String {
-    if count == 1 { "1 time".into() } else { format!("{count} times") }
 }
 
 fn convert(function: &Function) -> TimeFunction {

@@ -4,6 +4,8 @@ mod build;
 mod follow;
 mod function;
 mod section;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeSet;
 

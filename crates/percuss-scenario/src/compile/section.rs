@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use percuss::{Fault, Section, Station};
 
 use crate::content::{self, Content, Shape};
+use crate::node::count;
 use crate::table::Named;
 
 /// Every section of the file; one at fault becomes a harmless one, so that the rest can be checked.
@@ -108,14 +109,18 @@ fn tapered(
         faults.push(Fault::new(format!("section.{name}.{key}"), found, expected));
     };
     if sections.len() != stations.len() {
-        let found = format!("{} sections for {} stations", sections.len(), stations.len());
+        let [given, wanted] = [count(sections.len(), "section"), count(stations.len(), "station")];
+        let found = format!("{given} for {wanted}");
         fault("sections", found, "a section for each station");
         return None;
     }
     let (ends, expected) = ([stations.first(), stations.last()], "stations from 0 to 1");
     if stations.len() < 2 {
-        let found = format!("{} stations", stations.len());
-        fault("stations", found, "at least two, the first 0 and the last 1");
+        fault(
+            "stations",
+            count(stations.len(), "station"),
+            "at least two, the first 0 and the last 1",
+        );
         return None;
     } else if ends != [Some(&0.0), Some(&1.0)] {
         let [first, last] = ends.map(|end| end.copied().unwrap_or_default());
