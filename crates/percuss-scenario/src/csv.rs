@@ -26,6 +26,9 @@ fn read(path: &std::path::Path, name: &str, columns: &str) -> Result<Vec<Row>, C
     if path.is_dir() {
         return whole("which is a directory");
     }
+    if path.exists() && !path.is_file() {
+        return whole("which is no regular file");
+    }
     let text = match std::fs::read(path).map(String::from_utf8) {
         Ok(Ok(text)) => text,
         Ok(Err(_)) => return whole("which is not UTF-8"),

@@ -16,7 +16,7 @@ macro_rules! describe_key {
         crate::table::Key {
             name: stringify!($key),
             about: crate::table::about(&[$($doc),*]),
-            schema: <$format as crate::format::Format>::schema(),
+            schema: <$format as crate::format::Format>::schema,
             required: $required,
             default: $default,
         }

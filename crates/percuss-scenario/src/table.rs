@@ -15,7 +15,8 @@ use crate::write::Writer;
 pub(crate) struct Key {
     pub name: &'static str,
     pub about: String,
-    pub schema: Json,
+    /// Its JSON Schema; made only when asked for, for tables are described whenever one is read.
+    pub schema: fn() -> Json,
     /// Whether it must be there.
     pub required: bool,
     /// Its default as TOML, if it has one that can be written.

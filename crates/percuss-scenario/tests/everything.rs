@@ -83,6 +83,39 @@ fn it_is_valid_by_the_schema_before_and_after() {
     }
 }
 
+#[test]
+fn faults_of_the_core_land_on_their_lines() {
+    let scenario = everything();
+    let text = include_str!("files/everything.toml");
+    let line_of = |table: &str, key: &str| {
+        let from = text.find(&format!("[{table}]\n")).expect(table);
+        let at = from + text[from..].find(&format!("\n{key} = ")).expect(key) + 1;
+        text[..at].matches('\n').count() + 1
+    };
+    for (table, key) in [
+        ("material.steel", "retardation"),
+        ("section.taper", "stations"),
+        ("beam.arch", "element_length"),
+        ("beam.arch", "curve"),
+        ("beam.arch", "points"),
+        ("beam.bent", "elements"),
+        ("beam.bent", "changes"),
+        ("beam.bent", "grading"),
+        ("support.soft", "stiffness"),
+        ("support.foot", "motion"),
+        ("support.foot", "until"),
+        ("load.snow", "stretch"),
+        ("load.push", "function"),
+        ("spring.stay", "between"),
+        ("mass.bob", "at"),
+        ("damping", "modal"),
+    ] {
+        let fault = percuss::Fault::new(format!("{table}.{key}"), "this", "that");
+        let all = scenario.diagnostics(vec![fault]);
+        assert_eq!(all.all()[0].line, line_of(table, key), "{all}");
+    }
+}
+
 /// Every key that the schema knows, at any depth.
 fn keys(schema: &Json, out: &mut Vec<String>) {
     match schema {
