@@ -9,6 +9,9 @@
 //! # Ok::<(), percuss_scenario::Diagnostics>(())
 //! ```
 //!
+//! Files that a scenario names, points of a centre line or a measured pulse, lie relative to the scenario; written back, their
+//! values stand in it.
+//!
 //! Every fault of a file is reported at once, each with its line, what was found and what would be
 //! right; the semantics are checked by [`percuss::ModelBuilder::build`], whose faults are mapped back to
 //! the lines of the file.

@@ -47,9 +47,12 @@ fn supports_move_and_let_go() {
     bad(
         &support("kind = \"pin\"\nuntil = \"5 mm\"\nmotion = { rotation = \"5 m\", funktion = 1 }"),
         &[
-            "16:9: support.s.until: found \"5 mm\", which is a length (m), expected a time (s), such as \"0.15 s\"",
-            "17:23: support.s.motion.rotation: found \"5 m\", which is a length (m), expected an angle (rad), such as \"30 deg\"",
-            "17:30: support.s.motion.funktion: found the unknown key `funktion`, expected one of `displacement`, `rotation`, `function` (did you mean `function`?)",
+            "16:9: support.s.until: found \"5 mm\", which is a length (m), expected a time (s), \
+             such as \"0.15 s\"",
+            "17:23: support.s.motion.rotation: found \"5 m\", which is a length (m), expected an \
+             angle (rad), such as \"30 deg\"",
+            "17:30: support.s.motion.funktion: found the unknown key `funktion`, expected one of \
+             `displacement`, `rotation`, `function` (did you mean `function`?)",
         ],
     );
     bad(
@@ -58,34 +61,40 @@ fn supports_move_and_let_go() {
     );
     bad(
         &support("kind = \"pin\"\nmotion = 3"),
-        &[
-            "16:10: support.s.motion: found the number 3, expected a table in braces, such as { displacement = ... }",
-        ],
+        &["16:10: support.s.motion: found the number 3, expected a table in braces, such as { \
+             displacement = ... }"],
     );
 }
 
 #[test]
 fn supports_are_springs_and_stops() {
     good(&support(
-        "kind = \"elastic\"\nrotational_stiffness = \"5 kN*m/rad\"\nrotational_damping = \"1 N*m*s\"",
+        "kind = \"elastic\"\nrotational_stiffness = \"5 kN*m/rad\"\nrotational_damping = \"1 \
+         N*m*s\"",
     ));
     good(&support("kind = \"elastic\"\nstiffness = [\"1 kN/mm\", 0]\ndamping = [0, \"2 N*s/m\"]"));
     good(&support("kind = \"stop\"\ndirection = [0, 1]\nstiffness = \"1 MN/m\"\ntwo_sided = true"));
     bad(
         &support(
-            "kind = \"elastic\"\nstiffness = \"1 kN/mm\"\ndamping = [0, \"2 N/m\"]\nrotational_stiffness = \"1 N/m\"",
+            "kind = \"elastic\"\nstiffness = \"1 kN/mm\"\ndamping = [0, \"2 \
+             N/m\"]\nrotational_stiffness = \"1 N/m\"",
         ),
         &[
-            "16:13: support.s.stiffness: found the text \"1 kN/mm\", expected two components, each a stiffness (N/m), such as [0, \"7.5e5 N/m\"]",
-            "17:15: support.s.damping: found \"2 N/m\", which is a stiffness (N/m), expected a damping constant (N*s/m), such as \"200 N*s/m\"",
-            "18:24: support.s.rotational_stiffness: found \"1 N/m\", which is a stiffness (N/m), expected a rotational stiffness (N*m), such as \"5 kN*m/rad\"",
+            "16:13: support.s.stiffness: found the text \"1 kN/mm\", expected two components, \
+             each a stiffness (N/m), such as [0, \"7.5e5 N/m\"]",
+            "17:15: support.s.damping: found \"2 N/m\", which is a stiffness (N/m), expected a \
+             damping constant (N*s/m), such as \"200 N*s/m\"",
+            "18:24: support.s.rotational_stiffness: found \"1 N/m\", which is a stiffness (N/m), \
+             expected a rotational stiffness (N*m), such as \"5 kN*m/rad\"",
         ],
     );
     bad(
         &support("kind = \"stop\"\ngap = \"2 s\"\nstiffness = 1\ntwo_sided = \"yes\""),
         &[
-            "13:1: support.s.direction: found no `direction`, expected two components, each a pure number, such as [0, 0.8]",
-            "16:7: support.s.gap: found \"2 s\", which is a time (s), expected a length (m), such as \"3 m\"",
+            "13:1: support.s.direction: found no `direction`, expected two components, each a \
+             pure number, such as [0, 0.8]",
+            "16:7: support.s.gap: found \"2 s\", which is a time (s), expected a length (m), \
+             such as \"3 m\"",
             "18:13: support.s.two_sided: found the text \"yes\", expected true or false",
         ],
     );
@@ -93,7 +102,8 @@ fn supports_are_springs_and_stops() {
 
 #[test]
 fn hinges_may_be_stiff() {
-    let other = "[beam.c]\npoints = [[3, 0], [3, 1]]\nelements = 1\nmaterial = \"m\"\nsection = \"s\"\n\
+    let other = "[beam.c]\npoints = [[3, 0], [3, 1]]\nelements = 1\nmaterial = \"m\"\nsection = \
+     \"s\"\n\
                  [joint.j]\nbetween = [\"b.end\", \"c.start\"]\n";
     good(&format!("{other}kind = \"hinge\"\nstiffness = \"1 kN*m/rad\"\ndamping = \"2 N*m*s\"\n"));
     good(&format!("{other}kind = \"hinge\"\n"));
@@ -115,18 +125,20 @@ fn springs_reach_beams_and_ground() {
     assert_eq!(*two, Anchor::Ground([3.0, 0.5]));
     assert_eq!(content.spring[0].table.length, None);
     bad(
-        "[spring.a]\nbetween = [\"c.end\", [3, \"5 s\"]]\nstiffness = 1\ndamping = \"1 N\"\nlength = 1\n",
+        "[spring.a]\nbetween = [\"c.end\", [3, \"5 s\"]]\nstiffness = 1\ndamping = \"1 \
+         N\"\nlength = 1\n",
         &[
             "14:12: spring.a.between: found the unknown beam \"c\", expected `b`",
-            "14:25: spring.a.between: found \"5 s\", which is a time (s), expected a length (m), such as \"3 m\"",
-            "16:11: spring.a.damping: found \"1 N\", which is a force (N), expected a damping constant (N*s/m), such as \"200 N*s/m\"",
+            "14:25: spring.a.between: found \"5 s\", which is a time (s), expected a length (m), \
+             such as \"3 m\"",
+            "16:11: spring.a.damping: found \"1 N\", which is a force (N), expected a damping \
+             constant (N*s/m), such as \"200 N*s/m\"",
         ],
     );
     bad(
         "[spring.a]\nbetween = [3, \"b.mid\"]\nstiffness = 1\n",
-        &[
-            "14:12: spring.a.between: found the number 3, expected a point on a beam: BEAM.start, BEAM.mid, BEAM.end, BEAM@0.25 or BEAM@0.75m; or a place on the ground, such as [0, \"2 m\"]",
-        ],
+        &["14:12: spring.a.between: found the number 3, expected a point on a beam: \
+             BEAM.start, BEAM.mid, BEAM.end, BEAM@0.25 or BEAM@0.75m; or a place on the ground, such as [0, \"2 m\"]"],
     );
 }
 
@@ -137,8 +149,10 @@ fn masses_sit_on_beams() {
         "[mass.bob]\nat = \"b.middle\"\nrotary_inertia = \"1 kg*m\"\n",
         &[
             "13:1: mass.bob.mass: found no `mass`, expected a mass (kg), such as \"500 kg\"",
-            "14:6: mass.bob.at: found the unknown place `.middle`, expected one of `start`, `mid`, `end` (did you mean `mid`?), or `@` with a fraction or a length",
-            "15:18: mass.bob.rotary_inertia: found \"1 kg*m\", which is a rotary inertia per length (kg*m), expected a mass moment of inertia (kg*m^2), such as \"2 kg*m^2\"",
+            "14:6: mass.bob.at: found the unknown place `.middle`, expected one of `start`, \
+             `mid`, `end` (did you mean `mid`?), or `@` with a fraction or a length",
+            "15:18: mass.bob.rotary_inertia: found \"1 kg*m\", which is a rotary inertia per \
+             length (kg*m), expected a mass moment of inertia (kg*m^2), such as \"2 kg*m^2\"",
         ],
     );
 }
@@ -152,12 +166,16 @@ fn loads_are_spread_and_follow() {
     assert!(text.contains("stretch: [Fraction(0.0), Fraction(1.0)]"), "{text}");
     good("[load.l]\nkind = \"point\"\nat = \"b.end\"\nforce = [0, 1]\nfollower = true\n");
     bad(
-        "[load.l]\nkind = \"distributed\"\non = \"c\"\nstretch = [\"begin\", \"1 s\"]\nforce = [0, \"-2 kN\"]\n",
+        "[load.l]\nkind = \"distributed\"\non = \"c\"\nstretch = [\"begin\", \"1 s\"]\nforce = \
+         [0, \"-2 kN\"]\n",
         &[
             "15:6: load.l.on: found the unknown beam \"c\", expected `b`",
-            "16:12: load.l.stretch: found the text \"begin\", expected a place along the beam: \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\"",
-            "16:21: load.l.stretch: found `1 s`, which is a time (s), expected a fraction or a length, such as 0.25 or 0.75m",
-            "17:13: load.l.force: found \"-2 kN\", which is a force (N), expected a force per length (N/m), such as \"5 kN/m\"",
+            "16:12: load.l.stretch: found the text \"begin\", expected a place along the beam: \
+             \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\"",
+            "16:21: load.l.stretch: found `1 s`, which is a time (s), expected a fraction or a \
+             length, such as 0.25 or 0.75m",
+            "17:13: load.l.force: found \"-2 kN\", which is a force (N), expected a force per \
+             length (N/m), such as \"5 kN/m\"",
         ],
     );
 }
@@ -183,15 +201,18 @@ fn loads_take_their_course() {
     for (function, expected) in [
         (
             "3",
-            "17:12: load.l.function: found the number 3, expected \"constant\" or a table, such as { kind = \"ramp\", duration = \"10 ms\" }",
+            "17:12: load.l.function: found the number 3, expected \"constant\" or a table, such \
+             as { kind = \"ramp\", duration = \"10 ms\" }",
         ),
         (
             "\"half-sine\"",
-            "17:12: load.l.function: found the text \"half-sine\", expected a table { kind = \"half-sine\", duration = ... }",
+            "17:12: load.l.function: found the text \"half-sine\", expected a table { kind = \
+             \"half-sine\", duration = ... }",
         ),
         (
             "{ kind = \"ramp\" }",
-            "17:12: load.l.function.duration: found no `duration`, expected a time (s), such as \"0.15 s\"",
+            "17:12: load.l.function.duration: found no `duration`, expected a time (s), such as \
+             \"0.15 s\"",
         ),
         (
             "{ kind = \"triangle\", duration = -1 }",
@@ -199,11 +220,13 @@ fn loads_take_their_course() {
         ),
         (
             "{ kind = \"harmonic\", frequency = \"60 rpm\" }",
-            "17:45: load.l.function.frequency: found \"60 rpm\", in rpm, expected a frequency (Hz), such as \"50 Hz\"",
+            "17:45: load.l.function.frequency: found \"60 rpm\", in rpm, expected a frequency \
+             (Hz), such as \"50 Hz\"",
         ),
         (
             "{ kind = \"table\", times = [0, 1], values = [2] }",
-            "17:55: load.l.function.values: found 1 value for 2 times, expected as many values as times",
+            "17:55: load.l.function.values: found 1 value for 2 times, expected as many values \
+             as times",
         ),
         (
             "{ kind = \"table\", times = [0], values = [2] }",
@@ -215,7 +238,8 @@ fn loads_take_their_course() {
         ),
         (
             "{ kind = \"table\", times = [0, 2] }",
-            "17:12: load.l.function.values: found no `values`, expected `times` and `values`, or `file`",
+            "17:12: load.l.function.values: found no `values`, expected `times` and `values`, or \
+             `file`",
         ),
         (
             "{ kind = \"table\", times = [0, nan], values = [0, 1] }",
@@ -247,7 +271,8 @@ fn tables_come_from_files() {
         ("t,f\n0,0\n", "\"FILE\" with 1 row, expected at least two rows"),
         (
             "0,0\n1,nan\n",
-            "\"nan\", which is no finite number, in line 2 of \"FILE\", expected a CSV file with two columns, time (s) and value",
+            "\"nan\", which is no finite number, in line 2 of \"FILE\", expected a CSV file with \
+             two columns, time (s) and value",
         ),
     ] {
         let name = format!("percuss-pulse-{}-{}.csv", std::process::id(), rows.len());
@@ -261,9 +286,8 @@ fn tables_come_from_files() {
     }
     bad(
         &load("{ kind = \"table\", file = \"none.csv\" }"),
-        &[
-            "17:37: load.l.function.file: found \"none.csv\", which does not exist, expected a CSV file with two columns, time (s) and value",
-        ],
+        &["17:37: load.l.function.file: found \"none.csv\", which does not exist, expected a \
+             CSV file with two columns, time (s) and value"],
     );
     let both = "{ kind = \"table\", times = [0, 1], values = [0, 1], file = \"none.csv\" }";
     assert!(faults(&load(both)).to_string().contains("found `times` besides `file`"));
@@ -286,16 +310,18 @@ fn motion_and_damping_of_the_whole_are_read() {
     bad(
         "[initial]\nvelocity = [1]\nspin = \"2 Hz\"\nabout = [1, \"1 s\"]\n",
         &[
-            "14:12: initial.velocity: found a list of 1 entry, expected two components, each a velocity (m/s), such as [0, \"20 m/s\"]",
-            "15:8: initial.spin: found \"2 Hz\", in Hz, expected an angular velocity (rad/s), such as \"90 deg/s\"",
-            "16:13: initial.about: found \"1 s\", which is a time (s), expected a length (m), such as \"3 m\"",
+            "14:12: initial.velocity: found a list of 1 entry, expected two components, each a \
+             velocity (m/s), such as [0, \"20 m/s\"]",
+            "15:8: initial.spin: found \"2 Hz\", in Hz, expected an angular velocity (rad/s), \
+             such as \"90 deg/s\"",
+            "16:13: initial.about: found \"1 s\", which is a time (s), expected a length (m), \
+             such as \"3 m\"",
         ],
     );
     bad(
         "[damping]\nmodal = [0.01, 0.02]\nmodes = 3\n",
-        &[
-            "15:9: damping.modes: found `modes` without a single ratio for all of them, expected `modal` to be one ratio, such as 0.01, or no `modes`",
-        ],
+        &["15:9: damping.modes: found `modes` without a single ratio for all of them, expected \
+             `modal` to be one ratio, such as 0.01, or no `modes`"],
     );
     bad(
         "[damping]\nmodal = 0.01\nmodes = 0\n",
@@ -303,9 +329,8 @@ fn motion_and_damping_of_the_whole_are_read() {
     );
     bad(
         "[damping]\nmodal = true\nmodes = 3\n",
-        &[
-            "14:9: damping.modal: found `true`, expected a ratio of critical damping, such as 0.01, or a list of them",
-        ],
+        &["14:9: damping.modal: found `true`, expected a ratio of critical damping, such as \
+             0.01, or a list of them"],
     );
 }
 
@@ -346,7 +371,8 @@ fn analyses_start_at_rest_and_follow_paths() {
     let fault = read(&text, "f.toml").unwrap_err().to_string();
     assert_eq!(
         fault,
-        "f.toml:16:9: time.start: found the text \"statics\", expected one of `reference`, `static` (did you mean `static`?)"
+        "f.toml:16:9: time.start: found the text \"statics\", expected one of `reference`, \
+         `static` (did you mean `static`?)"
     );
     let text = text.replace("statics", "static");
     assert_eq!(

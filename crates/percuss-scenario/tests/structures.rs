@@ -55,15 +55,16 @@ fn presets_fill_in_what_is_not_given() {
     assert!(text.ends_with("(did you mean `aluminium`?)"), "{text}");
     bad(
         &material("density = 1\n"),
-        &[
-            "9:1: material.m.young: found no `young`, expected a pressure (Pa), such as \"0.2e10 Pa\", or a `preset`",
-        ],
+        &["9:1: material.m.young: found no `young`, expected a pressure (Pa), such as \"0.2e10 \
+             Pa\", or a `preset`"],
     );
     bad(
         &material("preset = \"steel\"\nretardation = \"1 m\"\nmass_damping = \"1 Hz\"\n"),
         &[
-            "11:15: material.m.retardation: found \"1 m\", which is a length (m), expected a time (s), such as \"0.15 s\"",
-            "12:16: material.m.mass_damping: found \"1 Hz\", in Hz, expected a rate (1/s), such as \"0.5 1/s\"",
+            "11:15: material.m.retardation: found \"1 m\", which is a length (m), expected a \
+             time (s), such as \"0.15 s\"",
+            "12:16: material.m.mass_damping: found \"1 Hz\", in Hz, expected a rate (1/s), such \
+             as \"0.5 1/s\"",
         ],
     );
 }
@@ -76,8 +77,10 @@ fn a_misspelt_required_key_is_one_fault() {
             BEAM,
         ]),
         &[
-            "2:1: material.m.yuong: found the unknown key `yuong`, expected one of `preset`, `young`, `density`, `strain`, `retardation`, `mass_damping` (did you mean `young`?)",
-            "5:1: section.s.arae: found the unknown key `arae`, expected one of `rotary_inertia`, `area`, `inertia`, `depth`, `shape` (did you mean `area`?)",
+            "2:1: material.m.yuong: found the unknown key `yuong`, expected one of `preset`, \
+             `young`, `density`, `strain`, `retardation`, `mass_damping` (did you mean `young`?)",
+            "5:1: section.s.arae: found the unknown key `arae`, expected one of \
+             `rotary_inertia`, `area`, `inertia`, `depth`, `shape` (did you mean `area`?)",
         ],
     );
     let text = file(&[HEAD, &BEAM.replace("elements", "elemnts")]);
@@ -105,7 +108,8 @@ fn sections_come_in_shapes() {
         "shape = \"tube\"\ndiameter = 1\nthickness = 0.1\n",
         "shape = \"i\"\nwidth = 1\ndepth = 2\nflange = 0.1\nweb = 0.1\n",
         "shape = \"box\"\nwidth = 1\ndepth = 2\nthickness = 0.1\n",
-        "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
+        "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \"t\"]\n[section.t]\narea = \
+         1\ninertia = 1\n",
     ] {
         good(&section(text));
     }
@@ -132,40 +136,54 @@ fn sections_come_in_shapes() {
         ),
         (
             "shape = \"box\"\nwidth = 1\ndepth = 2\nthickness = 0.5\n",
-            "12:13: section.s.thickness: found 0.5 m, expected less than half the smaller side, 0.5 m",
+            "12:13: section.s.thickness: found 0.5 m, expected less than half the smaller side, \
+             0.5 m",
         ),
         (
             "shape = \"rectangle\"\nwidth = \"1 cm^2\"\ndepth = 1\n",
-            "10:9: section.s.width: found \"1 cm^2\", which is an area (m^2), expected a length (m), such as \"3 m\"",
+            "10:9: section.s.width: found \"1 cm^2\", which is an area (m^2), expected a length \
+             (m), such as \"3 m\"",
         ),
         (
-            "shape = \"tapered\"\nstations = [0, 0.5]\nsections = [\"t\", \"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
-            "10:12: section.s.stations: found stations from 0 to 0.5, expected stations from 0 to 1",
+            "shape = \"tapered\"\nstations = [0, 0.5]\nsections = [\"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "10:12: section.s.stations: found stations from 0 to 0.5, expected stations from 0 \
+             to 1",
         ),
         (
-            "shape = \"tapered\"\nstations = [0, 0.5, 0.5, 1]\nsections = [\"t\", \"t\", \"t\", \"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "shape = \"tapered\"\nstations = [0, 0.5, 0.5, 1]\nsections = [\"t\", \"t\", \"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
             "10:12: section.s.stations: found 0.5 after 0.5, expected stations that increase",
         ),
         (
-            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
-            "11:12: section.s.sections: found 1 section for 2 stations, expected a section for each station",
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\"]\n[section.t]\narea = \
+             1\ninertia = 1\n",
+            "11:12: section.s.sections: found 1 section for 2 stations, expected a section for \
+             each station",
         ),
         (
-            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \"s\"]\n[section.t]\narea = 1\ninertia = 1\n",
-            "11:12: section.s.sections: found \"s\", which is tapered itself, expected sections that do not vary along the beam",
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"s\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "11:12: section.s.sections: found \"s\", which is tapered itself, expected sections \
+             that do not vary along the beam",
         ),
         (
-            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \"tt\"]\n[section.t]\narea = 1\ninertia = 1\n",
-            "11:18: section.s.sections: found the unknown section \"tt\", expected one of `s`, `t` (did you mean `t`?)",
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"tt\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "11:18: section.s.sections: found the unknown section \"tt\", expected one of `s`, \
+             `t` (did you mean `t`?)",
         ),
         // What follows from the section named is not told again.
         (
-            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \"t\"]\n[section.t]\narea = 1\ninertia = 0\n",
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = 0\n",
             "14:11: section.t.inertia: found 0 m^4, expected a second moment of area above zero",
         ),
         (
-            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \"t\"]\n[section.t]\narea = 1\ninertia = \"1 m\"\n",
-            "14:11: section.t.inertia: found \"1 m\", which is a length (m), expected a second moment of area (m^4), such as \"8330 cm^4\"",
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = \"1 m\"\n",
+            "14:11: section.t.inertia: found \"1 m\", which is a length (m), expected a second \
+             moment of area (m^4), such as \"8330 cm^4\"",
         ),
     ] {
         bad(&section(text), &[expected]);
@@ -190,21 +208,18 @@ fn elements_are_given_by_number_or_by_length() {
     assert_eq!((table.elements, table.element_length), (None, Some(0.1)));
     bad(
         &beam("elements = 6", "elements = 6\nelement_length = \"10 cm\""),
-        &[
-            "10:18: beam.b.element_length: found `element_length` besides `elements`, expected one of the two",
-        ],
+        &["10:18: beam.b.element_length: found `element_length` besides `elements`, expected \
+             one of the two"],
     );
     bad(
         &beam("elements = 6\n", ""),
-        &[
-            "7:1: beam.b.elements: found no number of elements, expected `elements`, such as 6, or `element_length`, such as \"0.1 m\"",
-        ],
+        &["7:1: beam.b.elements: found no number of elements, expected `elements`, such as 6, \
+             or `element_length`, such as \"0.1 m\""],
     );
     bad(
         &beam("elements = 6", "element_length = \"10 cm^2\""),
-        &[
-            "9:18: beam.b.element_length: found \"10 cm^2\", which is an area (m^2), expected a length (m), such as \"3 m\"",
-        ],
+        &["9:18: beam.b.element_length: found \"10 cm^2\", which is an area (m^2), expected a \
+             length (m), such as \"3 m\""],
     );
 }
 
@@ -216,31 +231,34 @@ fn curves_gradings_and_changes_are_read() {
     let change = |text: &str| beam("elements = 6", &format!("elements = 6\n{text}"));
     bad(
         &change("curve = \"arch\""),
-        &[
-            "10:9: beam.b.curve: found the text \"arch\", expected one of `polyline`, `arc`, `spline` (did you mean `arc`?)",
-        ],
+        &["10:9: beam.b.curve: found the text \"arch\", expected one of `polyline`, `arc`, \
+             `spline` (did you mean `arc`?)"],
     );
     bad(
         &change("grading = { towards = \"middle\", ratio = \"2 m\" }"),
         &[
-            "10:23: beam.b.grading.towards: found the text \"middle\", expected a place along the beam: \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\" (did you mean `mid`?)",
-            "10:41: beam.b.grading.ratio: found \"2 m\", which is a length (m), expected a number, such as 0.8",
+            "10:23: beam.b.grading.towards: found the text \"middle\", expected a place along \
+             the beam: \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\" (did you mean `mid`?)",
+            "10:41: beam.b.grading.ratio: found \"2 m\", which is a length (m), expected a \
+             number, such as 0.8",
         ],
     );
     bad(
         &change("grading = 3"),
-        &[
-            "10:11: beam.b.grading: found the number 3, expected a table { towards = ..., ratio = ... }",
-        ],
+        &["10:11: beam.b.grading: found the number 3, expected a table { towards = ..., ratio \
+             = ... }"],
     );
     bad(
         &change(
             "changes = [{ at = \"3 kg\", section = \"s\" }, { at = 0.1 }, { section = \"x\" }]",
         ),
         &[
-            "10:19: beam.b.changes.at: found `3 kg`, which is a mass (kg), expected a fraction or a length, such as 0.25 or 0.75m",
-            "10:44: beam.b.changes: found a change of nothing, expected `section`, `material` or both",
-            "10:58: beam.b.changes.at: found no `at`, expected a place along the beam: \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\"",
+            "10:19: beam.b.changes.at: found `3 kg`, which is a mass (kg), expected a fraction \
+             or a length, such as 0.25 or 0.75m",
+            "10:44: beam.b.changes: found a change of nothing, expected `section`, `material` or \
+             both",
+            "10:58: beam.b.changes.at: found no `at`, expected a place along the beam: \
+             \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\"",
             "10:70: beam.b.changes.section: found the unknown section \"x\", expected `s`",
         ],
     );
@@ -273,8 +291,7 @@ fn points_come_from_files() {
     }
     bad(
         &beam("[[0, 0], [3, 0]]", "\"none.csv\""),
-        &[
-            "8:10: beam.b.points: found \"none.csv\", which does not exist, expected a CSV file with two columns, x and y (m)",
-        ],
+        &["8:10: beam.b.points: found \"none.csv\", which does not exist, expected a CSV file \
+             with two columns, x and y (m)"],
     );
 }

@@ -40,6 +40,25 @@ fn scenarios_of_structures_say_the_same_as_their_templates() {
 }
 
 #[test]
+fn every_scenario_at_hand_compiles() {
+    let mut folders = vec![concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios").into()];
+    let mut count = 0;
+    while let Some(folder) = folders.pop() {
+        let folder: std::path::PathBuf = folder;
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "toml") {
+                compile(&load(&path).unwrap_or_else(|e| panic!("{e}")));
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 22, "{count}");
+}
+
+#[test]
 fn templates_of_the_paper_say_the_same_as_its_files() {
     for (file, name) in [(ELASTIC, "elastic"), (RIGID, "rigid")] {
         let template = templates().iter().find(|t| t.name == name).unwrap();
