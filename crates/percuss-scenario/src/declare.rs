@@ -33,7 +33,7 @@ macro_rules! describe_key {
 }
 
 /// A table: `key: Type as Format`, `= default` where it may be left out, `with` the part that
-/// depends on its kind, `then` a function that sees the whole table once it has been read.
+/// depends on its kind, `either` keys of which one set must be there, `then` a function that sees the whole table once it has been read.
 macro_rules! table {
     (
         $(#[doc = $doc:literal])*
@@ -47,6 +47,7 @@ macro_rules! table {
             $(#[doc = $choice_doc:literal])*
             $choice:ident: $choice_type:ty
         })?
+        $(either $($($needed:ident)&+)|+)?
         $(then $settle:path)?
     ) => {
         $(#[doc = $doc])*
@@ -63,6 +64,10 @@ macro_rules! table {
 
             fn keys() -> Vec<crate::table::Key> {
                 vec![$(describe_key!([$($key_doc)*] $key, $format $(, $default)?)),*]
+            }
+
+            fn either() -> Vec<Vec<&'static str>> {
+                vec![$($(vec![$(stringify!($needed)),+]),+)?]
             }
 
             fn kinds() -> Option<crate::table::Kinds> {

@@ -16,7 +16,13 @@ pub fn schema() -> Json {
 /// Schema of a table; one that comes in kinds is one of several objects.
 pub(crate) fn of_table<T: Table>() -> Json {
     let Some(kinds) = T::kinds() else {
-        return object(&T::about(), T::keys());
+        let mut object = object(&T::about(), T::keys());
+        let either: Vec<Json> =
+            T::either().into_iter().map(|keys| json!({ "required": keys })).collect();
+        if !either.is_empty() {
+            object["anyOf"] = json!(either);
+        }
+        return object;
     };
     let common = T::keys;
     let variants = kinds.variants.into_iter().map(|variant| {

@@ -43,6 +43,8 @@ pub(crate) trait Table: Sized {
     fn about() -> String;
     fn keys() -> Vec<Key>;
     fn kinds() -> Option<Kinds>;
+    /// Sets of keys that may be left out, of which one set must be there.
+    fn either() -> Vec<Vec<&'static str>>;
     /// Reads every key; `None` only if its kind is not known.
     fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self>;
     fn placeholder() -> Self;

@@ -362,6 +362,11 @@ fn analyses_start_at_rest_and_follow_paths() {
             "14:9: path.until.value: found no `value`, expected a length (m), such as \"3 m\"",
         ),
         ("first = 0", "14:9: path.first: found 0, expected a load factor above zero"),
+        (
+            "until = { point = \"b@4m\", component = 1, value = 1 }",
+            "14:19: path.until.point: found b@4m (4 m along the beam), expected a point of `b`, \
+             from 0 to 3 m",
+        ),
         ("points = 0", "14:10: path.points: found 0, expected at least 1 point"),
         ("factor = 0", "14:10: path.factor: found 0, expected a load factor to reach, not zero"),
     ] {

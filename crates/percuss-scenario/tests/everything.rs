@@ -68,6 +68,7 @@ fn it_is_valid_by_the_schema_before_and_after() {
     for (text, why) in [
         ("[beam.b]\npoints = 3", "Points the centre line"),
         ("[beam.b]\nelemets = 3", "elemets"),
+        ("[material.m]\nyoung = 1", "density"),
         ("[load.l]\nkind = \"point\"\nat = \"b.mid\"\nfunction = { kind = \"ramp\" }", "function"),
         (
             "[support.s]\nkind = \"stop\"\nat = \"b.mid\"\nstiffness = [1, 2]\ndirection = [1, 0]",

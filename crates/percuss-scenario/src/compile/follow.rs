@@ -118,8 +118,10 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
             joint.flat_map(|j| &j.between).chain(ends).map(|p| p.beam.as_str()).collect()
         }
         "points" if path == "record.points" => {
-            let recorded = content.record.points.iter().map(|p| p.beam.as_str());
-            recorded.chain(content.path.until.as_ref().map(|r| r.point.beam.as_str())).collect()
+            content.record.points.iter().map(|p| p.beam.as_str()).collect()
+        }
+        "point" if path == "path.until.point" => {
+            content.path.until.iter().map(|reach| reach.point.beam.as_str()).collect()
         }
         _ => Vec::new(),
     }

@@ -200,8 +200,20 @@ fn build(content: &Content) -> Result<Model, Vec<Fault>> {
         Ok(model) if faults.is_empty() => Ok(model),
         Ok(_) => Err(faults),
         Err(found) => {
-            faults.extend(found);
+            faults.extend(found.into_iter().map(|fault| at_path(content, fault)));
             Err(faults)
         }
+    }
+}
+
+/// The point at which a path ends is recorded as others are; its fault belongs to the path.
+fn at_path(content: &Content, fault: Fault) -> Fault {
+    let Some(Reach { point, .. }) = &content.path.until else { return fault };
+    let recorded = content.record.points.iter().any(|p| p.label == point.label);
+    let about =
+        fault.path == "record.points" && fault.found.starts_with(&format!("{} ", point.label));
+    match about && !recorded {
+        true => Fault { path: "path.until.point".into(), ..fault },
+        false => fault,
     }
 }

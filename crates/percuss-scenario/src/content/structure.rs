@@ -30,6 +30,7 @@ table! {
         /// Damping force per mass and velocity (1/s).
         mass_damping: f64 as Quantity<measure::Rate> = 0.0,
     }
+    either preset | young & density
     then settle_material
 }
 
@@ -71,6 +72,7 @@ table! {
         /// Places from which on it has another material or section, in their order.
         changes: Vec<Change> as List<Braces<Change>> = Vec::new(),
     }
+    either elements | element_length
     then settle_beam
 }
 
@@ -113,6 +115,7 @@ table! {
         /// Name of the material from there on; the one before if none is given.
         material: Option<String> as Maybe<NameOf<MaterialName>> = None,
     }
+    either section | material
     then settle_change
 }
 
