@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
+use super::section_forces;
 use super::static_search::{factor_shifted, linearized};
 use super::statics::bending_scale;
 use crate::contact::effective_mass::mass_band;
@@ -40,8 +41,8 @@ impl Mode {
 /// Fewer if the mesh has fewer; empty where the tangent is singular.
 pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
     let mut modes = lowest(model, state, count).unwrap_or_default();
-    // Zero within round-off is zero.
-    let zero = 1e-9 * bending_scale(model);
+    // Motions of a rigid body have round-off for an eigenvalue.
+    let zero = RIGID * bending_scale(model);
     for mode in &mut modes {
         if mode.eigenvalue.abs() <= zero {
             mode.eigenvalue = 0.0;
@@ -80,8 +81,7 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
 pub(super) fn lowest(model: &Model, state: &State, count: usize) -> Option<Vec<Mode>> {
     let mass = mass_band(model, &state.displacement);
     let mut search = linearized(model, state);
-    // Moves motions of a rigid body off zero.
-    let shift = bending_scale(model);
+    let shift = bending_scale(model) + compression(model, state);
     let mut tangent = factor_shifted(&mut search, &mass, shift)?;
     let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
     let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
@@ -109,6 +109,18 @@ pub(super) fn lowest(model: &Model, state: &State, count: usize) -> Option<Vec<M
         basis = combine(&image, &rotation, size);
     }
     None
+}
+
+/// The most that compression takes from the square of any frequency, `N^2 / (4 EI rhoA)`: a shift by it, and a little more to
+/// move motions of a rigid body off zero, leaves no eigenvalue negative.
+fn compression(model: &Model, state: &State) -> f64 {
+    let mut most = 0.0_f64;
+    for (span, k, _, _) in model.each_element() {
+        let row = &span.table(k).rows[1];
+        let axial = section_forces::element(span, k, state, None).axial;
+        most = most.max(axial.min(0.0).powi(2) / (4.0 * row.section.bending * row.mass));
+    }
+    1.2 * most
 }
 
 /// Vectors that are orthogonal to no motion.

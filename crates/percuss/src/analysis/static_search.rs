@@ -23,6 +23,9 @@ use crate::summary::SectionForceSummary;
 const MOST_ITERATIONS: usize = 20;
 /// Last correction of an equilibrium, relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
+/// Corrections this small that no longer shrink are round-off: of very slender beams, whose axial forces are sums of digits
+/// that bending does not see.
+const ROUND_OFF: f64 = 1e-6;
 /// Statics has no step size; this one keeps quotients finite.
 const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 
@@ -62,6 +65,7 @@ impl<'m> StaticSearch<'m> {
     pub fn solve(&mut self, share: f64) -> bool {
         self.forcing.set_static(self.model, share);
         prescribe(self.model, &self.forcing, &mut self.work.increment);
+        let mut before = f64::INFINITY;
         for _ in 0..MOST_ITERATIONS {
             if !self.factor() {
                 return false;
@@ -70,11 +74,20 @@ impl<'m> StaticSearch<'m> {
             if !self.correct() {
                 return false;
             }
-            if self.settled() {
+            let moved = largest(&self.work.correction) / largest(&self.work.increment);
+            if moved.is_nan() || moved <= SETTLED || (moved <= ROUND_OFF && moved > 0.3 * before) {
                 return true;
             }
+            before = moved;
         }
         false
+    }
+
+    /// Goes back to an increment with its multipliers.
+    pub fn go_back(&mut self, place: &(Vec<[f64; 4]>, Vec<f64>)) {
+        self.work.increment.copy_from_slice(&place.0);
+        self.work.multiplier.copy_from_slice(&place.1);
+        self.foresee(true);
     }
 
     /// Assembles and factors at the current increment.
@@ -110,11 +123,6 @@ impl<'m> StaticSearch<'m> {
         self.iterations += 1;
         let reach = largest(&work.increment);
         largest(&work.correction).is_finite() && reach <= 1e6 * self.size()
-    }
-
-    /// Whether the last correction was small.
-    pub fn settled(&self) -> bool {
-        largest(&self.work.correction) <= SETTLED * largest(&self.work.increment)
     }
 
     /// Strains that the correction leads to, to first order; those of the increment itself if `still`.

@@ -14,6 +14,9 @@ const FIRST_STEP: f64 = 0.1;
 /// A load step is cut down to this share of the load before the analysis gives up.
 const SMALLEST_STEP: f64 = 1e-4;
 
+/// Load steps that lead to an unstable equilibrium are cut down to this share before it is believed.
+const FINEST_SHARE: f64 = 1.0 / 128.0;
+
 /// A static equilibrium.
 #[derive(Clone, Debug)]
 pub struct Equilibrium {
@@ -25,6 +28,8 @@ pub struct Equilibrium {
     pub section_forces: Vec<SectionForceSummary>,
     /// Forces (1, 2) and moment of each support on the structure \[N, N m\], with their names.
     pub reactions: Vec<(String, [f64; 3])>,
+    /// Whether the structure returns to it: no motion about it grows.
+    pub stable: bool,
     /// Load steps taken.
     pub load_steps: usize,
     /// Newton iterations.
@@ -50,24 +55,43 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     search.foresee(true);
     let mut accepted = (search.work.increment.clone(), search.work.multiplier.clone());
     let (mut reached, mut step, mut load_steps) = (0.0, first_step.clamp(1e-3, 1.0), 0);
+    let (finest, mut stable) = (step * FINEST_SHARE, true);
     while reached < 1.0 {
         let target: f64 = f64::min(reached + step, 1.0);
-        if search.solve(target) {
+        let found = search.solve(target);
+        if found && stable && !is_stable(model, &search) {
+            // A branch that lost its stability may have been jumped to: smaller steps tell.
+            if step > finest {
+                step *= 0.5;
+                search.go_back(&accepted);
+                continue;
+            }
+            stable = false;
+        }
+        if found {
             reached = if target > 1.0 - 1e-12 { 1.0 } else { target };
             load_steps += 1;
+            step = (1.5 * step).min(first_step);
             accepted = (search.work.increment.clone(), search.work.multiplier.clone());
         } else {
             step *= 0.5;
-            search.work.increment.copy_from_slice(&accepted.0);
-            search.work.multiplier.copy_from_slice(&accepted.1);
-            search.foresee(true);
+            search.go_back(&accepted);
             if step < SMALLEST_STEP {
                 return Err(lost(&search, reached));
             }
         }
     }
     search.forcing.set_static(model, 1.0);
-    Ok(finish(&mut search, load_steps))
+    let mut found = finish(&mut search, load_steps);
+    found.stable = stable || is_stable(model, &search);
+    Ok(found)
+}
+
+/// Whether no motion about the equilibrium reached grows.
+fn is_stable(model: &Model, search: &StaticSearch) -> bool {
+    let lowest = modes::lowest(model, &search.state(), 1);
+    let floor = -1e-6 * bending_scale(model);
+    lowest.is_some_and(|modes| modes.first().is_none_or(|m| m.eigenvalue > floor))
 }
 
 /// The result at the increment reached.
@@ -82,6 +106,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
         section_forces: search.section_forces(&state),
         reactions: names.zip(search.reactions(&state)).collect(),
+        stable: true,
         load_steps,
         newton_iterations: search.iterations,
         state,

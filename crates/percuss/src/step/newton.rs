@@ -14,7 +14,7 @@ use super::{assemble, connectors, external, masses};
 use crate::contact::impact::Stalled;
 use crate::math::vec2::{dot, scale};
 use crate::model::Model;
-use crate::model::frozen::{ConstraintKind, ContactLaw};
+use crate::model::frozen::{Constraint, ConstraintKind, ContactLaw};
 use crate::state::State;
 
 /// A rigid contact that takes part in a step.
@@ -142,7 +142,10 @@ impl StepProblem<'_> {
             &work.increment,
             &work.travel,
         );
-        let energy = self.state.books.energy_scale.max(loads.work.abs());
+        // Supports that move by their constraints leave nothing unbalanced at the predictor.
+        let moved = |(c, m): (&Constraint, &f64)| (m * self.forcing.increment(&c.drive)).abs();
+        let supports: f64 = self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
+        let energy = self.state.books.energy_scale.max(loads.work.abs()).max(supports);
         if energy > 0.0 { energy } else { correction_work }
     }
 
