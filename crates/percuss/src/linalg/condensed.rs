@@ -1,11 +1,13 @@
 //! Chains tied together at some of their nodes: a block band with couplings beyond it and a border of constraints.
 //!
 //! Nodes that anything beyond the band touches are interface nodes. The runs of nodes between them are eliminated by blocks,
-//! each run onto the interface nodes at its ends; what is left, interface nodes and border, is a small system, dense or
-//! sparse. Order and pattern are found once. Without interface nodes this is the chain alone.
+//! each run onto the interface nodes at its ends. Interface nodes tied to each other by constraints form clusters, reduced to
+//! what their constraints leave free. What remains is a small system, dense or sparse. Order and pattern are found once.
+//! Without interface nodes this is the chain alone.
 
 use super::block::{self, Block, ZERO};
 use super::chain::{Chain, SingularPivot};
+use super::cluster::Cluster;
 use super::dense::DenseLu;
 use super::sparse::SparseLu;
 
@@ -14,6 +16,8 @@ pub type BorderVector = Vec<(usize, [f64; 4])>;
 
 /// Interface systems of up to this order are solved densely.
 const DENSE: usize = 36;
+/// Joints of up to so many components are reduced to what their constraints leave free.
+const LARGEST_CLUSTER: usize = 64;
 
 /// A run of nodes that touch nothing beyond the band.
 #[derive(Clone, Debug)]
@@ -47,43 +51,60 @@ pub struct Condensed {
     to_left: Vec<Block>,
     /// Block of the left interface node's row in the column of a node of a run.
     from_left: Vec<Block>,
+    /// The interface matrix by pairs of slots, ascending.
+    blocks: Vec<(usize, usize, Block)>,
+    /// Joints, and interface nodes on their own.
+    clusters: Vec<Cluster>,
+    /// Cluster of a slot, and its number there.
+    home: Vec<(usize, usize)>,
+    /// Constraints that no cluster took.
+    border: Vec<usize>,
     core: Core,
-    right_side: Vec<f64>,
+    scratch: Scratch,
 }
 
+/// Room for a solution.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    right: Vec<f64>,
+    nodal: Vec<f64>,
+    left_over: Vec<f64>,
+    reduced: Vec<f64>,
+}
+
+/// The reduced interface system.
 #[derive(Clone, Debug)]
 enum Core {
     Empty,
-    Dense { matrix: Vec<f64>, lu: DenseLu },
-    Sparse { lu: Box<SparseLu>, blocks: Vec<BlockPlace> },
+    Dense { order: usize, matrix: Vec<f64>, lu: DenseLu },
+    Sparse { lu: Box<SparseLu> },
 }
 
-/// Where the columns of a block of the interface system lie among the values of the sparse matrix.
-#[derive(Clone, Copy, Debug)]
-struct BlockPlace {
-    row: usize,
-    column: usize,
-    starts: [usize; 4],
+/// How the constraints of the border touch nodes.
+#[derive(Clone, Debug)]
+pub struct BorderPattern {
+    /// Nodes.
+    pub nodes: Vec<usize>,
+    /// Whether it always acts: only then can a joint be reduced by it.
+    pub permanent: bool,
 }
 
 impl Condensed {
     /// A zero matrix of `n` nodes. `links(i)` tells whether node i is linked to i + 1 by the band; `couplings` are the
-    /// pairs of nodes with a block beyond it, `border` the nodes of each border vector.
+    /// pairs of nodes with a block beyond it.
     pub fn new(
         n: usize,
         links: impl Fn(usize) -> bool,
         couplings: &[(usize, usize)],
-        border: &[Vec<usize>],
+        border: &[BorderPattern],
     ) -> Self {
-        let mut interface: Vec<usize> = couplings
-            .iter()
-            .flat_map(|(a, b)| [*a, *b])
-            .chain(border.iter().flatten().copied())
-            .collect();
+        let tied = couplings.iter().flat_map(|(a, b)| [*a, *b]);
+        let mut interface: Vec<usize> =
+            tied.chain(border.iter().flat_map(|b| b.nodes.iter().copied())).collect();
         interface.sort_unstable();
         interface.dedup();
         let adjacent = interface.windows(2).map(|w| w[1] == w[0] + 1 && links(w[0])).collect();
-        let vector = |nodes: &Vec<usize>| nodes.iter().map(|k| (*k, [0.0; 4])).collect();
+        let vector = |b: &BorderPattern| b.nodes.iter().map(|k| (*k, [0.0; 4])).collect();
         let extra = if interface.is_empty() { 0 } else { n };
         let mut condensed = Self {
             chain: Chain::zeros(n),
@@ -92,19 +113,30 @@ impl Condensed {
             rows: border.iter().map(vector).collect(),
             corner: vec![0.0; border.len()],
             runs: runs(n, &links, &interface),
-            right_side: vec![0.0; 4 * interface.len() + border.len()],
             interface,
             adjacent,
             to_left: vec![ZERO; extra],
             from_left: vec![ZERO; extra],
+            blocks: Vec::new(),
+            clusters: Vec::new(),
+            home: Vec::new(),
+            border: Vec::new(),
             core: Core::Empty,
+            scratch: Scratch::default(),
         };
+        condensed.find_blocks();
+        condensed.find_clusters(border);
         condensed.core = condensed.new_core();
         condensed
     }
 
+    /// Number of unknowns of the reduced system.
     fn order(&self) -> usize {
-        4 * self.interface.len() + self.columns.len()
+        self.reduced_nodes() + self.border.len()
+    }
+
+    fn reduced_nodes(&self) -> usize {
+        self.clusters.last().map_or(0, |c| c.first + c.size())
     }
 
     fn slot(&self, node: usize) -> usize {
@@ -112,7 +144,7 @@ impl Condensed {
     }
 
     /// Pairs of slots that share a block in the interface system.
-    fn block_pairs(&self) -> Vec<(usize, usize)> {
+    fn find_blocks(&mut self) {
         let mut pairs: Vec<(usize, usize)> = (0..self.interface.len()).map(|i| (i, i)).collect();
         let both = |a: usize, b: usize| [(a, b), (b, a)];
         for (i, adjacent) in self.adjacent.iter().enumerate() {
@@ -128,7 +160,56 @@ impl Condensed {
         pairs.extend(self.couplings.iter().map(|(a, b, _)| (self.slot(*a), self.slot(*b))));
         pairs.sort_unstable();
         pairs.dedup();
-        pairs
+        self.blocks = pairs.into_iter().map(|(a, b)| (a, b, ZERO)).collect();
+    }
+
+    /// Gathers interface nodes that permanent constraints tie to each other.
+    fn find_clusters(&mut self, border: &[BorderPattern]) {
+        let n = self.interface.len();
+        let mut leader: Vec<usize> = (0..n).collect();
+        fn find(leader: &mut [usize], mut i: usize) -> usize {
+            while leader[i] != i {
+                leader[i] = leader[leader[i]];
+                i = leader[i];
+            }
+            i
+        }
+        for b in border.iter().filter(|b| b.permanent) {
+            let first = find(&mut leader, self.slot(b.nodes[0]));
+            for node in &b.nodes[1..] {
+                let other = find(&mut leader, self.slot(*node));
+                leader[first.max(other)] = first.min(other);
+            }
+        }
+        let leaders: Vec<usize> = (0..n).map(|i| find(&mut leader, i)).collect();
+        let mut members = vec![Vec::new(); n];
+        leaders.iter().enumerate().for_each(|(i, l)| members[*l].push(i));
+        let mut constraints = vec![Vec::new(); n];
+        for (k, b) in border.iter().enumerate() {
+            let l = leaders[self.slot(b.nodes[0])];
+            let fits = 4 * members[l].len() <= LARGEST_CLUSTER;
+            if b.permanent && fits { constraints[l].push(k) } else { self.border.push(k) }
+        }
+        self.home = vec![(0, 0); n];
+        let mut first = 0;
+        for l in 0..n {
+            let reduced = std::mem::take(&mut constraints[l]);
+            let slots = std::mem::take(&mut members[l]);
+            let groups = if reduced.is_empty() {
+                slots.into_iter().map(|s| vec![s]).collect()
+            } else {
+                vec![slots]
+            };
+            for slots in groups {
+                slots
+                    .iter()
+                    .enumerate()
+                    .for_each(|(i, s)| self.home[*s] = (self.clusters.len(), i));
+                let cluster = Cluster::new(slots, reduced.clone(), first);
+                first += cluster.size();
+                self.clusters.push(cluster);
+            }
+        }
     }
 
     fn new_core(&self) -> Core {
@@ -136,36 +217,31 @@ impl Condensed {
         if n == 0 {
             return Core::Empty;
         }
-        let dense = || Core::Dense { matrix: vec![0.0; n * n], lu: DenseLu::default() };
+        let dense = || Core::Dense { order: n, matrix: vec![0.0; n * n], lu: DenseLu::default() };
         if n <= DENSE {
             return dense();
         }
-        let pairs = self.block_pairs();
+        let mut pairs: Vec<(usize, usize)> =
+            self.blocks.iter().map(|(a, b, _)| (self.home[*a].0, self.home[*b].0)).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        let range = |c: usize| {
+            let cluster = &self.clusters[c];
+            cluster.first..cluster.first + cluster.size()
+        };
         let mut entries = Vec::new();
-        for (a, b) in &pairs {
-            entries.extend((0..16).map(|k| (4 * a + k / 4, 4 * b + k % 4)));
+        for (a, b) in pairs {
+            entries.extend(range(a).flat_map(|i| range(b).map(move |j| (i, j))));
         }
-        let first = 4 * self.interface.len();
-        for (c, column) in self.columns.iter().enumerate() {
-            entries.push((first + c, first + c));
-            for (node, _) in column {
-                let at = 4 * self.slot(*node);
-                for k in 0..4 {
-                    entries.push((at + k, first + c));
-                    entries.push((first + c, at + k));
-                }
+        let first = self.reduced_nodes();
+        for (k, c) in self.border.iter().enumerate() {
+            entries.push((first + k, first + k));
+            for (node, _) in &self.columns[*c] {
+                let both = |i| [(i, first + k), (first + k, i)];
+                entries.extend(range(self.home[self.slot(*node)].0).flat_map(both));
             }
         }
-        let Some(lu) = SparseLu::new(n, &entries) else { return dense() };
-        let blocks = pairs
-            .into_iter()
-            .map(|(row, column)| BlockPlace {
-                row,
-                column,
-                starts: std::array::from_fn(|k| lu.place(4 * row, 4 * column + k)),
-            })
-            .collect();
-        Core::Sparse { lu: Box::new(lu), blocks }
+        SparseLu::new(n, &entries).map_or_else(dense, |lu| Core::Sparse { lu: Box::new(lu) })
     }
 
     /// Product of the band and the couplings with nodal values, before factorisation.
@@ -183,49 +259,98 @@ impl Condensed {
     /// # Errors
     /// The node where it is singular; `None` stands for the interface system.
     pub fn factor(&mut self) -> Result<(), Option<SingularPivot>> {
-        if self.order() == 0 {
+        if self.interface.is_empty() {
             return self.chain.factor().map_err(Some);
         }
-        self.core.clear();
+        self.blocks.iter_mut().for_each(|b| b.2 = ZERO);
         for i in 0..self.interface.len() {
             let node = self.interface[i];
-            self.core.add(i, i, &self.chain.diag[node], 1.0);
+            self.add(i, i, &self.chain.diag[node].clone(), 1.0);
             if self.adjacent.get(i).is_some_and(|a| *a) {
-                self.core.add(i, i + 1, &self.chain.upper[node], 1.0);
-                self.core.add(i + 1, i, &self.chain.lower[node], 1.0);
+                self.add(i, i + 1, &self.chain.upper[node].clone(), 1.0);
+                self.add(i + 1, i, &self.chain.lower[node].clone(), 1.0);
             }
         }
         for r in 0..self.runs.len() {
             let run = self.runs[r].clone();
             self.eliminate(&run).map_err(Some)?;
         }
-        for (a, b, block) in &self.couplings {
-            let (a, b) = (self.slot(*a), self.slot(*b));
-            self.core.add(a, b, block, 1.0);
+        for k in 0..self.couplings.len() {
+            let (a, b, block) = self.couplings[k];
+            self.add(self.slot(a), self.slot(b), &block, 1.0);
         }
-        let first = 4 * self.interface.len();
-        for (c, (column, row)) in self.columns.iter().zip(&self.rows).enumerate() {
-            self.core.set(first + c, first + c, self.corner[c]);
-            for (node, values) in column {
-                let at = 4 * self.slot(*node);
-                (0..4).for_each(|k| self.core.set(at + k, first + c, values[k]));
-            }
-            for (node, values) in row {
-                let at = 4 * self.slot(*node);
-                (0..4).for_each(|k| self.core.set(first + c, at + k, values[k]));
-            }
+        let (interface, rows, columns) = (&self.interface, &self.rows, &self.columns);
+        let slot_of = |node: usize| interface.partition_point(|k| *k < node);
+        if !self.clusters.iter_mut().all(|c| c.reduce(rows, columns, slot_of)) {
+            return Err(None);
         }
+        self.fill_core();
         if self.core.factor() { Ok(()) } else { Err(None) }
+    }
+
+    /// Adds `sign` times a block to the interface matrix.
+    fn add(&mut self, row: usize, column: usize, block: &Block, sign: f64) {
+        let at = self.blocks.partition_point(|b| (b.0, b.1) < (row, column));
+        for (t, v) in self.blocks[at].2.as_flattened_mut().iter_mut().zip(block.as_flattened()) {
+            *t += sign * v;
+        }
+    }
+
+    /// Reduces the interface matrix, `Tm^T A T1`, with what is left of the border.
+    fn fill_core(&mut self) {
+        let mut core = std::mem::replace(&mut self.core, Core::Empty);
+        core.clear();
+        for (a, b, block) in &self.blocks {
+            let ((ca, na), (cb, nb)) = (self.home[*a], self.home[*b]);
+            let (left, right) = (&self.clusters[ca], &self.clusters[cb]);
+            let (fa, fb) = (left.size(), right.size());
+            let (test, trial) = (left.test(na), right.trial(nb));
+            for j in 0..fb {
+                let column: [f64; 4] =
+                    std::array::from_fn(|r| (0..4).map(|c| block[r][c] * trial[c * fb + j]).sum());
+                if column == [0.0; 4] {
+                    continue;
+                }
+                core.add_column(left.first, right.first + j, fa, |i| {
+                    (0..4).map(|r| test[r * fa + i] * column[r]).sum()
+                });
+            }
+        }
+        let first = self.reduced_nodes();
+        for (k, c) in self.border.iter().enumerate() {
+            core.add_column(first + k, first + k, 1, |_| self.corner[*c]);
+            for (node, values) in &self.columns[*c] {
+                let (cluster, at) = self.home[self.slot(*node)];
+                let cluster = &self.clusters[cluster];
+                let (f, test) = (cluster.size(), cluster.test(at));
+                core.add_column(cluster.first, first + k, f, |i| {
+                    (0..4).map(|r| test[r * f + i] * values[r]).sum()
+                });
+            }
+            for (node, values) in &self.rows[*c] {
+                let (cluster, at) = self.home[self.slot(*node)];
+                let cluster = &self.clusters[cluster];
+                let (f, trial) = (cluster.size(), cluster.trial(at));
+                for j in 0..f {
+                    let value = (0..4).map(|r| values[r] * trial[r * f + j]).sum();
+                    core.add_column(first + k, cluster.first + j, 1, |_| value);
+                }
+            }
+        }
+        self.core = core;
     }
 
     /// Eliminates the nodes of a run onto the interface nodes at its ends.
     fn eliminate(&mut self, run: &Run) -> Result<(), SingularPivot> {
-        let chain = &mut self.chain;
         let (mut to_left, mut from_left) = (ZERO, ZERO);
         if run.left.is_some() {
+            let chain = &self.chain;
             (to_left, from_left) = (chain.lower[run.start - 1], chain.upper[run.start - 1]);
         }
+        // What a run leaves at its left end is summed up before it is entered.
+        let mut at_left = ZERO;
         for i in run.start..run.end {
+            let chain = &mut self.chain;
             let inverse = block::inverse(&chain.diag[i]).ok_or(SingularPivot { node: i })?;
             chain.diag[i] = inverse;
             let inside = i + 1 < run.end;
@@ -239,51 +364,118 @@ impl Condensed {
                     block::sub_mul(diag, lower, &gain);
                 } else if let Some(right) = run.right {
                     let product = block::mul(&chain.lower[i], &gain);
-                    self.core.add(right, right, &product, -1.0);
+                    self.add(right, right, &product, -1.0);
                 }
             }
             if let Some(left) = run.left {
                 let h = block::mul(&inverse, &to_left);
-                self.core.add(left, left, &block::mul(&from_left, &h), -1.0);
+                block::sub_mul(&mut at_left, &from_left, &h);
                 (self.to_left[i], self.from_left[i]) = (h, from_left);
                 if inside {
                     let (mut next_to, mut next_from) = (ZERO, ZERO);
-                    block::sub_mul(&mut next_to, &chain.lower[i], &h);
+                    block::sub_mul(&mut next_to, &self.chain.lower[i], &h);
                     block::sub_mul(&mut next_from, &from_left, &gain);
                     (to_left, from_left) = (next_to, next_from);
                 } else if let Some(right) = run.right {
-                    self.core.add(right, left, &block::mul(&chain.lower[i], &h), -1.0);
-                    self.core.add(left, right, &block::mul(&from_left, &gain), -1.0);
+                    self.add(right, left, &block::mul(&self.chain.lower[i], &h), -1.0);
+                    self.add(left, right, &block::mul(&from_left, &gain), -1.0);
                 }
             }
+        }
+        if let Some(left) = run.left {
+            self.add(left, left, &at_left, 1.0);
         }
         Ok(())
     }
 
     /// Solves in place with the factors: nodal values in `x`, border values in `border`.
     pub fn solve(&mut self, x: &mut [[f64; 4]], border: &mut [f64]) {
-        if self.order() == 0 {
+        if self.interface.is_empty() {
             self.chain.solve(x);
             return;
         }
-        let first = 4 * self.interface.len();
-        let mut right = std::mem::take(&mut self.right_side);
-        for (i, node) in self.interface.iter().enumerate() {
-            right[4 * i..4 * i + 4].copy_from_slice(&x[*node]);
+        let mut scratch = std::mem::take(&mut self.scratch);
+        let Scratch { right, nodal, left_over, reduced } = &mut scratch;
+        right.clear();
+        for node in &self.interface {
+            right.extend_from_slice(&x[*node]);
         }
-        right[first..].copy_from_slice(border);
         for run in &self.runs {
-            self.forward(run, x, &mut right);
+            self.forward(run, x, right);
         }
-        self.core.solve(&mut right);
+        nodal.clear();
+        nodal.resize(right.len(), 0.0);
+        self.clusters.iter().for_each(|c| c.add_particular(border, nodal));
+        self.leave_over(right, nodal, left_over);
+        self.reduce_right(border, nodal, left_over, reduced);
+        self.core.solve(reduced);
+        self.expand(reduced, nodal);
+        self.leave_over(right, nodal, left_over);
+        let first = self.reduced_nodes();
+        for (k, c) in self.border.iter().enumerate() {
+            border[*c] = reduced[first + k];
+            for (node, values) in &self.columns[*c] {
+                let at = 4 * self.slot(*node);
+                (0..4).for_each(|i| left_over[at + i] -= values[i] * reduced[first + k]);
+            }
+        }
+        self.clusters.iter().for_each(|c| c.multipliers(left_over, border));
         for run in &self.runs {
-            self.backward(run, x, &right);
+            self.backward(run, x, nodal);
         }
         for (i, node) in self.interface.iter().enumerate() {
-            x[*node].copy_from_slice(&right[4 * i..4 * i + 4]);
+            x[*node].copy_from_slice(&nodal[4 * i..4 * i + 4]);
         }
-        border.copy_from_slice(&right[first..]);
-        self.right_side = right;
+        self.scratch = scratch;
+    }
+
+    /// `right - A nodal` on the interface.
+    fn leave_over(&self, right: &[f64], nodal: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        out.extend_from_slice(right);
+        for (a, b, block) in &self.blocks {
+            let x = std::array::from_fn(|k| nodal[4 * b + k]);
+            take(&mut out[4 * a..], &block::apply(block, &x));
+        }
+    }
+
+    /// Right side of the reduced system: `Tm^T (right - A x0)`, and what x0 leaves of the border.
+    fn reduce_right(&self, border: &[f64], nodal: &[f64], left_over: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        for cluster in &self.clusters {
+            let f = cluster.size();
+            let start = out.len();
+            out.resize(start + f, 0.0);
+            for (i, slot) in cluster.slots.iter().enumerate() {
+                let test = cluster.test(i);
+                for r in 0..4 {
+                    let value = left_over[4 * slot + r];
+                    (0..f).for_each(|k| out[start + k] += test[r * f + k] * value);
+                }
+            }
+        }
+        for c in &self.border {
+            let mut value = border[*c];
+            for (node, row) in &self.rows[*c] {
+                let at = 4 * self.slot(*node);
+                value -= (0..4).map(|k| row[k] * nodal[at + k]).sum::<f64>();
+            }
+            out.push(value);
+        }
+    }
+
+    /// `nodal += T1 y`.
+    fn expand(&self, reduced: &[f64], nodal: &mut [f64]) {
+        for cluster in &self.clusters {
+            let f = cluster.size();
+            let y = &reduced[cluster.first..cluster.first + f];
+            for (i, slot) in cluster.slots.iter().enumerate() {
+                let trial = cluster.trial(i);
+                for r in 0..4 {
+                    nodal[4 * slot + r] += (0..f).map(|k| trial[r * f + k] * y[k]).sum::<f64>();
+                }
+            }
+        }
     }
 
     fn forward(&self, run: &Run, x: &mut [[f64; 4]], right: &mut [f64]) {
@@ -357,43 +549,27 @@ impl Core {
         match self {
             Self::Empty => {}
             Self::Dense { matrix, .. } => matrix.fill(0.0),
-            Self::Sparse { lu, .. } => lu.values.fill(0.0),
+            Self::Sparse { lu } => lu.values.fill(0.0),
         }
     }
 
-    /// Adds `sign` times a block at a pair of slots.
-    fn add(&mut self, row: usize, column: usize, block: &Block, sign: f64) {
+    /// Adds `count` values of a column, from `row` on.
+    fn add_column(
+        &mut self,
+        row: usize,
+        column: usize,
+        count: usize,
+        value: impl Fn(usize) -> f64,
+    ) {
         match self {
             Self::Empty => {}
-            Self::Dense { matrix, .. } => {
-                let n = matrix.len().isqrt();
-                for i in 0..4 {
-                    for j in 0..4 {
-                        matrix[(4 * row + i) * n + 4 * column + j] += sign * block[i][j];
-                    }
-                }
+            Self::Dense { order, matrix, .. } => {
+                (0..count).for_each(|i| matrix[(row + i) * *order + column] += value(i));
             }
-            Self::Sparse { lu, blocks } => {
-                let at = blocks.partition_point(|b| (b.row, b.column) < (row, column));
-                for (j, start) in blocks[at].starts.into_iter().enumerate() {
-                    for i in 0..4 {
-                        lu.values[start + i] += sign * block[i][j];
-                    }
-                }
-            }
-        }
-    }
-
-    fn set(&mut self, row: usize, column: usize, value: f64) {
-        match self {
-            Self::Empty => {}
-            Self::Dense { matrix, .. } => {
-                let n = matrix.len().isqrt();
-                matrix[row * n + column] = value;
-            }
-            Self::Sparse { lu, .. } => {
+            Self::Sparse { lu } => {
+                // Rows of a cluster follow each other in the pattern of a column.
                 let place = lu.place(row, column);
-                lu.values[place] = value;
+                (0..count).for_each(|i| lu.values[place + i] += value(i));
             }
         }
     }
@@ -401,8 +577,8 @@ impl Core {
     fn factor(&mut self) -> bool {
         match self {
             Self::Empty => true,
-            Self::Dense { matrix, lu } => lu.factor(matrix.len().isqrt(), matrix),
-            Self::Sparse { lu, .. } => lu.factor(),
+            Self::Dense { order, matrix, lu } => lu.factor(*order, matrix),
+            Self::Sparse { lu } => lu.factor(),
         }
     }
 
@@ -410,7 +586,7 @@ impl Core {
         match self {
             Self::Empty => {}
             Self::Dense { lu, .. } => lu.solve(x),
-            Self::Sparse { lu, .. } => lu.solve(x),
+            Self::Sparse { lu } => lu.solve(x),
         }
     }
 }
@@ -420,7 +596,7 @@ mod tests {
     use super::*;
 
     /// A matrix with two chains of 6 and 5 nodes, couplings and constraints, and its product with a vector.
-    fn sample(couplings: &[(usize, usize)], border: &[Vec<usize>]) -> Condensed {
+    fn sample(couplings: &[(usize, usize)], border: &[BorderPattern]) -> Condensed {
         let mut seed = 7_u64;
         let mut next = || {
             seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
@@ -467,6 +643,13 @@ mod tests {
     }
 
     fn check(couplings: &[(usize, usize)], border: &[Vec<usize>]) {
+        for permanent in [true, false] {
+            let pattern = |nodes: &Vec<usize>| BorderPattern { nodes: nodes.clone(), permanent };
+            check_with(couplings, &border.iter().map(pattern).collect::<Vec<_>>());
+        }
+    }
+
+    fn check_with(couplings: &[(usize, usize)], border: &[BorderPattern]) {
         let a = sample(couplings, border);
         let b: Vec<[f64; 4]> = (0..11).map(|i| [1.0, f64::from(i), -2.0, 0.5]).collect();
         let c: Vec<f64> = (0..border.len()).map(|i| 1.0 - i as f64).collect();
@@ -489,8 +672,8 @@ mod tests {
         check(&[(2, 8), (8, 2)], &[vec![0, 10], vec![2, 3, 8]]);
         // Large enough for the sparse interface system.
         check(
-            &[(0, 10), (10, 0), (3, 7), (7, 3), (4, 7), (7, 4)],
-            &[vec![0, 6], vec![1], vec![3, 4, 9]],
+            &[(0, 10), (10, 0), (3, 7), (7, 3), (4, 7), (7, 4), (1, 9), (9, 1), (2, 5), (5, 2)],
+            &[vec![0, 6], vec![1], vec![3, 4, 9], vec![3, 8]],
         );
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod block;
 pub mod chain;
+pub mod cluster;
 pub mod condensed;
 pub mod dense;
 pub mod sparse;

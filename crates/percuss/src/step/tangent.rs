@@ -5,10 +5,10 @@ use super::constraint::{self, ConstraintStep};
 use super::modal_damping::ModalDamping;
 use crate::linalg::block::{Block, ZERO, mul};
 use crate::linalg::chain::Chain;
-use crate::linalg::condensed::Condensed;
+use crate::linalg::condensed::{BorderPattern, Condensed};
 use crate::linalg::dense::DenseLu;
 use crate::model::Model;
-use crate::model::frozen::{Connector, ConstraintKind, MaterialPoint, NodeHold};
+use crate::model::frozen::{Connector, Constraint, ConstraintKind, MaterialPoint, NodeHold};
 
 /// The tangent, assembled or factored in place.
 #[derive(Clone, Debug)]
@@ -75,7 +75,11 @@ impl Tangent {
                 couplings.extend(pairs((&points[0], true), (&points[1], true)));
             }
         }
-        let border: Vec<Vec<usize>> = model.constraints.iter().map(constraint::nodes).collect();
+        let pattern = |c: &Constraint| BorderPattern {
+            nodes: constraint::nodes(c),
+            permanent: c.until == f64::INFINITY,
+        };
+        let border: Vec<BorderPattern> = model.constraints.iter().map(pattern).collect();
         let mut linked = vec![true; model.node_count()];
         for span in &model.spans {
             linked[span.nodes.end - 1] = false;
