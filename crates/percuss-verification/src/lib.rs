@@ -7,8 +7,13 @@ mod beams;
 mod check;
 mod conservation;
 mod elastic;
+mod motion;
 mod rigid;
+mod statics;
+mod stops;
 mod structure;
+mod structures;
+mod vibration;
 
 pub use check::{Check, Tolerance};
 
@@ -98,6 +103,114 @@ pub const CASES: &[Case] = &[
         title: "C2: beam thrown by a force and a torque, invariants of its flight",
         source: "Simo and Vu-Quoc 1986; closed forms; first-order reference (0.3 %)",
         run: beams::flying_beam,
+    },
+    Case {
+        id: "cantilever",
+        title: "A1: cantilever under a dead tip force, order in the element size",
+        source: "Bisshopp and Drucker 1945, elliptic integrals",
+        run: statics::cantilever,
+    },
+    Case {
+        id: "roll-up",
+        title: "A2: roll-up by an end moment, and a moment that Green strains cannot carry",
+        source: "closed form in both strain measures; code_aster SSNL103",
+        run: statics::roll_up,
+    },
+    Case {
+        id: "buckled-column",
+        title: "A3: column beyond its buckling load",
+        source: "ANSYS VM136; elliptic integrals",
+        run: statics::buckled_column,
+    },
+    Case {
+        id: "lees-frame",
+        title: "A5: Lee's frame, path past two limit points",
+        source: "independent shooting on the beam's differential equation",
+        run: statics::lees_frame,
+    },
+    Case {
+        id: "l-shape",
+        title: "A7: two legs with a rigid corner",
+        source: "Exudyn, LShapeGeomExactBeam2D",
+        run: statics::l_shape,
+    },
+    Case {
+        id: "curved-cantilever",
+        title: "Quarter circle with a force at its tip",
+        source: "Castigliano, slender bar",
+        run: statics::curved_cantilever,
+    },
+    Case {
+        id: "load-steps",
+        title: "Equilibria against the size of load steps",
+        source: "identity",
+        run: statics::load_steps,
+    },
+    Case {
+        id: "simple-beam",
+        title: "B1: simply supported beam",
+        source: "ANSYS VM50; closed form",
+        run: vibration::simple_beam,
+    },
+    Case {
+        id: "compressed-bar",
+        title: "B2: modes about a compressed equilibrium",
+        source: "ANSYS VM59; closed form",
+        run: vibration::compressed_bar,
+    },
+    Case {
+        id: "free-rod",
+        title: "B3: axial modes of a free rod",
+        source: "ANSYS VM61; closed form",
+        run: vibration::free_rod,
+    },
+    Case {
+        id: "slender-beams",
+        title: "Frequencies of slender beams, clamped, free, cantilevered",
+        source: "closed form",
+        run: vibration::slender_beams,
+    },
+    Case {
+        id: "spin-up",
+        title: "C1: spin-up by a prescribed rotation",
+        source: "Simo and Vu-Quoc 1986; ANSYS VM258; independent method",
+        run: motion::spin_up,
+    },
+    Case {
+        id: "pendulum",
+        title: "C4: pendulum of large swing",
+        source: "ANSYS VM91; elliptic integral",
+        run: motion::pendulum,
+    },
+    Case {
+        id: "swinging-beam",
+        title: "E1: hinged beam rotates onto a spring, undamped and with modal damping",
+        source: "code_aster SDNL32; exact modal sums",
+        run: stops::swinging_beam,
+    },
+    Case {
+        id: "tip-stop",
+        title: "E2: cantilever with a stop at its tip",
+        source: "code_aster SDNL104",
+        run: stops::tip_stop,
+    },
+    Case {
+        id: "mass-that-stays",
+        title: "E6: a mass strikes at midspan and stays",
+        source: "Saint-Venant; modes of beam and mass",
+        run: stops::mass_that_stays,
+    },
+    Case {
+        id: "corners",
+        title: "Rigid corners and branches keep their angles and do no work",
+        source: "conservation laws",
+        run: structures::corners,
+    },
+    Case {
+        id: "everything",
+        title: "Every kind of structure, support, load, damping and impact at once",
+        source: "conservation laws",
+        run: structures::everything,
     },
     Case {
         id: "paper-books",

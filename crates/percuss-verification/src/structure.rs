@@ -158,6 +158,11 @@ impl Single {
     }
 }
 
+/// A point at a fraction of a beam.
+pub fn at(label: &str, beam: BeamId, fraction: f64) -> PointRef {
+    PointRef { label: label.into(), beam, along: Along::Fraction(fraction) }
+}
+
 /// Runs a model; a case that cannot run fails all its checks by NaN.
 ///
 /// # Panics

@@ -20,6 +20,9 @@ const SETTLED: f64 = 1e-13;
 /// Modes of an eigenvalue below this share of the lowest bending frequency's square are motions of a rigid body.
 const RIGID: f64 = 1e-6;
 
+/// Eigenvalues below this share of the highest one of the mesh are round-off.
+const ROUND_OFF: f64 = 1e-14;
+
 /// A natural mode.
 #[derive(Clone, Debug)]
 pub struct Mode {
@@ -42,7 +45,7 @@ impl Mode {
 pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
     let mut modes = lowest(model, state, count).unwrap_or_default();
     // Motions of a rigid body have round-off for an eigenvalue.
-    let zero = RIGID * bending_scale(model);
+    let zero = (RIGID * bending_scale(model)).max(ROUND_OFF * highest(model));
     for mode in &mut modes {
         if mode.eigenvalue.abs() <= zero {
             mode.eigenvalue = 0.0;
@@ -109,6 +112,18 @@ pub(super) fn lowest(model: &Model, state: &State, count: usize) -> Option<Vec<M
         basis = combine(&image, &rotation, size);
     }
     None
+}
+
+/// A bound of the highest eigenvalue of the mesh \[1/s^2\].
+fn highest(model: &Model) -> f64 {
+    let mut most = 0.0_f64;
+    for (span, k, _, _) in model.each_element() {
+        let (table, row) = (span.table(k), &span.table(k).rows[1]);
+        let h2 = table.length * table.length;
+        let axial = 60.0 * row.section.axial / (row.mass * h2);
+        most = most.max(axial + 8400.0 * row.section.bending / (row.mass * h2 * h2));
+    }
+    most
 }
 
 /// The most that compression takes from the square of any frequency, `N^2 / (4 EI rhoA)`: a shift by it, and a little more to

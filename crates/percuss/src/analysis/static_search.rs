@@ -20,12 +20,9 @@ use crate::step::{assemble, connectors, external};
 use crate::summary::SectionForceSummary;
 
 /// Corrections before an equilibrium counts as not found.
-const MOST_ITERATIONS: usize = 20;
+const MOST_ITERATIONS: usize = 30;
 /// Last correction of an equilibrium, relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
-/// Corrections this small that no longer shrink are round-off: of very slender beams, whose axial forces are sums of digits
-/// that bending does not see.
-const ROUND_OFF: f64 = 1e-6;
 /// Statics has no step size; this one keeps quotients finite.
 const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 
@@ -65,7 +62,6 @@ impl<'m> StaticSearch<'m> {
     pub fn solve(&mut self, share: f64) -> bool {
         self.forcing.set_static(self.model, share);
         prescribe(self.model, &self.forcing, &mut self.work.increment);
-        let mut before = f64::INFINITY;
         for _ in 0..MOST_ITERATIONS {
             if !self.factor() {
                 return false;
@@ -75,10 +71,9 @@ impl<'m> StaticSearch<'m> {
                 return false;
             }
             let moved = largest(&self.work.correction) / largest(&self.work.increment);
-            if moved.is_nan() || moved <= SETTLED || (moved <= ROUND_OFF && moved > 0.3 * before) {
-                return true;
+            if moved.is_nan() || moved <= SETTLED {
+                return true; // not a number where nothing moves at all
             }
-            before = moved;
         }
         false
     }
