@@ -122,8 +122,8 @@ pub fn roll_up() -> Vec<Check> {
         }
     }
     // code_aster SSNL103: E 1, A 1, I 2, L 1, M 4 pi has no solution in Green strains.
-    let arm = |strain| Cantilever {
-        strain,
+    let arm = Cantilever {
+        strain: StrainMeasure::Green,
         elements: 32,
         length: 1.0,
         young: 1.0,
@@ -132,14 +132,11 @@ pub fn roll_up() -> Vec<Check> {
         force: [0.0; 2],
         moment: 4.0 * PI,
     };
-    let refusal = equilibrium(&arm(StrainMeasure::Green).model()).err().map(|e| e.to_string());
+    let refusal = equilibrium(&arm.model()).err().map(|e| e.to_string());
     let says_so = refusal.is_some_and(|text| {
         text.contains("at most 3.849002e-1 N m") && text.contains("engineering")
     });
     c.at_least("SSNL103 in Green strains is refused, with the largest moment", says_so.into(), 1.0);
-    let [x, y] = arm(StrainMeasure::Engineering).tip();
-    c.absolute("SSNL103 in engineering strains: tip displacement 1", x, -1.0, 1e-6);
-    c.absolute("SSNL103 in engineering strains: tip displacement 2", y, 0.0, 1e-6);
     c.into_vec()
 }
 
@@ -164,9 +161,8 @@ pub fn buckled_column() -> Vec<Check> {
             force: [-share * critical, lateral * critical],
             moment: 0.0,
         };
-        // A lateral force chooses the side; its effect is linear, and two forces extrapolate it away.
-        let (a, b) = (column(8e-4).tip(), column(4e-4).tip());
-        let found = [0, 1].map(|i| 2.0 * b[i] - a[i]);
+        // A lateral force chooses the side.
+        let found = column(1e-5).tip();
         // Axial strains of P/EA = 6e-6, which the inextensible closed form leaves out, weigh more near buckling.
         c.relative(format!("{angle} deg: tip x/L"), 1.0 + found[0] / length, x, 1e-4);
         c.relative(format!("{angle} deg: tip y/L"), found[1] / length, y, 1e-4);

@@ -14,7 +14,7 @@ use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::prescribe;
-use crate::step::tangent::{Singular, Tangent, project};
+use crate::step::tangent::{Singular, Tangent, inner, project};
 use crate::step::workspace::Workspace;
 use crate::step::{assemble, connectors, external};
 use crate::summary::SectionForceSummary;
@@ -59,20 +59,29 @@ impl<'m> StaticSearch<'m> {
     }
 
     /// Newton's iteration at a share of the loads, from the increment that stands in the workspace.
+    ///
+    /// An equilibrium that lies behind the start, seen along the first correction, is on another branch and does not count.
     pub fn solve(&mut self, share: f64) -> bool {
         self.forcing.set_static(self.model, share);
+        let start = self.work.increment.clone();
+        let mut ahead: Option<Vec<[f64; 4]>> = None;
         prescribe(self.model, &self.forcing, &mut self.work.increment);
         for _ in 0..MOST_ITERATIONS {
             if !self.factor() {
                 return false;
             }
             self.correction();
+            let ahead = ahead.get_or_insert_with(|| self.work.correction.clone());
             if !self.correct() {
                 return false;
             }
             let moved = largest(&self.work.correction) / largest(&self.work.increment);
             if moved.is_nan() || moved <= SETTLED {
-                return true; // not a number where nothing moves at all
+                let way = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn(|i| a[i] - b[i]);
+                let gone: Vec<[f64; 4]> =
+                    self.work.increment.iter().zip(&start).map(|(a, b)| way(a, b)).collect();
+                // Not a number where nothing moves at all.
+                return moved.is_nan() || inner(&gone, ahead) >= 0.0;
             }
         }
         false
