@@ -94,9 +94,7 @@ impl Measures {
         m.add_masses(model, state);
         m.add_projectiles(model, state);
         for (c, q) in model.connectors.iter().zip(&state.coordinates) {
-            if state.time < c.until {
-                m.springs += c.potential(*q);
-            }
+            m.springs += c.potential(*q);
         }
         m
     }

@@ -23,6 +23,8 @@ use crate::summary::SectionForceSummary;
 const MOST_ITERATIONS: usize = 30;
 /// Last correction of an equilibrium, relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
+/// Corrections this small against the size of the structure are round-off of its positions.
+const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Statics has no step size; this one keeps quotients finite.
 const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 
@@ -75,8 +77,9 @@ impl<'m> StaticSearch<'m> {
             if !self.correct() {
                 return false;
             }
-            let moved = largest(&self.work.correction) / largest(&self.work.increment);
-            if moved.is_nan() || moved <= SETTLED {
+            let correction = largest(&self.work.correction);
+            let moved = correction / largest(&self.work.increment);
+            if moved.is_nan() || moved <= SETTLED || correction <= ROUND_OFF * self.size() {
                 let way = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn(|i| a[i] - b[i]);
                 let gone: Vec<[f64; 4]> =
                     self.work.increment.iter().zip(&start).map(|(a, b)| way(a, b)).collect();
