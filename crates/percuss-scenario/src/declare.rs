@@ -16,7 +16,7 @@ macro_rules! describe_key {
         crate::table::Key {
             name: stringify!($key),
             about: crate::table::about(&[$($doc),*]),
-            schema: <$format as crate::format::Format>::schema(),
+            schema: <$format as crate::format::Format>::schema,
             required: $required,
             default: $default,
         }
@@ -33,7 +33,7 @@ macro_rules! describe_key {
 }
 
 /// A table: `key: Type as Format`, `= default` where it may be left out, `with` the part that
-/// depends on its kind.
+/// depends on its kind, `either` keys of which one set must be there, `then` a function that sees the whole table once it has been read.
 macro_rules! table {
     (
         $(#[doc = $doc:literal])*
@@ -47,6 +47,8 @@ macro_rules! table {
             $(#[doc = $choice_doc:literal])*
             $choice:ident: $choice_type:ty
         })?
+        $(either $($($needed:ident)&+)|+)?
+        $(then $settle:path)?
     ) => {
         $(#[doc = $doc])*
         #[derive(Clone, Debug, PartialEq)]
@@ -64,6 +66,10 @@ macro_rules! table {
                 vec![$(describe_key!([$($key_doc)*] $key, $format $(, $default)?)),*]
             }
 
+            fn either() -> Vec<Vec<&'static str>> {
+                vec![$($(vec![$(stringify!($needed)),+]),+)?]
+            }
+
             fn kinds() -> Option<crate::table::Kinds> {
                 $(return Some(crate::table::Kinds {
                     about: crate::table::about(&[$($choice_doc),*]),
@@ -76,7 +82,10 @@ macro_rules! table {
             fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
                 $(let $key = read_key!(body, reader, $key, $format $(, $default)?);)*
                 $(let $choice = <$choice_type as crate::table::Choice>::read(body, reader)?;)?
-                Some(Self { $($key,)* $($choice,)? })
+                #[allow(unused_mut)]
+                let mut table = Self { $($key,)* $($choice,)? };
+                $($settle(&mut table, body, reader);)?
+                Some(table)
             }
 
             fn placeholder() -> Self {

@@ -5,7 +5,6 @@ use std::marker::PhantomData;
 use serde_json::{Value as Json, json};
 
 use crate::node::{Node, Reader};
-use crate::suggest;
 use crate::write::{self, Writer};
 
 /// A form in which a value stands behind a key.
@@ -197,6 +196,39 @@ impl Inline for Count {
     }
 }
 
+/// `true` or `false`.
+pub(crate) struct Flag;
+
+impl Format for Flag {
+    type Value = bool;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<bool> {
+        let flag = node.value.as_bool();
+        if flag.is_none() {
+            reader.wrong(node, node.found(), Self::expected());
+        }
+        flag
+    }
+
+    fn placeholder() -> bool {
+        false
+    }
+
+    fn expected() -> String {
+        "true or false".into()
+    }
+
+    fn schema() -> Json {
+        json!({ "type": "boolean" })
+    }
+}
+
+impl Inline for Flag {
+    fn text(value: &bool) -> Option<String> {
+        Some(value.to_string())
+    }
+}
+
 /// Free text.
 pub(crate) struct Text;
 
@@ -228,68 +260,4 @@ impl Inline for Text {
     fn text(value: &String) -> Option<String> {
         Some(write::text(value))
     }
-}
-
-/// A kind of table that others refer to by name.
-pub(crate) trait Kind {
-    /// Its name in the file.
-    const NAME: &'static str;
-}
-
-/// `material`.
-pub(crate) struct MaterialName;
-/// `section`.
-pub(crate) struct SectionName;
-
-impl Kind for MaterialName {
-    const NAME: &'static str = "material";
-}
-
-impl Kind for SectionName {
-    const NAME: &'static str = "section";
-}
-
-/// The name of a table of some kind.
-pub(crate) struct NameOf<K>(PhantomData<K>);
-
-impl<K: Kind> Format for NameOf<K> {
-    type Value = String;
-
-    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<String> {
-        let name = Text::read(node, reader)?;
-        known_name(K::NAME, &name, node, reader).then_some(name)
-    }
-
-    fn placeholder() -> String {
-        String::new()
-    }
-
-    fn expected() -> String {
-        format!("the name of a {}", K::NAME)
-    }
-
-    fn schema() -> Json {
-        json!({ "type": "string" })
-    }
-}
-
-impl<K: Kind> Inline for NameOf<K> {
-    fn text(value: &String) -> Option<String> {
-        Some(write::text(value))
-    }
-}
-
-/// Whether a table of that kind has that name; tells the reader otherwise.
-pub(crate) fn known_name(kind: &str, name: &str, node: &Node<'_>, reader: &mut Reader<'_>) -> bool {
-    if reader.names(kind).contains(&name) {
-        return true;
-    }
-    let expected = if reader.names(kind).is_empty() {
-        format!("a table [{kind}.{}]", write::key(name))
-    } else {
-        suggest::one_of(name, reader.names(kind).iter().copied())
-    };
-    let found = format!("the unknown {kind} {name:?}");
-    reader.misplaced(&node.path, node.span.clone(), found, expected);
-    false
 }

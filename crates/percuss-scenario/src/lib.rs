@@ -9,6 +9,9 @@
 //! # Ok::<(), percuss_scenario::Diagnostics>(())
 //! ```
 //!
+//! Files that a scenario names, points of a centre line or a measured pulse, lie relative to the scenario; written back, their
+//! values stand in it.
+//!
 //! Every fault of a file is reported at once, each with its line, what was found and what would be
 //! right; the semantics are checked by [`percuss::ModelBuilder::build`], whose faults are mapped back to
 //! the lines of the file.
@@ -17,12 +20,15 @@ mod compile;
 #[macro_use]
 mod declare;
 pub mod content;
+mod csv;
 mod diagnostic;
 mod format;
 mod measure;
+mod name;
 mod node;
 mod overrides;
 mod point;
+mod preset;
 mod quantity;
 mod scenario;
 mod schema;
@@ -39,7 +45,7 @@ pub use compile::Compiled;
 pub use content::Content;
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use overrides::apply_overrides;
-pub use point::Point;
+pub use point::{Anchor, Point};
 pub use scenario::{Scenario, load, read};
 pub use schema::schema;
 pub use table::Named;

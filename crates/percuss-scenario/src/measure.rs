@@ -12,11 +12,14 @@ pub(crate) trait Measure {
     const UNIT: &'static str;
     /// An example as it stands in a file.
     const EXAMPLE: &'static str;
+    /// Units of the same dimension that mean something else.
+    const REFUSED: &'static [&'static str];
 }
 
 /// Declares the measures, and the list that names a dimension in messages.
 macro_rules! measures {
-    ($($name:ident = ($m:literal, $kg:literal, $s:literal) $about:literal, $unit:literal, $example:literal;)*) => {
+    ($($name:ident = ($m:literal, $kg:literal, $s:literal) $about:literal, $unit:literal, $example:literal
+        $(, not [$($refused:literal),*])?;)*) => {
         $(
             #[doc = $about]
             pub(crate) struct $name;
@@ -26,6 +29,7 @@ macro_rules! measures {
                 const NAME: &'static str = $about;
                 const UNIT: &'static str = $unit;
                 const EXAMPLE: &'static str = $example;
+                const REFUSED: &'static [&'static str] = &[$($($refused),*)?];
             }
         )*
 
@@ -48,20 +52,26 @@ measures! {
     Force = (1, 1, -2) "a force", "N", "\"5 kN\"";
     Moment = (2, 1, -2) "a moment", "N*m", "\"80 N*m\"";
     Stiffness = (0, 1, -2) "a stiffness", "N/m", "\"7.5e5 N/m\"";
+    Angle = (0, 0, 0) "an angle", "rad", "\"30 deg\"";
+    Frequency = (0, 0, -1) "a frequency", "Hz", "\"50 Hz\"", not ["rpm", "rad", "deg", "°"];
+    Spin = (0, 0, -1) "an angular velocity", "rad/s", "\"90 deg/s\"", not ["Hz"];
+    Rate = (0, 0, -1) "a rate", "1/s", "\"0.5 1/s\"", not ["rpm", "Hz"];
+    Damping = (0, 1, -1) "a damping constant", "N*s/m", "\"200 N*s/m\"";
+    TurnStiffness = (2, 1, -2) "a rotational stiffness", "N*m", "\"5 kN*m/rad\"";
+    TurnDamping = (2, 1, -1) "a rotational damping constant", "N*m*s", "\"20 N*m*s\"";
+    MassInertia = (2, 1, 0) "a mass moment of inertia", "kg*m^2", "\"2 kg*m^2\"";
+    LineForce = (0, 1, -2) "a force per length", "N/m", "\"5 kN/m\"";
     LineInertia = (1, 1, 0) "a rotary inertia per length", "kg*m", "\"10 kg*m\"";
 }
 
 /// Dimensions no key of the format has, which people write nevertheless.
 const OTHERS: &[(Dimension, &str, &str)] = &[
     (Dimension::new(3, 0, 0), "a volume", "m^3"),
-    (Dimension::new(0, 0, -1), "a frequency", "1/s"),
     (Dimension::new(2, 1, -3), "a power", "W"),
     (Dimension::new(1, 1, -1), "an impulse", "N*s"),
     (Dimension::new(-1, 1, 0), "a mass per length", "kg/m"),
     (Dimension::new(-2, 1, 0), "a mass per area", "kg/m^2"),
-    (Dimension::new(2, 1, 0), "a mass moment of inertia", "kg*m^2"),
     (Dimension::new(3, 1, -2), "a bending stiffness", "N*m^2"),
-    (Dimension::new(0, 1, -1), "a damping constant", "N*s/m"),
 ];
 
 /// `an area (m^2)`; a dimension without a name by its unit.

@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 
 use toml::de::{DeTable, DeValue};
 
@@ -42,6 +43,11 @@ impl<'s> Node<'s> {
             DeValue::Table(_) => "a table".into(),
         }
     }
+}
+
+/// `1 row`, `2 rows`.
+pub(crate) fn count(number: usize, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 fn shortened(text: &str) -> String {
@@ -116,23 +122,32 @@ pub(crate) struct Reader<'s> {
     pub faults: Vec<Raw>,
     /// Paths at which a placeholder stands for a value that could not be read.
     pub tainted: BTreeSet<String>,
+    /// Missing keys that stand misspelt in their table, by path and place of the table: one fault says it all.
+    pub excused: BTreeSet<(String, usize)>,
+    /// Folder that the paths of other files start from.
+    pub folder: PathBuf,
     names: BTreeMap<&'static str, Vec<&'s str>>,
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(text: &'s str, root: &Body<'s>) -> Self {
+    pub fn new(text: &'s str, root: &Body<'s>, folder: &Path) -> Self {
         let mut names = BTreeMap::new();
         for kind in ["material", "section", "beam"] {
             let table = root.get(kind).as_ref().and_then(Body::of);
             let keys = table.map(|t| t.keys()).unwrap_or_default();
             names.insert(kind, keys.into_iter().map(|(name, _)| name).collect());
         }
-        Self { text, names, ..Self::default() }
+        Self { text, names, folder: folder.into(), ..Self::default() }
     }
 
     /// Names under `material`, `section` or `beam`.
     pub fn names(&self, kind: &str) -> &[&'s str] {
         self.names.get(kind).map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether `key` stands misspelt in that table.
+    pub fn excuses(&self, body: &Body<'_>, key: &str) -> bool {
+        self.excused.contains(&(join(&body.path, key), body.span.start))
     }
 
     /// A fault of a value.

@@ -2,7 +2,7 @@
 
 use serde_json::Value as Json;
 use toml::de::DeTable;
-use toml_edit::{DocumentMut, Item, Table, TableLike, Value};
+use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::schema::schema;
@@ -64,15 +64,15 @@ fn apply(document: &mut DocumentMut, schema: &Json, text: &str) -> Result<(), Di
     let inner = named.unwrap_or(top);
     match (parts.as_slice(), named.is_some(), keys(inner).is_empty()) {
         ([key], false, true) => put(document.as_table_mut(), key, value),
-        ([table, key], false, false) => {
-            check_key(path, key, inner)?;
+        ([table, keys @ ..], false, false) if !keys.is_empty() => {
+            check_keys(path, keys, inner)?;
             let root = document.as_table_mut();
             let item = root.entry(table).or_insert_with(|| Item::Table(Table::new()));
-            put(table_like(path, item)?, key, value);
+            put_inside(path, table_like(path, item)?, keys, value)?;
         }
-        ([kind, name, key], true, _) => {
-            check_key(path, key, inner)?;
-            put(existing(document, path, kind, name)?, key, value);
+        ([kind, name, keys @ ..], true, _) if !keys.is_empty() => {
+            check_keys(path, keys, inner)?;
+            put_inside(path, existing(document, path, kind, name)?, keys, value)?;
         }
         _ => {
             let form = match (named.is_some(), keys(inner).is_empty()) {
@@ -86,27 +86,66 @@ fn apply(document: &mut DocumentMut, schema: &Json, text: &str) -> Result<(), Di
     Ok(())
 }
 
-/// Keys of a table in the schema, whatever its kind; none if it is no table.
+/// Keys of a table in the schema with their schemas, whatever its kind; none if it is no table.
+fn properties(schema: &Json) -> Vec<(&str, &Json)> {
+    let own = schema.get("properties").and_then(Json::as_object).into_iter().flatten();
+    let mut out: Vec<(&str, &Json)> = own.map(|(key, inner)| (key.as_str(), inner)).collect();
+    for choice in ["oneOf", "anyOf"] {
+        let choices = schema.get(choice).and_then(Json::as_array).into_iter().flatten();
+        out.extend(choices.flat_map(properties));
+    }
+    out
+}
+
+/// Names of these keys, each once.
 fn keys(schema: &Json) -> Vec<&str> {
     let mut out: Vec<&str> = Vec::new();
-    let variants = schema.get("oneOf").and_then(Json::as_array).into_iter().flatten();
-    for table in [schema].into_iter().chain(variants) {
-        let properties = table.get("properties").and_then(Json::as_object);
-        for key in properties.into_iter().flat_map(|p| p.keys()) {
-            if !out.contains(&key.as_str()) {
-                out.push(key);
-            }
+    for (key, _) in properties(schema) {
+        if !out.contains(&key) {
+            out.push(key);
         }
     }
     out
 }
 
-fn check_key(path: &str, key: &str, table: &Json) -> Result<(), Diagnostic> {
-    let keys = keys(table);
-    if keys.contains(&key) {
+/// Whether a table knows a key, the table behind it the next, and so on.
+fn check_keys(path: &str, given: &[&str], table: &Json) -> Result<(), Diagnostic> {
+    let [key, rest @ ..] = given else { return Ok(()) };
+    let inner: Vec<&Json> =
+        properties(table).into_iter().filter(|p| p.0 == *key).map(|p| p.1).collect();
+    if inner.is_empty() {
+        let names = keys(table);
+        let expected = suggest::one_of(key, names.into_iter());
+        return Err(fault(path, format!("the unknown key `{key}`"), expected));
+    }
+    if rest.is_empty() {
         return Ok(());
     }
-    Err(fault(path, format!("the unknown key `{key}`"), suggest::one_of(key, keys.into_iter())))
+    let Some(table) = inner.into_iter().find(|schema| !keys(schema).is_empty()) else {
+        return Err(fault(path, format!("`{}` behind `{key}`", rest[0]), format!("{key}=value")));
+    };
+    check_keys(path, rest, table)
+}
+
+/// Sets a key of a table, or of a table in braces within it.
+fn put_inside(
+    path: &str,
+    table: &mut dyn TableLike,
+    keys: &[&str],
+    value: Value,
+) -> Result<(), Diagnostic> {
+    match keys {
+        [] => Ok(()),
+        [key] => {
+            put(table, key, value);
+            Ok(())
+        }
+        [key, rest @ ..] => {
+            let braces = || Item::Value(Value::InlineTable(InlineTable::new()));
+            let inner = table.entry(key).or_insert_with(braces);
+            put_inside(path, table_like(path, inner)?, rest, value)
+        }
+    }
 }
 
 fn table_like<'d>(path: &str, item: &'d mut Item) -> Result<&'d mut dyn TableLike, Diagnostic> {

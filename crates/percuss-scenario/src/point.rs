@@ -2,10 +2,13 @@
 
 use percuss::Along;
 use serde_json::{Value as Json, json};
+use toml::de::DeValue;
 
-use crate::format::{Format, Inline, Text, known_name};
+use crate::format::{Format, Inline, Text};
 use crate::measure::{self, Length, Measure, Ratio};
+use crate::name::known_name;
 use crate::node::{Node, Reader};
+use crate::quantity::{Quantity, Vector};
 use crate::suggest;
 use crate::units;
 use crate::write;
@@ -33,7 +36,7 @@ impl Format for PointText {
         let text = Text::read(node, reader)?;
         let label: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         let (beam, along) = match label.split_once('@') {
-            Some((beam, place)) => (beam, distance(place)),
+            Some((beam, place)) => (beam, distance(place, " after `@`")),
             None => match label.split_once('.') {
                 Some((beam, place)) => (beam, word(place)),
                 None => (label.as_str(), Err((node.found(), Self::expected()))),
@@ -84,16 +87,121 @@ fn word(place: &str) -> Result<Along, Clash> {
     })
 }
 
-fn distance(place: &str) -> Result<Along, Clash> {
-    let expected = "a fraction or a length after `@`, such as 0.25 or 0.75m";
-    let quantity = units::parse(place)
-        .map_err(|fault| (format!("{} after `@`", fault.found), fault.expected))?;
+fn distance(place: &str, after: &str) -> Result<Along, Clash> {
+    let expected = format!("a fraction or a length{after}, such as 0.25 or 0.75m");
+    let quantity =
+        units::parse(place).map_err(|fault| (format!("{}{after}", fault.found), fault.expected))?;
     match quantity.dimension {
         Ratio::DIMENSION => Ok(Along::Fraction(quantity.value)),
         Length::DIMENSION => Ok(Along::Distance(quantity.value)),
-        other => Err((
-            format!("`{place}` after `@`, which is {}", measure::name(other)),
-            expected.into(),
-        )),
+        other => Err((format!("`{place}`{after}, which is {}", measure::name(other)), expected)),
+    }
+}
+
+/// A place along a beam that is known already: a word, a fraction, or a text with a length.
+pub(crate) struct Place;
+
+impl Format for Place {
+    type Value = Along;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Along> {
+        let DeValue::String(text) = node.value else {
+            return match node.value {
+                DeValue::Integer(_) | DeValue::Float(_) => {
+                    Quantity::<Ratio>::read(node, reader).map(Along::Fraction)
+                }
+                _ => {
+                    reader.wrong(node, node.found(), Self::expected());
+                    None
+                }
+            };
+        };
+        let known = WORDS.iter().find(|w| w.0 == text.trim());
+        let along = match known {
+            Some(word) => Ok(Along::Fraction(word.1)),
+            None => distance(text, ""),
+        };
+        let begins = |c: char| c.is_alphabetic();
+        along
+            .map_err(|(found, expected)| match text.trim().starts_with(begins) {
+                true => reader.wrong(node, node.found(), suggested(text.trim())),
+                false => reader.wrong(node, found, expected),
+            })
+            .ok()
+    }
+
+    fn placeholder() -> Along {
+        Along::Fraction(0.5)
+    }
+
+    fn expected() -> String {
+        "a place along the beam: \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\"".into()
+    }
+
+    fn schema() -> Json {
+        json!({ "type": ["number", "string"] })
+    }
+}
+
+fn suggested(word: &str) -> String {
+    let near = suggest::nearest(word, WORDS.iter().map(|w| w.0));
+    let near = near.map(|n| format!(" (did you mean `{n}`?)")).unwrap_or_default();
+    Place::expected() + &near
+}
+
+impl Inline for Place {
+    fn text(value: &Along) -> Option<String> {
+        Some(match value {
+            Along::Fraction(f) => write::number(*f),
+            Along::Distance(s) => write::text(&format!("{} m", write::number(*s))),
+        })
+    }
+}
+
+/// An end of a spring.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Anchor {
+    /// A point of a beam.
+    Point(Point),
+    /// A point fixed in space (m).
+    Ground([f64; 2]),
+}
+
+/// A point on a beam as a text, or a position in space as a list.
+pub(crate) struct AnchorText;
+
+impl Format for AnchorText {
+    type Value = Anchor;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Anchor> {
+        match node.value {
+            DeValue::String(_) => PointText::read(node, reader).map(Anchor::Point),
+            DeValue::Array(_) => Vector::<Length>::read(node, reader).map(Anchor::Ground),
+            _ => {
+                reader.wrong(node, node.found(), Self::expected());
+                None
+            }
+        }
+    }
+
+    fn placeholder() -> Anchor {
+        Anchor::Point(PointText::placeholder())
+    }
+
+    fn expected() -> String {
+        format!("{}; or a place on the ground, such as [0, \"2 m\"]", PointText::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "anyOf": [PointText::schema(), Vector::<Length>::schema()] })
+    }
+}
+
+impl Inline for AnchorText {
+    fn text(value: &Anchor) -> Option<String> {
+        match value {
+            Anchor::Point(point) => PointText::text(point),
+            Anchor::Ground(place) => Vector::<Length>::text(place),
+        }
     }
 }

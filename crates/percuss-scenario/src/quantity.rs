@@ -58,7 +58,14 @@ impl<M: Measure> Inline for Quantity<M> {
 fn expected<M: Measure>() -> String {
     match M::UNIT {
         "" => format!("a number, such as {}", M::EXAMPLE),
-        unit => format!("{} ({unit}), such as {}", M::NAME, M::EXAMPLE),
+        _ => format!("{}, such as {}", name::<M>(), M::EXAMPLE),
+    }
+}
+
+fn name<M: Measure>() -> String {
+    match M::UNIT {
+        "" => M::NAME.to_string(),
+        unit => format!("{} ({unit})", M::NAME),
     }
 }
 
@@ -93,6 +100,11 @@ fn with_unit<M: Measure>(node: &Node<'_>, text: &str, reader: &mut Reader<'_>) -
     };
     if quantity.dimension != M::DIMENSION {
         let found = format!("\"{text}\", which is {}", measure::name(quantity.dimension));
+        reader.wrong(node, found, expected::<M>());
+        return None;
+    }
+    if let Some(unit) = M::REFUSED.iter().find(|unit| text.contains(*unit)) {
+        let found = format!("\"{text}\", in {unit}");
         reader.wrong(node, found, expected::<M>());
         return None;
     }
@@ -134,7 +146,7 @@ impl<M: Measure> Format for Vector<M> {
     }
 
     fn expected() -> String {
-        format!("two components, each {}, such as [0, {}]", measure::name(M::DIMENSION), M::EXAMPLE)
+        format!("two components, each {}, such as [0, {}]", name::<M>(), M::EXAMPLE)
     }
 
     fn schema() -> Json {

@@ -53,16 +53,25 @@ impl Scenario {
 /// # Errors
 /// The file cannot be read, is not UTF-8, or has faults.
 pub fn load(path: impl AsRef<Path>) -> Result<Scenario, Diagnostics> {
-    let source = Source::load(path.as_ref())?;
-    read(&source.text, &source.name)
+    let path = path.as_ref();
+    read_from(Source::load(path)?, folder(path))
 }
 
-/// Reads a scenario; `name` stands for the file in messages.
+/// Reads a scenario; `name` stands for the file in messages, and files that the text names lie where it lies.
 ///
 /// # Errors
 /// Every fault of the text and, as far as the sound part of it goes, of the model it describes.
 pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
-    let source = Source::new(name, text);
+    read_from(Source::new(name, text), folder(Path::new(name)))
+}
+
+/// The folder of a file; the working directory for a name alone.
+fn folder(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
+}
+
+fn read_from(source: Source, folder: &Path) -> Result<Scenario, Diagnostics> {
+    let text = source.text.as_str();
     if text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}').is_empty() {
         let empty =
             Diagnostic::of_file("an empty file", "a scenario, with a beam and [time] at least");
@@ -72,7 +81,7 @@ pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
     let syntax = syntax::faults(&source, &errors);
     let places = Places::new(root.get_ref());
     let body = Body::root(root.get_ref());
-    let mut reader = Reader::new(text, &body);
+    let mut reader = Reader::new(text, &body, folder);
     let content = table::read::<Content>(&body, &mut reader).unwrap_or_else(Content::placeholder);
     let Reader { faults, tainted, .. } = reader;
     if !syntax.is_empty() {

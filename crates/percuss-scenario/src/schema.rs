@@ -16,19 +16,26 @@ pub fn schema() -> Json {
 /// Schema of a table; one that comes in kinds is one of several objects.
 pub(crate) fn of_table<T: Table>() -> Json {
     let Some(kinds) = T::kinds() else {
-        return object(&T::about(), T::keys());
+        let mut object = object(&T::about(), T::keys());
+        let either: Vec<Json> =
+            T::either().into_iter().map(|keys| json!({ "required": keys })).collect();
+        if !either.is_empty() {
+            object["anyOf"] = json!(either);
+        }
+        return object;
     };
     let common = T::keys;
     let variants = kinds.variants.into_iter().map(|variant| {
-        let tag = Key {
-            name: kinds.tag,
-            about: kinds.about.clone(),
-            schema: json!({ "const": variant.word }),
-            required: kinds.default != Some(variant.word),
-            default: None,
-        };
-        let keys = [tag].into_iter().chain(common()).chain(variant.keys);
-        object(&variant.about, keys.collect())
+        let keys = common().into_iter().chain(variant.keys);
+        let mut object = object(&variant.about, keys.collect());
+        object["properties"][kinds.tag] =
+            json!({ "const": variant.word, "description": kinds.about });
+        if kinds.default != Some(variant.word)
+            && let Some(required) = object["required"].as_array_mut()
+        {
+            required.insert(0, json!(kinds.tag));
+        }
+        object
     });
     json!({ "description": T::about(), "oneOf": variants.collect::<Vec<_>>() })
 }
@@ -53,7 +60,7 @@ fn object(about: &str, keys: Vec<Key>) -> Json {
 }
 
 fn property(key: Key) -> Json {
-    let mut schema = key.schema;
+    let mut schema = (key.schema)();
     schema["description"] = json!(key.about);
     if let Some(default) = key.default.and_then(|text| text.parse::<toml_edit::Value>().ok()) {
         schema["default"] = to_json(&default);

@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use serde_json::Value as Json;
 
-use crate::format::{Format, Written};
+use crate::format::{Format, Inline, Written};
 use crate::node::{Body, Node, Reader};
 use crate::schema;
 use crate::source::join;
@@ -15,7 +15,8 @@ use crate::write::Writer;
 pub(crate) struct Key {
     pub name: &'static str,
     pub about: String,
-    pub schema: Json,
+    /// Its JSON Schema; made only when asked for, for tables are described whenever one is read.
+    pub schema: fn() -> Json,
     /// Whether it must be there.
     pub required: bool,
     /// Its default as TOML, if it has one that can be written.
@@ -42,6 +43,8 @@ pub(crate) trait Table: Sized {
     fn about() -> String;
     fn keys() -> Vec<Key>;
     fn kinds() -> Option<Kinds>;
+    /// Sets of keys that may be left out, of which one set must be there.
+    fn either() -> Vec<Vec<&'static str>>;
     /// Reads every key; `None` only if its kind is not known.
     fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self>;
     fn placeholder() -> Self;
@@ -66,9 +69,8 @@ pub(crate) fn required<F: Format>(body: &Body<'_>, key: &str, reader: &mut Reade
     let value = match body.get(key) {
         Some(node) => F::read(&node, reader),
         None => {
-            let path = join(&body.path, key);
             let (found, expected) = F::missing(key);
-            reader.misplaced(&path, body.span.clone(), found, expected);
+            missing(body, key, found, expected, reader);
             None
         }
     };
@@ -76,6 +78,21 @@ pub(crate) fn required<F: Format>(body: &Body<'_>, key: &str, reader: &mut Reade
         reader.tainted.insert(join(&body.path, key));
         F::placeholder()
     })
+}
+
+/// A key that is not there; nothing is said of it where it stands misspelt.
+pub(crate) fn missing(
+    body: &Body<'_>,
+    key: &str,
+    found: String,
+    expected: String,
+    reader: &mut Reader<'_>,
+) {
+    let path = join(&body.path, key);
+    reader.tainted.insert(path.clone());
+    if !reader.excuses(body, key) {
+        reader.misplaced(&path, body.span.clone(), found, expected);
+    }
 }
 
 /// Reads a key that has a default.
@@ -101,9 +118,8 @@ pub(crate) fn kind<'k>(
     let words = || kinds.variants.iter().map(|v| v.word);
     let Some(node) = body.get(kinds.tag) else {
         if kinds.default.is_none() {
-            let path = join(&body.path, kinds.tag);
             let found = format!("no `{}`", kinds.tag);
-            reader.misplaced(&path, body.span.clone(), found, suggest::one_of("", words()));
+            missing(body, kinds.tag, found, suggest::one_of("", words()), reader);
         }
         return kinds.variants.iter().find(|v| Some(v.word) == kinds.default);
     };
@@ -142,6 +158,9 @@ pub(crate) fn read<T: Table>(body: &Body<'_>, reader: &mut Reader<'_>) -> Option
             (Some(_), None, _) => {} // may belong: the kind is not known
             _ => {
                 let own = chosen.map_or(&[][..], |v| &v.keys);
+                if let Some(meant) = suggest::nearest(key, names(&keys, kinds.as_ref(), own)) {
+                    reader.excused.insert((join(&body.path, meant), body.span.start));
+                }
                 let expected = expected_keys(key, &keys, kinds.as_ref(), own);
                 reader.misplaced(&path, span, format!("the unknown key `{key}`"), expected);
             }
@@ -151,9 +170,17 @@ pub(crate) fn read<T: Table>(body: &Body<'_>, reader: &mut Reader<'_>) -> Option
 }
 
 fn expected_keys(key: &str, common: &[Key], kinds: Option<&Kinds>, own: &[Key]) -> String {
+    let names: Vec<_> = names(common, kinds, own).collect();
+    suggest::one_of(key, names.into_iter())
+}
+
+fn names<'k>(
+    common: &'k [Key],
+    kinds: Option<&Kinds>,
+    own: &'k [Key],
+) -> impl Iterator<Item = &'static str> + 'k {
     let tag = kinds.map(|k| k.tag);
-    let names = common.iter().chain(own).map(|k| k.name).chain(tag);
-    suggest::one_of(key, names.collect::<Vec<_>>().into_iter())
+    common.iter().chain(own).map(|k| k.name).chain(tag)
 }
 
 /// A table that stands once: `[time]`.
@@ -197,6 +224,51 @@ impl<T: Table> Written for Single<T> {
 
     fn default_text(_: &T) -> Option<String> {
         None
+    }
+}
+
+/// A table in braces behind an equals sign, or under a header of its own.
+pub(crate) struct Braces<T>(PhantomData<T>);
+
+impl<T: Table> Format for Braces<T> {
+    type Value = T;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<T> {
+        let Some(body) = Body::of(node) else {
+            reader.wrong(node, node.found(), Self::expected());
+            return None;
+        };
+        read(&body, reader)
+    }
+
+    fn placeholder() -> T {
+        T::placeholder()
+    }
+
+    fn expected() -> String {
+        let keys = T::keys();
+        let names = keys.iter().filter(|k| k.required).map(|k| k.name);
+        let names: Vec<String> = names.chain(T::kinds().map(|k| k.tag)).map(assigned).collect();
+        match names.is_empty() {
+            true => format!("a table in braces, such as {{ {} }}", assigned(keys[0].name)),
+            false => format!("a table {{ {} }}", names.join(", ")),
+        }
+    }
+
+    fn schema() -> Json {
+        schema::of_table::<T>()
+    }
+}
+
+fn assigned(key: &str) -> String {
+    format!("{key} = ...")
+}
+
+impl<T: Table> Inline for Braces<T> {
+    fn text(value: &T) -> Option<String> {
+        let mut out = Writer::inline();
+        value.write(&mut out);
+        Some(out.finish())
     }
 }
 

@@ -30,6 +30,21 @@ pub fn templates() -> &'static [Template] {
             text: include_str!("../templates/frame.toml"),
         },
         Template {
+            name: "portal",
+            summary: "a car strikes a column of a portal frame that carries loads",
+            text: include_str!("../templates/portal.toml"),
+        },
+        Template {
+            name: "arch",
+            summary: "a blow turns a shallow arch inside out",
+            text: include_str!("../templates/arch.toml"),
+        },
+        Template {
+            name: "gapped-pipe",
+            summary: "a struck pipe rattles in brackets with some play",
+            text: include_str!("../templates/gapped-pipe.toml"),
+        },
+        Template {
             name: "flying-beam",
             summary: "a free beam, thrown and spun by a force and a moment that end",
             text: include_str!("../templates/flying-beam.toml"),

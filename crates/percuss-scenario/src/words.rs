@@ -2,7 +2,7 @@
 
 use std::marker::PhantomData;
 
-use percuss::{Component, ContactForce, JointKind, RotaryInertia, StrainMeasure};
+use percuss::{Component, ContactForce, Curve, RotaryInertia, Start, StrainMeasure};
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
@@ -77,14 +77,26 @@ impl Words for Strain {
     ];
 }
 
-/// What a joint shares.
-pub(crate) struct Joined;
+/// How the points of a beam are joined.
+pub(crate) struct Curved;
 
-impl Words for Joined {
-    type Value = JointKind;
-    const WORDS: &'static [(&'static str, JointKind, &'static str)] = &[
-        ("rigid", JointKind::Rigid, "position shared, angle between the beams kept"),
-        ("hinge", JointKind::Hinge, "position shared"),
+impl Words for Curved {
+    type Value = Curve;
+    const WORDS: &'static [(&'static str, Curve, &'static str)] = &[
+        ("polyline", Curve::Polyline, "straight from point to point, with rigid corners"),
+        ("arc", Curve::Arc, "a circular arc through three points: start, between, end"),
+        ("spline", Curve::Spline, "a smooth curve through all points"),
+    ];
+}
+
+/// Configuration in which an analysis starts.
+pub(crate) struct Started;
+
+impl Words for Started {
+    type Value = Start;
+    const WORDS: &'static [(&'static str, Start, &'static str)] = &[
+        ("reference", Start::Reference, "the stress-free reference configuration"),
+        ("static", Start::Static, "static equilibrium under the loads that act at time zero"),
     ];
 }
 

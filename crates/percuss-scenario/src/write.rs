@@ -6,11 +6,22 @@ pub(crate) struct Writer {
     text: String,
     /// Header of the table begun; written with its first key.
     header: Option<String>,
+    /// `key = value` one by one, for a table in braces.
+    inline: Option<Vec<String>>,
 }
 
 impl Writer {
+    /// For a table in braces.
+    pub fn inline() -> Self {
+        Self { inline: Some(Vec::new()), ..Self::default() }
+    }
+
     /// `key = value`, with the unit as a comment.
     pub fn line(&mut self, key: &str, value: &str, unit: &str) {
+        if let Some(inline) = &mut self.inline {
+            inline.push(format!("{key} = {value}"));
+            return;
+        }
         if let Some(header) = self.header.take() {
             let separator = if self.text.is_empty() { "" } else { "\n" };
             self.text.push_str(&format!("{separator}[{header}]\n"));
@@ -25,9 +36,12 @@ impl Writer {
         self.header = Some(format!("{kind}{name}"));
     }
 
-    /// The file.
+    /// The file, or the table in braces.
     pub fn finish(self) -> String {
-        self.text
+        match self.inline {
+            Some(inline) => format!("{{ {} }}", inline.join(", ")),
+            None => self.text,
+        }
     }
 }
 

@@ -23,7 +23,7 @@ fn values_are_toml_or_else_texts() {
     let content = scenario.content();
     assert_eq!(content.projectile[0].table.velocity, [0.0, 30.0]);
     assert_eq!((content.time.end, content.time.step), (0.03, 1e-5));
-    assert_eq!(content.beam[0].table.elements, 12);
+    assert_eq!(content.beam[0].table.elements, Some(12));
     assert!(text.contains("force = \"midpoint\""));
 }
 
@@ -77,4 +77,30 @@ fn tables_in_braces_and_dotted_keys_can_be_set() {
     let all = ["time.step=0.2".to_string(), "projectile.p.mass=2".to_string()];
     let text = apply_overrides(text, "f.toml", &all).unwrap();
     assert_eq!(text, "time = { end = 1, step = 0.2 }\nprojectile.p.mass = 2 # heavy\n");
+}
+
+#[test]
+fn tables_in_braces_are_reached_through_the_keys_they_stand_behind() {
+    let load = "[load.l]\nkind = \"point\"\nfunction = { kind = \"ramp\", duration = 1 } # slow\n";
+    let set = |path: &str| {
+        apply_overrides(load, "f.toml", &[path.to_string()]).map_err(|e| e.to_string())
+    };
+    assert_eq!(set("load.l.function.duration=2 ms"), Ok(load.replace("= 1 }", "= \"2 ms\" }")));
+    let text = set("path.until.value=-0.1").unwrap();
+    assert!(text.contains("[path]\nuntil = { value = -0.1 }"), "{text}");
+    for (path, part) in [
+        ("load.l.function.durtion=1", "(did you mean `duration`?)"),
+        ("load.l.from.duration=1", "found `duration` behind `from`, expected from=value"),
+        ("path.until.value.x=1", "found `x` behind `value`"),
+    ] {
+        let fault = set(path).unwrap_err();
+        assert!(fault.contains(part), "{fault}");
+    }
+    let fault = apply_overrides(
+        "[load.l]\nfunction = \"constant\"\n",
+        "f.toml",
+        &["load.l.function.duration=1".into()],
+    );
+    let fault = fault.unwrap_err().to_string();
+    assert!(fault.contains("found a string in the file, expected a table"), "{fault}");
 }

@@ -27,8 +27,9 @@ fn every_key_has_a_description() {
 fn required_keys_and_defaults_are_those_of_the_reader() {
     let schema = schema();
     assert_eq!(schema["required"], serde_json::json!(["beam", "time"]));
-    let section = &schema["properties"]["section"]["additionalProperties"];
+    let section = &schema["properties"]["section"]["additionalProperties"]["oneOf"][0];
     assert_eq!(section["required"], serde_json::json!(["area", "inertia"]));
+    assert_eq!(section["properties"]["shape"]["const"], serde_json::json!("explicit"));
     assert_eq!(section["properties"]["rotary_inertia"]["default"], serde_json::json!(true));
     assert_eq!(section["additionalProperties"], serde_json::json!(false));
     let projectile = &schema["properties"]["projectile"]["additionalProperties"]["oneOf"];

@@ -1,0 +1,219 @@
+//! From a scenario to the model: definitions in, faults mapped back to the lines of the file.
+
+mod build;
+mod follow;
+mod function;
+mod section;
+#[cfg(test)]
+mod tests;
+
+use std::collections::BTreeSet;
+
+use percuss::{Fault, ImpactResolution, Model, ModelBuilder, PathEnd, PathSettings, Settings};
+
+use crate::content::{self, Content, Impacts, ProjectileKind, Reach};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::scenario::Scenario;
+use crate::source::{Places, Source};
+use crate::table::Named;
+
+/// A scenario ready to run.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// One line about the scenario; empty if it has none.
+    pub title: String,
+    /// The model.
+    pub model: Model,
+    /// Settings of the analysis.
+    pub settings: Settings,
+    /// How far a static equilibrium path is followed.
+    pub path: PathSettings,
+    /// Coefficients of restitution to compare, if the report asks for it.
+    pub comparison: Option<Vec<f64>>,
+}
+
+impl Scenario {
+    /// Builds the model.
+    ///
+    /// # Errors
+    /// Every fault of the model and the settings, each at its place in the file.
+    pub fn compile(&self) -> Result<Compiled, Diagnostics> {
+        let content = &self.content;
+        let settings = settings(content);
+        let mut faults = comparison_faults(content);
+        let path = path(content).map_err(|fault| faults.push(fault)).unwrap_or_default();
+        match build(content) {
+            Ok(model) => {
+                faults.extend(settings.validate(&model));
+                if faults.is_empty() {
+                    let comparison = content.report.restitution.clone();
+                    let title = content.title.clone();
+                    return Ok(Compiled { title, model, settings, path, comparison });
+                }
+            }
+            Err(found) => {
+                faults.extend(found);
+                faults.extend(settings_alone(content, &settings));
+            }
+        }
+        Err(self.diagnostics(faults))
+    }
+
+    /// Faults found later, by an analysis, at their places in the file.
+    pub fn diagnostics(&self, faults: Vec<Fault>) -> Diagnostics {
+        let all = faults.into_iter().map(|f| locate(f, &self.source, &self.places));
+        Diagnostics::new((*self.source).clone(), all.collect())
+    }
+}
+
+/// Faults of the model of a file with reading faults, as far as they do not follow from these.
+pub(crate) fn sound_part(
+    content: &Content,
+    tainted: &BTreeSet<String>,
+    source: &Source,
+    places: &Places,
+) -> Vec<Diagnostic> {
+    let mut content = content.clone();
+    content.beam.iter_mut().for_each(|beam| follow::coarsen(&mut beam.table));
+    let mut faults = comparison_faults(&content);
+    faults.extend(path(&content).err());
+    if !content.beam.is_empty() {
+        faults.extend(build(&content).err().unwrap_or_default());
+    }
+    faults.extend(settings_alone(&content, &settings(&content)));
+    follow::keep_sound(&content, tainted, &mut faults);
+    faults.into_iter().map(|f| locate(f, source, places)).collect()
+}
+
+fn locate(fault: Fault, source: &Source, places: &Places) -> Diagnostic {
+    let span = places.find(&fault.path).unwrap_or(0..0);
+    Diagnostic::at(source, span, fault.path, fault.found, fault.expected)
+}
+
+fn settings(content: &Content) -> Settings {
+    use content::Scheme;
+    let mut settings = Settings::new(content.time.end, content.time.step);
+    settings.scheme = match content.integrator.scheme {
+        Scheme::EnergyMomentum => percuss::Scheme::EnergyMomentum,
+        Scheme::StrainRate => percuss::Scheme::StrainRate,
+        Scheme::Midpoint => percuss::Scheme::Midpoint,
+        Scheme::Newmark => percuss::Scheme::Newmark,
+        Scheme::GeneralizedAlpha { spectral_radius } => {
+            percuss::Scheme::GeneralizedAlpha { spectral_radius }
+        }
+    };
+    settings.impacts = match content.time.impacts {
+        Impacts::Event => ImpactResolution::Event,
+        Impacts::TimeStepping { closed_tolerance } => {
+            ImpactResolution::TimeStepping { closed_tolerance }
+        }
+    };
+    settings.record_every = content.record.every;
+    settings.start = content.time.start;
+    settings
+}
+
+/// Faults of the settings where the model itself has faults: a sound model stands in for it.
+fn settings_alone(content: &Content, settings: &Settings) -> Vec<Fault> {
+    let mut builder = ModelBuilder::new();
+    let material = builder.material(percuss::Material::new("m", 1.0, 1.0));
+    let section = builder.section(percuss::Section::new("s", 1.0, 1.0));
+    let points = [[0.0, 0.0], [1.0, 0.0]];
+    let beam = builder.beam(percuss::Beam::new("b", &points, 1, material, section));
+    if content.projectile.iter().any(|p| matches!(p.table.kind, ProjectileKind::Rigid { .. })) {
+        builder.projectile(percuss::Projectile {
+            name: "p".into(),
+            kind: percuss::ProjectileKind::Rigid { restitution: 1.0 },
+            mass: 1.0,
+            velocity: [0.0, 1.0],
+            direction: None,
+            strikes: percuss::PointRef {
+                label: String::new(),
+                beam,
+                along: percuss::Along::Fraction(0.5),
+            },
+            standoff: 0.0,
+        });
+    }
+    builder.build().map(|model| settings.validate(&model)).unwrap_or_default()
+}
+
+/// The comparison of coefficients belongs to the report, so the core knows nothing of it.
+fn comparison_faults(content: &Content) -> Vec<Fault> {
+    let Some(list) = &content.report.restitution else { return Vec::new() };
+    let fault =
+        |found: String, expected: &str| vec![Fault::new("report.restitution", found, expected)];
+    let rigid =
+        |p: &Named<content::Projectile>| matches!(p.table.kind, ProjectileKind::Rigid { .. });
+    if list.is_empty() {
+        return fault("an empty list".into(), "coefficients from 0 to 1");
+    }
+    if let Some(bad) = list.iter().find(|e| !(0.0..=1.0).contains(*e)) {
+        return fault(bad.to_string(), "coefficients from 0 to 1");
+    }
+    if !content.projectile.iter().any(rigid) {
+        return fault(
+            "coefficients without a rigid projectile".into(),
+            "a projectile of kind \"rigid\"",
+        );
+    }
+    Vec::new()
+}
+
+/// How far an equilibrium path is followed.
+fn path(content: &Content) -> Result<PathSettings, Fault> {
+    let content::Path { first, points, factor, until } = &content.path;
+    let fault = |key: &str, found: String, expected: &str| {
+        Err(Fault::new(format!("path.{key}"), found, expected))
+    };
+    if *first <= 0.0 {
+        return fault("first", first.to_string(), "a load factor above zero");
+    }
+    if *points == 0 {
+        return fault("points", "0".into(), "at least 1 point");
+    }
+    let end = match until {
+        Some(Reach { component, .. }) if !(1..=2).contains(component) => {
+            return fault("until.component", component.to_string(), "1 or 2");
+        }
+        Some(Reach { value: 0.0, .. }) => {
+            return fault("until.value", "0 m".into(), "a displacement to reach, not zero");
+        }
+        Some(Reach { point, component, value }) => {
+            let (point, component, value) = (point.label.clone(), *component, *value);
+            PathEnd::Displacement { point, component, value }
+        }
+        None => PathEnd::Factor(factor.unwrap_or(1.0)),
+    };
+    match end {
+        PathEnd::Factor(0.0) => fault("factor", "0".into(), "a load factor to reach, not zero"),
+        end => Ok(PathSettings { first: *first, points: *points, end }),
+    }
+}
+
+fn build(content: &Content) -> Result<Model, Vec<Fault>> {
+    let (builder, mut faults) = build::definitions(content);
+    if content.beam.is_empty() {
+        return Err(faults);
+    }
+    match builder.build() {
+        Ok(model) if faults.is_empty() => Ok(model),
+        Ok(_) => Err(faults),
+        Err(found) => {
+            faults.extend(found.into_iter().map(|fault| at_path(content, fault)));
+            Err(faults)
+        }
+    }
+}
+
+/// The point at which a path ends is recorded as others are; its fault belongs to the path.
+fn at_path(content: &Content, fault: Fault) -> Fault {
+    let Some(Reach { point, .. }) = &content.path.until else { return fault };
+    let recorded = content.record.points.iter().any(|p| p.label == point.label);
+    let about =
+        fault.path == "record.points" && fault.found.starts_with(&format!("{} ", point.label));
+    match about && !recorded {
+        true => Fault { path: "path.until.point".into(), ..fault },
+        false => fault,
+    }
+}

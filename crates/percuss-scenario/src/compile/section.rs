@@ -1,0 +1,148 @@
+//! Cross sections from their dimensions.
+
+use std::collections::BTreeMap;
+
+use percuss::{Fault, Section, Station};
+
+use crate::content::{self, Content, Shape};
+use crate::node::count;
+use crate::table::Named;
+
+/// Every section of the file; one at fault becomes a harmless one, so that the rest can be checked.
+pub(super) fn sections(content: &Content, faults: &mut Vec<Fault>) -> Vec<Section> {
+    let mut uniform = BTreeMap::new();
+    for named in &content.section {
+        if !matches!(named.table.shape, Shape::Tapered { .. }) {
+            let before = faults.len();
+            dimensions(named, faults);
+            let sound = faults.len() == before;
+            uniform.insert(named.name.as_str(), sound.then(|| shaped(named)));
+        }
+    }
+    let one = |named: &Named<content::Section>| {
+        let section = match &named.table.shape {
+            Shape::Tapered { stations, sections } => {
+                tapered(&named.name, stations, sections, &uniform, faults)
+            }
+            _ => uniform.get(named.name.as_str()).cloned().flatten(),
+        };
+        let section = section.unwrap_or_else(|| Section::new(named.name.as_str(), 1.0, 1.0));
+        Section { rotary_inertia: named.table.rotary_inertia, ..section }
+    };
+    content.section.iter().map(one).collect()
+}
+
+/// Faults of the dimensions of a shape; what is given explicitly is checked by the core.
+fn dimensions(named: &Named<content::Section>, faults: &mut Vec<Fault>) {
+    let mut fault = |key: &str, found: String, expected: String| {
+        faults.push(Fault::new(format!("section.{}.{key}", named.name), found, expected));
+    };
+    let all: &[(&str, f64)] = match &named.table.shape {
+        Shape::Explicit { depth, .. } => &[("depth", depth.unwrap_or(1.0))],
+        Shape::Rectangle { width, depth } => &[("width", *width), ("depth", *depth)],
+        Shape::Circle { diameter } => &[("diameter", *diameter)],
+        Shape::Tube { diameter, thickness } => {
+            &[("diameter", *diameter), ("thickness", *thickness)]
+        }
+        Shape::I { width, depth, flange, web } => {
+            &[("width", *width), ("depth", *depth), ("flange", *flange), ("web", *web)]
+        }
+        Shape::Box { width, depth, thickness } => {
+            &[("width", *width), ("depth", *depth), ("thickness", *thickness)]
+        }
+        Shape::Tapered { .. } => &[],
+    };
+    let mut sound = true;
+    for (key, value) in all.iter().filter(|(_, value)| *value <= 0.0) {
+        fault(key, format!("{value} m"), format!("a {key} above zero"));
+        sound = false;
+    }
+    if !sound {
+        return;
+    }
+    let mut below = |key: &str, value: f64, limit: f64, of: &str| {
+        if value >= limit {
+            fault(key, format!("{value} m"), format!("less than {of}, {limit} m"));
+        }
+    };
+    match named.table.shape {
+        Shape::Tube { diameter, thickness } => {
+            below("thickness", thickness, 0.5 * diameter, "half the diameter");
+        }
+        Shape::I { width, depth, flange, web } => {
+            below("flange", flange, 0.5 * depth, "half the depth");
+            below("web", web, width, "the width");
+        }
+        Shape::Box { width, depth, thickness } => {
+            below("thickness", thickness, 0.5 * width.min(depth), "half the smaller side");
+        }
+        _ => {}
+    }
+}
+
+fn shaped(named: &Named<content::Section>) -> Section {
+    let name = named.name.as_str();
+    match named.table.shape {
+        Shape::Explicit { area, inertia, depth } => {
+            Section { depth, ..Section::new(name, area, inertia) }
+        }
+        Shape::Rectangle { width, depth } => Section::rectangle(name, width, depth),
+        Shape::Circle { diameter } => Section::circle(name, diameter),
+        Shape::Tube { diameter, thickness } => Section::tube(name, diameter, thickness),
+        Shape::I { width, depth, flange, web } => Section::i_shape(name, width, depth, flange, web),
+        Shape::Box { width, depth, thickness } => {
+            Section::hollow_box(name, width, depth, thickness)
+        }
+        Shape::Tapered { .. } => Section::new(name, 1.0, 1.0),
+    }
+}
+
+/// A tapered section; `None` where it, or a section it names, has a fault.
+fn tapered(
+    name: &str,
+    stations: &[f64],
+    sections: &[String],
+    uniform: &BTreeMap<&str, Option<Section>>,
+    faults: &mut Vec<Fault>,
+) -> Option<Section> {
+    let mut fault = |key: &str, found: String, expected: &str| {
+        faults.push(Fault::new(format!("section.{name}.{key}"), found, expected));
+    };
+    if sections.len() != stations.len() {
+        let [given, wanted] = [count(sections.len(), "section"), count(stations.len(), "station")];
+        let found = format!("{given} for {wanted}");
+        fault("sections", found, "a section for each station");
+        return None;
+    }
+    let (ends, expected) = ([stations.first(), stations.last()], "stations from 0 to 1");
+    if stations.len() < 2 {
+        fault(
+            "stations",
+            count(stations.len(), "station"),
+            "at least two, the first 0 and the last 1",
+        );
+        return None;
+    } else if ends != [Some(&0.0), Some(&1.0)] {
+        let [first, last] = ends.map(|end| end.copied().unwrap_or_default());
+        fault("stations", format!("stations from {first} to {last}"), expected);
+        return None;
+    } else if let Some(pair) = stations.windows(2).find(|pair| pair[1] <= pair[0]) {
+        fault("stations", format!("{} after {}", pair[1], pair[0]), "stations that increase");
+        return None;
+    }
+    if let Some(bad) = sections.iter().find(|s| !uniform.contains_key(s.as_str())) {
+        let found = format!("{bad:?}, which is tapered itself");
+        fault("sections", found, "sections that do not vary along the beam");
+        return None;
+    }
+    let mut out = Vec::new();
+    for (&at, section) in stations.iter().zip(sections) {
+        let Section { area, inertia, depth, .. } = *uniform.get(section.as_str())?.as_ref()?;
+        if area <= 0.0 || inertia <= 0.0 {
+            return None; // the named section's own fault
+        }
+        out.push(Station { at, area, inertia, depth });
+    }
+    let Station { area, inertia, depth, .. } = *out.first()?;
+    Some(Section { depth, stations: out, ..Section::new(name, area, inertia) })
+}

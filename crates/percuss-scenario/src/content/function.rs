@@ -1,0 +1,150 @@
+//! Functions of time.
+
+use serde_json::{Value as Json, json};
+
+use crate::csv::Pulse;
+use crate::format::{Flag, Format, Inline, List, Maybe};
+use crate::measure;
+use crate::node::{Body, Node, Reader};
+use crate::quantity::Quantity;
+use crate::suggest;
+use crate::table::{Braces, Choice, missing};
+use crate::write::{self, Writer};
+
+kinds! {
+    /// A factor as a function of time, which counts from the start of the load or motion.
+    pub enum Function by "kind" {
+        /// One, always.
+        Constant = "constant",
+        /// Zero before, one from a time on.
+        Step = "step" {
+            /// When it rises (s).
+            at: f64 as Quantity<measure::Time>,
+        },
+        /// Rises linearly to one, then stays.
+        Ramp = "ramp" {
+            /// Time of the rise (s).
+            duration: f64 as Quantity<measure::Time>,
+        },
+        /// Half a sine wave, then zero.
+        HalfSine = "half-sine" {
+            /// Its length (s).
+            duration: f64 as Quantity<measure::Time>,
+        },
+        /// Rises linearly to one at half of its length and falls to zero.
+        Triangle = "triangle" {
+            /// Its length (s).
+            duration: f64 as Quantity<measure::Time>,
+        },
+        /// sin(2 pi frequency t + phase).
+        Harmonic = "harmonic" {
+            /// Frequency (Hz).
+            frequency: f64 as Quantity<measure::Frequency>,
+            /// Phase (rad).
+            phase: f64 as Quantity<measure::Angle> = 0.0,
+        },
+        /// Values at given times, the first and the last held outside.
+        Table = "table" {
+            /// Times, increasing (s).
+            times: Option<Vec<f64>> as Maybe<List<Quantity<measure::Time>>> = None,
+            /// Values there.
+            values: Option<Vec<f64>> as Maybe<List<Quantity<measure::Ratio>>> = None,
+            /// Instead of both: path of a CSV file with two columns, time (s) and value.
+            file: Option<[Vec<f64>; 2]> as Maybe<Pulse> = None,
+            /// A natural cubic spline through the values instead of straight lines.
+            smooth: bool as Flag = false,
+        },
+    }
+}
+
+table! {
+    /// A function of time.
+    pub struct Course {}
+    with {
+        /// Which function.
+        kind: Function
+    }
+    then settle_course
+}
+
+/// A table's rows come from the file or from the text, not from both; those of a file move into the text.
+fn settle_course(course: &mut Course, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let Function::Table { times, values, file, .. } = &mut course.kind else { return };
+    let node = body.get("file");
+    if let Some([file_times, file_values]) = file.take() {
+        (*times, *values) = (Some(file_times), Some(file_values));
+    }
+    for key in ["times", "values"] {
+        match (&node, body.get(key)) {
+            (Some(_), Some(given)) => {
+                let found = format!("`{key}` besides `file`");
+                reader.misplaced(&given.path, given.span, found, "`file`, or `times` and `values`");
+            }
+            (None, None) if !reader.excuses(body, "file") => {
+                let expected = "`times` and `values`, or `file`".into();
+                missing(body, key, format!("no `{key}`"), expected, reader);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// `"constant"`, or a table in braces.
+pub(crate) struct FunctionText;
+
+impl FunctionText {
+    /// The word alone: enough for a function without keys.
+    fn word(node: &Node<'_>, word: &str, reader: &mut Reader<'_>) -> Option<Function> {
+        let kinds = Function::kinds();
+        let known = kinds.variants.iter().find(|v| v.word == word);
+        if known.is_some_and(|v| v.keys.is_empty()) {
+            return Some(Function::Constant);
+        }
+        let expected = match known {
+            Some(variant) => {
+                let keys = variant.keys.iter().filter(|k| k.required);
+                let keys: String = keys.map(|k| format!(", {} = ...", k.name)).collect();
+                format!("a table {{ kind = \"{word}\"{keys} }}")
+            }
+            None => suggest::one_of(word, kinds.variants.iter().map(|v| v.word)),
+        };
+        reader.wrong(node, node.found(), expected);
+        None
+    }
+}
+
+impl Format for FunctionText {
+    type Value = Function;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Function> {
+        match (node.value.as_str(), node.value.is_table()) {
+            (Some(word), _) => Self::word(node, word, reader),
+            (None, true) => Braces::<Course>::read(node, reader).map(|course| course.kind),
+            (None, false) => {
+                reader.wrong(node, node.found(), Self::expected());
+                None
+            }
+        }
+    }
+
+    fn placeholder() -> Function {
+        Function::Constant
+    }
+
+    fn expected() -> String {
+        "\"constant\" or a table, such as { kind = \"ramp\", duration = \"10 ms\" }".into()
+    }
+
+    fn schema() -> Json {
+        json!({ "anyOf": [{ "const": "constant" }, Braces::<Course>::schema()] })
+    }
+}
+
+impl Inline for FunctionText {
+    fn text(value: &Function) -> Option<String> {
+        match value {
+            Function::Constant => Some(write::text("constant")),
+            kind => Braces::<Course>::text(&Course { kind: kind.clone() }),
+        }
+    }
+}

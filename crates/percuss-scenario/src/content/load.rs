@@ -1,0 +1,105 @@
+//! What acts on beams: projectiles and loads.
+
+use percuss::{Along, ContactForce};
+
+use super::function::{Function, FunctionText};
+use crate::format::{Flag, Maybe, Pair};
+use crate::measure;
+use crate::name::{BeamName, NameOf};
+use crate::node::{Body, Reader};
+use crate::point::{Place, Point, PointText};
+use crate::quantity::{Quantity, Vector};
+use crate::words::{Contact, Force, Touch, Until, Word};
+use crate::write::Writer;
+
+kinds! {
+    /// What strikes.
+    pub enum ProjectileKind by "kind" {
+        /// A mass behind a massless spring.
+        Elastic = "elastic" {
+            /// Stiffness of the spring (N/m).
+            stiffness: f64 as Quantity<measure::Stiffness>,
+            /// How the contact force is evaluated over a step.
+            force: ContactForce as Word<Force> = ContactForce::Conserving,
+        },
+        /// A rigid mass under Newton's impact law.
+        Rigid = "rigid" {
+            /// Coefficient of restitution, from 0 to 1.
+            restitution: f64 as Quantity<measure::Ratio>,
+        },
+    }
+}
+
+table! {
+    /// A projectile: it moves along a fixed line of flight and strikes a point of a beam.
+    pub struct Projectile {
+        /// Mass (kg).
+        mass: f64 as Quantity<measure::Mass>,
+        /// Initial velocity (m/s).
+        velocity: [f64; 2] as Vector<measure::Velocity>,
+        /// Line of flight towards the beam; needed only where the velocity is zero.
+        direction: Option<[f64; 2]> as Maybe<Vector<measure::Ratio>> = None,
+        /// The point struck.
+        strikes: Point as PointText,
+        /// Initial distance from the beam along the line of flight (m).
+        standoff: f64 as Quantity<measure::Length> = 0.0,
+        /// Where it touches the beam.
+        contact: Contact as Word<Touch> = Contact::Point,
+    }
+    with {
+        /// What strikes.
+        kind: ProjectileKind
+    }
+}
+
+kinds! {
+    /// What a load applies.
+    pub enum LoadKind by "kind" {
+        /// Gravity on every beam, point mass and projectile.
+        Gravity = "gravity" {
+            /// Acceleration (m/s^2).
+            acceleration: [f64; 2] as Vector<measure::Acceleration>,
+        },
+        /// A force and a moment at a point.
+        Point = "point" {
+            /// The point loaded.
+            at: Point as PointText,
+            /// Force (N): along e1 and e2, or along tangent and normal if it follows.
+            force: [f64; 2] as Vector<measure::Force> = [0.0, 0.0],
+            /// Moment, positive counter-clockwise (N m).
+            moment: f64 as Quantity<measure::Moment> = 0.0,
+            /// Whether the force turns with the tangent.
+            follower: bool as Flag = false,
+        },
+        /// A force per length along a stretch of a beam, varying linearly between its ends.
+        Distributed = "distributed" {
+            /// Name of the beam.
+            on: String as NameOf<BeamName>,
+            /// Ends of the stretch: each "start", "mid", "end", a fraction or a length.
+            stretch: [Along; 2] as Pair<Place> = [Along::Fraction(0.0), Along::Fraction(1.0)],
+            /// Force per length at the start of the stretch (N/m): along e1 and e2, or along tangent and normal
+            /// if it follows; a pressure follows along the normal.
+            force: [f64; 2] as Vector<measure::LineForce>,
+            /// Force per length at the end of the stretch (N/m); the same if none is given.
+            force_end: Option<[f64; 2]> as Maybe<Vector<measure::LineForce>> = None,
+            /// Whether the force turns with the tangent.
+            follower: bool as Flag = false,
+        },
+    }
+}
+
+table! {
+    /// A load, times a function of time while it acts.
+    pub struct Load {
+        /// Acts from this time on (s).
+        from: f64 as Quantity<measure::Time> = 0.0,
+        /// Acts until this time (s), or "forever".
+        until: f64 as Until = f64::INFINITY,
+        /// Its course, whose time counts from `from`: "constant" or a table { kind = ... }.
+        function: Function as FunctionText = Function::Constant,
+    }
+    with {
+        /// What it applies.
+        kind: LoadKind
+    }
+}

@@ -1,0 +1,65 @@
+//! What a scenario file contains, table by table, in SI units and with every default filled in.
+//!
+//! The doc comment of a key is also its description in the JSON Schema.
+
+mod analysis;
+mod function;
+mod load;
+mod section;
+mod structure;
+mod support;
+
+pub use analysis::*;
+pub use function::*;
+pub use load::*;
+pub use section::*;
+pub use structure::*;
+pub use support::*;
+
+pub use crate::point::Anchor;
+pub use crate::preset::Preset;
+
+use crate::format::Text;
+use crate::node::{Body, Reader};
+use crate::table::{Collection, Named, Single};
+use crate::write::Writer;
+
+table! {
+    /// A beam or a frame, what holds it, what loads it and what strikes it.
+    pub struct Content {
+        /// One line about the scenario.
+        title: String as Text = String::new(),
+        /// Materials, by name.
+        material: Vec<Named<Material>> as Collection<Material> = Vec::new(),
+        /// Cross sections, by name.
+        section: Vec<Named<Section>> as Collection<Section> = Vec::new(),
+        /// Beams, by name.
+        beam: Vec<Named<Beam>> as Collection<Beam>,
+        /// Supports to ground, by name.
+        support: Vec<Named<Support>> as Collection<Support> = Vec::new(),
+        /// Joints between beams, by name.
+        joint: Vec<Named<Joint>> as Collection<Joint> = Vec::new(),
+        /// Springs and dampers between two points, by name.
+        spring: Vec<Named<Spring>> as Collection<Spring> = Vec::new(),
+        /// Masses at points of beams, by name.
+        mass: Vec<Named<PointMass>> as Collection<PointMass> = Vec::new(),
+        /// Projectiles, by name.
+        projectile: Vec<Named<Projectile>> as Collection<Projectile> = Vec::new(),
+        /// Loads, by name.
+        load: Vec<Named<Load>> as Collection<Load> = Vec::new(),
+        /// Rigid motion in which all beams and point masses start.
+        initial: InitialMotion as Single<InitialMotion> = InitialMotion::default(),
+        /// Damping of the structure as a whole.
+        damping: Damping as Single<Damping> = Damping::default(),
+        /// How long the analysis runs and in which steps.
+        time: Time as Single<Time>,
+        /// Time integration.
+        integrator: Integrator as Single<Integrator> = Integrator::default(),
+        /// What is recorded.
+        record: Record as Single<Record> = Record::default(),
+        /// How far a static equilibrium path is followed.
+        path: Path as Single<Path> = Path::default(),
+        /// What the report shows.
+        report: Report as Single<Report> = Report::plain(),
+    }
+}

@@ -1,0 +1,84 @@
+//! Cross sections.
+
+use percuss::RotaryInertia;
+
+use crate::format::{List, Maybe};
+use crate::measure;
+use crate::name::{NameOf, SectionName};
+use crate::node::{Body, Reader};
+use crate::quantity::Quantity;
+use crate::words::Rotary;
+use crate::write::Writer;
+
+kinds! {
+    /// Shape of a cross section.
+    pub enum Shape by "shape" default "explicit" {
+        /// Area and second moment of area as given.
+        Explicit = "explicit" {
+            /// Area (m^2).
+            area: f64 as Quantity<measure::Area>,
+            /// Second moment of area (m^4).
+            inertia: f64 as Quantity<measure::Inertia>,
+            /// Depth between the extreme fibres (m); without it no fibre strains are reported.
+            depth: Option<f64> as Maybe<Quantity<measure::Length>> = None,
+        },
+        /// A full rectangle.
+        Rectangle = "rectangle" {
+            /// Width, across the plane of bending (m).
+            width: f64 as Quantity<measure::Length>,
+            /// Depth, in the plane of bending (m).
+            depth: f64 as Quantity<measure::Length>,
+        },
+        /// A full circle.
+        Circle = "circle" {
+            /// Diameter (m).
+            diameter: f64 as Quantity<measure::Length>,
+        },
+        /// A circular tube.
+        Tube = "tube" {
+            /// Outer diameter (m).
+            diameter: f64 as Quantity<measure::Length>,
+            /// Thickness of the wall (m).
+            thickness: f64 as Quantity<measure::Length>,
+        },
+        /// A doubly symmetric I without fillets, bent about its strong axis.
+        I = "i" {
+            /// Width of the flanges (m).
+            width: f64 as Quantity<measure::Length>,
+            /// Depth over both flanges (m).
+            depth: f64 as Quantity<measure::Length>,
+            /// Thickness of a flange (m).
+            flange: f64 as Quantity<measure::Length>,
+            /// Thickness of the web (m).
+            web: f64 as Quantity<measure::Length>,
+        },
+        /// A rectangular box of uniform wall thickness.
+        Box = "box" {
+            /// Outer width, across the plane of bending (m).
+            width: f64 as Quantity<measure::Length>,
+            /// Outer depth, in the plane of bending (m).
+            depth: f64 as Quantity<measure::Length>,
+            /// Thickness of the wall (m).
+            thickness: f64 as Quantity<measure::Length>,
+        },
+        /// Varies along the beam: area, second moment of area and depth linearly between stations.
+        Tapered = "tapered" {
+            /// Fractions of the beam's length, from 0 to 1.
+            stations: Vec<f64> as List<Quantity<measure::Ratio>>,
+            /// Names of the sections there, none of them tapered.
+            sections: Vec<String> as List<NameOf<SectionName>>,
+        },
+    }
+}
+
+table! {
+    /// Cross section of a beam.
+    pub struct Section {
+        /// true: density times second moment of area; false: none; or a value per length (kg m).
+        rotary_inertia: RotaryInertia as Rotary = RotaryInertia::Density,
+    }
+    with {
+        /// Its shape.
+        shape: Shape
+    }
+}

@@ -1,0 +1,128 @@
+//! Materials and beams.
+
+use percuss::{Along, Curve, StrainMeasure};
+
+use crate::csv::Points;
+use crate::format::{Count, Format, List, Maybe};
+use crate::measure;
+use crate::name::{MaterialName, NameOf, SectionName};
+use crate::node::{Body, Reader};
+use crate::point::Place;
+use crate::preset::{Preset, Presets};
+use crate::quantity::Quantity;
+use crate::table::{Braces, missing};
+use crate::words::{Curved, Strain, Word};
+use crate::write::Writer;
+
+table! {
+    /// Material of a beam.
+    pub struct Material {
+        /// A material known by name: gives `young` and `density` where these are left out.
+        preset: Option<Preset> as Maybe<Word<Presets>> = None,
+        /// Young's modulus (Pa); must be given without `preset`.
+        young: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
+        /// Density (kg/m^3); must be given without `preset`.
+        density: Option<f64> as Maybe<Quantity<measure::Density>> = None,
+        /// Strain measure of the strain energy.
+        strain: StrainMeasure as Word<Strain> = StrainMeasure::Green,
+        /// Retardation time of Kelvin-Voigt damping (s): stress grows by this time the rate of strain.
+        retardation: f64 as Quantity<measure::Time> = 0.0,
+        /// Damping force per mass and velocity (1/s).
+        mass_damping: f64 as Quantity<measure::Rate> = 0.0,
+    }
+    either preset | young & density
+    then settle_material
+}
+
+/// Fills in the values of the preset.
+fn settle_material(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
+    if let Some(preset) = material.preset {
+        material.young.get_or_insert(preset.young);
+        material.density.get_or_insert(preset.density);
+        return;
+    }
+    let mut want = |key, expected: String| {
+        let unknown_preset = body.get("preset").is_some();
+        if body.get(key).is_none() && !unknown_preset {
+            let expected = format!("{expected}, or a `preset`");
+            missing(body, key, format!("no `{key}`"), expected, reader);
+        }
+    };
+    want("young", Quantity::<measure::Pressure>::expected());
+    want("density", Quantity::<measure::Density>::expected());
+}
+
+table! {
+    /// A beam: a centre line with material, section and finite elements.
+    pub struct Beam {
+        /// Points the centre line runs through (m), or the path of a CSV file with two columns, x and y (m).
+        points: Vec<[f64; 2]> as Points,
+        /// How the points are joined.
+        curve: Curve as Word<Curved> = Curve::Polyline,
+        /// Number of finite elements; this or `element_length`.
+        elements: Option<usize> as Maybe<Count> = None,
+        /// Length that no finite element exceeds (m); this or `elements`.
+        element_length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
+        /// Elements smaller towards a place.
+        grading: Option<Grading> as Maybe<Braces<Grading>> = None,
+        /// Name of its material.
+        material: String as NameOf<MaterialName>,
+        /// Name of its section.
+        section: String as NameOf<SectionName>,
+        /// Places from which on it has another material or section, in their order.
+        changes: Vec<Change> as List<Braces<Change>> = Vec::new(),
+    }
+    either elements | element_length
+    then settle_beam
+}
+
+/// Number of elements or their length, one of the two.
+fn settle_beam(_: &mut Beam, body: &Body<'_>, reader: &mut Reader<'_>) {
+    match (body.get("elements"), body.get("element_length")) {
+        (None, None) => {
+            let excused = |key| reader.excuses(body, key);
+            if excused("elements") || excused("element_length") {
+                return;
+            }
+            let expected = "`elements`, such as 6, or `element_length`, such as \"0.1 m\"".into();
+            missing(body, "elements", "no number of elements".into(), expected, reader);
+        }
+        (Some(_), Some(length)) => {
+            let found = "`element_length` besides `elements`";
+            reader.misplaced(&length.path, length.span.clone(), found, "one of the two");
+        }
+        _ => {}
+    }
+}
+
+table! {
+    /// Elements smaller towards a place.
+    pub struct Grading {
+        /// Where the elements are smallest: "start", "mid", "end", a fraction or a length.
+        towards: Along as Place,
+        /// How many times smaller they are there than at the far end; above one.
+        ratio: f64 as Quantity<measure::Ratio>,
+    }
+}
+
+table! {
+    /// From a place on, a beam has another material or section.
+    pub struct Change {
+        /// Where it begins: "start", "mid", "end", a fraction or a length.
+        at: Along as Place,
+        /// Name of the section from there on; the one before if none is given.
+        section: Option<String> as Maybe<NameOf<SectionName>> = None,
+        /// Name of the material from there on; the one before if none is given.
+        material: Option<String> as Maybe<NameOf<MaterialName>> = None,
+    }
+    either section | material
+    then settle_change
+}
+
+fn settle_change(_: &mut Change, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let excused = reader.excuses(body, "section") || reader.excuses(body, "material");
+    if body.get("section").is_none() && body.get("material").is_none() && !excused {
+        let found = "a change of nothing";
+        reader.misplaced(&body.path, body.span.clone(), found, "`section`, `material` or both");
+    }
+}

@@ -1,0 +1,162 @@
+//! Values from a CSV file with two columns: points of a centre line, or a function of time.
+
+use serde_json::{Value as Json, json};
+
+use crate::format::{Format, Inline, List};
+use crate::measure::Length;
+use crate::node::{Node, Reader, count};
+use crate::quantity::Vector;
+
+/// Two numbers and the line they stand on.
+type Row = (usize, [f64; 2]);
+
+/// Found and expected.
+type Clash = (String, String);
+
+/// Reads the file whose path stands at `node`.
+fn load(node: &Node<'_>, columns: &str, reader: &mut Reader<'_>) -> Option<Vec<Row>> {
+    let name = node.value.as_str()?;
+    let rows = read(&reader.folder.join(name), name, columns);
+    rows.map_err(|(found, expected)| reader.wrong(node, found, expected)).ok()
+}
+
+fn read(path: &std::path::Path, name: &str, columns: &str) -> Result<Vec<Row>, Clash> {
+    let expected = format!("a CSV file with two columns, {columns}");
+    let whole = |what: &str| Err((format!("{name:?}, {what}"), expected.clone()));
+    if path.is_dir() {
+        return whole("which is a directory");
+    }
+    if path.exists() && !path.is_file() {
+        return whole("which is no regular file");
+    }
+    let text = match std::fs::read(path).map(String::from_utf8) {
+        Ok(Ok(text)) => text,
+        Ok(Err(_)) => return whole("which is not UTF-8"),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+            return whole("which does not exist");
+        }
+        Err(error) => return whole(&format!("which cannot be read ({error})")),
+    };
+    parse(&text).map_err(|(line, found)| (format!("{found} in line {line} of {name:?}"), expected))
+}
+
+/// Rows of a text; blank lines and those that begin with `#` are passed over, as is a header.
+fn parse(text: &str) -> Result<Vec<Row>, (usize, String)> {
+    let mut rows = Vec::new();
+    let mut header = true;
+    for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let cells: Vec<&str> = cells(line);
+        let first = std::mem::take(&mut header);
+        if first && cells.iter().all(|c| c.parse::<f64>().is_err()) {
+            continue;
+        }
+        let [a, b] = cells[..] else {
+            return Err((i + 1, count(cells.len(), "column")));
+        };
+        let number = |cell: &str| {
+            let value = cell.parse().ok().filter(|v: &f64| v.is_finite());
+            value.ok_or_else(|| (i + 1, format!("{cell:?}, which is no finite number,")))
+        };
+        rows.push((i + 1, [number(a)?, number(b)?]));
+    }
+    Ok(rows)
+}
+
+/// Between semicolons, tabs, commas or blanks, the first of these that the line has.
+fn cells(line: &str) -> Vec<&str> {
+    let separator = [';', '\t', ','].into_iter().find(|s| line.contains(*s));
+    match separator {
+        Some(separator) => line.split(separator).map(|c| c.trim().trim_matches('"')).collect(),
+        None => line.split_whitespace().collect(),
+    }
+}
+
+/// Points as a list, or the path of a file that lists them.
+pub(crate) struct Points;
+
+type Listed = List<Vector<Length>>;
+
+impl Format for Points {
+    type Value = Vec<[f64; 2]>;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
+        if node.value.as_str().is_none() {
+            if node.elements().is_none() {
+                reader.wrong(node, node.found(), Self::expected());
+                return None;
+            }
+            return Listed::read(node, reader);
+        }
+        let rows = load(node, "x and y (m)", reader)?;
+        Some(rows.into_iter().map(|row| row.1).collect())
+    }
+
+    fn placeholder() -> Self::Value {
+        Listed::placeholder()
+    }
+
+    fn expected() -> String {
+        format!("{}; or the path of a CSV file", Listed::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "anyOf": [{ "type": "string" }, Listed::schema()] })
+    }
+}
+
+impl Inline for Points {
+    const UNIT: &'static str = Listed::UNIT;
+
+    fn text(value: &Self::Value) -> Option<String> {
+        Listed::text(value)
+    }
+}
+
+/// Times and values from a file; they are written out as lists, never as a file again.
+pub(crate) struct Pulse;
+
+impl Format for Pulse {
+    type Value = [Vec<f64>; 2];
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
+        if node.value.as_str().is_none() {
+            reader.wrong(node, node.found(), Self::expected());
+        }
+        let rows = load(node, "time (s) and value", reader)?;
+        let name = node.value.as_str().unwrap_or_default();
+        if rows.len() < 2 {
+            let found = format!("{name:?} with {}", count(rows.len(), "row"));
+            reader.wrong(node, found, "at least two rows");
+            return None;
+        }
+        let fallen = rows.windows(2).find(|pair| pair[1].1[0] <= pair[0].1[0]);
+        if let Some([(_, before), (line, after)]) = fallen {
+            let found = format!("{} s after {} s in line {line} of {name:?}", after[0], before[0]);
+            reader.wrong(node, found, "times that increase from row to row");
+            return None;
+        }
+        Some([0, 1].map(|column| rows.iter().map(|row| row.1[column]).collect()))
+    }
+
+    fn placeholder() -> Self::Value {
+        [vec![0.0, 1.0], vec![1.0, 1.0]]
+    }
+
+    fn expected() -> String {
+        "the path of a CSV file with two columns, time (s) and value".into()
+    }
+
+    fn schema() -> Json {
+        json!({ "type": "string" })
+    }
+}
+
+impl Inline for Pulse {
+    fn text(_: &Self::Value) -> Option<String> {
+        None
+    }
+}

@@ -1,0 +1,297 @@
+//! Materials, sections and beams: what they accept and what they say of the rest.
+
+use percuss_scenario::{Content, Diagnostics, read};
+
+const HEAD: &str = "[material.m]\nyoung = 1e9\ndensity = 1e3\n\
+                    [section.s]\narea = 1\ninertia = 1\n";
+const BEAM: &str = "[beam.b]\npoints = [[0, 0], [3, 0]]\nelements = 6\nmaterial = \"m\"\n\
+                    section = \"s\"\n";
+const TIME: &str = "[time]\nend = 1\nstep = 0.1\n";
+
+fn file(parts: &[&str]) -> String {
+    parts.concat() + TIME
+}
+
+#[track_caller]
+fn good(text: &str) -> Content {
+    let scenario = read(text, "f.toml").unwrap_or_else(|e| panic!("{text}\n{e}"));
+    let again = read(&scenario.to_toml(), "again").unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(again.content(), scenario.content());
+    scenario.content().clone()
+}
+
+/// Reads, and compiles what reads.
+fn faults(text: &str) -> Diagnostics {
+    let read = read(text, "f.toml").and_then(|s| s.compile());
+    read.map(|_| panic!("no fault in\n{text}")).unwrap_err()
+}
+
+/// All faults of a file.
+#[track_caller]
+fn bad(text: &str, expected: &[&str]) {
+    let all = faults(text).to_string();
+    let lines: Vec<&str> = all.lines().map(|l| l.trim_start_matches("f.toml:")).collect();
+    assert_eq!(lines, expected);
+}
+
+#[test]
+fn presets_fill_in_what_is_not_given() {
+    let content = good(&file(&[
+        "[material.m]\npreset = \"aluminium\"\ndensity = 2750\n",
+        "[section.s]\narea = 1\ninertia = 1\n",
+        BEAM,
+    ]));
+    let material = &content.material[0].table;
+    assert_eq!((material.young, material.density), (Some(70e9), Some(2750.0)));
+    let material =
+        |text: &str| file(&["[section.s]\narea = 1\ninertia = 1\n", BEAM, "[material.m]\n", text]);
+    let text = faults(&material("preset = \"aluminum\"\n")).to_string();
+    assert!(
+        text.starts_with(
+            "f.toml:10:10: material.m.preset: found the text \"aluminum\", expected one of `steel`"
+        ),
+        "{text}"
+    );
+    assert!(text.ends_with("(did you mean `aluminium`?)"), "{text}");
+    bad(
+        &material("density = 1\n"),
+        &["9:1: material.m.young: found no `young`, expected a pressure (Pa), such as \"0.2e10 \
+             Pa\", or a `preset`"],
+    );
+    bad(
+        &material("preset = \"steel\"\nretardation = \"1 m\"\nmass_damping = \"1 Hz\"\n"),
+        &[
+            "11:15: material.m.retardation: found \"1 m\", which is a length (m), expected a \
+             time (s), such as \"0.15 s\"",
+            "12:16: material.m.mass_damping: found \"1 Hz\", in Hz, expected a rate (1/s), such \
+             as \"0.5 1/s\"",
+        ],
+    );
+}
+
+#[test]
+fn a_misspelt_required_key_is_one_fault() {
+    bad(
+        &file(&[
+            "[material.m]\nyuong = 1e9\ndensity = 1e3\n[section.s]\narae = 1\ninertia = 1\n",
+            BEAM,
+        ]),
+        &[
+            "2:1: material.m.yuong: found the unknown key `yuong`, expected one of `preset`, \
+             `young`, `density`, `strain`, `retardation`, `mass_damping` (did you mean `young`?)",
+            "5:1: section.s.arae: found the unknown key `arae`, expected one of \
+             `rotary_inertia`, `area`, `inertia`, `depth`, `shape` (did you mean `area`?)",
+        ],
+    );
+    let text = file(&[HEAD, &BEAM.replace("elements", "elemnts")]);
+    assert_eq!(faults(&text).all().len(), 1, "{}", faults(&text));
+    let text = file(&[HEAD, BEAM, "[support.s]\nat = \"b.start\"\nknid = \"pin\"\n"]);
+    assert_eq!(faults(&text).all().len(), 1, "{}", faults(&text));
+    let text = file(&[HEAD, BEAM]).replace("[time]", "[tim]");
+    assert_eq!(faults(&text).all().len(), 1, "{}", faults(&text));
+    // A key that another table misses stays a fault.
+    let text = file(&[HEAD, BEAM, "[section.t]\narea = 1\n"])
+        .replace("area = 1\ninertia", "area = 1\ninerta");
+    let all = faults(&text);
+    let lines: Vec<usize> = all.all().iter().map(|d| d.line).collect();
+    assert_eq!(lines, [6, 12], "{all}");
+}
+
+#[test]
+fn sections_come_in_shapes() {
+    let section =
+        |text: &str| file(&[BEAM, "[material.m]\npreset = \"steel\"\n[section.s]\n", text]);
+    for text in [
+        "shape = \"explicit\"\narea = 1\ninertia = 1\ndepth = 1\n",
+        "shape = \"rectangle\"\nwidth = \"1 cm\"\ndepth = 1\n",
+        "shape = \"circle\"\ndiameter = 1\n",
+        "shape = \"tube\"\ndiameter = 1\nthickness = 0.1\n",
+        "shape = \"i\"\nwidth = 1\ndepth = 2\nflange = 0.1\nweb = 0.1\n",
+        "shape = \"box\"\nwidth = 1\ndepth = 2\nthickness = 0.1\n",
+        "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \"t\"]\n[section.t]\narea = \
+         1\ninertia = 1\n",
+    ] {
+        good(&section(text));
+    }
+    for (text, expected) in [
+        (
+            "area = 1\ninertia = 1\ndepth = 0\n",
+            "11:9: section.s.depth: found 0 m, expected a depth above zero",
+        ),
+        (
+            "shape = \"circle\"\ndiameter = -1\n",
+            "10:12: section.s.diameter: found -1 m, expected a diameter above zero",
+        ),
+        (
+            "shape = \"tube\"\ndiameter = 1\nthickness = 0.5\n",
+            "11:13: section.s.thickness: found 0.5 m, expected less than half the diameter, 0.5 m",
+        ),
+        (
+            "shape = \"i\"\nwidth = 1\ndepth = 2\nflange = 1\nweb = 0.1\n",
+            "12:10: section.s.flange: found 1 m, expected less than half the depth, 1 m",
+        ),
+        (
+            "shape = \"i\"\nwidth = 1\ndepth = 2\nflange = 0.1\nweb = 1.5\n",
+            "13:7: section.s.web: found 1.5 m, expected less than the width, 1 m",
+        ),
+        (
+            "shape = \"box\"\nwidth = 1\ndepth = 2\nthickness = 0.5\n",
+            "12:13: section.s.thickness: found 0.5 m, expected less than half the smaller side, \
+             0.5 m",
+        ),
+        (
+            "shape = \"rectangle\"\nwidth = \"1 cm^2\"\ndepth = 1\n",
+            "10:9: section.s.width: found \"1 cm^2\", which is an area (m^2), expected a length \
+             (m), such as \"3 m\"",
+        ),
+        (
+            "shape = \"tapered\"\nstations = [0, 0.5]\nsections = [\"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "10:12: section.s.stations: found stations from 0 to 0.5, expected stations from 0 \
+             to 1",
+        ),
+        (
+            "shape = \"tapered\"\nstations = [0, 0.5, 0.5, 1]\nsections = [\"t\", \"t\", \"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "10:12: section.s.stations: found 0.5 after 0.5, expected stations that increase",
+        ),
+        (
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\"]\n[section.t]\narea = \
+             1\ninertia = 1\n",
+            "11:12: section.s.sections: found 1 section for 2 stations, expected a section for \
+             each station",
+        ),
+        (
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"s\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "11:12: section.s.sections: found \"s\", which is tapered itself, expected sections \
+             that do not vary along the beam",
+        ),
+        (
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"tt\"]\n[section.t]\narea = 1\ninertia = 1\n",
+            "11:18: section.s.sections: found the unknown section \"tt\", expected one of `s`, \
+             `t` (did you mean `t`?)",
+        ),
+        // What follows from the section named is not told again.
+        (
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = 0\n",
+            "14:11: section.t.inertia: found 0 m^4, expected a second moment of area above zero",
+        ),
+        (
+            "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
+             \"t\"]\n[section.t]\narea = 1\ninertia = \"1 m\"\n",
+            "14:11: section.t.inertia: found \"1 m\", which is a length (m), expected a second \
+             moment of area (m^4), such as \"8330 cm^4\"",
+        ),
+    ] {
+        bad(&section(text), &[expected]);
+    }
+    let text = faults(&section("area = 1\ninertia = 1\nweb = 1\n")).to_string();
+    assert!(
+        text.contains("found `web`, which belongs to shape = \"i\", expected one of"),
+        "{text}"
+    );
+    let text = faults(&section("shape = \"tub\"\n")).to_string();
+    assert!(text.contains("(did you mean `tube`?)"), "{text}");
+}
+
+fn beam(from: &str, to: &str) -> String {
+    assert!(BEAM.contains(from));
+    file(&[HEAD, &BEAM.replace(from, to)])
+}
+
+#[test]
+fn elements_are_given_by_number_or_by_length() {
+    let table = good(&beam("elements = 6", "element_length = \"10 cm\"")).beam[0].table.clone();
+    assert_eq!((table.elements, table.element_length), (None, Some(0.1)));
+    bad(
+        &beam("elements = 6", "elements = 6\nelement_length = \"10 cm\""),
+        &["10:18: beam.b.element_length: found `element_length` besides `elements`, expected \
+             one of the two"],
+    );
+    bad(
+        &beam("elements = 6\n", ""),
+        &["7:1: beam.b.elements: found no number of elements, expected `elements`, such as 6, \
+             or `element_length`, such as \"0.1 m\""],
+    );
+    bad(
+        &beam("elements = 6", "element_length = \"10 cm^2\""),
+        &["9:18: beam.b.element_length: found \"10 cm^2\", which is an area (m^2), expected a \
+             length (m), such as \"3 m\""],
+    );
+}
+
+#[test]
+fn curves_gradings_and_changes_are_read() {
+    let more = "elements = 6\ncurve = \"spline\"\ngrading = { towards = \"0.75 m\", ratio = 4 }\n\
+                changes = [{ at = \"mid\", material = \"m\" }, { at = 0.75, section = \"s\" }]";
+    good(&beam("elements = 6", more));
+    let change = |text: &str| beam("elements = 6", &format!("elements = 6\n{text}"));
+    bad(
+        &change("curve = \"arch\""),
+        &["10:9: beam.b.curve: found the text \"arch\", expected one of `polyline`, `arc`, \
+             `spline` (did you mean `arc`?)"],
+    );
+    bad(
+        &change("grading = { towards = \"middle\", ratio = \"2 m\" }"),
+        &[
+            "10:23: beam.b.grading.towards: found the text \"middle\", expected a place along \
+             the beam: \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\" (did you mean `mid`?)",
+            "10:41: beam.b.grading.ratio: found \"2 m\", which is a length (m), expected a \
+             number, such as 0.8",
+        ],
+    );
+    bad(
+        &change("grading = 3"),
+        &["10:11: beam.b.grading: found the number 3, expected a table { towards = ..., ratio \
+             = ... }"],
+    );
+    bad(
+        &change(
+            "changes = [{ at = \"3 kg\", section = \"s\" }, { at = 0.1 }, { section = \"x\" }]",
+        ),
+        &[
+            "10:19: beam.b.changes.at: found `3 kg`, which is a mass (kg), expected a fraction \
+             or a length, such as 0.25 or 0.75m",
+            "10:44: beam.b.changes: found a change of nothing, expected `section`, `material` or \
+             both",
+            "10:58: beam.b.changes.at: found no `at`, expected a place along the beam: \
+             \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\"",
+            "10:70: beam.b.changes.section: found the unknown section \"x\", expected `s`",
+        ],
+    );
+}
+
+#[test]
+fn points_come_from_files() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/f.toml");
+    let text = beam("[[0, 0], [3, 0]]", "\"line.csv\"");
+    let scenario = read(&text, folder).unwrap_or_else(|e| panic!("{e}"));
+    let expected = [[0.0, 0.0], [1.0, 0.25], [2.0, 0.25], [3.0, 0.0]];
+    assert_eq!(scenario.content().beam[0].table.points, expected);
+    for (rows, found) in [
+        ("0,0\n1,zwei\n", "\"zwei\", which is no finite number, in line 2 of \"FILE\""),
+        ("x,y\n0,0\n\n1,2,3\n", "3 columns in line 4 of \"FILE\""),
+        ("1\n2\n", "1 column in line 1 of \"FILE\""),
+        ("0 0\n1 inf\n", "\"inf\", which is no finite number, in line 2 of \"FILE\""),
+    ] {
+        let name = format!("percuss-points-{}-{}.csv", std::process::id(), rows.len());
+        let path = std::env::temp_dir().join(name);
+        std::fs::write(&path, rows).unwrap();
+        let path_text = path.display().to_string();
+        let text = beam("[[0, 0], [3, 0]]", &format!("'{path_text}'"));
+        let expected = format!(
+            "8:10: beam.b.points: found {}, expected a CSV file with two columns, x and y (m)",
+            found.replace("FILE", &path_text)
+        );
+        bad(&text, &[&expected]);
+        std::fs::remove_file(path).unwrap();
+    }
+    bad(
+        &beam("[[0, 0], [3, 0]]", "\"none.csv\""),
+        &["8:10: beam.b.points: found \"none.csv\", which does not exist, expected a CSV file \
+             with two columns, x and y (m)"],
+    );
+}
