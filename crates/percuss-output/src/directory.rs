@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 
 /// What a run may leave in its directory; everything else found there is somebody's own and is kept.
-const OURS: [&str; 9] = [
+const OURS: [&str; 10] = [
     "scenario.toml",
     "summary.json",
     "history.parquet",
     "history.csv",
     "history.units.json",
     "comparison.csv",
+    "envelopes.csv",
     "report.html",
     "figures",
     "fields",

@@ -7,6 +7,7 @@
 mod comparison;
 mod csv_text;
 mod directory;
+mod envelopes;
 mod error;
 mod files;
 mod history;
@@ -15,6 +16,7 @@ mod summary;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
 pub use directory::RunDirectory;
+pub use envelopes::{BeamEnvelope, read_envelopes, write_envelopes};
 pub use error::Error;
 pub use history::{
     Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,

@@ -11,7 +11,8 @@ use std::time::Instant;
 use percuss::{RunSummary, Simulation, Termination};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_summary,
+    HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_envelopes,
+    write_summary,
 };
 use serde_json::Value;
 
@@ -80,6 +81,7 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     let info = RunInfo { title: &compiled.title, settings: &compiled.settings, wall_seconds };
     let value = summary_value(&summary, info);
     write_summary(dir, &value)?;
+    write_envelopes(dir, &summary.section_forces)?;
     Ok(Ended { summary, value, energy: energy.unwrap_or_default() })
 }
 
