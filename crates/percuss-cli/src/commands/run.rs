@@ -5,7 +5,7 @@ mod books;
 mod comparison;
 mod recorder;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination};
@@ -36,7 +36,7 @@ struct Ended {
 pub fn run(arguments: &Run) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     interrupt::install()?;
-    let out = arguments.out.clone().unwrap_or_else(|| default_directory(&arguments.file));
+    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
     let directory = RunDirectory::create(&out)?;
     interrupt::protect(directory.path());
     let ended = simulate(&ready, arguments, directory.path())?;
@@ -46,11 +46,6 @@ pub fn run(arguments: &Run) -> Result<Status, Failure> {
     };
     interrupt::commit(directory)?;
     conclude(&ended, arguments, &out, report)
-}
-
-/// `runs/<file stem>`.
-fn default_directory(file: &Path) -> PathBuf {
-    Path::new("runs").join(file.file_stem().unwrap_or("run".as_ref()))
 }
 
 /// Simulates; scenario, history and summary are then in `dir`.

@@ -10,7 +10,7 @@ use super::html::{self, escape};
 use super::{audit, payload, results};
 
 const TEMPLATE: &str = include_str!("../../../../web/report.html");
-const STYLE: &str = include_str!("../../../../web/report.css");
+pub(crate) const STYLE: &str = include_str!("../../../../web/report.css");
 const SCRIPT: &str = include_str!("../../../../web/report.js");
 const UPLOT: &str = include_str!("../../../../web/vendor/uplot/uPlot.iife.min.js");
 const UPLOT_STYLE: &str = include_str!("../../../../web/vendor/uplot/uPlot.min.css");
@@ -51,7 +51,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
 }
 
 /// Replaces every `{{hole}}` of the template, looking at nothing that was put in.
-fn fill_holes(template: &str, fill: impl Fn(&str) -> String) -> String {
+pub(crate) fn fill_holes(template: &str, fill: impl Fn(&str) -> String) -> String {
     let mut out = String::new();
     let mut rest = template;
     while let Some((before, after)) = rest.split_once("{{") {
