@@ -129,7 +129,14 @@ fn evaluate<'a>(curve: &Curve, column: impl Fn(usize) -> &'a [f64], out: &mut Ve
 }
 
 impl Draft {
-    fn drawn(self, x: Vec<f64>, columns: Vec<Vec<f64>>, time: &Scale) -> Option<Figure> {
+    fn drawn(self, mut x: Vec<f64>, mut columns: Vec<Vec<f64>>, time: &Scale) -> Option<Figure> {
+        if self.figure.section == Section::Supports && x.len() > 1 {
+            // Means since the row before: the first row has none.
+            x.remove(0);
+            columns.iter_mut().filter(|y| !y.is_empty()).for_each(|y| {
+                y.remove(0);
+            });
+        }
         let size = largest(columns.iter().flatten());
         let stays = |y: &[f64]| match self.omit {
             Omit::Nothing => true,

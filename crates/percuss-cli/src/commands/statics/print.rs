@@ -45,8 +45,10 @@ pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
     let steps = count(found.load_steps, "load step");
     let mut text =
         format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
-    for (name, [u1, u2]) in &found.points {
-        text.push_str(&format!("  {name}: displacement {} m, {} m\n", number(*u1), number(*u2)));
+    let moved = largest(found.points.iter().flat_map(|(_, u)| u));
+    for (name, u) in &found.points {
+        let [u1, u2] = u.map(|u| beside(moved, u));
+        text.push_str(&format!("  {name}: displacement {u1} m, {u2} m\n"));
     }
     if found.points.is_empty() {
         text.push_str("  no points recorded: `[record] points = [\"beam.mid\"]` names some\n");
@@ -54,10 +56,9 @@ pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
     if !found.reactions.is_empty() {
         text.push_str("reactions, on the structure\n");
     }
-    let size = largest(found);
+    let size = largest(found.reactions.iter().flat_map(|(_, r)| r));
     for (name, reaction) in &found.reactions {
-        let [f1, f2, moment] =
-            reaction.map(|r| number(if r.abs() < 1e-12 * size { 0.0 } else { r }));
+        let [f1, f2, moment] = reaction.map(|r| beside(size, r));
         text.push_str(&format!("  {name}: force {f1} N, {f2} N, moment {moment} N m\n"));
     }
     text.push_str("section forces, smallest to largest\n");
@@ -83,9 +84,13 @@ pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
     text
 }
 
-/// Largest reaction, beside which others are round-off.
-fn largest(found: &Equilibrium) -> f64 {
-    found.reactions.iter().flat_map(|(_, r)| r).fold(0.0, |most: f64, r| most.max(r.abs()))
+fn largest<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
+    values.fold(0.0, |most: f64, v| most.max(v.abs()))
+}
+
+/// A number, zero if it is round-off beside `size`.
+fn beside(size: f64, value: f64) -> String {
+    number(if value.abs() < 1e-12 * size { 0.0 } else { value })
 }
 
 fn in_words(range: &SectionRange, unit: &str) -> String {
