@@ -92,6 +92,9 @@ pub fn write_modes(dir: impl AsRef<Path>, info: &ModesInfo<'_>) -> Result<(), Er
     if !panels.is_empty() {
         let scene = shapes::sheet(info.model, info.displacement, &panels);
         let svg = SvgBackend::new().render_scene(&scene);
+        // Without a view box a browser cuts the sheet instead of scaling it.
+        let view = format!("<svg viewBox=\"0 0 {} {}\" ", scene.width, scene.height);
+        let svg = if svg.contains("viewBox") { svg } else { svg.replacen("<svg ", &view, 1) };
         files::write(&dir.join("modes.html"), html(info, &svg).as_bytes())?;
         pictures::draw(dir, "modes", scene)?;
     }

@@ -110,14 +110,22 @@ fn text_of_users_stays_text() -> Outcome {
     data.summary["error"] = json!(evil);
     data.summary["settings"]["scheme"] = json!(evil);
     data.summary["status"] = json!(evil);
-    for part in ["projectile", "contact", "point"] {
-        data.summary[part] = json!({ evil: data.summary[part]["hammer"].clone() });
+    for (part, name) in [
+        ("projectile", "hammer"),
+        ("contact", "hammer"),
+        ("point", "girder.mid"),
+        ("support", "left"),
+        ("section_forces", "girder"),
+    ] {
+        data.summary[part] = json!({ evil: data.summary[part][name].clone() });
     }
+    data.envelopes = vec![envelope(evil, 1.0), envelope(evil, 2.0), envelope("c", 3.0)];
     data.scenario = evil.to_owned();
     data.comparison[0].label = evil.to_owned();
     memory(&mut data).source = evil.to_owned();
     for channel in &mut memory(&mut data).channels {
-        channel.name = channel.name.replace("hammer", evil).replace("girder.mid", evil);
+        let name = channel.name.replace("hammer", evil).replace("girder.mid", evil);
+        channel.name = name.replace("left", evil);
     }
     let page = page(&data)?;
     let usual = self::page(&rigid()?)?;

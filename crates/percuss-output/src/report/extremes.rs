@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::html::table;
-use super::quantity::quantity;
+use super::quantity::{number, quantity};
 
 /// Rows shown of a table.
 const LISTED: usize = 400;
@@ -64,7 +64,7 @@ fn listing(
             for end in ["min", "max"] {
                 let value = |key: &str, unit: &str| quantity(range[end][key].as_f64(), unit);
                 row.push(value("value", unit));
-                row.extend(place.then(|| value("s", "m")));
+                row.extend(place.then(|| metres(&range[end]["s"])));
                 row.push(value("time", "s"));
             }
             rows.push(row);
@@ -80,6 +80,11 @@ fn listing(
         out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
     }
     out
+}
+
+/// An arc length without a prefix, so that places compare.
+fn metres(s: &Value) -> String {
+    s.as_f64().map_or("\u{2013}".to_owned(), |s| format!("{}\u{a0}m", number(s)))
 }
 
 /// Largest magnitude of the forces of all supports.

@@ -89,7 +89,7 @@ fn decimation(data: &ReportData, figures: &[Figure]) -> String {
     let rows = data.history.rows();
     let fewest = figures
         .iter()
-        .filter(|f| f.abscissa == Abscissa::Time)
+        .filter(|f| f.abscissa == Abscissa::Time && f.section != Section::Supports)
         .filter(|f| f.id != "restitution" && !f.id.starts_with("impulse"))
         .flat_map(|f| &f.tables)
         .map(|t| t.x.len())
