@@ -101,7 +101,7 @@ fn curves(model: &Model, displacement: impl Fn(usize) -> [f64; 4]) -> Curves {
     let pieces = (POINTS / model.element_count().max(1)).clamp(1, MOST_PIECES);
     let stride = model.element_count().div_ceil(POINTS).max(1);
     let of_beam = |name: &str| {
-        let elements = model.beam_elements(name).unwrap_or_default();
+        let elements: Vec<_> = model.beam_elements(name).collect();
         let last = elements.len().saturating_sub(1);
         let mut curve: Vec<[f64; 2]> = Vec::new();
         for (k, (node, length, ends)) in elements.into_iter().enumerate() {
