@@ -167,6 +167,27 @@ fn a_path_that_ends_too_soon_is_written_and_fails() {
 }
 
 #[test]
+fn the_moment_that_the_green_law_cannot_carry_is_told() {
+    let desk = Desk::empty();
+    let green = CANTILEVER
+        .replace("young =", "strain = \"green\"\nyoung =")
+        .replace("force = [0, \"-100 N\"]", "moment = \"1 MN m\"");
+    desk.put("green.toml", format!("{green}{CLAMP}"));
+    let found = desk.percuss(&["static", "green.toml"]);
+    found.ends_with(3).tells("Green strains").tells("`arm`").tells("percuss static --path");
+    assert_eq!(found.stdout, "");
+}
+
+#[test]
+fn a_path_without_a_load_has_no_beginning() {
+    let desk = Desk::empty();
+    let bare = CANTILEVER.replace("[0, \"-100 N\"]", "[0, 0]");
+    desk.put("bare.toml", format!("{bare}{CLAMP}"));
+    desk.percuss(&["static", "bare.toml", "--path"]).ends_with(3).tells("a path begins with");
+    assert_eq!(desk.names(), ["bare.toml"], "nothing is written");
+}
+
+#[test]
 fn a_path_overwrites_no_run() {
     let desk = Desk::empty();
     desk.put("arch.toml", ARCH);

@@ -51,6 +51,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
         Ok(path) => path,
         Err(error) => {
             terminal::error(&error.to_string());
+            terminal::tell("a path begins with the response to the loads that act at time zero");
             return Ok(Status::GaveUp);
         }
     };
