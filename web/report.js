@@ -41,7 +41,12 @@ async function unpack(index, text) {
 // Figures.
 
 const HEIGHT = 330;
-const DASHES = [[], [], [9, 4], [2, 3], [9, 3, 2, 3], [14, 5], [5, 2]];
+const SMALL_HEIGHT = 200;
+const DASHES = [[], [], [9, 4], [2, 3], [9, 3, 2, 3], [14, 5], [5, 2], [1, 2], [12, 3, 2, 3, 2, 3]];
+
+function heightOf(figure) {
+  return figure.small ? SMALL_HEIGHT : HEIGHT;
+}
 
 function dashOf(series) {
   return series.dashed ? DASHES[series.style] : [];
@@ -173,20 +178,22 @@ function axisSize(u, values, axisIndex) {
 function options(figure, width, onZoom) {
   const series = figure.tables.flatMap((t) => t.series);
   const hasZero = figure.from_zero || series.some((s) => s.shape === "stem");
+  const yRange = figure.range ?? (hasZero ? rangeWithZero : range);
   return {
     width,
-    height: HEIGHT,
+    height: heightOf(figure),
     series: [
-      { label: "time", value: (u, v) => withUnit(v, figure.x.unit) },
+      { label: figure.own ? figure.x.caption.replace(/ \[.*/, "") : "time", value: (u, v) => withUnit(v, figure.x.unit) },
       ...series.map((s) => seriesOptions(figure, s)),
     ],
-    scales: { x: { time: false }, y: { range: hasZero ? rangeWithZero : range }, band: { range: [0, 1] } },
+    scales: { x: { time: false }, y: { range: yRange }, band: { range: [0, 1] } },
     axes: [axis(figure.x.caption, { labelSize: 22, size: 32 }), axis(figure.y.caption, { labelSize: 22, size: axisSize })],
     cursor: {
       drag: { x: true, y: false },
-      sync: { key: "percuss", setSeries: false, filters: { pub: (type) => type === "mousemove" || type === "mouseleave" } },
+      ...(figure.own ? {} : { sync: { key: "percuss", setSeries: false, filters: { pub: (type) => type === "mousemove" || type === "mouseleave" } } }),
       points: { size: 6 },
     },
+    bands: figure.filled ? [{ series: [1, 2], fill: colour("--c1") + "2e" }] : [],
     legend: { live: true },
     hooks: { setScale: [(u, key) => key === "x" && onZoom(u)] },
   };
@@ -216,6 +223,16 @@ function finishLegend(u, figure) {
   });
 }
 
+// First and last abscissa of all of them.
+function wholeOf(entries) {
+  const ends = entries.filter((e) => e.data[0].length).map((e) => [e.data[0][0], e.data[0][e.data[0].length - 1]]);
+  const whole = [Math.min(...ends.map((e) => e[0])), Math.max(...ends.map((e) => e[1]))];
+  const low = Number.isFinite(whole[0]) ? whole[0] : 0;
+  if (!(whole[1] > whole[0])) return [low, low + 1];
+  whole[1] += 1e-6 * (whole[1] - whole[0]); // so that the last tick is there
+  return whole;
+}
+
 class Report {
   constructor(figures, columns) {
     this.entries = figures
@@ -226,10 +243,8 @@ class Report {
         plot: null,
       }))
       .filter((entry) => entry.element);
-    const ends = this.entries.filter((e) => e.data[0].length).map((e) => [e.data[0][0], e.data[0][e.data[0].length - 1]]);
-    this.whole = [Math.min(...ends.map((e) => e[0])), Math.max(...ends.map((e) => e[1]))];
-    if (!(this.whole[1] > this.whole[0])) this.whole = [this.whole[0] || 0, (this.whole[0] || 0) + 1];
-    this.whole[1] += 1e-6 * (this.whole[1] - this.whole[0]); // so that the last tick is there
+    for (const entry of this.entries) if (entry.figure.own) entry.range = entry.whole = wholeOf([entry]);
+    this.whole = wholeOf(this.entries.filter((entry) => !entry.figure.own));
     this.range = this.whole;
     this.zooming = false;
   }
@@ -240,40 +255,47 @@ class Report {
       const hidden = entry.plot ? entry.plot.series.map((s) => !s.show) : [];
       if (entry.plot) entry.plot.destroy();
       this.zooming = true;
-      const plot = new uPlot(options(entry.figure, place.clientWidth, (u) => this.zoom(u)), entry.data, place);
+      const plot = new uPlot(options(entry.figure, place.clientWidth, (u) => this.zoom(u, entry)), entry.data, place);
       hidden.forEach((hide, k) => hide && plot.setSeries(k, { show: false }));
-      plot.setScale("x", { min: this.range[0], max: this.range[1] });
+      const shown = entry.range ?? this.range;
+      plot.setScale("x", { min: shown[0], max: shown[1] });
       plot.ctx.canvas.setAttribute("role", "img");
       plot.ctx.canvas.setAttribute("aria-label", `${entry.figure.title}: ${entry.figure.y.caption} over ${entry.figure.x.caption}`);
-      plot.over.addEventListener("dblclick", () => this.reset());
+      plot.over.addEventListener("dblclick", () => this.reset(entry));
       finishLegend(plot, entry.figure);
       entry.plot = plot;
     }
     queueMicrotask(() => (this.zooming = false));
   }
 
-  zoom(source) {
+  // A figure over its own abscissa is zoomed alone.
+  zoom(source, entry) {
     if (this.zooming || source.scales.x.min == null) return;
+    if (entry.figure.own) {
+      entry.range = [source.scales.x.min, source.scales.x.max];
+      return;
+    }
     this.show([source.scales.x.min, source.scales.x.max], source);
   }
 
   show(range, except) {
     this.range = range;
     this.zooming = true;
-    for (const { plot } of this.entries) {
-      if (plot !== except) plot.setScale("x", { min: range[0], max: range[1] });
+    for (const { plot, figure } of this.entries) {
+      if (plot !== except && !figure.own) plot.setScale("x", { min: range[0], max: range[1] });
     }
     queueMicrotask(() => (this.zooming = false)); // uPlot commits scales in a microtask of its own
   }
 
-  reset() {
-    this.show(this.whole, null);
+  reset(entry) {
+    if (!entry || !entry.figure.own) return this.show(this.whole, null);
+    entry.plot.setScale("x", { min: entry.whole[0], max: entry.whole[1] });
   }
 
   resize() {
     for (const { element, plot } of this.entries) {
       const width = element.querySelector(".plot").clientWidth;
-      if (plot && width !== plot.width) plot.setSize({ width, height: HEIGHT });
+      if (plot && width !== plot.width) plot.setSize({ width, height: plot.height });
     }
   }
 }
@@ -336,5 +358,5 @@ if (typeof document !== "undefined") {
     console.error(error);
   });
 } else if (typeof module !== "undefined") {
-  module.exports = { bytesFromBase64, inflate, column, unpack, significant, withUnit, spansOf, bandValue };
+  module.exports = { bytesFromBase64, inflate, column, unpack, significant, withUnit, spansOf, bandValue, wholeOf };
 }

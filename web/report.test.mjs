@@ -5,7 +5,7 @@ import { createRequire } from "node:module";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 
-const { unpack, significant, withUnit, spansOf, bandValue } = createRequire(import.meta.url)("./report.js");
+const { unpack, significant, withUnit, spansOf, bandValue, wholeOf } = createRequire(import.meta.url)("./report.js");
 
 function shuffled(values) {
   const plain = Buffer.from(values.buffer);
@@ -47,4 +47,13 @@ test("a band tells the impulse of the span under the cursor", () => {
   assert.equal(bandValue(figure, spans, 3), "9 kN s, 2 to 3.5 ms");
   assert.equal(bandValue(figure, spans, 0.5), "");
   assert.equal(bandValue(figure, spans, null), "");
+});
+
+test("figures over time share their span, an empty one has some", () => {
+  const entry = (...x) => ({ data: [x] });
+  const [low, high] = wholeOf([entry(0, 2), entry(1, 5), entry()]);
+  assert.equal(low, 0);
+  assert.ok(high > 5 && high < 5.001);
+  assert.deepEqual(wholeOf([entry()]), [0, 1]);
+  assert.deepEqual(wholeOf([entry(3)]), [3, 4]);
 });

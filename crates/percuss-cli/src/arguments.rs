@@ -35,6 +35,30 @@ Examples:
   percuss run plank.toml --set time.step=\"1e-5 s\" --history csv
   percuss run plank.toml --json --quiet | jq .energy.residual_max";
 
+const STATIC: &str = "\
+Prints displacements of the recorded points, reactions of the supports (on the structure, signed),
+smallest and largest section forces of every beam, and the factor at which the loads buckle the
+linearised structure, if they do.
+
+With --path all loads grow with one factor, and the path is followed by arc length: past limit
+points, where a search in load steps ends. Where it begins and ends is set by [path] in the scenario;
+without it the path ends at the factor 1. Prescribed motions take no part in it.
+
+Examples:
+  percuss static frame.toml
+  percuss static frame.toml --set load.roof.force=\"[0, -20e3]\" --json | jq .support
+  percuss static arch.toml --path --out results/arch
+  percuss static arch.toml --path --set path.factor=2";
+
+const MODES: &str = "\
+A frequency of zero is a motion of a rigid body or of a mechanism. About a static equilibrium stresses
+count; a mode that grows says that the equilibrium is unstable.
+
+Examples:
+  percuss modes frame.toml
+  percuss modes frame.toml --count 20 --about static --out results/modes
+  percuss modes frame.toml --json | jq '.modes[].frequency'";
+
 const VERIFY: &str = "\
 Exit status: 0 if every case holds, 3 if one does not, 2 for an unknown case.
 
@@ -65,7 +89,11 @@ pub enum Command {
     /// Say everything that is wrong with a scenario, or that nothing is
     Check(Check),
     /// Static equilibrium under the loads that act at time zero; projectiles take no part
+    #[command(after_help = format!("{STATIC}\n\n{EXIT_STATUS}"))]
     Static(Static),
+    /// Natural frequencies and mode shapes; projectiles take no part
+    #[command(after_help = format!("{MODES}\n\n{EXIT_STATUS}"))]
+    Modes(Modes),
     /// Print a commented scenario to start from; without a template, list them
     New(New),
     /// Print the JSON Schema of scenario files, for completion in editors
@@ -150,6 +178,44 @@ pub struct Static {
     /// Print the result as JSON and nothing else
     #[arg(long)]
     pub json: bool,
+    /// Follow the equilibrium path by arc length; writes path.csv and a picture
+    #[arg(long)]
+    pub path: bool,
+    /// Directory of the path; an earlier one in it is replaced [default: runs/ and the name of FILE with -path]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, requires = "path")]
+    pub out: Option<PathBuf>,
+}
+
+/// Arguments of `modes`.
+#[derive(Args, Debug)]
+pub struct Modes {
+    /// Scenario file
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Number of modes, from the lowest on
+    #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub count: u32,
+    /// Configuration they are taken about [default: static if the scenario starts from it, else reference]
+    #[arg(long, value_enum, value_name = "CONFIGURATION")]
+    pub about: Option<About>,
+    /// Directory of the results; earlier modes in it are replaced [default: runs/ and the name of FILE with -modes]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Change a value of the scenario, such as beam.girder.elements=20; may be given again
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Print modes.json to standard output, and no table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What modes are taken about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum About {
+    /// The reference configuration, free of stress
+    Reference,
+    /// Static equilibrium under the loads that act at time zero
+    Static,
 }
 
 /// Arguments of `new`.

@@ -21,6 +21,7 @@ fn main() -> ExitCode {
         Command::Run(arguments) => commands::run::run(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),
         Command::Static(arguments) => commands::statics::run(&arguments),
+        Command::Modes(arguments) => commands::modes::run(&arguments),
         Command::New(arguments) => commands::new::run(&arguments),
         Command::Schema => commands::schema::run(),
         Command::Report(arguments) => commands::report::run(&arguments),

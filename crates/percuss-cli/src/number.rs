@@ -2,6 +2,7 @@
 
 /// Six significant digits, with an exponent where the plain form would be long.
 pub fn number(x: f64) -> String {
+    let x = x + 0.0; // -0 is 0
     if !x.is_finite() {
         return if x.is_nan() { "unknown".into() } else { x.to_string() };
     }
@@ -37,6 +38,7 @@ mod tests {
     fn six_digits_are_kept_and_no_more() {
         let cases = [
             (0.0, "0"),
+            (-0.0, "0"),
             (1.0, "1"),
             (0.15, "0.15"),
             (1e5, "100000"),

@@ -1,7 +1,8 @@
 //! A scenario file from disk, with the changes of `--set`, ready to run.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use percuss::mechanism;
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::outcome::Failure;
@@ -25,6 +26,29 @@ pub fn read(file: &Path, changes: &[String]) -> Result<Ready, Failure> {
     let scenario = changed(file, changes).map_err(failure)?;
     let compiled = scenario.compile().map_err(failure)?;
     Ok(Ready { scenario, compiled })
+}
+
+/// Where the results of `file` go unless the user says otherwise: `runs/<file stem><suffix>`.
+pub fn results(file: &Path, suffix: &str) -> PathBuf {
+    let mut name = file.file_stem().unwrap_or("run".as_ref()).to_owned();
+    name.push(suffix);
+    Path::new("runs").join(name)
+}
+
+impl Ready {
+    /// Refuses a structure that can move without being strained: it has no static equilibrium.
+    ///
+    /// # Errors
+    /// The mechanism, with its place in the file.
+    pub fn refuse_mechanism(&self, changes: &[String]) -> Result<(), Failure> {
+        match mechanism(&self.compiled.model) {
+            None => Ok(()),
+            Some(fault) => {
+                let faults = Box::new(self.scenario.diagnostics(vec![fault]));
+                Err(Failure::Faults { faults, changed: !changes.is_empty() })
+            }
+        }
+    }
 }
 
 fn changed(file: &Path, changes: &[String]) -> Result<Scenario, Diagnostics> {

@@ -93,9 +93,14 @@ fn help_and_version_go_to_standard_output() {
     let desk = Desk::empty();
     let version = desk.percuss(&["--version"]);
     assert_eq!(version.ends_with(0).stdout, format!("percuss {}\n", env!("CARGO_PKG_VERSION")));
-    for command in ["run", "check", "new", "schema", "report", "verify", "completions"] {
+    for command in
+        ["run", "check", "static", "modes", "new", "schema", "report", "verify", "completions"]
+    {
         assert!(desk.percuss(&["--help"]).stdout.contains(command));
         assert!(desk.percuss(&[command, "--help"]).ends_with(0).stdout.contains("Usage"));
+    }
+    for command in ["run", "static", "modes", "verify"] {
+        assert!(desk.percuss(&[command, "--help"]).stdout.contains("Examples:"), "{command}");
     }
 }
 

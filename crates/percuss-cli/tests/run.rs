@@ -5,7 +5,8 @@ mod common;
 use common::{Desk, names};
 use percuss_output::read_history;
 
-const FILES: [&str; 4] = ["figures", "report.html", "scenario.toml", "summary.json"];
+const FILES: [&str; 5] =
+    ["envelopes.csv", "figures", "report.html", "scenario.toml", "summary.json"];
 
 #[track_caller]
 fn number(value: &serde_json::Value, pointer: &str) -> f64 {
@@ -48,6 +49,10 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
         "/contact/mass/intervals/0/impulse",
         "/point/girder.mid/displacement_max/component_1/value",
         "/point/girder.mid/displacement_max/component_2/time",
+        "/energy/loss_damping",
+        "/support/left/force_2/min/value",
+        "/section_forces/girder/moment/max/s",
+        "/section_forces/girder/moment_max/value",
     ] {
         number(&summary, pointer);
     }
@@ -91,7 +96,7 @@ fn the_coefficients_compared_are_those_asked_for() {
     desk.percuss(&["run", "rigid.toml", "--no-report", "-q"]).ends_with(0);
     assert_eq!(
         names(&desk.path("runs/rigid")),
-        ["history.parquet", "scenario.toml", "summary.json"]
+        ["envelopes.csv", "history.parquet", "scenario.toml", "summary.json"]
     );
 }
 
@@ -165,7 +170,10 @@ fn a_run_replaces_the_one_before() {
     let desk = Desk::new();
     desk.percuss(&["run", "elastic.toml", "--out", "out", "--history", "csv", "-q"]).ends_with(0);
     desk.percuss(&["run", "rigid.toml", "--out", "out", "--no-report", "-q"]).ends_with(0);
-    assert_eq!(names(&desk.path("out")), ["history.parquet", "scenario.toml", "summary.json"]);
+    assert_eq!(
+        names(&desk.path("out")),
+        ["envelopes.csv", "history.parquet", "scenario.toml", "summary.json"]
+    );
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     // A faulty scenario leaves it alone.
     let faulty = ["run", "elastic.toml", "--out", "out", "--set", "beam.girder.elements=0"];
@@ -222,4 +230,16 @@ fn a_report_needs_a_run() {
     desk.percuss(&["run", "elastic.toml", "--no-report", "-q"]).ends_with(0);
     std::fs::remove_file(desk.path("runs/elastic/history.parquet")).expect("a file");
     desk.percuss(&["report", "runs/elastic"]).ends_with(2).tells("holds no history");
+}
+
+#[test]
+fn a_report_made_again_has_the_envelopes() {
+    let desk = Desk::new();
+    desk.percuss(&["run", "elastic.toml", "--out", "out", "-q"]).ends_with(0);
+    let page = || std::fs::read_to_string(desk.path("out/report.html")).expect("a page");
+    let first = page();
+    assert!(first.contains("\"envelope-moment-girder\"") && first.contains("\"reaction-2\""));
+    std::fs::remove_file(desk.path("out/report.html")).expect("a page");
+    desk.percuss(&["report", "out"]).ends_with(0);
+    assert!(page() == first);
 }

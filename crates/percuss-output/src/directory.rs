@@ -5,18 +5,56 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 
-/// What a run may leave in its directory; everything else found there is somebody's own and is kept.
-const OURS: [&str; 9] = [
-    "scenario.toml",
-    "summary.json",
-    "history.parquet",
-    "history.csv",
-    "history.units.json",
-    "comparison.csv",
-    "report.html",
-    "figures",
-    "fields",
-];
+/// What a directory of results holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Results {
+    /// A run.
+    Run,
+    /// Natural modes.
+    Modes,
+    /// An equilibrium path.
+    Path,
+}
+
+impl Results {
+    /// What may be left in the directory; everything else found there is somebody's own and is kept.
+    fn ours(self) -> &'static [&'static str] {
+        match self {
+            Self::Run => &[
+                "scenario.toml",
+                "summary.json",
+                "history.parquet",
+                "history.csv",
+                "history.units.json",
+                "comparison.csv",
+                "envelopes.csv",
+                "report.html",
+                "figures",
+                "fields",
+            ],
+            Self::Modes => &["modes.json", "shapes.csv", "modes.svg", "modes.png", "modes.html"],
+            Self::Path => &["path.json", "path.csv", "path.svg", "path.png"],
+        }
+    }
+
+    /// The file by which such a directory is known; put in place last.
+    fn marker(self) -> &'static str {
+        match self {
+            Self::Run => "summary.json",
+            Self::Modes => "modes.json",
+            Self::Path => "path.json",
+        }
+    }
+
+    /// What it looks like, in words.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Run => "a run",
+            Self::Modes => "the modes of a scenario",
+            Self::Path => "an equilibrium path",
+        }
+    }
+}
 
 /// A directory being filled, out of sight until [`RunDirectory::commit`].
 ///
@@ -27,6 +65,7 @@ const OURS: [&str; 9] = [
 pub struct RunDirectory {
     target: PathBuf,
     staging: PathBuf,
+    results: Results,
     within: bool,
     committed: bool,
 }
@@ -38,11 +77,19 @@ impl RunDirectory {
     /// If `target` is a file, or a directory that is neither empty nor holds a run, or if the staging
     /// directory cannot be made.
     pub fn create(target: impl AsRef<Path>) -> Result<Self, Error> {
+        Self::create_for(Results::Run, target)
+    }
+
+    /// The same for results of any kind.
+    ///
+    /// # Errors
+    /// As [`RunDirectory::create`].
+    pub fn create_for(results: Results, target: impl AsRef<Path>) -> Result<Self, Error> {
         let given = target.as_ref();
         let target = resolve(given)?;
         let exists = target.exists();
         if exists {
-            refuse_foreign(given, &target)?;
+            refuse_foreign(results, given, &target)?;
         }
         let within = exists && (is_empty(&target)? || is_mount_point(&target));
         let staging = staging_path(&target, "partial", within)?;
@@ -51,7 +98,7 @@ impl RunDirectory {
         }
         let _ = fs::remove_dir_all(&staging);
         fs::create_dir(&staging).map_err(|e| Error::io(&staging, "create", e))?;
-        Ok(Self { target, staging, within, committed: false })
+        Ok(Self { target, staging, results, within, committed: false })
     }
 
     /// Where to write until the commit.
@@ -92,20 +139,20 @@ impl RunDirectory {
             return Err(error);
         }
         for name in entries(&old)? {
-            if !OURS.contains(&name.as_str()) && !self.target.join(&name).exists() {
+            if !self.results.ours().contains(&name.as_str()) && !self.target.join(&name).exists() {
                 rename(&old.join(&name), &self.target.join(&name))?;
             }
         }
         fs::remove_dir_all(&old).map_err(|e| Error::io(&old, "remove", e))
     }
 
-    /// The same entry by entry, `summary.json` last, for a directory that cannot itself be moved.
+    /// The same entry by entry, its marker last, for a directory that cannot itself be moved.
     fn swap_entries(&self) -> Result<(), Error> {
-        for name in OURS {
+        for name in self.results.ours() {
             remove(&self.target.join(name))?;
         }
         let mut names = entries(&self.staging)?;
-        names.sort_by_key(|name| name == "summary.json");
+        names.sort_by_key(|name| name == self.results.marker());
         for name in names {
             rename(&self.staging.join(&name), &self.target.join(&name))?;
         }
@@ -131,16 +178,17 @@ fn resolve(path: &Path) -> Result<PathBuf, Error> {
     Ok(resolved)
 }
 
-fn refuse_foreign(given: &Path, target: &Path) -> Result<(), Error> {
+fn refuse_foreign(results: Results, given: &Path, target: &Path) -> Result<(), Error> {
     if !target.is_dir() {
         return Err(Error::refused(given, "exists and is not a directory; give another --out"));
     }
-    if !is_empty(target)? && !target.join("summary.json").is_file() {
-        return Err(Error::refused(
-            given,
-            "is not empty and does not look like a run (it has no summary.json), so it is left alone; \
-             give another --out or remove it yourself",
-        ));
+    let (marker, words) = (results.marker(), results.words());
+    if !is_empty(target)? && !target.join(marker).is_file() {
+        let reason = format!(
+            "is not empty and does not look like {words} (it has no {marker}), so it is left alone; \
+             give another --out or remove it yourself"
+        );
+        return Err(Error::refused(given, reason));
     }
     Ok(())
 }

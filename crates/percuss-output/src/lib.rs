@@ -7,17 +7,24 @@
 mod comparison;
 mod csv_text;
 mod directory;
+mod envelopes;
 mod error;
 mod files;
 mod history;
+mod modes;
+mod path;
 pub mod report;
+mod shapes;
 mod summary;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
-pub use directory::RunDirectory;
+pub use directory::{Results, RunDirectory};
+pub use envelopes::{BeamEnvelope, read_envelopes, write_envelopes};
 pub use error::Error;
 pub use history::{
     Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,
     read as read_history,
 };
+pub use modes::{ModesInfo, modes_value, write_modes};
+pub use path::{path_value, write_path};
 pub use summary::{RunInfo, read_summary, summary_value, write_summary};

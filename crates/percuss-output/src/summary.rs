@@ -4,7 +4,8 @@ use std::path::Path;
 
 use percuss::{
     ContactInterval, ContactRecord, ContactSummary, Impact, ImpactResolution, Peak, PointSummary,
-    ProjectileSummary, RunSummary, Scheme, SectionForceSummary, SectionPeak, Settings, Termination,
+    ProjectileSummary, Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange,
+    Settings, Start, SupportSummary, Termination,
 };
 use serde_json::{Map, Value, json};
 
@@ -45,6 +46,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
             "work_loads": run.energy.work_loads,
             "work_supports": run.energy.work_supports,
             "loss_impacts": run.energy.loss_impacts,
+            "loss_damping": run.energy.loss_damping,
             "scale": run.energy.scale,
             "residual_max": run.energy.residual_max,
         },
@@ -61,6 +63,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "projectile": named(&run.projectiles, |p| &p.name, projectile),
         "contact": named(&run.contacts, |c| &c.name, contact),
         "point": named(&run.points, |p| &p.name, point),
+        "support": named(&run.supports, |s| &s.name, support),
         "section_forces": named(&run.section_forces, |b| &b.name, section_forces),
     });
     if let Termination::Failed(error) = &run.termination {
@@ -121,6 +124,10 @@ fn settings(settings: &Settings) -> Value {
         "end": settings.end,
         "step": settings.step,
         "record_every": settings.record_every,
+        "start": match settings.start {
+            Start::Reference => "reference",
+            Start::Static => "static",
+        },
         "scheme": scheme,
         "impacts": impacts,
     });
@@ -174,13 +181,31 @@ fn point(point: &PointSummary) -> Value {
     })
 }
 
-fn section_forces(beam: &SectionForceSummary) -> Value {
-    let peak = |p: &SectionPeak| json!({ "value": p.value, "s": p.s, "time": p.time });
+fn support(support: &SupportSummary) -> Value {
+    let range = |r: &Range| json!({ "min": peak(&r.min), "max": peak(&r.max) });
     json!({
-        "moment_max": peak(&beam.moment_max),
-        "axial_max": peak(&beam.axial_max),
-        "shear_max": peak(&beam.shear_max),
+        "force_1": range(&support.force[0]),
+        "force_2": range(&support.force[1]),
+        "moment": range(&support.moment),
     })
+}
+
+fn section_forces(beam: &SectionForceSummary) -> Value {
+    let range = |r: &SectionRange| json!({ "min": place(&r.min), "max": place(&r.max) });
+    json!({
+        "moment_max": place(&beam.moment.largest()),
+        "axial_max": place(&beam.axial.largest()),
+        "shear_max": place(&beam.shear.largest()),
+        "moment": range(&beam.moment),
+        "axial": range(&beam.axial),
+        "shear": range(&beam.shear),
+        "stress": range(&beam.stress),
+        "strain": range(&beam.strain),
+    })
+}
+
+fn place(peak: &SectionPeak) -> Value {
+    json!({ "value": peak.value, "s": peak.s, "time": peak.time })
 }
 
 fn peak(peak: &Peak) -> Value {

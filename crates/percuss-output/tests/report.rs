@@ -8,8 +8,9 @@ use std::fs;
 use percuss::{MemoryRecorder, RecorderError, Settings};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    Channel, ComparisonSeries, History, HistoryFormat, HistorySource, HistoryWriter, RunInfo,
-    read_comparison, summary_value, write_comparison, write_summary,
+    BeamEnvelope, Channel, ComparisonSeries, History, HistoryFormat, HistorySource, HistoryWriter,
+    RunInfo, read_comparison, read_envelopes, summary_value, write_comparison, write_envelopes,
+    write_summary,
 };
 use serde_json::{Value, json};
 
@@ -25,7 +26,14 @@ fn rigid() -> Result<ReportData, RecorderError> {
     let settings = Settings::new(0.02, 1e-5);
     let info = RunInfo { title: "Hammer", settings: &settings, wall_seconds: 0.1 };
     let summary = summary_value(&run, info);
-    Ok(ReportData { history: history.into(), summary, scenario: "[beam]\n".to_owned(), comparison })
+    let envelopes = vec![envelope("girder", 1.0)];
+    let scenario = "[beam]\n".to_owned();
+    Ok(ReportData { history: history.into(), summary, scenario, comparison, envelopes })
+}
+
+fn envelope(name: &str, size: f64) -> BeamEnvelope {
+    let envelope = synthetic::section_forces(name, size).envelope;
+    BeamEnvelope { name: name.to_owned(), envelope }
 }
 
 /// The history of data that are in memory.
@@ -102,14 +110,22 @@ fn text_of_users_stays_text() -> Outcome {
     data.summary["error"] = json!(evil);
     data.summary["settings"]["scheme"] = json!(evil);
     data.summary["status"] = json!(evil);
-    for part in ["projectile", "contact", "point"] {
-        data.summary[part] = json!({ evil: data.summary[part]["hammer"].clone() });
+    for (part, name) in [
+        ("projectile", "hammer"),
+        ("contact", "hammer"),
+        ("point", "girder.mid"),
+        ("support", "left"),
+        ("section_forces", "girder"),
+    ] {
+        data.summary[part] = json!({ evil: data.summary[part][name].clone() });
     }
+    data.envelopes = vec![envelope(evil, 1.0), envelope(evil, 2.0), envelope("c", 3.0)];
     data.scenario = evil.to_owned();
     data.comparison[0].label = evil.to_owned();
     memory(&mut data).source = evil.to_owned();
     for channel in &mut memory(&mut data).channels {
-        channel.name = channel.name.replace("hammer", evil).replace("girder.mid", evil);
+        let name = channel.name.replace("hammer", evil).replace("girder.mid", evil);
+        channel.name = name.replace("left", evil);
     }
     let page = page(&data)?;
     let usual = self::page(&rigid()?)?;
@@ -240,6 +256,7 @@ fn a_report_from_files_is_that_from_memory() -> Outcome {
         writer.finish()?;
         write_summary(dir.path(), &data.summary)?;
         write_comparison(dir.path(), &data.comparison)?;
+        write_envelopes(dir.path(), &[synthetic::section_forces("girder", 1.0)])?;
         fs::write(dir.path().join("scenario.toml"), &data.scenario)?;
         let read = ReportData::read(dir.path())?;
         assert!(matches!(read.history, HistorySource::File(_)));
@@ -283,6 +300,85 @@ fn what_is_left_out_and_why_is_said() -> Outcome {
     assert!(page(&data)?.contains("does not close: above"));
     data.scenario = "[projectile.hammer]\nforce = \"midpoint\"\n".to_owned();
     assert!(page(&data)?.contains("the midpoint force does not conserve energy"));
-    assert!(page(&data)?.contains("Section forces of girder"));
+    assert!(page(&data)?.contains("Section forces</caption>"));
+    Ok(())
+}
+
+fn figure_ids(page: &str) -> Result<Vec<String>, RecorderError> {
+    let index = index(page)?;
+    let figures = index["figures"].as_array().ok_or("no figures")?;
+    Ok(figures.iter().filter_map(|f| f["id"].as_str().map(str::to_owned)).collect())
+}
+
+#[test]
+fn reactions_and_section_forces_have_figures_and_tables_with_signs() -> Outcome {
+    let data = rigid()?;
+    let dir = tempfile::tempdir()?;
+    report::write(dir.path(), &data)?;
+    let page = fs::read_to_string(dir.path().join("report.html"))?;
+    let ids = figure_ids(&page)?;
+    for id in ["reaction-2", "reaction-moment", "section-shear", "section-moment"] {
+        assert!(ids.iter().any(|i| i == id), "no {id} in {ids:?}");
+        assert!(dir.path().join("figures").join(format!("{id}.svg")).is_file(), "{id}");
+    }
+    // Nothing but zeros, and a stress that no section has, are not worth a figure.
+    assert!(!ids.iter().any(|i| i == "reaction-1" || i == "section-stress"), "{ids:?}");
+    assert!(page.contains("Reactions, on the structure</caption>"));
+    assert!(page.contains("<td>-150\u{a0}kN</td>"), "a reaction that pulls keeps its sign");
+    assert!(page.contains("bending moment") && !page.contains("fibre stress"));
+    Ok(())
+}
+
+#[test]
+fn envelopes_are_drawn_for_one_beam_and_for_many() -> Outcome {
+    let mut data = rigid()?;
+    let one = page(&data)?;
+    let count = |page: &str| {
+        Ok::<_, RecorderError>(
+            figure_ids(page)?.iter().filter(|i| i.starts_with("envelope-")).count(),
+        )
+    };
+    assert_eq!(count(&one)?, 3, "axial, shear and moment; no stress without a depth");
+    assert!(one.contains("Bending moment of girder"));
+    data.envelopes = (0..20).map(|k| envelope(&format!("beam {k}"), f64::from(1 + k))).collect();
+    let dir = tempfile::tempdir()?;
+    report::write(dir.path(), &data)?;
+    for name in ["envelope-axial-force.png", "envelope-bending-moment.svg"] {
+        assert!(dir.path().join("figures").join(name).is_file(), "{name}");
+    }
+    let many = fs::read_to_string(dir.path().join("report.html"))?;
+    assert_eq!(count(&many)?, 3 * 12, "the most loaded ones");
+    assert!(many.contains("the 12 of 20 beams with the largest values"));
+    let ids = figure_ids(&many)?;
+    assert!(ids.iter().any(|i| i == "envelope-moment-beam 19"));
+    assert!(!ids.iter().any(|i| i == "envelope-moment-beam 7"));
+    let index = index(&many)?;
+    let figures = index["figures"].as_array().ok_or("no figures")?;
+    let ranges: Vec<&Value> = figures
+        .iter()
+        .filter(|f| f["id"].as_str().is_some_and(|i| i.starts_with("envelope-moment")))
+        .map(|f| &f["range"])
+        .collect();
+    assert!(ranges.windows(2).all(|pair| pair[0] == pair[1]), "one scale a quantity");
+    Ok(())
+}
+
+#[test]
+fn envelopes_read_back() -> Outcome {
+    let dir = tempfile::tempdir()?;
+    assert!(read_envelopes(dir.path())?.is_empty(), "none was written");
+    let written =
+        [synthetic::section_forces("a, \"b\"", 1.0), synthetic::section_forces("c", 1e-7)];
+    write_envelopes(dir.path(), &written)?;
+    let read = read_envelopes(dir.path())?;
+    assert_eq!(read.len(), 2);
+    for (read, written) in read.iter().zip(&written) {
+        assert_eq!(read.name, written.name);
+        assert_eq!(read.envelope.moment, written.envelope.moment);
+        assert_eq!(read.envelope.s, written.envelope.s);
+        assert!(read.envelope.stress.iter().flatten().all(|v| v.is_nan()));
+    }
+    fs::write(dir.path().join("envelopes.csv"), "beam,s\n")?;
+    assert!(read_envelopes(dir.path()).is_err_and(|e| e.is_content()));
     Ok(())
 }

@@ -42,10 +42,29 @@ fn the_documented_fields_are_there() {
         "/contact/mass/intervals/0/impulse",
         "/point/girder.mid/displacement_max/component_1/value",
         "/point/girder.mid/displacement_max/component_2/time",
+        "/energy/loss_damping",
+        "/support/left/force_1/min/value",
+        "/support/left/force_2/max/time",
+        "/support/right/moment/max/value",
+        "/section_forces/girder/moment_max/s",
+        "/section_forces/girder/axial_max/value",
+        "/section_forces/girder/shear_max/time",
+        "/section_forces/girder/moment/min/value",
+        "/section_forces/girder/axial/max/s",
+        "/section_forces/girder/shear/min/time",
     ] {
         assert!(smooth.pointer(path).is_some_and(Value::is_f64), "{path}");
     }
     assert_eq!(smooth["projectile"]["mass"]["velocity_final"], json!([0.0, -19.10077444]));
+
+    let girder = &smooth["section_forces"]["girder"];
+    assert_eq!(girder["shear_max"], girder["shear"]["min"], "the larger magnitude, signed");
+    assert_eq!(girder["moment_max"], girder["moment"]["max"]);
+    let keys: Vec<&String> = girder.as_object().map(|o| o.keys().collect()).unwrap_or_default();
+    let ranges = ["moment", "axial", "shear", "stress", "strain"];
+    assert_eq!(keys[..3], ["moment_max", "axial_max", "shear_max"]);
+    assert_eq!(keys[3..], ranges);
+    assert!(girder["stress"]["min"]["value"].is_null(), "no depth, no stress");
 
     let rigid = value(&synthetic::summary("hammer", synthetic::impacts(2)));
     for key in ["time", "impulse", "approach_velocity", "separation_velocity"] {

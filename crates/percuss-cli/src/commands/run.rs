@@ -5,13 +5,14 @@ mod books;
 mod comparison;
 mod recorder;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_summary,
+    HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_envelopes,
+    write_summary,
 };
 use serde_json::Value;
 
@@ -35,7 +36,7 @@ struct Ended {
 pub fn run(arguments: &Run) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     interrupt::install()?;
-    let out = arguments.out.clone().unwrap_or_else(|| default_directory(&arguments.file));
+    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
     let directory = RunDirectory::create(&out)?;
     interrupt::protect(directory.path());
     let ended = simulate(&ready, arguments, directory.path())?;
@@ -45,11 +46,6 @@ pub fn run(arguments: &Run) -> Result<Status, Failure> {
     };
     interrupt::commit(directory)?;
     conclude(&ended, arguments, &out, report)
-}
-
-/// `runs/<file stem>`.
-fn default_directory(file: &Path) -> PathBuf {
-    Path::new("runs").join(file.file_stem().unwrap_or("run".as_ref()))
 }
 
 /// Simulates; scenario, history and summary are then in `dir`.
@@ -80,6 +76,7 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     let info = RunInfo { title: &compiled.title, settings: &compiled.settings, wall_seconds };
     let value = summary_value(&summary, info);
     write_summary(dir, &value)?;
+    write_envelopes(dir, &summary.section_forces)?;
     Ok(Ended { summary, value, energy: energy.unwrap_or_default() })
 }
 

@@ -1,72 +1,88 @@
 //! `percuss static`.
 
-use percuss::{Equilibrium, SectionPeak, equilibrium, mechanism};
-use serde_json::{Map, Value, json};
+mod print;
+
+use percuss::{BucklingMode, Error, Path, buckling, equilibrium, equilibrium_path};
+use percuss_output::{Results, RunDirectory, path_value, write_path};
+use serde_json::Value;
 
 use crate::arguments::Static;
-use crate::number::{count, number};
+use crate::number::number;
 use crate::outcome::{Failure, Status};
-use crate::{scenario, terminal};
+use crate::scenario::{self, Ready};
+use crate::terminal;
 
-/// Finds the static equilibrium of a scenario and prints displacements and section forces.
+/// Finds the static equilibrium of a scenario, or follows the path to it, and prints what it carries.
 pub fn run(arguments: &Static) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
-    let model = &ready.compiled.model;
-    if let Some(fault) = mechanism(model) {
-        let faults = Box::new(ready.scenario.diagnostics(vec![fault]));
-        return Err(Failure::Faults { faults, changed: !arguments.set.is_empty() });
+    ready.refuse_mechanism(&arguments.set)?;
+    if arguments.path {
+        return follow(arguments, &ready);
     }
-    match equilibrium(model) {
-        Ok(found) if arguments.json => terminal::print(&format!("{:#}\n", as_json(&found)))?,
-        Ok(found) => terminal::print(&as_table(&found))?,
-        Err(error) => {
-            terminal::error(&error.to_string());
-            return Ok(Status::GaveUp);
-        }
+    let model = &ready.compiled.model;
+    let found = match equilibrium(model) {
+        Ok(found) => found,
+        Err(error) => return Ok(gave_up(&error)),
+    };
+    let linear = buckling(model, 1);
+    if arguments.json {
+        terminal::print(&format!("{:#}\n", print::json(&found, &linear)))?;
+    } else {
+        terminal::print(&print::table(&found, &linear))?;
     }
     Ok(Status::Done)
 }
 
-fn as_json(found: &Equilibrium) -> Value {
-    let peak = |p: &SectionPeak| json!({ "value": p.value, "s": p.s });
-    let points = found.points.iter().map(|(name, u)| (name.clone(), json!({ "displacement": u })));
-    let forces = found.section_forces.iter().map(|b| {
-        let all = json!({
-            "moment_max": peak(&b.moment_max),
-            "axial_max": peak(&b.axial_max),
-            "shear_max": peak(&b.shear_max),
-        });
-        (b.name.clone(), all)
-    });
-    json!({
-        "load_steps": found.load_steps,
-        "newton_iterations": found.newton_iterations,
-        "point": points.collect::<Map<_, _>>(),
-        "section_forces": forces.collect::<Map<_, _>>(),
-    })
+/// Why load steps found nothing; the core says why, here is what to do about it.
+fn gave_up(error: &Error) -> Status {
+    terminal::error(&error.to_string());
+    if error.is_no_convergence() {
+        terminal::tell(
+            "`percuss static --path` follows the equilibrium by arc length and shows how far it goes",
+        );
+    }
+    Status::GaveUp
 }
 
-fn as_table(found: &Equilibrium) -> String {
-    let steps = count(found.load_steps, "load step");
-    let mut text =
-        format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
-    for (name, [u1, u2]) in &found.points {
-        text.push_str(&format!("  {name}: displacement {} m, {} m\n", number(*u1), number(*u2)));
+/// Follows the equilibrium path; what was found is written even if its end was not reached.
+fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
+    let compiled = &ready.compiled;
+    let path = match equilibrium_path(&compiled.model, &compiled.path) {
+        Ok(path) => path,
+        Err(error) => {
+            terminal::error(&error.to_string());
+            terminal::tell("a path begins with the response to the loads that act at time zero");
+            return Ok(Status::GaveUp);
+        }
+    };
+    let linear = buckling(&compiled.model, 1);
+    let value = as_json(&path, &linear);
+    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-path"));
+    let directory = RunDirectory::create_for(Results::Path, &out)?;
+    write_path(directory.path(), &path, &value)?;
+    directory.commit()?;
+    if arguments.json {
+        terminal::print(&format!("{value:#}\n"))?;
+    } else {
+        terminal::print(&print::path(&path))?;
+        terminal::print(&print::table(&path.end, &linear))?;
+        terminal::tell(&format!("results  {}", out.display()));
     }
-    if found.points.is_empty() {
-        text.push_str("  no points recorded: `[record] points = [\"beam.mid\"]` names some\n");
+    if path.reached {
+        return Ok(Status::Done);
     }
-    for b in &found.section_forces {
-        let line = |what: &str, p: &SectionPeak, unit: &str| {
-            format!("{what} {} {unit} at {} m", number(p.value), number(p.s))
-        };
-        text.push_str(&format!(
-            "  {}: largest {}, {}, {}\n",
-            b.name,
-            line("moment", &b.moment_max, "N m"),
-            line("axial force", &b.axial_max, "N"),
-            line("shear force", &b.shear_max, "N"),
-        ));
-    }
-    text
+    let factor = path.points.last().map_or(0.0, |p| p.factor);
+    terminal::error(&format!(
+        "the path ends at the load factor {}, after {} points, before the end asked for ([path] in the scenario \
+         sets first arc, end and number of points)",
+        number(factor),
+        path.points.len() - 1,
+    ));
+    Ok(Status::GaveUp)
+}
+
+fn as_json(path: &Path, linear: &[BucklingMode]) -> Value {
+    let mut value = print::json(&path.end, linear);
+    value["path"] = path_value(path);
+    value
 }

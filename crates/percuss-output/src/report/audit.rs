@@ -112,9 +112,15 @@ pub(super) fn settings(summary: &Value) -> String {
     if let Some(tolerance) = settings["closed_tolerance"].as_f64() {
         impacts = format!("{impacts}, closed below {}", quantity(Some(tolerance), "m"));
     }
+    let start = match settings["start"].as_str() {
+        Some("static") => "static equilibrium under the loads at time zero",
+        Some("reference") => "reference configuration, free of stress",
+        _ => "\u{2013}",
+    };
     let rows = [
         ("scheme", scheme),
         ("impacts of rigid projectiles", impacts),
+        ("start", start.to_owned()),
         ("step", quantity(settings["step"].as_f64(), "s")),
         ("end asked for", quantity(settings["end"].as_f64(), "s")),
         ("time reached", quantity(summary["time"].as_f64(), "s")),

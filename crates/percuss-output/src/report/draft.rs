@@ -1,6 +1,6 @@
 //! Figures over time: their curves are written down first, then all of them read in one go.
 
-use super::figure::{Figure, Series, Shape, Table, largest};
+use super::figure::{Figure, Section, Series, Shape, Table, largest};
 use super::quantity::Scale;
 use super::thin::Thinner;
 use crate::error::Error;
@@ -55,6 +55,8 @@ pub(super) struct Draft {
     pub unit: &'static str,
     pub curves: Vec<Curve>,
     pub omit: Omit,
+    /// Size beside which round-off is told, where it is larger than the curves \[SI\].
+    pub floor: f64,
 }
 
 /// A figure, or what becomes one.
@@ -127,15 +129,23 @@ fn evaluate<'a>(curve: &Curve, column: impl Fn(usize) -> &'a [f64], out: &mut Ve
 }
 
 impl Draft {
-    fn drawn(self, x: Vec<f64>, columns: Vec<Vec<f64>>, time: &Scale) -> Option<Figure> {
+    fn drawn(self, mut x: Vec<f64>, mut columns: Vec<Vec<f64>>, time: &Scale) -> Option<Figure> {
+        if self.figure.section == Section::Supports && x.len() > 1 {
+            // Means since the row before: the first row has none.
+            x.remove(0);
+            columns.iter_mut().filter(|y| !y.is_empty()).for_each(|y| {
+                y.remove(0);
+            });
+        }
         let size = largest(columns.iter().flatten());
         let stays = |y: &[f64]| match self.omit {
             Omit::Nothing => true,
             Omit::Zeros => largest(y) > 0.0,
-            Omit::RoundOff => largest(y) > 1e-11 * size,
+            Omit::RoundOff => largest(y) > 1e-11 * size.max(self.floor),
         };
         let scale = Scale::new(size, self.unit);
         let mut series: Vec<Series> = Vec::new();
+        let several = self.curves.len() > 1;
         for (curve, mut y) in self.curves.into_iter().zip(columns) {
             if stays(&y) {
                 y.iter_mut().for_each(|y| *y *= scale.factor);
@@ -151,6 +161,12 @@ impl Draft {
             && only.label.starts_with("along ")
         {
             figure.y.label = format!("{} {}", figure.y.label, only.label); // no legend says it
+        }
+        if let [only] = series.as_slice()
+            && several
+            && matches!(figure.section, Section::Supports | Section::Forces)
+        {
+            figure.title = format!("{}, {}", figure.title, only.label);
         }
         figure.y.unit = scale.unit;
         let x = x.into_iter().map(|x| x * time.factor).collect();

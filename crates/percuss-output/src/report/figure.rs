@@ -7,6 +7,12 @@ pub(crate) enum Section {
     Impact,
     /// Energy and momentum.
     Books,
+    /// Reactions of supports.
+    Supports,
+    /// Section forces at recorded points.
+    Forces,
+    /// Extremes of section forces along beams.
+    Envelopes,
     /// What does not add up.
     Audit,
     /// Recorded points.
@@ -22,6 +28,15 @@ pub(crate) enum Shape {
     Stem,
     /// Spans of the abscissa, from one to the next of each pair of rows; the value belongs to the span.
     Band,
+}
+
+/// What the abscissa is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Abscissa {
+    /// Time, the same for all figures that have it.
+    Time,
+    /// The figure's own.
+    Own,
 }
 
 /// Label and unit of an axis.
@@ -74,13 +89,39 @@ pub(crate) struct Figure {
     pub title: String,
     pub x: Axis,
     pub y: Axis,
+    pub abscissa: Abscissa,
     /// Whether the y axis starts at zero whatever the values.
     pub from_zero: bool,
+    /// Range of the y axis, where figures share one.
+    pub y_range: Option<(f64, f64)>,
+    /// Whether the area between the first two curves is filled.
+    pub filled: bool,
+    /// What several small figures beside each other have in common; empty for a figure of its own.
+    pub group: String,
     pub note: String,
     pub tables: Vec<Table>,
 }
 
 impl Figure {
+    /// A figure without curves, over time.
+    pub(crate) fn new(section: Section, id: &str, title: &str, x: Axis, label: &str) -> Self {
+        Self {
+            id: id.to_owned(),
+            section,
+            picture: false,
+            title: title.to_owned(),
+            x,
+            y: Axis { label: label.to_owned(), unit: String::new() },
+            abscissa: Abscissa::Time,
+            from_zero: false,
+            y_range: None,
+            filled: false,
+            group: String::new(),
+            note: String::new(),
+            tables: Vec::new(),
+        }
+    }
+
     /// Whether the series is drawn with its dash pattern; a curve alone is solid.
     pub(crate) fn is_dashed(&self, series: &Series) -> bool {
         let several = self.tables.iter().map(|t| t.series.len()).sum::<usize>() > 1;

@@ -5,9 +5,11 @@ use serde_json::Value;
 use super::ReportData;
 use super::decimate;
 use super::draft::{self, Curve, Draft, Entry, Omit};
+use super::envelopes;
 use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::impact;
 use super::quantity::Scale;
+use super::structure;
 use crate::error::Error;
 use crate::history::HistorySource;
 
@@ -37,6 +39,9 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     entries.extend(momentum(&canvas));
     entries.extend(restitution(&canvas, data).map(Entry::Ready));
     entries.push(energy_shares(&canvas));
+    entries.extend(structure::reactions(&canvas, &data.summary));
+    entries.extend(structure::section_forces(&canvas, &data.summary));
+    entries.extend(envelopes::figures(&data.envelopes).into_iter().map(Entry::Ready));
     entries.extend(audit(&canvas, &data.summary));
     for point in names(history, "point.", ".displacement_1").iter().take(POINTS_SHOWN) {
         entries.push(displacement_of(&canvas, point));
@@ -69,25 +74,15 @@ impl Canvas<'_> {
         wanted.iter().filter_map(curve).collect()
     }
 
-    fn over_time(
+    pub(super) fn over_time(
         &self,
         (id, title, label): (&str, &str, &str),
         section: Section,
         unit: &'static str,
         curves: Vec<Curve>,
     ) -> Draft {
-        let figure = Figure {
-            id: id.to_owned(),
-            section,
-            picture: false,
-            title: title.to_owned(),
-            x: self.time_axis(),
-            y: Axis { label: label.to_owned(), unit: String::new() },
-            from_zero: false,
-            note: String::new(),
-            tables: Vec::new(),
-        };
-        Draft { figure, unit, curves, omit: Omit::Zeros }
+        let figure = Figure::new(section, id, title, self.time_axis(), label);
+        Draft { figure, unit, curves, omit: Omit::Zeros, floor: 0.0 }
     }
 }
 
@@ -125,8 +120,9 @@ pub(super) fn names(history: &HistorySource, prefix: &str, suffix: &str) -> Vec<
 fn bins(history: &HistorySource) -> usize {
     let projectiles = names(history, "projectile.", ".position_1").len();
     let points = names(history, "point.", ".displacement_1").len().min(POINTS_SHOWN);
-    let values_per_bin = 150 + 70 * projectiles + 20 * points;
-    (VALUES_PER_PAGE / values_per_bin).clamp(200, 4000)
+    let together = structure::values_per_bin(history);
+    let values_per_bin = 250 + 70 * projectiles + 20 * points + together;
+    (VALUES_PER_PAGE / values_per_bin).clamp(150, 4000)
 }
 
 fn energy(canvas: &Canvas<'_>, data: &ReportData) -> Entry {
@@ -134,6 +130,8 @@ fn energy(canvas: &Canvas<'_>, data: &ReportData) -> Entry {
         ("energy.kinetic", "kinetic", 1),
         ("energy.strain", "strain", 2),
         ("energy.contact", "contact", 3),
+        ("energy.springs", "springs", 5),
+        ("energy.loss_damping", "taken by damping", 4),
         ("energy.total", "total", 0),
     ]);
     let texts = ("energy", "Energy", "energy");
@@ -162,6 +160,8 @@ fn energy_shares(canvas: &Canvas<'_>) -> Entry {
         ("energy.kinetic_beams", "kinetic, beams", 6),
         ("energy.strain_bending", "strain, bending", 2),
         ("energy.strain_axial", "strain, axial", 5),
+        ("energy.springs", "springs", 7),
+        ("energy.loss_damping", "taken by damping", 8),
         ("energy.work_loads", "work of loads", 3),
         ("energy.work_supports", "work of supports", 4),
         ("energy.loss_impacts", "lost in impacts", 0),
@@ -206,16 +206,15 @@ fn restitution(canvas: &Canvas<'_>, data: &ReportData) -> Option<Figure> {
         };
         Table { x: pick(&run.time, canvas.time_scale.factor), series: vec![series] }
     };
+    let (title, label) = ("Total energy and restitution", "total energy");
+    let figure = Figure::new(Section::Books, "restitution", title, canvas.time_axis(), label);
     Some(Figure {
-        id: "restitution".to_owned(),
-        section: Section::Books,
         picture: true,
-        title: "Total energy and restitution".to_owned(),
-        x: canvas.time_axis(),
-        y: Axis { label: "total energy".to_owned(), unit: scale.unit.clone() },
+        y: Axis { unit: scale.unit.clone(), ..figure.y.clone() },
         from_zero: true,
         note: "The same scenario with other restitution coefficients.".to_owned(),
         tables: data.comparison.iter().enumerate().map(table).collect(),
+        ..figure
     })
 }
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 /// `text` where HTML expects text or a quoted attribute.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -24,7 +24,7 @@ pub(super) fn json(value: &serde_json::Value) -> String {
 }
 
 /// A table: header cells, then rows; all cells are escaped here. The first column heads its row.
-pub(super) fn table(caption: &str, header: &[&str], rows: &[Vec<String>]) -> String {
+pub(crate) fn table(caption: &str, header: &[&str], rows: &[Vec<String>]) -> String {
     let mut out = format!("<div class=\"table\"><table><caption>{}</caption>\n", escape(caption));
     if !header.is_empty() {
         out.push_str("<thead><tr>");

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::draft::{Curve, Draft, Entry, Omit};
-use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
+use super::figure::{Figure, Section, Series, Shape, Table, largest};
 use super::figures::{self, Canvas};
 use super::quantity::{Scale, quantity};
 
@@ -27,7 +27,7 @@ pub(super) fn figures(
     all.extend(force.map(|force| {
         let figure = frame.figure("force", "Contact force", "contact force");
         let curves = vec![Curve::new("contact force", 2, force)];
-        Entry::Draft(Draft { figure, unit: "N", curves, omit: Omit::Nothing })
+        Entry::Draft(Draft { figure, unit: "N", curves, omit: Omit::Nothing, floor: 0.0 })
     }));
     all.extend(impulse.then(|| Entry::Ready(impulses(&frame, contact))));
     all.push(velocity(&frame, &flight, impulse));
@@ -48,17 +48,8 @@ impl Frame<'_> {
         } else {
             (id.to_owned(), title.to_owned())
         };
-        Figure {
-            id,
-            section: Section::Impact,
-            picture: true,
-            title,
-            x: self.canvas.time_axis(),
-            y: Axis { label: label.to_owned(), unit: String::new() },
-            from_zero: false,
-            note: String::new(),
-            tables: Vec::new(),
-        }
+        let axis = self.canvas.time_axis();
+        Figure { picture: true, ..Figure::new(Section::Impact, &id, &title, axis, label) }
     }
 }
 
@@ -161,7 +152,7 @@ fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
     let label = "displacement along the line of flight";
     let mut figure = frame.figure("displacement", "Displacement", label);
     figure.note = "The projectile's is measured from where it first touches.".to_owned();
-    Some(Entry::Draft(Draft { figure, unit: "m", curves, omit: Omit::Nothing }))
+    Some(Entry::Draft(Draft { figure, unit: "m", curves, omit: Omit::Nothing, floor: 0.0 }))
 }
 
 fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
@@ -182,7 +173,7 @@ fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
         ..Curve::sum(format!("projectile {}", frame.name), 1, flight.along(flight.velocity), 0.0)
     };
     let curves = point.into_iter().chain([projectile]).collect(); // the later one lies on top
-    Entry::Draft(Draft { figure, unit: "m/s", curves, omit: Omit::Nothing })
+    Entry::Draft(Draft { figure, unit: "m/s", curves, omit: Omit::Nothing, floor: 0.0 })
 }
 
 /// Impulses of impacts as stems, intervals of closed contact as bands.

@@ -4,17 +4,20 @@ mod audit;
 mod dashes;
 pub(crate) mod decimate;
 mod draft;
-mod figure;
+mod envelopes;
+mod extremes;
+pub(crate) mod figure;
 mod figures;
-mod html;
+pub(crate) mod html;
 mod impact;
-mod page;
+pub(crate) mod page;
 mod payload;
-mod pictures;
+pub(crate) mod pictures;
 mod png_file;
-mod quantity;
+pub(crate) mod quantity;
 mod raster;
 mod results;
+mod structure;
 mod thin;
 
 use std::path::Path;
@@ -22,6 +25,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::comparison::{ComparisonSeries, read_comparison};
+use crate::envelopes::{BeamEnvelope, read_envelopes};
 use crate::error::Error;
 use crate::files;
 use crate::history::{HistoryReader, HistorySource};
@@ -38,6 +42,8 @@ pub struct ReportData {
     pub scenario: String,
     /// Total energies of other restitution coefficients; may be empty.
     pub comparison: Vec<ComparisonSeries>,
+    /// Section forces along the beams; may be empty.
+    pub envelopes: Vec<BeamEnvelope>,
 }
 
 impl ReportData {
@@ -54,6 +60,7 @@ impl ReportData {
             history: HistorySource::File(HistoryReader::open(dir)?),
             scenario: if scenario.is_file() { files::read_text(&scenario)? } else { String::new() },
             comparison: read_comparison(dir)?,
+            envelopes: read_envelopes(dir)?,
         })
     }
 }

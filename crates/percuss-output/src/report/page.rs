@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::ReportData;
-use super::figure::{Figure, Section};
+use super::figure::{Abscissa, Figure, Section};
 use super::html::{self, escape};
 use super::{audit, payload, results};
 
 const TEMPLATE: &str = include_str!("../../../../web/report.html");
-const STYLE: &str = include_str!("../../../../web/report.css");
+pub(crate) const STYLE: &str = include_str!("../../../../web/report.css");
 const SCRIPT: &str = include_str!("../../../../web/report.js");
 const UPLOT: &str = include_str!("../../../../web/vendor/uplot/uPlot.iife.min.js");
 const UPLOT_STYLE: &str = include_str!("../../../../web/vendor/uplot/uPlot.min.css");
@@ -30,6 +30,9 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "decimation" => decimation(data, figures),
             "impact" => section(figures, Section::Impact, "Impact"),
             "books" => section(figures, Section::Books, "Energy and momentum"),
+            "supports" => section(figures, Section::Supports, "Reactions"),
+            "forces" => section(figures, Section::Forces, "Section forces"),
+            "envelopes" => envelopes(figures),
             "points" => section(figures, Section::Points, "Recorded points"),
             "audit_table" => audit::render(summary, &data.scenario),
             "audit_figures" => section(figures, Section::Audit, ""),
@@ -48,7 +51,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
 }
 
 /// Replaces every `{{hole}}` of the template, looking at nothing that was put in.
-fn fill_holes(template: &str, fill: impl Fn(&str) -> String) -> String {
+pub(crate) fn fill_holes(template: &str, fill: impl Fn(&str) -> String) -> String {
     let mut out = String::new();
     let mut rest = template;
     while let Some((before, after)) = rest.split_once("{{") {
@@ -86,6 +89,7 @@ fn decimation(data: &ReportData, figures: &[Figure]) -> String {
     let rows = data.history.rows();
     let fewest = figures
         .iter()
+        .filter(|f| f.abscissa == Abscissa::Time && f.section != Section::Supports)
         .filter(|f| f.id != "restitution" && !f.id.starts_with("impulse"))
         .flat_map(|f| &f.tables)
         .map(|t| t.x.len())
@@ -118,23 +122,49 @@ fn grouped(n: usize) -> String {
 }
 
 fn section(figures: &[Figure], section: Section, heading: &str) -> String {
-    let mut out = String::new();
-    for figure in figures.iter().filter(|f| f.section == section) {
-        let (id, title) = (escape(&figure.id), escape(&figure.title));
-        let _ = writeln!(
-            out,
-            "<figure data-figure=\"{id}\"><figcaption><h3>{title}</h3>\
-             <button type=\"button\" class=\"save\" aria-label=\"Save {title} as PNG\">PNG</button>\
-             <p>{}</p></figcaption><div class=\"plot\"></div></figure>",
-            escape(&figure.note)
-        );
-    }
-    if out.is_empty() {
-        return out;
+    let all: Vec<&Figure> = figures.iter().filter(|f| f.section == section).collect();
+    if all.is_empty() {
+        return String::new();
     }
     let heading =
         if heading.is_empty() { String::new() } else { format!("<h2>{}</h2>\n", escape(heading)) };
-    format!("{heading}<div class=\"figures\">\n{out}</div>\n")
+    format!(
+        "{heading}<div class=\"figures\">\n{}</div>\n",
+        all.into_iter().map(frame).collect::<String>()
+    )
+}
+
+/// The place of a figure, with its title.
+fn frame(figure: &Figure) -> String {
+    let (id, title) = (escape(&figure.id), escape(&figure.title));
+    // Small figures have one note above all of them.
+    let note = if figure.group.is_empty() { escape(&figure.note) } else { String::new() };
+    format!(
+        "<figure data-figure=\"{id}\"><figcaption><h3>{title}</h3>\
+         <button type=\"button\" class=\"save\" aria-label=\"Save {title} as PNG\">PNG</button>\
+         <p>{note}</p></figcaption><div class=\"plot\"></div></figure>\n"
+    )
+}
+
+/// Envelopes: figures of the usual size, or small ones in groups.
+fn envelopes(figures: &[Figure]) -> String {
+    let all: Vec<&Figure> = figures.iter().filter(|f| f.section == Section::Envelopes).collect();
+    let Some(first) = all.first() else { return String::new() };
+    let mut out =
+        "<h2>Section forces along the beams: smallest and largest over time</h2>\n".to_owned();
+    if first.group.is_empty() {
+        return out + &section(figures, Section::Envelopes, "");
+    }
+    for group in all.chunk_by(|a, b| a.group == b.group) {
+        let note = match group[0].note.as_str() {
+            "" => String::new(),
+            note => format!(": {}", escape(note)),
+        };
+        let _ = writeln!(out, "<h3>{}{note}</h3>", escape(&group[0].group));
+        let frames: String = group.iter().map(|f| frame(f)).collect();
+        let _ = writeln!(out, "<div class=\"figures small\">\n{frames}</div>");
+    }
+    out
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
-use super::figure::{Axis, Figure, Series, Shape, Table};
+use super::figure::{Abscissa, Axis, Figure, Series, Shape, Table};
 
 /// Smaller payloads are not deflated, so that any browser shows them.
 const DEFLATED_FROM: usize = 1 << 19;
@@ -44,7 +44,11 @@ fn figure(columns: &mut Columns, figure: &Figure) -> Value {
         "title": figure.title,
         "x": axis(&figure.x),
         "y": axis(&figure.y),
+        "own": figure.abscissa == Abscissa::Own,
         "from_zero": figure.from_zero,
+        "range": figure.y_range.map(|(low, high)| [low, high]),
+        "filled": figure.filled,
+        "small": !figure.group.is_empty(),
         "tables": figure.tables.iter().map(|t| table(columns, figure, t)).collect::<Vec<_>>(),
     })
 }

@@ -7,6 +7,7 @@ use std::sync::Mutex;
 use std::thread;
 
 use kuva::backend::svg::SvgBackend;
+use kuva::plot::BandPlot;
 use kuva::plot::annotations::ShadedRegion;
 use kuva::plot::legend::{LegendEntry, LegendPosition, LegendShape};
 use kuva::plot::line::{LinePlot, LineStyle};
@@ -17,17 +18,19 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, render_multiple};
 use kuva::render::theme::Theme;
 
-use super::figure::{Figure, Series, Shape, Table};
+use super::figure::{Abscissa, Figure, Section, Series, Shape, Table};
 use super::quantity::number;
 use super::{dashes, decimate, raster};
 use crate::error::Error;
 use crate::files;
 
 /// Colour-blind safe (Okabe and Ito 2008, the yellows darkened), index = style of a series.
-const COLOURS: [&str; 7] =
-    ["#1b1f24", "#0072b2", "#d55e00", "#009e73", "#a9548a", "#b27c00", "#56b4e9"];
+pub(crate) const COLOURS: [&str; 9] = [
+    "#1b1f24", "#0072b2", "#d55e00", "#009e73", "#a9548a", "#b27c00", "#56b4e9", "#7d8590",
+    "#7a3b00",
+];
 /// Dash patterns, index = style of a series; a curve alone is solid.
-const DASHES: [&str; 7] = ["", "", "9 4", "2 3", "9 3 2 3", "14 5", "5 2"];
+const DASHES: [&str; 9] = ["", "", "9 4", "2 3", "9 3 2 3", "14 5", "5 2", "1 2", "12 3 2 3 2 3"];
 /// Bins per curve in a picture.
 const BINS: usize = 600;
 /// Stems per picture, and bands.
@@ -40,6 +43,11 @@ const BAND_IN_LEGEND: &str = "#bfe7dc";
 const LINE: f64 = 1.5;
 /// Panels in the overview.
 const PANELS: usize = 12;
+/// Columns of a sheet of small panels, and the size of one.
+const SMALL_COLUMNS: usize = 3;
+const SMALL_PANEL: (f64, f64) = (420.0, 300.0);
+/// Of the area between the smallest and the largest value.
+const AREA_OPACITY: f64 = 0.18;
 /// Size of a panel and of a single picture before scaling.
 const PANEL: (f64, f64) = (560.0, 380.0);
 /// Room at the sides of a picture, so that labels touch neither numbers nor the edge.
@@ -55,14 +63,28 @@ pub(super) fn write(dir: &Path, figures: &[Figure]) -> Result<(), Error> {
         return Ok(());
     }
     fs::create_dir_all(dir).map_err(|e| Error::io(dir, "create", e))?;
-    let span = span(&pictured);
-    let sheet = ("overview".to_owned(), overview(&pictured, span));
+    let over_time: Vec<&Figure> =
+        pictured.iter().copied().filter(|f| f.abscissa == Abscissa::Time).collect();
+    let span = span(&over_time);
     let mut jobs = Vec::new();
     let mut used = BTreeMap::new();
-    for figure in pictured {
+    let (alone, grouped): (Vec<&Figure>, Vec<&Figure>) =
+        pictured.into_iter().partition(|f| f.group.is_empty());
+    for group in grouped.chunk_by(|a, b| a.group == b.group) {
+        let name = group[0].group.split(',').next().unwrap_or_default().replace(' ', "-");
+        let stem = format!("envelope-{}", name.to_lowercase());
+        jobs.push((file_stem(&stem, &mut used), sheet(group)));
+    }
+    for figure in alone {
         jobs.push((file_stem(&figure.id, &mut used), single(figure, span)));
     }
-    jobs.push(sheet); // the longest, taken first
+    let main: Vec<&Figure> = over_time
+        .into_iter()
+        .filter(|f| matches!(f.section, Section::Impact | Section::Books))
+        .collect();
+    if !main.is_empty() {
+        jobs.push(("overview".to_owned(), overview(&main, span))); // the longest, taken first
+    }
     let n_jobs = jobs.len();
     let jobs = Mutex::new(jobs);
     let next = || jobs.lock().ok()?.pop();
@@ -80,7 +102,8 @@ pub(super) fn write(dir: &Path, figures: &[Figure]) -> Result<(), Error> {
     })
 }
 
-fn draw(dir: &Path, stem: &str, scene: Scene) -> Result<(), Error> {
+/// Draws a scene as `<stem>.svg` and `<stem>.png`.
+pub(crate) fn draw(dir: &Path, stem: &str, scene: Scene) -> Result<(), Error> {
     let svg = SvgBackend::new().render_scene(&scene);
     files::write(&dir.join(format!("{stem}.svg")), svg.as_bytes())?;
     let path = dir.join(format!("{stem}.png"));
@@ -103,9 +126,23 @@ fn file_stem(id: &str, used: &mut BTreeMap<String, usize>) -> String {
     if *count == 1 { stem } else { format!("{stem}-{count}") }
 }
 
-fn single(figure: &Figure, span: (f64, f64)) -> Scene {
+/// A figure alone; `span` is that of all figures over time.
+pub(crate) fn single(figure: &Figure, span: (f64, f64)) -> Scene {
     let layout = layout(figure, span).with_width(PANEL.0).with_height(PANEL.1);
     with_room(render_multiple(plots(figure), layout))
+}
+
+/// Small panels on one sheet.
+fn sheet(figures: &[&Figure]) -> Scene {
+    let columns = figures.len().min(SMALL_COLUMNS);
+    let titled = |f: &Figure| layout(f, (0.0, 0.0)).with_title(f.title.clone());
+    let scene = Sheet::new(figures.len().div_ceil(columns), columns)
+        .with_title(figures[0].group.clone())
+        .with_plots(figures.iter().map(|f| plots(f)).collect())
+        .with_layouts(figures.iter().map(|f| titled(f)).collect())
+        .with_cell_size(SMALL_PANEL.0, SMALL_PANEL.1)
+        .render();
+    with_room(scene)
 }
 
 /// All panels on one sheet, lettered as in a paper.
@@ -156,10 +193,11 @@ fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
         .with_label_size(13)
         .with_tick_size(12)
         .with_body_size(12);
+    let span = if figure.abscissa == Abscissa::Own { self::span(&[figure]) } else { span };
     if span.1 > span.0 {
         layout = layout.with_x_axis_min(span.0).with_x_axis_max(span.1);
     }
-    if let Some((low, high)) = padded(figure) {
+    if let Some((low, high)) = figure.y_range.or_else(|| padded(figure)) {
         layout = layout.with_y_axis_min(low).with_y_axis_max(high);
     }
     if figure.from_zero {
@@ -236,9 +274,23 @@ fn dashes_of(figure: &Figure, series: &Series) -> Option<&'static str> {
 fn plots(figure: &Figure) -> Vec<Plot> {
     let drawn = |t: &&Table| !t.x.is_empty();
     let of_table = |table: &Table| -> Vec<Plot> {
-        table.series.iter().filter_map(|s| plot(&table.x, s, dashes_of(figure, s))).collect()
+        let area = figure.filled.then(|| area(table)).flatten();
+        let curves = table.series.iter().filter_map(|s| plot(&table.x, s, dashes_of(figure, s)));
+        area.into_iter().chain(curves).collect()
     };
     figure.tables.iter().filter(drawn).flat_map(of_table).collect()
+}
+
+/// The area between the first two curves.
+fn area(table: &Table) -> Option<Plot> {
+    let [high, low, ..] = table.series.as_slice() else { return None };
+    let rows: Vec<usize> = decimate::rows(&[&low.y, &high.y], table.x.len(), BINS)
+        .into_iter()
+        .filter(|&r| table.x[r].is_finite() && low.y[r].is_finite() && high.y[r].is_finite())
+        .collect();
+    let pick = |column: &[f64]| -> Vec<f64> { rows.iter().map(|&r| column[r]).collect() };
+    let band = BandPlot::new(pick(&table.x), pick(&low.y), pick(&high.y));
+    (!rows.is_empty()).then(|| Plot::Band(band.with_color(COLOURS[1]).with_opacity(AREA_OPACITY)))
 }
 
 fn plot(x: &[f64], series: &Series, dashes: Option<&str>) -> Option<Plot> {

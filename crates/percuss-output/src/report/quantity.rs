@@ -36,7 +36,7 @@ impl Scale {
             return Self { factor: 1.0, unit: pretty };
         }
         let exponent = 3 * (largest.log10() / 3.0).floor() as i32;
-        if matches!(unit, "s" | "m" | "m/s" | "N" | "N*s" | "J" | "N*m") {
+        if takes_prefix(unit) {
             if (1.0..1e4).contains(&largest) {
                 return Self { factor: 1.0, unit: pretty };
             }
@@ -53,6 +53,11 @@ impl Scale {
     }
 }
 
+/// Whether a unit is shown with a prefix.
+fn takes_prefix(unit: &str) -> bool {
+    matches!(unit, "s" | "m" | "m/s" | "N" | "N*s" | "J" | "N*m" | "Pa")
+}
+
 /// `value` of `unit` in words, six significant digits.
 pub(crate) fn quantity(value: Option<f64>, unit: &str) -> String {
     spelled(value, unit).replace(' ', NBSP)
@@ -60,7 +65,7 @@ pub(crate) fn quantity(value: Option<f64>, unit: &str) -> String {
 
 fn spelled(value: Option<f64>, unit: &str) -> String {
     let Some(value) = value.filter(|v| v.is_finite()) else { return "\u{2013}".to_owned() };
-    if !matches!(unit, "s" | "m" | "m/s" | "N" | "N*s" | "J" | "N*m") {
+    if !takes_prefix(unit) {
         return format!("{} {}", number(value), pretty(unit)).trim_end().to_owned();
     }
     if value != 0.0 && !(1e-12..1e15).contains(&value.abs()) {

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value};
 
+use super::extremes;
 use super::html::{escape, table};
 use super::quantity::{number, quantity};
 
@@ -24,9 +25,7 @@ pub(super) fn render(summary: &Value) -> String {
         out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile)));
     }
     out.push_str(&points(summary));
-    for (beam, forces) in summary["section_forces"].as_object().unwrap_or(&empty) {
-        out.push_str(&section_forces(beam, forces));
-    }
+    out.push_str(&extremes::render(summary));
     out
 }
 
@@ -161,20 +160,4 @@ fn points(summary: &Value) -> String {
         }
         row
     })
-}
-
-fn section_forces(beam: &str, forces: &Value) -> String {
-    let row = |&(label, key, unit): &(&str, &str, &str)| {
-        let peak = &forces[key];
-        let of = |key: &str, unit: &str| quantity(peak[key].as_f64(), unit);
-        vec![label.to_owned(), of("value", unit), of("s", "m"), of("time", "s")]
-    };
-    let list = [
-        ("bending moment", "moment_max", "N*m"),
-        ("axial force", "axial_max", "N"),
-        ("shear force", "shear_max", "N"),
-    ];
-    let rows: Vec<Vec<String>> = list.iter().map(row).collect();
-    let header = ["", "largest in magnitude", "at arc length", "at time"];
-    table(&format!("Section forces of {beam}"), &header, &rows)
 }

@@ -6,8 +6,9 @@ use std::f64::consts::PI;
 
 use percuss::{
     AuditSummary, Channel, ContactInterval, ContactRecord, ContactSummary, EffectiveMass,
-    EnergySummary, Impact, MomentumSummary, Peak, PointSummary, ProjectileSummary, Recorder,
-    RecorderError, RunSummary, SectionForceSummary, SectionPeak, Termination,
+    EnergySummary, Envelope, Impact, MomentumSummary, Peak, PointSummary, ProjectileSummary, Range,
+    Recorder, RecorderError, RunSummary, SectionForceSummary, SectionPeak, SectionRange,
+    SupportSummary, Termination,
 };
 
 const MASS: f64 = 500.0;
@@ -40,10 +41,12 @@ pub fn channels(projectile: &str, contact: (&str, &'static str), point: &str) ->
         "strain_axial",
         "strain_bending",
         "contact",
+        "springs",
         "total",
         "work_loads",
         "work_supports",
         "loss_impacts",
+        "loss_damping",
         "residual",
     ] {
         list.push((format!("energy.{name}"), "J"));
@@ -57,6 +60,12 @@ pub fn channels(projectile: &str, contact: (&str, &'static str), point: &str) ->
     list.push(("audit.curvature_drift".into(), "1/m"));
     list.push(("audit.membrane_drift".into(), "1"));
     list.push(("solver.newton_iterations".into(), "1"));
+    list.push(("support.left.force_1".into(), "N"));
+    list.push(("support.left.force_2".into(), "N"));
+    list.push(("support.left.moment".into(), "N*m"));
+    list.push((format!("section.{point}.axial"), "N"));
+    list.push((format!("section.{point}.shear"), "N"));
+    list.push((format!("section.{point}.moment"), "N*m"));
     list.into_iter()
         .map(|(name, unit)| Channel { description: format!("The {name}."), name, unit })
         .collect()
@@ -112,10 +121,12 @@ pub fn elastic(
             0.02 * strain,
             0.98 * strain,
             contact,
+            0.0,
             1e5 + wobble,
             0.0,
             0.0,
             0.0,
+            300.0 * t,
             wobble,
             1e-14,
             MASS * velocity,
@@ -126,6 +137,12 @@ pub fn elastic(
             1e-9 * t,
             0.0,
             3.0,
+            1e-14,
+            -0.6 * force,
+            0.1 * force,
+            1e-9 * force,
+            0.5 * force,
+            -0.7 * force,
         ])?;
     }
     Ok(())
@@ -174,10 +191,12 @@ pub fn rigid(
             0.1 * rest,
             0.5 * rest,
             0.0,
+            0.0,
             energy,
             0.0,
             0.0,
             80_000.0 - energy,
+            0.0,
             noise,
             0.0,
             mass * velocity,
@@ -188,6 +207,12 @@ pub fn rigid(
             0.0,
             0.0,
             4.0,
+            0.0,
+            -1e6 * u,
+            2e5 * u,
+            0.0,
+            1e6 * u,
+            1e6 * u,
         ])
     };
     row(0.0, position, velocity, 0.0, energy, false)?;
@@ -228,6 +253,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             work_loads: 0.0,
             work_supports: 0.0,
             loss_impacts: 0.0,
+            loss_damping: 120.0,
             scale: 1e5,
             residual_max: 5.9e-12,
         },
@@ -256,12 +282,49 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
                 Peak { value: 0.177864203, time: 0.0504933 },
             ],
         }],
-        section_forces: vec![SectionForceSummary {
-            name: "girder".to_owned(),
-            axial_max: SectionPeak { value: 1e4, s: 0.0, time: 0.05 },
-            shear_max: SectionPeak { value: -2e5, s: 1.25, time: 0.06 },
-            moment_max: SectionPeak { value: 9e4, s: 3.0, time: 0.05 },
-        }],
+        supports: vec![support("left", -1.0), support("right", 1.0)],
+        section_forces: vec![section_forces("girder", 1.0)],
+    }
+}
+
+/// Reactions that pull and push.
+pub fn support(name: &str, sign: f64) -> SupportSummary {
+    let range = |min: f64, max: f64| Range {
+        min: Peak { value: min, time: 0.031 },
+        max: Peak { value: max, time: 0.052 },
+    };
+    SupportSummary {
+        name: name.to_owned(),
+        force: [range(-250.0, 1e3), range(-1.5e5, 8e4)],
+        moment: range(-4e4 * sign.abs(), 9e4),
+    }
+}
+
+/// Section forces of a beam of 3 m under a wandering load.
+pub fn section_forces(name: &str, size: f64) -> SectionForceSummary {
+    let range = |min: f64, max: f64| SectionRange {
+        min: SectionPeak { value: min * size, s: 1.25, time: 0.06 },
+        max: SectionPeak { value: max * size, s: 3.0, time: 0.05 },
+    };
+    let s: Vec<f64> = (0..30).flat_map(|k| [f64::from(k) * 0.1, f64::from(k + 1) * 0.1]).collect();
+    let band = |low: f64, high: f64| -> [Vec<f64>; 2] {
+        [low, high].map(|by| s.iter().map(|s| size * by * (PI * s / 3.0).sin()).collect())
+    };
+    let nothing = || [vec![f64::NAN; 60], vec![f64::NAN; 60]];
+    SectionForceSummary {
+        name: name.to_owned(),
+        axial: range(-100.0, 1e4),
+        shear: range(-2e5, 1.5e5),
+        moment: range(-4e4, 9e4),
+        strain: SectionRange::default(),
+        stress: SectionRange::default(),
+        envelope: Envelope {
+            axial: band(-100.0, 1e4),
+            shear: band(-2e5, 1.5e5),
+            moment: band(-4e4, 9e4),
+            stress: nothing(),
+            s,
+        },
     }
 }
 

@@ -373,6 +373,21 @@ impl Model {
         Some(self.nodes[beam.nodes.clone()].iter().map(|n| n.position).collect())
     }
 
+    /// Elements of the beam called `name`, start to end: the node where each begins in the row of all nodes, its arc length \[m\],
+    /// and position and tangent of the reference at both ends, laid out as a node's degrees of freedom.
+    pub fn beam_elements(&self, name: &str) -> impl Iterator<Item = (usize, f64, [[f64; 4]; 2])> {
+        let beam = self.beams.iter().find(|b| b.name == name);
+        let spans = beam.map_or(0..0, |b| b.spans.clone());
+        let frame = |n: &NodeFrame| [n.position[0], n.position[1], n.tangent[0], n.tangent[1]];
+        self.spans[spans].iter().flat_map(move |span| {
+            (0..span.elements.len()).map(move |k| {
+                let a = span.nodes.start + k;
+                let ends = [frame(&self.nodes[a]), frame(&self.nodes[a + 1])];
+                (a, span.stations[k + 1] - span.stations[k], ends)
+            })
+        })
+    }
+
     /// Elements with their spans: (span, number in the span, node a, element).
     pub(crate) fn each_element(&self) -> impl Iterator<Item = (&Span, usize, usize, usize)> {
         self.spans.iter().flat_map(|span| {

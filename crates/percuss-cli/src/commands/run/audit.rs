@@ -92,6 +92,7 @@ fn energy(run: &RunSummary) -> String {
     let mut parts = vec![format!("{} J to {} J", number(energy.initial), number(energy.final_))];
     let terms = [
         ("lost in impacts", energy.loss_impacts),
+        ("taken by damping", energy.loss_damping),
         ("work of loads", energy.work_loads),
         ("work of supports", energy.work_supports),
     ];

@@ -1,0 +1,104 @@
+//! `percuss modes`.
+
+use percuss::{Mode, Model, Settings, Simulation, Start, State, equilibrium, modes_about};
+use percuss_output::{ModesInfo, Results, RunDirectory, modes_value, write_modes};
+
+use crate::arguments::{About, Modes};
+use crate::number::number;
+use crate::outcome::{Failure, Status};
+use crate::scenario;
+use crate::terminal;
+
+/// Finds the natural modes of a scenario, prints and draws them.
+pub fn run(arguments: &Modes) -> Result<Status, Failure> {
+    let ready = scenario::read(&arguments.file, &arguments.set)?;
+    let compiled = &ready.compiled;
+    let model = &compiled.model;
+    let about = arguments.about.unwrap_or(match compiled.settings.start {
+        Start::Reference => About::Reference,
+        Start::Static => About::Static,
+    });
+    let state = match about {
+        About::Reference => reference(model),
+        About::Static => {
+            ready.refuse_mechanism(&arguments.set)?;
+            equilibrium(model).map(|found| found.state).map_err(|error| error.to_string())
+        }
+    };
+    let state = match state {
+        Ok(state) => state,
+        Err(text) => return Ok(gave_up(&text)),
+    };
+    let modes = modes_about(model, &state, arguments.count as usize);
+    if modes.is_empty() {
+        return Ok(gave_up("no modes found: the tangent is singular"));
+    }
+    let info = ModesInfo {
+        title: &compiled.title,
+        about: word(about),
+        model,
+        displacement: &state.displacement,
+        modes: &modes,
+    };
+    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-modes"));
+    let directory = RunDirectory::create_for(Results::Modes, &out)?;
+    write_modes(directory.path(), &info)?;
+    directory.commit()?;
+    if arguments.json {
+        terminal::print(&format!("{:#}\n", modes_value(&info)))?;
+    } else {
+        terminal::print(&table(about, &modes))?;
+        terminal::tell(&format!("results  {}", out.display()));
+    }
+    let unstable = modes.iter().filter(|m| m.eigenvalue < 0.0).count();
+    if unstable > 0 {
+        let grow = if unstable == 1 { "1 mode grows" } else { &format!("{unstable} modes grow") };
+        terminal::warning(&format!("the equilibrium is unstable: {grow}"));
+    }
+    Ok(Status::Done)
+}
+
+fn gave_up(text: &str) -> Status {
+    terminal::error(text);
+    Status::GaveUp
+}
+
+fn word(about: About) -> &'static str {
+    match about {
+        About::Reference => "reference",
+        About::Static => "static",
+    }
+}
+
+/// The reference configuration at rest.
+fn reference(model: &Model) -> Result<State, String> {
+    let simulation = Simulation::new(model, &Settings::new(1.0, 1.0));
+    let mut state = simulation
+        .map(|s| s.state().clone())
+        .map_err(|_| "the reference configuration cannot be set up".to_owned())?;
+    // A beam in flight is taken as it would vibrate at rest.
+    state.velocity.fill([0.0; 4]);
+    state.spin.iter_mut().for_each(|spin| spin.fill(0.0));
+    Ok(state)
+}
+
+fn table(about: About, modes: &[Mode]) -> String {
+    let about = match about {
+        About::Reference => "the reference configuration",
+        About::Static => "static equilibrium",
+    };
+    let mut text = format!("natural modes about {about}\n  mode  frequency [Hz]    period [s]\n");
+    for (k, mode) in modes.iter().enumerate() {
+        let (frequency, period, note) = if mode.eigenvalue > 0.0 {
+            (number(mode.frequency()), number(1.0 / mode.frequency()), "")
+        } else if mode.eigenvalue == 0.0 {
+            ("0".into(), "-".into(), "motion of a rigid body, or of a mechanism")
+        } else {
+            ("-".into(), "-".into(), "grows: the equilibrium is unstable")
+        };
+        let line = format!("  {:>4}  {frequency:>14}  {period:>12}  {note}", k + 1);
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}

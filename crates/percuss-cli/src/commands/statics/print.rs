@@ -1,0 +1,124 @@
+//! An equilibrium and a path, as text and as JSON.
+
+use percuss::{BucklingMode, Equilibrium, Path, SectionForceSummary, SectionPeak, SectionRange};
+use serde_json::{Map, Value, json};
+
+use crate::number::{count, number};
+
+/// Limit points printed.
+const LISTED: usize = 20;
+
+/// Everything about an equilibrium.
+pub fn json(found: &Equilibrium, linear: &[BucklingMode]) -> Value {
+    let points = found.points.iter().map(|(name, u)| (name.clone(), json!({ "displacement": u })));
+    let supports = found.reactions.iter().map(|(name, [f1, f2, moment])| {
+        (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
+    });
+    let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
+    json!({
+        "load_steps": found.load_steps,
+        "newton_iterations": found.newton_iterations,
+        "point": points.collect::<Map<_, _>>(),
+        "support": supports.collect::<Map<_, _>>(),
+        "section_forces": forces.collect::<Map<_, _>>(),
+        "linear_buckling": linear.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
+    })
+}
+
+fn section_forces(beam: &SectionForceSummary) -> Value {
+    let peak = |p: SectionPeak| json!({ "value": p.value, "s": p.s });
+    let range = |r: &SectionRange| json!({ "min": peak(r.min), "max": peak(r.max) });
+    json!({
+        "moment_max": peak(beam.moment.largest()),
+        "axial_max": peak(beam.axial.largest()),
+        "shear_max": peak(beam.shear.largest()),
+        "moment": range(&beam.moment),
+        "axial": range(&beam.axial),
+        "shear": range(&beam.shear),
+        "stress": range(&beam.stress),
+        "strain": range(&beam.strain),
+    })
+}
+
+/// The same for people.
+pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
+    let steps = count(found.load_steps, "load step");
+    let mut text =
+        format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
+    let moved = largest(found.points.iter().flat_map(|(_, u)| u));
+    for (name, u) in &found.points {
+        let [u1, u2] = u.map(|u| beside(moved, u));
+        text.push_str(&format!("  {name}: displacement {u1} m, {u2} m\n"));
+    }
+    if found.points.is_empty() {
+        text.push_str("  no points recorded: `[record] points = [\"beam.mid\"]` names some\n");
+    }
+    if !found.reactions.is_empty() {
+        text.push_str("reactions, on the structure\n");
+    }
+    let size = largest(found.reactions.iter().flat_map(|(_, r)| r));
+    for (name, reaction) in &found.reactions {
+        let [f1, f2, moment] = reaction.map(|r| beside(size, r));
+        text.push_str(&format!("  {name}: force {f1} N, {f2} N, moment {moment} N m\n"));
+    }
+    text.push_str("section forces, smallest to largest\n");
+    for beam in &found.section_forces {
+        text.push_str(&format!("  {}\n", beam.name));
+        for (what, range, unit) in [
+            ("moment", &beam.moment, "N m"),
+            ("axial force", &beam.axial, "N"),
+            ("shear force", &beam.shear, "N"),
+            ("fibre stress", &beam.stress, "Pa"),
+        ] {
+            if !range.max.value.is_nan() {
+                text.push_str(&format!("    {what:12} {}\n", in_words(range, unit)));
+            }
+        }
+    }
+    if let Some(mode) = linear.first() {
+        text.push_str(&format!(
+            "linear buckling at {} times the loads (about the reference configuration)\n",
+            number(mode.factor)
+        ));
+    }
+    text
+}
+
+fn largest<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
+    values.fold(0.0, |most: f64, v| most.max(v.abs()))
+}
+
+/// A number, zero if it is round-off beside `size`.
+fn beside(size: f64, value: f64) -> String {
+    number(if value.abs() < 1e-12 * size { 0.0 } else { value })
+}
+
+fn in_words(range: &SectionRange, unit: &str) -> String {
+    let at = |p: &SectionPeak| format!("{} {unit} at {} m", number(p.value), number(p.s));
+    format!("{} to {}", at(&range.min), at(&range.max))
+}
+
+/// Where a path led.
+pub fn path(path: &Path) -> String {
+    let points = count(path.points.len().saturating_sub(1), "point");
+    let factor = path.points.last().map_or(0.0, |p| p.factor);
+    let mut text = format!("equilibrium path: {points}, to the load factor {}\n", number(factor));
+    for point in path.limit_points.iter().take(LISTED) {
+        let places = path.names.iter().zip(&point.displacements);
+        let places: Vec<String> = places
+            .map(|(name, [u1, u2])| format!("{name} at {} m, {} m", number(*u1), number(*u2)))
+            .collect();
+        let places =
+            if places.is_empty() { String::new() } else { format!(": {}", places.join("; ")) };
+        text.push_str(&format!(
+            "  limit point at the load factor {}{places}\n",
+            number(point.factor)
+        ));
+    }
+    match path.limit_points.len() {
+        0 => text.push_str("  no limit point\n"),
+        n if n > LISTED => text.push_str(&format!("  and {} more limit points\n", n - LISTED)),
+        _ => {}
+    }
+    text
+}

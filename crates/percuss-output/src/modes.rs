@@ -1,0 +1,166 @@
+//! Natural modes on disk: numbers, nodal shapes, a sheet of pictures, a page.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use kuva::backend::svg::SvgBackend;
+use percuss::{Mode, Model};
+use serde_json::{Value, json};
+
+use crate::csv_text;
+use crate::error::Error;
+use crate::files;
+use crate::report::html::{escape, table};
+use crate::report::quantity::{number, quantity};
+use crate::report::{page, pictures};
+use crate::shapes::{self, Panel};
+
+const TEMPLATE: &str = include_str!("../../../web/modes.html");
+/// Modes drawn.
+const DRAWN: usize = 60;
+
+/// Modes and what they belong to.
+#[derive(Clone, Copy, Debug)]
+pub struct ModesInfo<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// What they are taken about: `reference` or `static`.
+    pub about: &'a str,
+    /// The model.
+    pub model: &'a Model,
+    /// Nodal displacements of the configuration they are taken about, shape (n_node).
+    pub displacement: &'a [[f64; 4]],
+    /// The modes, in ascending order.
+    pub modes: &'a [Mode],
+}
+
+/// What a mode is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Vibration,
+    RigidBody,
+    Unstable,
+}
+
+impl Kind {
+    fn of(mode: &Mode) -> Self {
+        match mode.eigenvalue {
+            0.0 => Self::RigidBody,
+            negative if negative < 0.0 => Self::Unstable,
+            _ => Self::Vibration,
+        }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Vibration => "vibration",
+            Self::RigidBody => "rigid-body",
+            Self::Unstable => "unstable",
+        }
+    }
+}
+
+/// The content of `modes.json`. What a mode has not, such as the frequency of an unstable one, is `null`.
+pub fn modes_value(info: &ModesInfo<'_>) -> Value {
+    let mode = |(k, m): (usize, &Mode)| {
+        let frequency = m.frequency();
+        json!({
+            "number": k + 1,
+            "kind": Kind::of(m).word(),
+            "frequency": frequency,
+            "period": 1.0 / frequency,
+            "eigenvalue": m.eigenvalue,
+        })
+    };
+    json!({
+        "percuss_version": env!("CARGO_PKG_VERSION"),
+        "title": info.title,
+        "about": info.about,
+        "stable": info.modes.iter().all(|m| Kind::of(m) != Kind::Unstable),
+        "modes": info.modes.iter().enumerate().map(mode).collect::<Vec<_>>(),
+    })
+}
+
+/// Writes `modes.json`, `shapes.csv`, `modes.svg`, `modes.png` and `modes.html` into `dir`.
+///
+/// # Errors
+/// If a file cannot be written or the picture not drawn.
+pub fn write_modes(dir: impl AsRef<Path>, info: &ModesInfo<'_>) -> Result<(), Error> {
+    let dir = dir.as_ref();
+    files::write(&dir.join("shapes.csv"), shapes_csv(info).as_bytes())?;
+    let panels: Vec<Panel<'_>> = info.modes.iter().take(DRAWN).enumerate().map(panel).collect();
+    if !panels.is_empty() {
+        let scene = shapes::sheet(info.model, info.displacement, &panels);
+        let svg = SvgBackend::new().render_scene(&scene);
+        // Without a view box a browser cuts the sheet instead of scaling it.
+        let view = format!("<svg viewBox=\"0 0 {} {}\" ", scene.width, scene.height);
+        let svg = if svg.contains("viewBox") { svg } else { svg.replacen("<svg ", &view, 1) };
+        files::write(&dir.join("modes.html"), html(info, &svg).as_bytes())?;
+        pictures::draw(dir, "modes", scene)?;
+    }
+    files::write(&dir.join("modes.json"), format!("{:#}\n", modes_value(info)).as_bytes())
+}
+
+fn panel((k, mode): (usize, &Mode)) -> Panel<'_> {
+    let (words, style) = match Kind::of(mode) {
+        Kind::Vibration => (format!("{} Hz", number(mode.frequency())), 1),
+        Kind::RigidBody => ("rigid-body motion, 0 Hz".to_owned(), 3),
+        Kind::Unstable => ("unstable: it grows".to_owned(), 2),
+    };
+    Panel { title: format!("{}: {words}", k + 1), style, shape: &mode.shape }
+}
+
+/// One row a mode and node: where the node is, how it moves, and the slopes; unit modal mass.
+fn shapes_csv(info: &ModesInfo<'_>) -> String {
+    let mut text = "mode,beam,node,x1,x2,u1,u2,slope1,slope2\n".to_owned();
+    let mut buffer = zmij::Buffer::new();
+    for (k, mode) in info.modes.iter().enumerate() {
+        let mut first = 0;
+        for name in info.model.beam_names() {
+            let nodes = info.model.beam_nodes(name).unwrap_or_default();
+            let quoted = csv_text::quote(name);
+            for (n, position) in nodes.iter().enumerate() {
+                let _ = write!(text, "{},{quoted},{}", k + 1, n + 1); // a String never fails
+                for value in position.iter().chain(&mode.shape[first + n]) {
+                    let _ = write!(text, ",{}", buffer.format(*value));
+                }
+                text.push('\n');
+            }
+            first += nodes.len();
+        }
+    }
+    text
+}
+
+fn html(info: &ModesInfo<'_>, svg: &str) -> String {
+    let title = if info.title.is_empty() { "Natural modes" } else { info.title };
+    let row = |(k, mode): (usize, &Mode)| {
+        let kind = Kind::of(mode);
+        let frequency = mode.frequency();
+        let period = quantity((kind == Kind::Vibration).then_some(1.0 / frequency), "s");
+        let note = match kind {
+            Kind::Vibration => String::new(),
+            Kind::RigidBody => "motion of a rigid body, or of a mechanism".to_owned(),
+            Kind::Unstable => {
+                let growth = quantity(Some(1.0 / (-mode.eigenvalue).sqrt()), "s");
+                format!("the equilibrium is unstable: the motion grows e-fold in {growth}")
+            }
+        };
+        vec![(k + 1).to_string(), quantity(Some(frequency), "Hz"), period, note]
+    };
+    let rows: Vec<Vec<String>> = info.modes.iter().enumerate().map(row).collect();
+    let about = match info.about {
+        "static" => "about static equilibrium under the loads that act at time zero",
+        _ => "about the reference configuration, free of stress",
+    };
+    let svg = svg.find("<svg").map_or(svg, |start| &svg[start..]);
+    page::fill_holes(TEMPLATE, |hole| match hole {
+        "title" => escape(title),
+        "style" => page::STYLE.to_owned(),
+        "about" => escape(about),
+        "table" => table("Natural modes", &["mode", "frequency", "period", ""], &rows),
+        "svg" => svg.to_owned(),
+        "version" => env!("CARGO_PKG_VERSION").to_owned(),
+        _ => String::new(),
+    })
+}

@@ -1,0 +1,116 @@
+//! Tables of extremes: reactions of supports, section forces of beams.
+
+use serde_json::{Map, Value};
+
+use super::html::table;
+use super::quantity::{number, quantity};
+
+/// Rows shown of a table.
+const LISTED: usize = 400;
+
+/// Both tables.
+pub(super) fn render(summary: &Value) -> String {
+    let supports = reactions(summary);
+    format!("{supports}{}", section_forces(summary))
+}
+
+fn reactions(summary: &Value) -> String {
+    let quantities =
+        [("force 1", "force_1", "N"), ("force 2", "force_2", "N"), ("moment", "moment", "N*m")];
+    let header = ["support", "reaction", "smallest", "at time", "largest", "at time"];
+    listing("Reactions, on the structure", &header, &summary["support"], &quantities, false)
+}
+
+fn section_forces(summary: &Value) -> String {
+    let quantities = [
+        ("axial force", "axial", "N"),
+        ("shear force", "shear", "N"),
+        ("bending moment", "moment", "N*m"),
+        ("fibre stress", "stress", "Pa"),
+        ("fibre strain", "strain", "1"),
+    ];
+    let header = [
+        "beam",
+        "section force",
+        "smallest",
+        "at arc length",
+        "at time",
+        "largest",
+        "at arc length",
+        "at time",
+    ];
+    listing("Section forces", &header, &summary["section_forces"], &quantities, true)
+}
+
+/// A row a name and quantity; quantities that a name does not have are left out.
+fn listing(
+    caption: &str,
+    header: &[&str],
+    of: &Value,
+    quantities: &[(&str, &str, &str)],
+    place: bool,
+) -> String {
+    let empty = Map::new();
+    let mut rows = Vec::new();
+    for (name, entry) in of.as_object().unwrap_or(&empty) {
+        let mut first = true;
+        for (label, key, unit) in quantities {
+            let range = &entry[key];
+            if !range["min"]["value"].is_number() && !range["max"]["value"].is_number() {
+                continue;
+            }
+            let shown = if std::mem::take(&mut first) { name.clone() } else { String::new() };
+            let mut row = vec![shown, (*label).to_owned()];
+            for end in ["min", "max"] {
+                let value = |key: &str, unit: &str| quantity(range[end][key].as_f64(), unit);
+                row.push(value("value", unit));
+                row.extend(place.then(|| metres(&range[end]["s"])));
+                row.push(value("time", "s"));
+            }
+            rows.push(row);
+        }
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    let more = rows.len().saturating_sub(LISTED);
+    rows.truncate(LISTED);
+    let mut out = table(caption, header, &rows);
+    if more > 0 {
+        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
+    }
+    out
+}
+
+/// An arc length without a prefix, so that places compare.
+fn metres(s: &Value) -> String {
+    s.as_f64().map_or("\u{2013}".to_owned(), |s| format!("{}\u{a0}m", number(s)))
+}
+
+/// Largest magnitude of the forces of all supports.
+pub(super) fn reaction(summary: &Value) -> f64 {
+    magnitude(&summary["support"], &["force_1", "force_2"])
+}
+
+/// Largest magnitude of the moments of all supports.
+pub(super) fn reaction_moment(summary: &Value) -> f64 {
+    magnitude(&summary["support"], &["moment"])
+}
+
+/// Largest magnitude of section forces in all beams.
+pub(super) fn section(summary: &Value, keys: &[&str]) -> f64 {
+    magnitude(&summary["section_forces"], keys)
+}
+
+fn magnitude(of: &Value, keys: &[&str]) -> f64 {
+    let empty = Map::new();
+    let mut most = 0.0_f64;
+    for entry in of.as_object().unwrap_or(&empty).values() {
+        for key in keys {
+            for end in ["min", "max"] {
+                most = most.max(entry[key][end]["value"].as_f64().unwrap_or(0.0).abs());
+            }
+        }
+    }
+    most
+}
