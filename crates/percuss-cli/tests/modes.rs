@@ -92,6 +92,25 @@ fn stresses_count_about_a_static_equilibrium() {
 }
 
 #[test]
+fn a_column_beyond_eulers_load_is_unstable() {
+    let desk = Desk::empty();
+    // Euler's load is pi^2 EI / (2 L)^2 = 10.36 kN.
+    desk.put("column.toml", format!("{BEAM}{CLAMP}{}", load("[\"-10.6 kN\", 0]")));
+    let arguments = ["modes", "column.toml", "--about", "static", "--count", "2"];
+    let found = desk.percuss(&[&arguments[..], &["--json"]].concat());
+    found.ends_with(0).tells("the equilibrium is unstable: 1 mode grows");
+    let value = value(&found.stdout);
+    assert_eq!(value["stable"], false);
+    let first = &value["modes"][0];
+    assert_eq!(first["kind"], "unstable");
+    assert!(first["frequency"].is_null() && first["period"].is_null(), "{first}");
+    assert!(first["eigenvalue"].as_f64().is_some_and(|e| e < 0.0), "{first}");
+    assert_eq!(value["modes"][1]["kind"], "vibration");
+    let table = desk.percuss(&arguments);
+    assert!(table.stdout.contains("grows: the equilibrium is unstable"), "{}", table.stdout);
+}
+
+#[test]
 fn what_is_wrong_is_told_and_nothing_written() {
     let desk = Desk::empty();
     desk.put("arm.toml", format!("{BEAM}{CLAMP}"));
