@@ -246,7 +246,11 @@ fn run<'m>(model: &'m Model, end: f64, step: f64) -> Simulation<'m> {
         let (books, m) = (&simulation.state().books, simulation.measures());
         let missing = books.energy_residual(m).abs();
         let t = simulation.state().time;
-        assert!(missing <= 1e-11 * books.energy_scale, "{missing} of {} at {t}", books.energy_scale);
+        assert!(
+            missing <= 1e-11 * books.energy_scale,
+            "{missing} of {} at {t}",
+            books.energy_scale
+        );
     }
     simulation
 }
@@ -444,5 +448,38 @@ fn faults_are_told_all_at_once() {
         "support.roller.motion: found a rotation",
     ] {
         assert!(all.contains(expected), "{expected} missing in\n{all}");
+    }
+}
+
+#[test]
+fn a_load_across_a_beam_buckles_nothing() {
+    // The cantilever is pressed by nothing: its displacements must not pass for a prestress.
+    let across = beam(8, |b, beam| {
+        clamp(b, beam);
+        force(b, beam, 1.0, [0.0, 100.0], 0.0);
+    });
+    // What is left is the coupling of moments and stretches in Green strains, at strains of the order of one.
+    assert!(buckling(&across, 1).iter().all(|m| m.factor > 1e3));
+    // A column under its weight of load and a push across buckles at Euler's load all the same.
+    let column = beam(16, |b, beam| {
+        clamp(b, beam);
+        force(b, beam, 1.0, [-1.0, 0.7], 0.0);
+    });
+    let euler = std::f64::consts::PI.powi(2) * BENDING / 16.0;
+    close(buckling(&column, 1)[0].factor, euler, 1e-3);
+}
+
+#[test]
+fn an_overloaded_column_is_unstable_however_far() {
+    let euler = std::f64::consts::PI.powi(2) * BENDING / 16.0;
+    for share in [0.9, 1.1, 1.4, 2.0, 8.0] {
+        let column = beam(16, |b, beam| {
+            clamp(b, beam);
+            force(b, beam, 1.0, [-share * euler, 0.0], 0.0);
+        });
+        let found = equilibrium(&column).unwrap();
+        assert_eq!(found.stable, share < 1.0, "{share}");
+        let lowest = modes_about(&column, &found.state, 1)[0].eigenvalue;
+        assert_eq!(lowest > 0.0, share < 1.0, "{share}: {lowest}");
     }
 }

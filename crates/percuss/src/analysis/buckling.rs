@@ -13,8 +13,6 @@ use crate::step::tangent::{Tangent, inner, project};
 const MOST_ITERATIONS: usize = 200;
 /// Relative change of a factor that has settled.
 const SETTLED: f64 = 1e-12;
-/// Largest membrane strain of the configurations between which the geometric stiffness is a difference.
-const SMALL_STRAIN: f64 = 1e-5;
 
 /// A buckling mode of the linearised structure.
 #[derive(Clone, Debug)]
@@ -27,7 +25,7 @@ pub struct BucklingMode {
 
 /// Linear buckling factors of the loads that act at time zero: up to `count` positive ones, in ascending order.
 ///
-/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the derivative of the tangent along the linear
+/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear
 /// response to the loads. Empty if no load acts, nothing buckles, or the structure is a mechanism.
 pub fn buckling(model: &Model, count: usize) -> Vec<BucklingMode> {
     find(model, count).unwrap_or_default()
@@ -35,25 +33,13 @@ pub fn buckling(model: &Model, count: usize) -> Vec<BucklingMode> {
 
 fn find(model: &Model, count: usize) -> Option<Vec<BucklingMode>> {
     let rest = State::at_rest(model, Scheme::EnergyMomentum);
-    let stiffness = linearized_free(model, &rest, &[], 0.0);
+    let stiffness = linearized(model, &rest).work.tangent;
     let (response, multipliers, mut factored) = linear_response(model)?;
-    let small = SMALL_STRAIN / reach(model, &response);
-    if !small.is_finite() {
-        return None;
-    }
-    let at = |share: f64| {
-        let mut state = rest.clone();
-        state.displacement.clone_from(&response);
-        scale(&mut state.displacement, share);
-        let multipliers: Vec<f64> = multipliers.iter().map(|m| share * m).collect();
-        linearized_free(model, &state, &multipliers, share)
-    };
-    let (ahead, behind) = (at(small), at(-small));
+    let stressed = stressed(model, &rest, &response, &multipliers);
     // - K_g x
     let geometric = |x: &[[f64; 4]]| {
-        let mut y = behind.multiply(x);
-        subtract(&mut y, 1.0, &ahead.multiply(x));
-        scale(&mut y, 0.5 / small);
+        let mut y = stiffness.multiply(x);
+        subtract(&mut y, 1.0, &stressed.multiply(x));
         project(model, &mut y);
         y
     };
@@ -96,12 +82,13 @@ fn normalized(factor: f64, mut shape: Vec<[f64; 4]>) -> BucklingMode {
     BucklingMode { factor, shape }
 }
 
-/// The tangent about a state that carries `share` of the loads, not factored.
-fn linearized_free(model: &Model, state: &State, multipliers: &[f64], share: f64) -> Tangent {
-    let mut search = StaticSearch::at(model, state);
-    search.work.multiplier[..multipliers.len()].copy_from_slice(multipliers);
-    search.forcing.set_static(model, share);
-    search.forcing.hold_motions();
+/// The tangent of the reference configuration under the stresses of the linear response, not factored: displacements
+/// stay out of it.
+fn stressed(model: &Model, rest: &State, response: &[[f64; 4]], multipliers: &[f64]) -> Tangent {
+    let mut search = StaticSearch::at(model, rest);
+    search.work.multiplier.copy_from_slice(multipliers);
+    search.work.correction.copy_from_slice(response);
+    search.foresee(false);
     search.assemble::<true>();
     search.work.tangent
 }
@@ -115,22 +102,9 @@ fn linear_response(model: &Model) -> Option<(Vec<[f64; 4]>, Vec<f64>, Tangent)> 
     let mut x: Vec<[f64; 4]> = search.work.residual.iter().map(|r| r.map(|c| -c)).collect();
     let mut tangent = search.work.tangent.clone();
     let multipliers = tangent.solve_linear(model, &mut x);
-    (largest(&x) > 0.0).then_some((x, multipliers, tangent))
-}
-
-/// Largest membrane strain of a response, or a tenth of its largest rotation.
-fn reach(model: &Model, response: &[[f64; 4]]) -> f64 {
-    use crate::element::beam::ElementValues;
-    let mut most = 0.0_f64;
-    for (span, k, a, _) in model.each_element() {
-        let u = ElementValues::new(&response[a], &response[a + 1]);
-        for row in &span.table(k).rows {
-            let slope = u.at(&row.first);
-            let along = slope[0] * row.tangent[0] + slope[1] * row.tangent[1];
-            most = most.max(along.abs()).max(0.1 * slope[0].hypot(slope[1]));
-        }
-    }
-    most
+    // Round-off is no load.
+    let reach = largest(&x);
+    (reach > 1e-14 * search.size()).then_some((x, multipliers, tangent))
 }
 
 /// Gram-Schmidt in the inner product of the stiffness, twice.

@@ -15,6 +15,8 @@ use crate::step::tangent::{Tangent, inner, project};
 
 /// Iterations before the modes count as found as well as they can be.
 const MOST_ITERATIONS: usize = 300;
+/// Times the shift is raised where modes lie below it.
+const MOST_SHIFTS: usize = 12;
 /// Relative change of an eigenvalue that has settled.
 const SETTLED: f64 = 1e-13;
 /// Modes of an eigenvalue below this share of the lowest bending frequency's square are motions of a rigid body.
@@ -82,9 +84,25 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
 
 /// Lowest modes, or `None` where the shifted tangent is singular.
 pub(super) fn lowest(model: &Model, state: &State, count: usize) -> Option<Vec<Mode>> {
+    let mut shift = bending_scale(model) + compression(model, state);
+    for _ in 0..MOST_SHIFTS {
+        match lowest_above(model, state, count, shift)? {
+            Some(modes) => return Some(modes),
+            None => shift *= 8.0,
+        }
+    }
+    None
+}
+
+/// Lowest modes, all of them above minus `shift`; nothing inside if some lie below.
+fn lowest_above(
+    model: &Model,
+    state: &State,
+    count: usize,
+    shift: f64,
+) -> Option<Option<Vec<Mode>>> {
     let mass = mass_band(model, &state.displacement);
     let mut search = linearized(model, state);
-    let shift = bending_scale(model) + compression(model, state);
     let mut tangent = factor_shifted(&mut search, &mass, shift)?;
     let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
     let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
@@ -103,15 +121,19 @@ pub(super) fn lowest(model: &Model, state: &State, count: usize) -> Option<Vec<M
             .zip(&previous)
             .all(|(a, b)| (a - b).abs() <= SETTLED * (a.abs() + shift));
         if settled || iteration + 1 == MOST_ITERATIONS {
+            if inverse.iter().any(|t| *t < 0.0) {
+                return Some(None);
+            }
             let mut shapes = combine(&image, &rotation, count);
             orthonormalize(&mass, &mut shapes);
             let modes = eigenvalues.into_iter().zip(shapes);
-            return Some(modes.map(|(eigenvalue, shape)| Mode { eigenvalue, shape }).collect());
+            let modes = modes.map(|(eigenvalue, shape)| Mode { eigenvalue, shape });
+            return Some(Some(modes.collect()));
         }
         previous = eigenvalues;
         basis = combine(&image, &rotation, size);
     }
-    None
+    Some(None)
 }
 
 /// A bound of the highest eigenvalue of the mesh \[1/s^2\].
@@ -126,16 +148,16 @@ fn highest(model: &Model) -> f64 {
     most
 }
 
-/// The most that compression takes from the square of any frequency, `N^2 / (4 EI rhoA)`: a shift by it, and a little more to
-/// move motions of a rigid body off zero, leaves no eigenvalue negative.
+/// What compression can take from the square of a frequency: `N^2 / (4 EI rhoA)` inside a beam, four times that at a free end
+/// under a dead load; twice as much again for what else softens.
 fn compression(model: &Model, state: &State) -> f64 {
     let mut most = 0.0_f64;
     for (span, k, _, _) in model.each_element() {
         let row = &span.table(k).rows[1];
         let axial = section_forces::element(span, k, state, None).axial;
-        most = most.max(axial.min(0.0).powi(2) / (4.0 * row.section.bending * row.mass));
+        most = most.max(axial.min(0.0).powi(2) / (row.section.bending * row.mass));
     }
-    1.2 * most
+    2.0 * most
 }
 
 /// Vectors that are orthogonal to no motion.

@@ -93,13 +93,9 @@ fn take(out: &mut SectionForceSummary, f: &ElementForces, s: [f64; 2], index: us
 }
 
 fn widen([min, max]: &mut [Vec<f64>; 2], i: usize, least: f64, most: f64) {
-    // NaN is neither larger nor smaller: the first value replaces it.
-    if !(min[i] <= least) {
-        min[i] = least;
-    }
-    if !(max[i] >= most) {
-        max[i] = most;
-    }
+    // The first value replaces NaN.
+    min[i] = min[i].min(least);
+    max[i] = max[i].max(most);
 }
 
 /// Section forces at a point: axial, shear, moment, and the stress of larger magnitude.
@@ -122,7 +118,7 @@ pub fn element(span: &Span, k: usize, state: &State, before: Before) -> ElementF
     let samples = table.membrane.as_ref().map(|samples| {
         let stored = state.strain.get(index);
         let own = || samples.strains(span.measure, &u);
-        samples.to_gauss(stored.map_or_else(own, |stored| stored.map(|s| s[0])))
+        samples.interpolate(stored.map_or_else(own, |stored| stored.map(|s| s[0])))
     });
     let (mut axial, mut moment, mut turn, mut inertia) =
         ([0.0; GAUSS], [0.0; GAUSS], [0.0; GAUSS], 0.0);

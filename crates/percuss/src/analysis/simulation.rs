@@ -85,7 +85,7 @@ impl<'m> Simulation<'m> {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let state = initial_state(model, settings)?;
+        let (state, reactions) = initial_state(model, settings)?;
         let mut simulation = Self {
             model,
             settings: *settings,
@@ -102,7 +102,7 @@ impl<'m> Simulation<'m> {
             row: Vec::new(),
             row_impulse: vec![0.0; model.projectiles.len()],
             row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
-            mean_reactions: vec![[0.0; 3]; model.supports.len()],
+            mean_reactions: reactions,
             seen_reactions: vec![[0.0; 3]; model.supports.len()],
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
@@ -464,9 +464,10 @@ impl<'m> Simulation<'m> {
     }
 }
 
-/// The reference configuration or static equilibrium, projectiles as far from it as they stand off.
-fn initial_state(model: &Model, settings: &Settings) -> Result<State, Vec<Fault>> {
+/// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.
+fn initial_state(model: &Model, settings: &Settings) -> Result<(State, Vec<[f64; 3]>), Vec<Fault>> {
     let mut state = State::at_rest(model, settings.scheme);
+    let mut reactions = vec![[0.0; 3]; model.supports.len()];
     if settings.start == Start::Static {
         let fault = |e: Error| {
             vec![Fault::new(
@@ -475,7 +476,9 @@ fn initial_state(model: &Model, settings: &Settings) -> Result<State, Vec<Fault>
                 "loads at time zero that have an equilibrium",
             )]
         };
-        let found = equilibrium(model).map_err(fault)?.state;
+        let found = equilibrium(model).map_err(fault)?;
+        reactions = found.reactions.iter().map(|(_, r)| *r).collect();
+        let found = found.state;
         state.displacement = found.displacement;
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
@@ -486,7 +489,7 @@ fn initial_state(model: &Model, settings: &Settings) -> Result<State, Vec<Fault>
             stored_strains(model, &mut state);
         }
     }
-    Ok(state)
+    Ok((state, reactions))
 }
 
 /// Stores the strains of the configuration, for the scheme that keeps them.

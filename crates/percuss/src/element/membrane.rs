@@ -69,7 +69,7 @@ impl MembraneTable {
     }
 
     /// Membrane strains at the Gauss points from those at the sampling points.
-    pub fn to_gauss(&self, strain: [f64; SAMPLES]) -> [f64; GAUSS] {
+    pub fn interpolate(&self, strain: [f64; SAMPLES]) -> [f64; GAUSS] {
         self.at_gauss.map(|l| l[0] * strain[0] + l[1] * strain[1] + l[2] * strain[2])
     }
 
