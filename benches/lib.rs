@@ -28,3 +28,58 @@ pub fn elastic_example(elements: usize) -> Model {
     });
     b.build().expect("a sound scene")
 }
+
+/// A frame of storeys and bays of 3 m, `elements` in each member, joints rigid and feet clamped, its lowest left column struck.
+///
+/// # Panics
+/// Never: the definitions are sound.
+pub fn frame(storeys: usize, bays: usize, elements: usize) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("composite", 0.2e10, 3e3));
+    let section = b.section(Section::new("plank", 0.1, 8.33e-5));
+    let at =
+        |label: &str, beam, f| PointRef { label: label.into(), beam, along: Along::Fraction(f) };
+    let corner = |bay: usize, level: usize| [3.0 * bay as f64, 3.0 * level as f64];
+    let mut member =
+        |name: String, from, to| b.beam(Beam::new(name, &[from, to], elements, material, section));
+    let mut columns = Vec::new();
+    for bay in 0..=bays {
+        let column = |level| {
+            member(format!("column {bay} {level}"), corner(bay, level), corner(bay, level + 1))
+        };
+        columns.push((0..storeys).map(column).collect::<Vec<_>>());
+    }
+    let mut girders = Vec::new();
+    for bay in 0..bays {
+        let girder = |level: usize| {
+            let (from, to) = (corner(bay, level + 1), corner(bay + 1, level + 1));
+            member(format!("girder {bay} {level}"), from, to)
+        };
+        girders.push((0..storeys).map(girder).collect::<Vec<_>>());
+    }
+    for (bay, column) in columns.iter().enumerate() {
+        let foot = at("foot", column[0], 0.0);
+        b.support(Support::new(format!("foot {bay}"), foot, SupportKind::Clamp));
+        for level in 0..storeys {
+            let mut others = Vec::new();
+            others.extend(column.get(level + 1).map(|c| (*c, 0.0)));
+            others.extend(girders.get(bay).map(|g| (g[level], 0.0)));
+            others.extend(bay.checked_sub(1).map(|left| (girders[left][level], 1.0)));
+            for (k, (other, f)) in others.into_iter().enumerate() {
+                let between = [at("top", column[level], 1.0), at("end", other, f)];
+                let name = format!("joint {bay} {level} {k}");
+                b.joint(Joint { name, kind: JointKind::Rigid, between });
+            }
+        }
+    }
+    b.projectile(Projectile {
+        name: "mass".into(),
+        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        mass: 500.0,
+        velocity: [20.0, 0.0],
+        direction: None,
+        strikes: at("struck", columns[0][0], 0.5),
+        standoff: 0.2,
+    });
+    b.build().expect("a sound scene")
+}

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use percuss::*;
-use percuss_bench::elastic_example;
+use percuss_bench::{elastic_example, frame};
 use percuss_output::{HistoryFormat, HistoryWriter};
 
 /// Repetitions of each measurement; the least is printed, as the one least disturbed.
@@ -52,7 +52,12 @@ fn main() {
     std::fs::remove_dir_all(&dir).expect("our own directory");
     println!("growing number of elements, step 1e-4 s");
     for elements in [6, 60, 600, 6_000, 60_000] {
-        scaling(elements);
+        scaling(&elastic_example(elements));
+    }
+    println!("a straight beam and a frame of 210 members, alike in elements");
+    for _ in 0..3 {
+        scaling(&elastic_example(19_950));
+        scaling(&frame(10, 10, 95));
     }
     println!("peak memory");
     for elements in [6, 60_000] {
@@ -63,12 +68,12 @@ fn main() {
     }
 }
 
-fn scaling(elements: usize) {
-    let model = elastic_example(elements);
+fn scaling(model: &Model) {
+    let elements = model.element_count();
     let steps = (200_000 / elements).clamp(20, 1500);
     // From shortly before contact on, so that steps do the work of contact.
     let settings = Settings::new((100 + steps) as f64 * 1e-4, 1e-4);
-    let mut simulation = Simulation::new(&model, &settings).expect("sound settings");
+    let mut simulation = Simulation::new(model, &settings).expect("sound settings");
     for _ in 0..100 {
         simulation.advance(&mut NoRecorder).expect("the beam is at rest");
     }

@@ -5,9 +5,12 @@ use percuss::*;
 use crate::check::{Check, Checks};
 use crate::structure::at;
 
+/// A node and its reference tangent.
+type Tangent = (usize, [f64; 2]);
+
 /// Angle between the tangents at two nodes [rad].
-fn angle(state: &State, a: (usize, [f64; 2]), b: (usize, [f64; 2])) -> f64 {
-    let g = |(node, t): (usize, [f64; 2])| {
+fn angle(state: &State, a: Tangent, b: Tangent) -> f64 {
+    let g = |(node, t): Tangent| {
         let u = state.displacement[node];
         [t[0] + u[2], t[1] + u[3]]
     };
@@ -57,7 +60,7 @@ pub fn corners() -> Vec<Check> {
         direction(nodes[j.0], nodes[j.1])
     };
     let first = nodes.len();
-    let mut pairs: Vec<((usize, [f64; 2]), (usize, [f64; 2]))> =
+    let mut pairs: Vec<(Tangent, Tangent)> =
         twins.iter().map(|i| ((*i, along(*i)), (i + 1, along(i + 1)))).collect();
     let arm = direction([1.0, 0.0], [1.3, -1.0]);
     pairs.extend(twins.first().map(|i| ((*i, along(*i)), (first, arm))));

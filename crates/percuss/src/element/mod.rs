@@ -1,7 +1,7 @@
 //! The beam element: pure functions on stack arrays.
 //!
-//! [`kinematics`] interpolates, the schemes ([`energy_momentum`], [`strain_rate`], [`collocation`]) turn the two ends of a
-//! step into generalised forces at a Gauss point, [`beam`] integrates them over an element.
+//! The schemes ([`energy_momentum`], [`strain_rate`], [`collocation`]) turn the two ends of a step into generalised forces at a
+//! Gauss point, [`beam`] integrates them over an element, [`membrane`] adds the membrane strains of slender ones.
 
 pub mod beam;
 pub mod collocation;

@@ -16,6 +16,7 @@ pub fn json(found: &Equilibrium, linear: &[BucklingMode]) -> Value {
     });
     let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
     json!({
+        "stable": found.stable,
         "load_steps": found.load_steps,
         "newton_iterations": found.newton_iterations,
         "point": points.collect::<Map<_, _>>(),
@@ -45,6 +46,11 @@ pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
     let steps = count(found.load_steps, "load step");
     let mut text =
         format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
+    if !found.stable {
+        text.push_str(
+            "  unstable: the structure leaves it at the slightest push; `percuss modes --about static` shows how\n",
+        );
+    }
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
     for (name, u) in &found.points {
         let [u1, u2] = u.map(|u| beside(moved, u));
