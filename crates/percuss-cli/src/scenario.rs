@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use percuss::mechanism;
+use percuss::{Fault, mechanisms};
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::outcome::Failure;
@@ -39,15 +39,19 @@ impl Ready {
     /// Refuses a structure that can move without being strained: it has no static equilibrium.
     ///
     /// # Errors
-    /// The mechanism, with its place in the file.
+    /// Every loose beam, with its place in the file.
     pub fn refuse_mechanism(&self, changes: &[String]) -> Result<(), Failure> {
-        match mechanism(&self.compiled.model) {
-            None => Ok(()),
-            Some(fault) => {
-                let faults = Box::new(self.scenario.diagnostics(vec![fault]));
-                Err(Failure::Faults { faults, changed: !changes.is_empty() })
-            }
+        let loose = mechanisms(&self.compiled.model);
+        if loose.is_empty() {
+            return Ok(());
         }
+        Err(self.refuse(loose, changes))
+    }
+
+    /// Faults that an analysis found, each with its place in the file.
+    pub fn refuse(&self, faults: Vec<Fault>, changes: &[String]) -> Failure {
+        let faults = Box::new(self.scenario.diagnostics(faults));
+        Failure::Faults { faults, changed: !changes.is_empty() }
     }
 }
 

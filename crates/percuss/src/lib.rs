@@ -24,7 +24,7 @@ mod summary;
 
 pub use analysis::{
     BucklingMode, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,
-    equilibrium_in, equilibrium_path, mechanism, modes_about, natural_frequencies, simulate,
+    equilibrium_in, equilibrium_path, mechanisms, modes_about, natural_frequencies, simulate,
 };
 pub use contact::effective_mass::EffectiveMass;
 pub use error::Error;

@@ -102,7 +102,7 @@ fn a_frame_held_by_its_joints_carries_its_load() {
     b.load(Load::new("load", kind));
     b.record_point(at("mid", girder, 0.5));
     let model = b.build().unwrap();
-    assert_eq!(mechanism(&model), None);
+    assert_eq!(mechanisms(&model), []);
     let found = equilibrium(&model).unwrap();
     for ((name, [thrust, up, moment]), sign) in found.reactions.iter().zip([1.0, -1.0]) {
         assert!((up - 1e4).abs() < 1e-4, "{name}: {up}");
@@ -132,7 +132,8 @@ fn mechanisms_are_named() {
     for kinds in
         [vec![], vec![(0.0, SupportKind::Pin)], vec![(0.0, roller.clone()), (1.0, roller.clone())]]
     {
-        let fault = mechanism(&build(&kinds)).expect("a mechanism");
+        let faults = mechanisms(&build(&kinds));
+        let fault = faults.first().expect("a mechanism");
         assert!(fault.found.contains("`loose`"), "{fault}");
     }
     for kinds in [
@@ -140,8 +141,29 @@ fn mechanisms_are_named() {
         vec![(0.0, SupportKind::Pin), (1.0, roller)],
         vec![(0.3, SupportKind::Clamp)],
     ] {
-        assert_eq!(mechanism(&build(&kinds)), None);
+        assert_eq!(mechanisms(&build(&kinds)), []);
     }
+}
+
+#[test]
+fn every_loose_beam_is_named_at_once() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    for (k, held) in [false, true, false].into_iter().enumerate() {
+        let x = 5.0 * k as f64;
+        let name = format!("beam{k}");
+        let one = b.beam(beam(&name, [x, 0.0], [x + 3.0, 0.0], 4, material, section));
+        if held {
+            b.support(Support::new("root", at("root", one, 0.0), SupportKind::Clamp));
+        }
+    }
+    let model = b.build().unwrap();
+    let named: Vec<String> = mechanisms(&model).into_iter().map(|f| f.path).collect();
+    assert_eq!(named, ["beam.beam0", "beam.beam2"]);
+    // Neither has an equilibrium to start from.
+    let settings = Settings { start: Start::Static, ..Settings::new(1.0, 1e-3) };
+    let faults = simulate(&model, &settings, &mut NoRecorder).unwrap_err();
+    assert_eq!(faults.len(), 2);
 }
 
 #[test]

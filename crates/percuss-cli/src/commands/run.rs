@@ -55,7 +55,8 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     let file = dir.join("scenario.toml");
     std::fs::write(&file, &text).map_err(|error| Failure::system(&file, "write", &error))?;
 
-    let simulation = Simulation::new(&compiled.model, &compiled.settings).map_err(no_settings)?;
+    let simulation = Simulation::new(&compiled.model, &compiled.settings)
+        .map_err(|faults| ready.refuse(faults, &arguments.set))?;
     let (steps, end) = (simulation.step_count(), compiled.settings.end);
     let progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
     let history = HistoryWriter::new(dir, arguments.history.into(), text);
@@ -133,11 +134,4 @@ fn conclude(
 
 fn shows_progress(arguments: &Run) -> bool {
     !arguments.quiet
-}
-
-/// Settings are checked where the scenario is compiled; should they fail later, they are told as they are.
-fn no_settings(faults: Vec<percuss::Fault>) -> Failure {
-    let line =
-        |f: &percuss::Fault| format!("{}: found {}, expected {}", f.path, f.found, f.expected);
-    Failure::Input(faults.iter().map(line).collect::<Vec<_>>().join("; "))
 }

@@ -15,4 +15,4 @@ pub use buckling::{BucklingMode, buckling};
 pub use modes::{Mode, modes_about, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};
 pub use simulation::{Simulation, simulate};
-pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanism};
+pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};

@@ -5,7 +5,7 @@ use super::impacts::Advance;
 use super::modes;
 use super::monitor::Monitor;
 use super::static_search::StaticSearch;
-use super::statics::equilibrium;
+use super::statics::{equilibrium, mechanisms};
 use crate::contact::effective_mass;
 use crate::error::Error;
 use crate::ledger::{Books, Measures};
@@ -470,12 +470,17 @@ fn initial_state(model: &Model, settings: &Settings) -> Result<(State, Vec<[f64;
     let mut reactions = vec![[0.0; 3]; model.supports.len()];
     if settings.start == Start::Static {
         let fault = |e: Error| {
+            let found = format!("loads that no equilibrium was found for ({e})");
             vec![Fault::new(
                 "time.start",
-                e.to_string(),
-                "loads at time zero that have an equilibrium",
+                found,
+                "loads at time zero that the structure carries at rest",
             )]
         };
+        let loose = mechanisms(model);
+        if !loose.is_empty() {
+            return Err(loose);
+        }
         let found = equilibrium(model).map_err(fault)?;
         reactions = found.reactions.iter().map(|(_, r)| *r).collect();
         let found = found.state;

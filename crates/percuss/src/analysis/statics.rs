@@ -1,11 +1,10 @@
 //! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
 
 use super::modes;
-use super::static_search::{StaticSearch, largest, linearized};
+use super::static_search::{StaticSearch, largest};
 use crate::error::Error;
 use crate::model::{Fault, Model, StrainMeasure};
 use crate::state::State;
-use crate::step::tangent::Singular;
 use crate::summary::SectionForceSummary;
 
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
@@ -131,31 +130,30 @@ fn lost(search: &StaticSearch, share: f64) -> Error {
     Error::no_equilibrium(share)
 }
 
-/// A fault if supports and joints leave a beam free to move without strain.
+/// Most motions without strain that are looked for.
+const MOST_MECHANISMS: usize = 24;
+
+/// A fault for each beam that supports and joints leave free to move without strain.
 ///
 /// A mechanism is a mode of no stiffness about the reference configuration: one whose frequency is nothing against the lowest
 /// bending frequency any beam of the model could have.
-pub fn mechanism(model: &Model) -> Option<Fault> {
+pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);
-    let mut search = linearized(model, &rest);
-    let fault = |beam: &str| {
-        let found = format!("a mechanism: `{beam}` can move without being strained");
-        Fault::new(format!("beam.{beam}"), found, "supports and joints that hold every beam")
-    };
-    let beam_at = |node: usize| model.beams.iter().find(|b| b.nodes.contains(&node));
-    match search.factor_assembled() {
-        Err(Singular::Node(node)) => return Some(fault(beam_at(node).map_or("", |b| &b.name))),
-        Err(Singular::Constraints) => return Some(fault(&model.beams[0].name)),
-        Ok(()) => {}
-    }
+    let count = MOST_MECHANISMS.min(3 * model.beams.len());
+    let Some(modes) = modes::lowest(model, &rest, count) else { return Vec::new() };
     let scale = bending_scale(model);
-    let lowest = modes::lowest(model, &rest, 1)?;
-    let mode = lowest.first()?;
-    (mode.eigenvalue <= 1e-6 * scale).then(|| {
-        let reach = |b: &crate::model::frozen::BeamData| largest(&mode.shape[b.nodes.clone()]);
-        let most = model.beams.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)));
-        fault(most.map_or("", |b| b.name.as_str()))
-    })
+    let loose: Vec<_> = modes.iter().filter(|m| m.eigenvalue <= 1e-6 * scale).collect();
+    let moves = |beam: &crate::model::frozen::BeamData| {
+        loose
+            .iter()
+            .any(|mode| largest(&mode.shape[beam.nodes.clone()]) > 1e-3 * largest(&mode.shape))
+    };
+    let fault = |beam: &crate::model::frozen::BeamData| {
+        let found = format!("a mechanism: `{}` can move without being strained", beam.name);
+        let expected = "supports and joints that hold every beam";
+        Fault::new(format!("beam.{}", beam.name), found, expected)
+    };
+    model.beams.iter().filter(|beam| moves(beam)).map(fault).collect()
 }
 
 /// The lowest square of a bending frequency any beam could have \[1/s^2\].
