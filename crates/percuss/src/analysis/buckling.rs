@@ -86,6 +86,8 @@ fn normalized(factor: f64, mut shape: Vec<[f64; 4]>) -> BucklingMode {
 /// stay out of it.
 fn stressed(model: &Model, rest: &State, response: &[[f64; 4]], multipliers: &[f64]) -> Tangent {
     let mut search = StaticSearch::at(model, rest);
+    search.forcing.set_static(model, 1.0);
+    search.forcing.rest_motions();
     search.work.multiplier.copy_from_slice(multipliers);
     search.work.correction.copy_from_slice(response);
     search.foresee(false);
@@ -99,6 +101,9 @@ fn linear_response(model: &Model) -> Option<(Vec<[f64; 4]>, Vec<f64>, Tangent)> 
     let mut search = linearized(model, &rest);
     search.work.multiplier.fill(0.0);
     search.factor_assembled().ok()?;
+    search.forcing.set_static(model, 1.0);
+    search.forcing.rest_motions();
+    search.assemble::<false>();
     let mut x: Vec<[f64; 4]> = search.work.residual.iter().map(|r| r.map(|c| -c)).collect();
     let mut tangent = search.work.tangent.clone();
     let multipliers = tangent.solve_linear(model, &mut x);

@@ -48,13 +48,14 @@ impl<'m> StaticSearch<'m> {
         Self { model, base, work, forcing, iterations: 0 }
     }
 
-    /// At an equilibrium: increments count from it.
+    /// At an equilibrium: increments count from it. In the reference configuration no load acts.
     pub fn at(model: &'m Model, state: &State) -> Self {
         let mut search = Self::new(model);
         search.base.displacement.clone_from(&state.displacement);
         search.base.coordinates.clone_from(&state.coordinates);
         search.work.multiplier.clone_from(&state.multiplier);
-        search.forcing.set_static(model, 1.0);
+        let loaded = largest(&state.displacement) > 0.0;
+        search.forcing.set_static(model, f64::from(u8::from(loaded)));
         search.forcing.hold_motions();
         search.foresee(true);
         search
