@@ -8,6 +8,7 @@ mod monitor;
 mod path;
 mod section_forces;
 mod simulation;
+mod start;
 mod static_search;
 mod statics;
 

@@ -8,14 +8,11 @@
 use super::block::{self, Block, ZERO};
 use super::chain::{Chain, SingularPivot};
 use super::cluster::Cluster;
-use super::dense::DenseLu;
-use super::sparse::SparseLu;
+use super::core::Core;
 
 /// A row or column of the border: its coefficients at nodes.
 pub type BorderVector = Vec<(usize, [f64; 4])>;
 
-/// Interface systems of up to this order are solved densely.
-const DENSE: usize = 36;
 /// Joints of up to so many components are reduced to what their constraints leave free.
 const LARGEST_CLUSTER: usize = 64;
 
@@ -72,14 +69,6 @@ struct Scratch {
     reduced: Vec<f64>,
 }
 
-/// The reduced interface system.
-#[derive(Clone, Debug)]
-enum Core {
-    Empty,
-    Dense { order: usize, matrix: Vec<f64>, lu: DenseLu },
-    Sparse { lu: Box<SparseLu> },
-}
-
 /// How the constraints of the border touch nodes.
 #[derive(Clone, Debug)]
 pub struct BorderPattern {
@@ -126,7 +115,7 @@ impl Condensed {
         };
         condensed.find_blocks();
         condensed.find_clusters(border);
-        condensed.core = condensed.new_core();
+        condensed.core = Core::new(condensed.order(), || condensed.core_entries());
         condensed
     }
 
@@ -212,15 +201,8 @@ impl Condensed {
         }
     }
 
-    fn new_core(&self) -> Core {
-        let n = self.order();
-        if n == 0 {
-            return Core::Empty;
-        }
-        let dense = || Core::Dense { order: n, matrix: vec![0.0; n * n], lu: DenseLu::default() };
-        if n <= DENSE {
-            return dense();
-        }
+    /// Places of the reduced system that are not zero.
+    fn core_entries(&self) -> Vec<(usize, usize)> {
         let mut pairs: Vec<(usize, usize)> =
             self.blocks.iter().map(|(a, b, _)| (self.home[*a].0, self.home[*b].0)).collect();
         pairs.sort_unstable();
@@ -241,7 +223,7 @@ impl Condensed {
                 entries.extend(range(self.home[self.slot(*node)].0).flat_map(both));
             }
         }
-        SparseLu::new(n, &entries).map_or_else(dense, |lu| Core::Sparse { lu: Box::new(lu) })
+        entries
     }
 
     /// Product of the band and the couplings with nodal values, before factorisation.
@@ -542,53 +524,6 @@ fn runs(n: usize, links: &impl Fn(usize) -> bool, interface: &[usize]) -> Vec<Ru
         i += 1;
     }
     runs
-}
-
-impl Core {
-    fn clear(&mut self) {
-        match self {
-            Self::Empty => {}
-            Self::Dense { matrix, .. } => matrix.fill(0.0),
-            Self::Sparse { lu } => lu.values.fill(0.0),
-        }
-    }
-
-    /// Adds `count` values of a column, from `row` on.
-    fn add_column(
-        &mut self,
-        row: usize,
-        column: usize,
-        count: usize,
-        value: impl Fn(usize) -> f64,
-    ) {
-        match self {
-            Self::Empty => {}
-            Self::Dense { order, matrix, .. } => {
-                (0..count).for_each(|i| matrix[(row + i) * *order + column] += value(i));
-            }
-            Self::Sparse { lu } => {
-                // Rows of a cluster follow each other in the pattern of a column.
-                let place = lu.place(row, column);
-                (0..count).for_each(|i| lu.values[place + i] += value(i));
-            }
-        }
-    }
-
-    fn factor(&mut self) -> bool {
-        match self {
-            Self::Empty => true,
-            Self::Dense { order, matrix, lu } => lu.factor(*order, matrix),
-            Self::Sparse { lu } => lu.factor(),
-        }
-    }
-
-    fn solve(&self, x: &mut [f64]) {
-        match self {
-            Self::Empty => {}
-            Self::Dense { lu, .. } => lu.solve(x),
-            Self::Sparse { lu } => lu.solve(x),
-        }
-    }
 }
 
 #[cfg(test)]

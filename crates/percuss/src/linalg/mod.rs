@@ -4,5 +4,6 @@ pub mod block;
 pub mod chain;
 pub mod cluster;
 pub mod condensed;
+pub mod core;
 pub mod dense;
 pub mod sparse;

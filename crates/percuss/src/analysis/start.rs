@@ -1,0 +1,145 @@
+//! Where a transient analysis starts: configuration, velocities, accelerations.
+
+use super::simulation::Simulation;
+use super::static_search::StaticSearch;
+use super::statics::{equilibrium, mechanisms};
+use crate::contact::effective_mass;
+use crate::error::Error;
+use crate::math::vec2::{dot, rot90, scale};
+use crate::model::{Fault, InitialMotion, Model};
+use crate::settings::{Settings, Start};
+use crate::state::State;
+use crate::step::commit;
+
+impl Simulation<'_> {
+    /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
+    /// of a rigid motion between neighbouring nodes. Opens the books anew.
+    pub fn set_velocities(&mut self, velocity: impl Fn(&str, [f64; 2]) -> [f64; 2]) {
+        for beam in &self.model.beams {
+            for span in &self.model.spans[beam.spans.clone()] {
+                for n in span.nodes.clone() {
+                    let x = |k: usize| self.model.nodes[k].position;
+                    let v = velocity(&beam.name, x(n));
+                    let (a, b) = if n + 1 < span.nodes.end { (n, n + 1) } else { (n - 1, n) };
+                    let (va, vb) = (velocity(&beam.name, x(a)), velocity(&beam.name, x(b)));
+                    let l =
+                        span.stations[b - span.nodes.start] - span.stations[a - span.nodes.start];
+                    let target = &mut self.state.velocity[n];
+                    *target = [v[0], v[1], (vb[0] - va[0]) / l, (vb[1] - va[1]) / l];
+                }
+            }
+        }
+        self.settle_velocities();
+        self.open();
+    }
+
+    /// Gives beams and masses the rigid motion of the model, about the configuration they stand in.
+    pub(super) fn start_moving(&mut self) {
+        let motion = self.model.initial_motion;
+        if motion == InitialMotion::default() {
+            return;
+        }
+        let state = &mut self.state;
+        for ((node, u), v) in
+            self.model.nodes.iter().zip(&state.displacement).zip(&mut state.velocity)
+        {
+            let x = [0, 1].map(|i| node.position[i] + u[i] - motion.about[i]);
+            let g = [0, 1].map(|i| node.tangent[i] + u[2 + i]);
+            let (x, g) = (scale(motion.spin, rot90(x)), scale(motion.spin, rot90(g)));
+            *v = [motion.velocity[0] + x[0], motion.velocity[1] + x[1], g[0], g[1]];
+        }
+        self.settle_velocities();
+    }
+
+    fn settle_velocities(&mut self) {
+        crate::step::tangent::project(self.model, &mut self.state.velocity);
+        commit::spin_from_velocity(self.model, &mut self.state);
+    }
+
+    /// Turns every velocity round: without losses the motion runs back. Opens the books anew.
+    pub fn reverse(&mut self) {
+        for v in &mut self.state.velocity {
+            *v = v.map(|c| -c);
+        }
+        for w in &mut self.state.spin {
+            *w = w.map(|c| -c);
+        }
+        for w in &mut self.state.mass_spin {
+            *w = -*w;
+        }
+        for p in &mut self.state.projectiles {
+            p.speed = -p.speed;
+        }
+        self.state.step = 0;
+        self.state.time = 0.0;
+        self.open();
+    }
+
+    /// Accelerations under the loads and stresses of the initial state.
+    pub(super) fn initial_acceleration(&mut self) {
+        let model = self.model;
+        let step = self.settings.step;
+        self.forcing.set(model, 0.0, step, step);
+        let forcing = &self.forcing;
+        for (s, p) in self.state.projectiles.iter_mut().zip(&model.projectiles) {
+            s.acceleration = dot(forcing.gravity, p.direction);
+        }
+        let Ok(mut mass) = effective_mass::mass_matrix(model, &self.state.displacement) else {
+            return;
+        };
+        let mut search = StaticSearch::at(model, &self.state);
+        search.forcing.clone_from(forcing);
+        search.forcing.rest_motions();
+        search.work.multiplier.fill(0.0);
+        search.assemble::<false>();
+        let mut force = search.work.residual;
+        for f in &mut force {
+            *f = f.map(|c| -c);
+        }
+        mass.solve_linear(model, &mut force);
+        self.state.acceleration = force;
+    }
+}
+
+/// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.
+pub(super) fn initial_state(
+    model: &Model,
+    settings: &Settings,
+) -> Result<(State, Vec<[f64; 3]>), Vec<Fault>> {
+    let mut state = State::at_rest(model, settings.scheme);
+    let mut reactions = vec![[0.0; 3]; model.supports.len()];
+    if settings.start == Start::Static {
+        let fault = |e: Error| {
+            let found = format!("loads that no equilibrium was found for ({e})");
+            vec![Fault::new(
+                "time.start",
+                found,
+                "loads at time zero that the structure carries at rest",
+            )]
+        };
+        let loose = mechanisms(model);
+        if !loose.is_empty() {
+            return Err(loose);
+        }
+        let found = equilibrium(model).map_err(fault)?;
+        reactions = found.reactions.iter().map(|(_, r)| *r).collect();
+        let found = found.state;
+        state.displacement = found.displacement;
+        state.multiplier = found.multiplier;
+        state.coordinates = found.coordinates;
+        for (s, p) in state.projectiles.iter_mut().zip(&model.projectiles) {
+            s.travel = dot(p.direction, p.point.value(&state.displacement));
+        }
+        if !state.strain.is_empty() {
+            stored_strains(model, &mut state);
+        }
+    }
+    Ok((state, reactions))
+}
+
+/// Stores the strains of the configuration, for the scheme that keeps them.
+fn stored_strains(model: &Model, state: &mut State) {
+    let mut search = StaticSearch::at(model, state);
+    search.foresee(true);
+    state.strain = search.base.strain;
+}

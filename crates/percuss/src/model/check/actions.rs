@@ -1,0 +1,118 @@
+//! Faults of loads, their courses in time, and projectiles.
+
+use super::super::builder::ModelBuilder;
+use super::super::definition::*;
+use super::super::time_function::TimeFunction;
+use super::beams::{arc, check_along, check_point};
+use super::{Faults, quantity};
+use crate::math::vec2::{cross, dot, norm};
+
+pub(super) fn check_function(function: &TimeFunction, path: String, out: &mut Faults) {
+    use TimeFunction::*;
+    match function {
+        Constant | Function(_) => {}
+        Step { at } => out.finite(path, &[*at], "s"),
+        Ramp { duration } | HalfSine { duration } | Triangle { duration } => {
+            out.positive(path, *duration, "a duration", "s");
+        }
+        Harmonic { frequency, phase } => out.finite(path, &[*frequency, *phase], ""),
+        Table { times, values, .. } => {
+            if times.len() != values.len() || times.len() < 2 {
+                let found = format!("{} times and {} values", times.len(), values.len());
+                out.add(path, found, "at least two times, and as many values");
+            } else if times.iter().chain(values).any(|x| !x.is_finite()) {
+                out.add(path, "numbers that are not finite", "finite numbers");
+            } else if let Some(i) = times.windows(2).position(|w| w[1] <= w[0]) {
+                let found = format!("{} s after {} s", times[i + 1], times[i]);
+                out.add(path, found, "times that increase");
+            }
+        }
+    }
+}
+
+/// Line of flight of a projectile, not normalised; `None` if neither velocity nor direction gives one.
+pub(in crate::model) fn line_of_flight(projectile: &Projectile) -> Option<[f64; 2]> {
+    let line =
+        if norm(projectile.velocity) > 0.0 { projectile.velocity } else { projectile.direction? };
+    (norm(line) > 0.0).then_some(line)
+}
+
+pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, out: &mut Faults) {
+    let path = |field: &str| format!("projectile.{}.{field}", projectile.name);
+    out.positive(path("mass"), projectile.mass, "a mass", "kg");
+    check_point(model, &projectile.strikes, path("strikes"), out);
+    match projectile.kind {
+        ProjectileKind::Elastic { stiffness, .. } => {
+            out.positive(path("stiffness"), stiffness, "a stiffness", "N/m");
+        }
+        ProjectileKind::Rigid { restitution } => {
+            if !(0.0..=1.0).contains(&restitution) {
+                let found = quantity(restitution, "");
+                out.add(path("restitution"), found, "a coefficient from 0 to 1");
+            }
+        }
+    }
+    if !(projectile.standoff >= 0.0 && projectile.standoff.is_finite()) {
+        let found = if projectile.standoff < 0.0 {
+            format!("a projectile that starts {} m inside the beam", -projectile.standoff)
+        } else {
+            quantity(projectile.standoff, "m")
+        };
+        out.add(path("standoff"), found, "a standoff of zero or above");
+    }
+    let velocity = projectile.velocity;
+    let direction = projectile.direction;
+    if velocity.iter().chain(direction.iter().flatten()).any(|c| !c.is_finite()) {
+        out.finite(path("velocity"), &velocity, "m/s");
+        out.finite(path("direction"), &direction.unwrap_or_default(), "");
+    } else if line_of_flight(projectile).is_none() {
+        let field = if direction.is_some() { "direction" } else { "velocity" };
+        let expected = "a velocity, or for a projectile at rest `direction`, its line of flight";
+        out.add(path(field), "no line of flight: zero velocity", expected);
+    } else if let Some(d) = direction
+        && norm(velocity) > 0.0
+        && (norm(d) == 0.0
+            || cross(d, velocity).abs() > 1e-9 * norm(d) * norm(velocity)
+            || dot(d, velocity) < 0.0)
+    {
+        let found = format!("[{}, {}], not along the velocity", d[0], d[1]);
+        out.add(path("direction"), found, "no direction, or that of the velocity");
+    }
+}
+
+pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
+    let path = |field: &str| format!("load.{}.{field}", load.name);
+    match &load.kind {
+        LoadKind::Gravity { acceleration } => {
+            out.finite(path("acceleration"), acceleration, "m/s^2");
+        }
+        LoadKind::Distributed { beam, stretch, force, .. } => {
+            out.finite(path("force"), force.as_flattened(), "N/m");
+            let Some(beam) = model.beams.get(beam.0 as usize) else {
+                out.add(path("on"), "an unknown beam", "a beam of this model");
+                return;
+            };
+            let on_beam = stretch.map(|along| {
+                check_along(beam, along, path("stretch"), "an end of the stretch", out)
+            });
+            let [a, b] = stretch.map(|along| arc(beam, along));
+            if on_beam == [true; 2] && a >= b {
+                let found = format!("a stretch from {a} m to {b} m");
+                out.add(path("stretch"), found, "a stretch whose end lies behind its start");
+            }
+        }
+        LoadKind::Point { at, force, moment, .. } => {
+            check_point(model, at, path("at"), out);
+            out.finite(path("force"), force, "N");
+            out.finite(path("moment"), &[*moment], "N*m");
+            if *force == [0.0; 2] && *moment == 0.0 {
+                out.add(path("force"), "no force and no moment", "a force or a moment");
+            }
+        }
+    }
+    check_function(&load.function, path("function"), out);
+    out.finite(path("from"), &[load.from], "s");
+    if load.until.is_nan() || load.until <= load.from {
+        out.add(path("until"), quantity(load.until, "s"), "a time after `from`");
+    }
+}

@@ -1,0 +1,140 @@
+//! Every fault of a set of definitions, found at once.
+
+mod actions;
+mod beams;
+mod supports;
+
+use super::builder::ModelBuilder;
+use super::definition::*;
+use super::fault::Fault;
+use actions::{check_load, check_projectile};
+use beams::{check_beam, check_point, check_stations};
+use supports::{check_joint, check_spring, check_support};
+
+pub(super) use actions::line_of_flight;
+
+/// Collects faults; each check says what was found and what would be right.
+#[derive(Default)]
+struct Faults(Vec<Fault>);
+
+impl Faults {
+    fn add(&mut self, path: String, found: impl Into<String>, expected: &str) {
+        self.0.push(Fault::new(path, found, expected));
+    }
+
+    fn positive(&mut self, path: String, value: f64, what: &str, unit: &str) {
+        if !(value > 0.0 && value.is_finite()) {
+            self.add(path, quantity(value, unit), &format!("{what} above zero"));
+        }
+    }
+
+    fn not_negative(&mut self, path: String, value: f64, what: &str, unit: &str) {
+        if !(value >= 0.0 && value.is_finite()) {
+            self.add(path, quantity(value, unit), &format!("{what} of zero or above"));
+        }
+    }
+
+    fn finite(&mut self, path: String, values: &[f64], unit: &str) {
+        if let Some(bad) = values.iter().find(|v| !v.is_finite()) {
+            self.add(path, quantity(*bad, unit), "finite numbers");
+        }
+    }
+}
+
+fn quantity(value: f64, unit: &str) -> String {
+    if unit.is_empty() { format!("{value}") } else { format!("{value} {unit}") }
+}
+
+/// All faults of the definitions, in the order of the definitions.
+pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
+    let mut out = Faults::default();
+    names(model, &mut out);
+    for m in &model.materials {
+        let path = |field: &str| format!("material.{}.{field}", m.name);
+        out.positive(path("young"), m.young, "a Young's modulus", "Pa");
+        out.positive(path("density"), m.density, "a density", "kg/m^3");
+    }
+    for m in &model.materials {
+        let path = |field: &str| format!("material.{}.{field}", m.name);
+        out.not_negative(path("retardation"), m.retardation, "a time", "s");
+        out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
+    }
+    for s in &model.sections {
+        let path = |field: &str| format!("section.{}.{field}", s.name);
+        out.positive(path("area"), s.area, "an area", "m^2");
+        out.positive(path("inertia"), s.inertia, "a second moment of area", "m^4");
+        if let Some(depth) = s.depth {
+            out.positive(path("depth"), depth, "a depth", "m");
+        }
+        check_stations(s, &mut out);
+        if let RotaryInertia::Given(value) = s.rotary_inertia
+            && !(value >= 0.0 && value.is_finite())
+        {
+            out.add(path("rotary_inertia"), quantity(value, "kg*m"), "a value of zero or above");
+        }
+    }
+    if model.beams.is_empty() {
+        out.add("beam".into(), "no beam", "at least one beam");
+    }
+    for beam in &model.beams {
+        check_beam(model, beam, &mut out);
+    }
+    for support in &model.supports {
+        check_support(model, support, &mut out);
+    }
+    for joint in &model.joints {
+        check_joint(model, joint, &mut out);
+    }
+    for projectile in &model.projectiles {
+        check_projectile(model, projectile, &mut out);
+    }
+    for load in &model.loads {
+        check_load(model, load, &mut out);
+    }
+    for spring in &model.springs {
+        check_spring(model, spring, &mut out);
+    }
+    for mass in &model.masses {
+        let path = |field: &str| format!("mass.{}.{field}", mass.name);
+        check_point(model, &mass.at, path("at"), &mut out);
+        out.positive(path("mass"), mass.mass, "a mass", "kg");
+        let path = path("rotary_inertia");
+        out.not_negative(path, mass.rotary_inertia, "a moment of inertia", "kg*m^2");
+    }
+    for ratio in &model.modal_damping {
+        if !(0.0..1.0).contains(ratio) {
+            out.add("damping.modal".into(), quantity(*ratio, ""), "ratios from 0 to below 1");
+        }
+    }
+    let motion = &model.initial_motion;
+    out.finite("initial.velocity".into(), &motion.velocity, "m/s");
+    out.finite("initial.spin".into(), &[motion.spin], "rad/s");
+    out.finite("initial.about".into(), &motion.about, "m");
+    for point in &model.points {
+        check_point(model, point, "record.points".into(), &mut out);
+    }
+    out.0
+}
+
+fn names(model: &ModelBuilder, out: &mut Faults) {
+    fn each<'a>(kind: &str, names: impl Iterator<Item = &'a String>, out: &mut Faults) {
+        let mut seen = Vec::new();
+        for name in names {
+            if name.is_empty() {
+                out.add(kind.into(), "an empty name", "a name");
+            } else if seen.contains(&name) {
+                out.add(format!("{kind}.{name}"), "a name used twice", "each name once");
+            }
+            seen.push(name);
+        }
+    }
+    each("material", model.materials.iter().map(|x| &x.name), out);
+    each("section", model.sections.iter().map(|x| &x.name), out);
+    each("beam", model.beams.iter().map(|x| &x.name), out);
+    each("support", model.supports.iter().map(|x| &x.name), out);
+    each("joint", model.joints.iter().map(|x| &x.name), out);
+    each("projectile", model.projectiles.iter().map(|x| &x.name), out);
+    each("load", model.loads.iter().map(|x| &x.name), out);
+    each("spring", model.springs.iter().map(|x| &x.name), out);
+    each("mass", model.masses.iter().map(|x| &x.name), out);
+}

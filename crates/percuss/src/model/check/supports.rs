@@ -1,0 +1,149 @@
+//! Faults of supports, joints and springs.
+
+use super::super::builder::ModelBuilder;
+use super::super::definition::*;
+use super::actions::check_function;
+use super::beams::{arc, check_point, length, position};
+use super::{Faults, quantity};
+use crate::math::vec2::{norm, sub};
+
+pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut Faults) {
+    let path = |field: &str| format!("support.{}.{field}", support.name);
+    check_point(model, &support.at, path("at"), out);
+    let mut direct = |direction: &[f64; 2], what: &str| {
+        if direction.iter().any(|c| !c.is_finite()) {
+            out.finite(path("direction"), direction, "");
+        } else if norm(*direction) == 0.0 {
+            out.add(path("direction"), "a direction of zero length", what);
+        }
+    };
+    match &support.kind {
+        SupportKind::Roller { direction } => direct(direction, "the direction it rolls along"),
+        SupportKind::Fix { components } if components.is_empty() => {
+            out.add(path("components"), "no components", "at least one component to hold");
+        }
+        SupportKind::Elastic {
+            direction,
+            stiffness,
+            damping,
+            rotational_stiffness,
+            rotational_damping,
+        } => {
+            direct(direction, "the first axis of the springs");
+            for k in stiffness {
+                out.not_negative(path("stiffness"), *k, "stiffnesses", "N/m");
+            }
+            for c in damping {
+                out.not_negative(path("damping"), *c, "damping", "N*s/m");
+            }
+            let (k, c) = (*rotational_stiffness, *rotational_damping);
+            out.not_negative(path("rotational_stiffness"), k, "a stiffness", "N*m");
+            out.not_negative(path("rotational_damping"), c, "damping", "N*m*s");
+            if stiffness.iter().chain(damping).chain([&k, &c]).all(|x| *x == 0.0) {
+                let expected = "a stiffness or a damping above zero";
+                out.add(path("stiffness"), "an elastic support without any stiffness", expected);
+            }
+        }
+        SupportKind::Stop { direction, gap, stiffness, .. } => {
+            direct(direction, "the direction of motion it stops");
+            out.not_negative(path("gap"), *gap, "a gap", "m");
+            out.positive(path("stiffness"), *stiffness, "a stiffness", "N/m");
+        }
+        _ => {}
+    }
+    if support.until.is_nan() || support.until <= 0.0 {
+        out.add(path("until"), quantity(support.until, "s"), "a time after zero");
+    }
+    if let Some(motion) = &support.motion {
+        check_motion(support, motion, out);
+    }
+}
+
+/// A motion can only move what the support holds.
+fn check_motion(support: &Support, motion: &Motion, out: &mut Faults) {
+    let path = || format!("support.{}.motion", support.name);
+    out.finite(path(), &motion.displacement, "m");
+    out.finite(path(), &[motion.rotation], "rad");
+    check_function(&motion.function, path(), out);
+    let (mut held, mut turned) = ([true; 2], false);
+    match &support.kind {
+        SupportKind::Clamp => turned = true,
+        SupportKind::Fix { components } => {
+            held = [Component::Displacement1, Component::Displacement2]
+                .map(|c| components.contains(&c));
+            turned = components.contains(&Component::Rotation);
+        }
+        SupportKind::Pin
+        | SupportKind::Roller { .. }
+        | SupportKind::Elastic { .. }
+        | SupportKind::Stop { .. } => {}
+    }
+    if (0..2).any(|i| !held[i] && motion.displacement[i] != 0.0) {
+        let expected = "components of displacement among those held";
+        out.add(path(), "a displacement of what the support does not hold", expected);
+    }
+    if !turned && motion.rotation != 0.0 {
+        let expected = "a clamp, or \"rotation\" among the components held";
+        out.add(path(), "a rotation of what the support leaves free to turn", expected);
+    }
+}
+
+pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faults) {
+    let path = |field: &str| format!("spring.{}.{field}", spring.name);
+    out.not_negative(path("stiffness"), spring.stiffness, "a stiffness", "N/m");
+    out.not_negative(path("damping"), spring.damping, "damping", "N*s/m");
+    if spring.stiffness == 0.0 && spring.damping == 0.0 {
+        let expected = "a stiffness or a damping above zero";
+        out.add(path("stiffness"), "a spring without stiffness and damping", expected);
+    }
+    if let Some(length) = spring.length {
+        out.not_negative(path("length"), length, "a length", "m");
+    }
+    let mut place = |anchor: &Anchor| match anchor {
+        Anchor::Point(p) => check_point(model, p, path("between"), out)
+            .then(|| position(&model.beams[p.beam.0 as usize], p.along)),
+        Anchor::Ground(x) => {
+            out.finite(path("between"), x, "m");
+            Some(*x)
+        }
+    };
+    let ends = [place(&spring.between[0]), place(&spring.between[1])];
+    if spring.between.iter().all(|a| matches!(a, Anchor::Ground(_))) {
+        out.add(path("between"), "two points of the ground", "at least one point of a beam");
+    } else if let [Some(a), Some(b)] = ends
+        && norm(sub(a, b)) == 0.0
+    {
+        let expected = "two points apart from each other: a joint or an elastic support \
+                        connects what lies at one place";
+        out.add(path("between"), "a spring between points at the same place", expected);
+    }
+}
+
+pub(super) fn check_joint(model: &ModelBuilder, joint: &Joint, out: &mut Faults) {
+    let path = || format!("joint.{}.between", joint.name);
+    let [a, b] = &joint.between;
+    let exist = check_point(model, a, path(), out) & check_point(model, b, path(), out);
+    if !exist {
+        return;
+    }
+    let (beam_a, beam_b) = (&model.beams[a.beam.0 as usize], &model.beams[b.beam.0 as usize]);
+    if length(beam_a).is_nan() || length(beam_b).is_nan() {
+        return; // the beams' own faults
+    }
+    let (pa, pb) = (position(beam_a, a.along), position(beam_b, b.along));
+    let distance = norm(sub(pa, pb));
+    let scale = length(beam_a).max(length(beam_b));
+    if let JointKind::ElasticHinge { stiffness, damping } = joint.kind {
+        let path = |field: &str| format!("joint.{}.{field}", joint.name);
+        out.not_negative(path("stiffness"), stiffness, "a stiffness", "N*m");
+        out.not_negative(path("damping"), damping, "damping", "N*m*s");
+    }
+    if distance > 1e-9 * scale {
+        let found = format!("{} and {}, {distance:.6} m apart", a.label, b.label);
+        out.add(path(), found, "two points at the same place");
+    } else if a.beam == b.beam
+        && (arc(beam_a, a.along) - arc(beam_a, b.along)).abs() <= 1e-9 * scale
+    {
+        out.add(path(), "twice the same point", "points of two beams, or two points of one");
+    }
+}

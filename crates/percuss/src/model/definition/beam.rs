@@ -1,0 +1,120 @@
+//! Beams, their lines and meshes, and places on them.
+
+use super::{BeamId, MaterialId, SectionId};
+
+/// How the points of a beam are joined to a line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Curve {
+    /// Straight from point to point, with rigid corners.
+    #[default]
+    Polyline,
+    /// A circular arc through three points: start, a point between, end.
+    Arc,
+    /// A smooth curve through all points: cubic spline over the length along the points, natural ends.
+    Spline,
+}
+
+/// Size of the finite elements of a beam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ElementSize {
+    /// So many elements in all, shared out by length among the straight parts.
+    Number(usize),
+    /// Elements no longer than this \[m\].
+    Length(f64),
+}
+
+/// Elements smaller towards a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grading {
+    /// Where the elements are smallest.
+    pub towards: Along,
+    /// How many times smaller they are there than at the far end; above one.
+    pub ratio: f64,
+}
+
+/// How a beam is divided into finite elements.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mesh {
+    /// Size of the elements.
+    pub size: ElementSize,
+    /// Grading; even if there is none.
+    pub grading: Option<Grading>,
+}
+
+impl Mesh {
+    /// So many elements of equal length.
+    pub fn even(elements: usize) -> Self {
+        Self { size: ElementSize::Number(elements), grading: None }
+    }
+}
+
+/// From a point on, a beam has another material or section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// Where it begins.
+    pub at: Along,
+    /// Material from there on; the one before if none is given.
+    pub material: Option<MaterialId>,
+    /// Section from there on; the one before if none is given.
+    pub section: Option<SectionId>,
+}
+
+/// A beam: a centre line with material, section and mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beam {
+    /// The user's name for it.
+    pub name: String,
+    /// Points the centre line runs through \[m\].
+    pub points: Vec<[f64; 2]>,
+    /// How the points are joined.
+    pub curve: Curve,
+    /// Its finite elements.
+    pub mesh: Mesh,
+    /// Its material, up to the first change.
+    pub material: MaterialId,
+    /// Its section, up to the first change.
+    pub section: SectionId,
+    /// Changes of material and section, in the order of their places.
+    pub changes: Vec<Change>,
+}
+
+impl Beam {
+    /// A uniform beam through `points`, straight between them, of `elements` elements.
+    pub fn new(
+        name: impl Into<String>,
+        points: &[[f64; 2]],
+        elements: usize,
+        material: MaterialId,
+        section: SectionId,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            points: points.to_vec(),
+            curve: Curve::Polyline,
+            mesh: Mesh::even(elements),
+            material,
+            section,
+            changes: Vec::new(),
+        }
+    }
+}
+
+/// Where along a beam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Along {
+    /// Fraction of the arc length, 0 at the start, 1 at the end.
+    Fraction(f64),
+    /// Arc length from the start \[m\].
+    Distance(f64),
+}
+
+/// A material point of a beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointRef {
+    /// The user's words for it, as they appear in names of results: `girder.mid`, `girder@0.25`.
+    pub label: String,
+    /// The beam.
+    pub beam: BeamId,
+    /// Where along it.
+    pub along: Along,
+}

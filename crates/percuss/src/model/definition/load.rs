@@ -1,0 +1,60 @@
+//! Loads.
+
+use super::super::time_function::TimeFunction;
+use super::{Along, BeamId, PointRef};
+
+/// What a load applies.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LoadKind {
+    /// Gravity on every beam, point mass and projectile.
+    Gravity {
+        /// Acceleration \[m/s^2\].
+        acceleration: [f64; 2],
+    },
+    /// A force and a moment at a point of a beam.
+    Point {
+        /// The loaded point.
+        at: PointRef,
+        /// Force \[N\]; along (e1, e2), or along (tangent, normal) if it follows.
+        force: [f64; 2],
+        /// Moment, positive counter-clockwise \[N m\].
+        moment: f64,
+        /// Whether the force turns with the tangent.
+        follower: bool,
+    },
+    /// A force per length along a stretch of a beam, varying linearly between its ends.
+    Distributed {
+        /// The beam.
+        beam: BeamId,
+        /// Ends of the stretch.
+        stretch: [Along; 2],
+        /// Force per length at both ends \[N/m\]. Dead: along (e1, e2), per reference length. Follower: along (tangent, normal),
+        /// per current length; a pressure is a follower along the normal.
+        force: [[f64; 2]; 2],
+        /// Whether it turns with the tangent.
+        follower: bool,
+    },
+}
+
+/// A load: what it applies, times a function of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// The user's name for it.
+    pub name: String,
+    /// What it applies.
+    pub kind: LoadKind,
+    /// Its course, beginning at `from`.
+    pub function: TimeFunction,
+    /// Acts from this time on \[s\].
+    pub from: f64,
+    /// Acts until this time \[s\]; infinity if it never ends.
+    pub until: f64,
+}
+
+impl Load {
+    /// A constant load that acts for ever.
+    pub fn new(name: impl Into<String>, kind: LoadKind) -> Self {
+        let (from, until) = (0.0, f64::INFINITY);
+        Self { name: name.into(), kind, function: TimeFunction::Constant, from, until }
+    }
+}

@@ -1,0 +1,29 @@
+//! What a user defines: plain structs, handed to the [`ModelBuilder`](super::ModelBuilder).
+//!
+//! Names are those of the scenario file. All quantities are SI.
+
+mod beam;
+mod load;
+mod material;
+mod projectile;
+mod section;
+mod support;
+
+pub use beam::*;
+pub use load::*;
+pub use material::*;
+pub use projectile::*;
+pub use section::*;
+pub use support::*;
+
+/// Index of a material, given by [`ModelBuilder::material`](super::ModelBuilder::material).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct MaterialId(pub(crate) u32);
+
+/// Index of a section, given by [`ModelBuilder::section`](super::ModelBuilder::section).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SectionId(pub(crate) u32);
+
+/// Index of a beam, given by [`ModelBuilder::beam`](super::ModelBuilder::beam).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BeamId(pub(crate) u32);

@@ -1,0 +1,118 @@
+//! Cross sections.
+
+/// Rotary inertia per unit length of a section, rhoI \[kg m\].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum RotaryInertia {
+    /// `density * inertia`.
+    #[default]
+    Density,
+    /// None: an Euler-Bernoulli beam in the narrow sense.
+    Neglected,
+    /// Given directly \[kg m\].
+    Given(f64),
+}
+
+/// Cross section of a beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// The user's name for it.
+    pub name: String,
+    /// Area A \[m^2\].
+    pub area: f64,
+    /// Second moment of area I \[m^4\].
+    pub inertia: f64,
+    /// Depth between the extreme fibres, the centroid half-way \[m\]; without it no fibre strains are reported.
+    pub depth: Option<f64>,
+    /// Rotary inertia per unit length.
+    pub rotary_inertia: RotaryInertia,
+    /// Stations of a tapered section; empty for a uniform one, whose values stand above. Area, inertia and depth vary
+    /// linearly between stations.
+    pub stations: Vec<Station>,
+}
+
+/// A tapered section at a fraction of the beam's length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// Fraction of the beam's arc length.
+    pub at: f64,
+    /// Area A \[m^2\].
+    pub area: f64,
+    /// Second moment of area I \[m^4\].
+    pub inertia: f64,
+    /// Depth between the extreme fibres \[m\].
+    pub depth: Option<f64>,
+}
+
+impl Section {
+    /// A uniform section of given area and second moment of area.
+    pub fn new(name: impl Into<String>, area: f64, inertia: f64) -> Self {
+        Self {
+            name: name.into(),
+            area,
+            inertia,
+            depth: None,
+            rotary_inertia: RotaryInertia::Density,
+            stations: Vec::new(),
+        }
+    }
+
+    /// A section of given depth.
+    fn deep(name: impl Into<String>, area: f64, inertia: f64, depth: f64) -> Self {
+        Self { depth: Some(depth), ..Self::new(name, area, inertia) }
+    }
+
+    /// A rectangle; `depth` lies in the plane of bending.
+    pub fn rectangle(name: impl Into<String>, width: f64, depth: f64) -> Self {
+        Self::deep(name, width * depth, width * depth.powi(3) / 12.0, depth)
+    }
+
+    /// A full circle.
+    pub fn circle(name: impl Into<String>, diameter: f64) -> Self {
+        let pi = std::f64::consts::PI;
+        Self::deep(name, pi * diameter.powi(2) / 4.0, pi * diameter.powi(4) / 64.0, diameter)
+    }
+
+    /// A circular tube.
+    pub fn tube(name: impl Into<String>, diameter: f64, thickness: f64) -> Self {
+        let (pi, inner) = (std::f64::consts::PI, diameter - 2.0 * thickness);
+        let area = pi * (diameter.powi(2) - inner.powi(2)) / 4.0;
+        Self::deep(name, area, pi * (diameter.powi(4) - inner.powi(4)) / 64.0, diameter)
+    }
+
+    /// A doubly symmetric I without fillets, bent about its strong axis.
+    pub fn i_shape(name: impl Into<String>, width: f64, depth: f64, flange: f64, web: f64) -> Self {
+        let clear = depth - 2.0 * flange;
+        let area = 2.0 * width * flange + web * clear;
+        let inertia = (width * depth.powi(3) - (width - web) * clear.powi(3)) / 12.0;
+        Self::deep(name, area, inertia, depth)
+    }
+
+    /// A rectangular box of uniform wall thickness.
+    pub fn hollow_box(name: impl Into<String>, width: f64, depth: f64, thickness: f64) -> Self {
+        let (w, d) = (width - 2.0 * thickness, depth - 2.0 * thickness);
+        let inertia = (width * depth.powi(3) - w * d.powi(3)) / 12.0;
+        Self::deep(name, width * depth - w * d, inertia, depth)
+    }
+
+    /// Area, second moment of area and depth at a fraction of the beam's length.
+    pub(crate) fn at(&self, fraction: f64) -> Station {
+        let uniform =
+            Station { at: fraction, area: self.area, inertia: self.inertia, depth: self.depth };
+        let (Some(first), Some(last)) = (self.stations.first(), self.stations.last()) else {
+            return uniform;
+        };
+        if fraction <= first.at {
+            return *first;
+        }
+        let Some(next) = self.stations.iter().position(|s| s.at >= fraction) else { return *last };
+        let (a, b) = (&self.stations[next - 1], &self.stations[next]);
+        let f = (fraction - a.at) / (b.at - a.at);
+        let mix = |a: f64, b: f64| a + f * (b - a);
+        Station {
+            at: fraction,
+            area: mix(a.area, b.area),
+            inertia: mix(a.inertia, b.inertia),
+            depth: a.depth.zip(b.depth).map(|(a, b)| mix(a, b)),
+        }
+    }
+}

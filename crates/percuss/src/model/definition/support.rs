@@ -1,0 +1,168 @@
+//! Supports, joints, springs, point masses, and the motion a structure starts in.
+
+use super::super::time_function::TimeFunction;
+use super::PointRef;
+
+/// A component of the motion of a beam's point that a support can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Component {
+    /// Displacement along e1.
+    Displacement1,
+    /// Displacement along e2.
+    Displacement2,
+    /// Direction of the tangent (what a clamp holds besides the displacements).
+    Rotation,
+    /// Slope component along the reference tangent.
+    Stretch,
+}
+
+/// What a support holds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SupportKind {
+    /// Both displacements and the direction of the tangent; the stretch stays free.
+    Clamp,
+    /// Both displacements.
+    Pin,
+    /// The displacement across `direction`, along which the support rolls freely.
+    Roller {
+        /// Direction of free motion; need not be of unit length.
+        direction: [f64; 2],
+    },
+    /// The listed components.
+    Fix {
+        /// Components held.
+        components: Vec<Component>,
+    },
+    /// Springs and dampers between the point and where it was in the reference configuration.
+    Elastic {
+        /// First axis of the springs; need not be of unit length. The second is across it.
+        direction: [f64; 2],
+        /// Stiffness along and across `direction` \[N/m\].
+        stiffness: [f64; 2],
+        /// Damping along and across `direction` \[N s/m\].
+        damping: [f64; 2],
+        /// Stiffness against rotation of the tangent \[N m\].
+        rotational_stiffness: f64,
+        /// Damping of the rotation of the tangent \[N m s\].
+        rotational_damping: f64,
+    },
+    /// A spring that pushes back once the point has moved by `gap` along `direction`.
+    Stop {
+        /// Direction of motion that is stopped; need not be of unit length.
+        direction: [f64; 2],
+        /// Free way in the reference configuration \[m\].
+        gap: f64,
+        /// Stiffness of the stop \[N/m\].
+        stiffness: f64,
+        /// Whether motion against `direction` is stopped after the same way.
+        two_sided: bool,
+    },
+}
+
+/// Prescribed motion of what a support holds: amplitudes times a function of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// Displacement \[m\].
+    pub displacement: [f64; 2],
+    /// Rotation of the tangent, positive counter-clockwise \[rad\].
+    pub rotation: f64,
+    /// Its course.
+    pub function: TimeFunction,
+}
+
+/// A support to ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Support {
+    /// The user's name for it.
+    pub name: String,
+    /// The point held.
+    pub at: PointRef,
+    /// What is held there.
+    pub kind: SupportKind,
+    /// Prescribed motion; at rest if there is none.
+    pub motion: Option<Motion>,
+    /// Holds until this time \[s\]; infinity if for ever.
+    pub until: f64,
+}
+
+impl Support {
+    /// A support at rest that holds for ever.
+    pub fn new(name: impl Into<String>, at: PointRef, kind: SupportKind) -> Self {
+        Self { name: name.into(), at, kind, motion: None, until: f64::INFINITY }
+    }
+}
+
+/// How two beams are joined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum JointKind {
+    /// Positions shared and the angle between the tangents kept.
+    Rigid,
+    /// Positions shared.
+    Hinge,
+    /// Positions shared, with a spring and a damper between the tangents.
+    ElasticHinge {
+        /// Stiffness against a change of the angle \[N m\].
+        stiffness: f64,
+        /// Damping of a change of the angle \[N m s\].
+        damping: f64,
+    },
+}
+
+/// A joint between two points of beams, which must coincide in the reference configuration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// The user's name for it.
+    pub name: String,
+    /// What is shared.
+    pub kind: JointKind,
+    /// The two points joined.
+    pub between: [PointRef; 2],
+}
+
+/// An end of a spring.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Anchor {
+    /// A point of a beam.
+    Point(PointRef),
+    /// A point fixed in space \[m\].
+    Ground([f64; 2]),
+}
+
+/// A spring and damper between two points; it pulls and pushes along the line between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spring {
+    /// The user's name for it.
+    pub name: String,
+    /// Its ends.
+    pub between: [Anchor; 2],
+    /// Stiffness \[N/m\].
+    pub stiffness: f64,
+    /// Damping \[N s/m\].
+    pub damping: f64,
+    /// Length without force \[m\]; that of the reference configuration if none is given.
+    pub length: Option<f64>,
+}
+
+/// A mass at a point of a beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointMass {
+    /// The user's name for it.
+    pub name: String,
+    /// The point that carries it.
+    pub at: PointRef,
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Moment of inertia about the point, turning with the tangent \[kg m^2\].
+    pub rotary_inertia: f64,
+}
+
+/// Rigid motion in which all beams and point masses start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InitialMotion {
+    /// Velocity of the point `about` \[m/s\].
+    pub velocity: [f64; 2],
+    /// Angular velocity, positive counter-clockwise \[rad/s\].
+    pub spin: f64,
+    /// Centre of the rotation \[m\].
+    pub about: [f64; 2],
+}
