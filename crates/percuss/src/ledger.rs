@@ -45,6 +45,35 @@ pub struct Books {
     pub angular_scale: f64,
 }
 
+/// What is nothing: energy and momentum of displacements by the last digit of positions.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RoundOff {
+    /// Energy \[J\].
+    pub energy: f64,
+    /// Linear momentum \[kg m/s\].
+    pub momentum: f64,
+    /// Size of the structure \[m\].
+    pub size: f64,
+}
+
+impl RoundOff {
+    /// Of a model in steps of size `step`.
+    pub fn new(model: &Model, step: f64) -> Self {
+        let size = model.nodes.iter().flat_map(|n| n.position).fold(0.0_f64, |m, x| m.max(x.abs()));
+        let digit = 32.0 * f64::EPSILON;
+        let stretched: f64 = model
+            .each_element()
+            .map(|(span, k, _, _)| {
+                let table = span.table(k);
+                table.rows[1].section.axial * table.length
+            })
+            .sum();
+        let moved = model.total_mass * (digit * size / step).powi(2);
+        let energy = (stretched * digit * digit + moved).max(f64::MIN_POSITIVE);
+        Self { energy, momentum: (2.0 * model.total_mass * energy).sqrt(), size: size.max(1e-3) }
+    }
+}
+
 /// Energies and momenta of a state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measures {
@@ -201,12 +230,15 @@ fn momentum(
 }
 
 impl Books {
-    /// Opens the books on an initial state.
-    pub(crate) fn open(measures: &Measures) -> Self {
+    /// Opens the books on an initial state, the scales no smaller than those of round-off.
+    pub(crate) fn open(measures: &Measures, round_off: &RoundOff) -> Self {
         let mut books = Self {
             energy_initial: measures.total(),
             linear_initial: measures.linear,
             angular_initial: measures.angular,
+            energy_scale: round_off.energy,
+            linear_scale: round_off.momentum,
+            angular_scale: round_off.momentum * round_off.size,
             ..Self::default()
         };
         books.rescale(measures);

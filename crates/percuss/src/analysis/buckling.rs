@@ -104,7 +104,12 @@ fn linear_response(model: &Model) -> Option<(Vec<[f64; 4]>, Vec<f64>, Tangent)> 
     search.forcing.set_static(model, 1.0);
     search.forcing.rest_motions();
     search.assemble::<false>();
-    let mut x: Vec<[f64; 4]> = search.work.residual.iter().map(|r| r.map(|c| -c)).collect();
+    let loaded = search.work.residual.clone();
+    search.forcing.set_static(model, 0.0);
+    search.assemble::<false>();
+    // The loads alone: springs may be stressed before they act.
+    let difference = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| b[i] - a[i]);
+    let mut x: Vec<[f64; 4]> = loaded.iter().zip(&search.work.residual).map(difference).collect();
     let mut tangent = search.work.tangent.clone();
     let multipliers = tangent.solve_linear(model, &mut x);
     // Round-off is no load.

@@ -302,8 +302,9 @@ impl Simulation<'_> {
             |t| {
                 self.solve(t, resting)?;
                 let (ahead, approaching) = self.nearest_ahead(t);
-                // A contact that has just opened is as near as one about to close, but is not what is sought.
-                Ok::<f64, Failure>(if approaching {
+                // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
+                // inside the beam is, even on its way out again.
+                Ok::<f64, Failure>(if approaching || ahead < -tolerance * rate {
                     ahead
                 } else {
                     ahead.max(2.0 * tolerance * rate)
@@ -371,6 +372,8 @@ impl Simulation<'_> {
         let closed: Vec<(ActiveContact, f64)> = self
             .rigid()
             .filter(|i| self.state.gap(self.model, *i) <= closed_tolerance)
+            // What separates already is not struck: an impulse on its way out would give energy.
+            .filter(|i| self.state.gap_rate(self.model, *i) <= self.stick_velocity(*i))
             .map(|projectile| {
                 let rate = self.state.gap_rate(self.model, projectile);
                 let e = self.restitution(projectile).unwrap_or(0.0);

@@ -6,10 +6,18 @@ use super::section_forces;
 use super::static_search::{factor_shifted, linearized};
 use super::statics::bending_scale;
 use crate::contact::effective_mass::mass_band;
+use crate::element::beam::ElementValues;
+use crate::element::point::{form_a, form_b};
+use crate::element::strain::gradient;
 use crate::linalg::chain::Chain;
+use crate::math::vec2::dot;
 use crate::model::Model;
+use crate::model::frozen::ConnectorLaw;
 use crate::settings::Scheme;
 use crate::state::State;
+use crate::step::connectors::Grip;
+use crate::step::forcing::Forcing;
+use crate::step::integration::{Integration, Rule};
 use crate::step::modal_damping::ModalDamping;
 use crate::step::tangent::{Tangent, inner, project};
 
@@ -68,13 +76,22 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
     if ratios.is_empty() {
         return ModalDamping::default();
     }
-    // At most three motions of a rigid body a beam, and as many as there are beams come first.
     let rigid = RIGID * bending_scale(model);
-    let found = lowest(model, state, ratios.len() + 3).unwrap_or_default();
+    // Motions of rigid bodies come first, at most three a beam; as a rule three in all.
+    let mut spare = 3;
+    let found = loop {
+        let found = lowest(model, state, ratios.len() + spare).unwrap_or_default();
+        let flexible = found.iter().filter(|m| m.eigenvalue > rigid).count();
+        let all = found.len() < ratios.len() + spare || spare >= 3 * model.beams.len();
+        if flexible >= ratios.len() || all {
+            break found;
+        }
+        spare *= 2;
+    };
     let mass = mass_band(model, &state.displacement);
     let flexible = found.into_iter().filter(|m| m.eigenvalue > rigid);
     let mut damping = ModalDamping::default();
-    for (mode, ratio) in flexible.zip(ratios) {
+    for (mode, ratio) in flexible.zip(ratios).filter(|(_, ratio)| **ratio > 0.0) {
         damping.vectors.push(mass.multiply(&mode.shape));
         damping.rates.push(2.0 * ratio * mode.eigenvalue.sqrt());
     }
@@ -128,12 +145,65 @@ fn lowest_above(
             orthonormalize(&mass, &mut shapes);
             let modes = eigenvalues.into_iter().zip(shapes);
             let modes = modes.map(|(eigenvalue, shape)| Mode { eigenvalue, shape });
-            return Some(Some(modes.collect()));
+            return Some(Some(refined(model, state, modes.collect())));
         }
         previous = eigenvalues;
         basis = combine(&image, &rotation, size);
     }
     Some(None)
+}
+
+/// In the unloaded reference configuration, eigenvalues by the strains of the shapes.
+///
+/// The tangent's entries cancel to the last digits where a mode strains little; strains are formed from differences of
+/// displacements and squared, so that motions of a rigid body are what they are.
+fn refined(model: &Model, state: &State, mut modes: Vec<Mode>) -> Vec<Mode> {
+    let stressed = state.displacement.as_flattened().iter().any(|u| *u != 0.0)
+        || model.connectors.iter().zip(&state.coordinates).any(|(c, q)| c.potential(*q) > 0.0);
+    if stressed {
+        return modes;
+    }
+    for mode in &mut modes {
+        mode.eigenvalue = 2.0 * strain_energy(model, &mode.shape);
+    }
+    modes.sort_by(|a, b| a.eigenvalue.total_cmp(&b.eigenvalue));
+    modes
+}
+
+/// Energy of small displacements from the reference configuration, of beams and springs \[J\].
+fn strain_energy(model: &Model, shape: &[[f64; 4]]) -> f64 {
+    let mut energy = 0.0;
+    for (span, k, a, _) in model.each_element() {
+        let table = span.table(k);
+        let u = ElementValues::new(&shape[a], &shape[a + 1]);
+        for row in &table.rows {
+            let c = gradient(span.measure, row.tangent, row.bend);
+            let (dg, dp) = (u.at(&row.first), u.at(&row.second));
+            let (da, db) =
+                (form_a(row.tangent).on(dg, dp), form_b(row.tangent, row.bend).on(dg, dp));
+            let (eps, kappa) = (c.alpha * da, c.c1 * db + c.c2 * da);
+            let stress = row.law.axial * eps * eps + row.law.bending * kappa * kappa;
+            energy += 0.5 * row.weight * stress;
+        }
+        if let Some(samples) = &table.membrane {
+            let along = |i: usize| dot(samples.tangent[i], u.at(&samples.rows[i]));
+            energy += samples.energy([along(0), along(1), along(2)]);
+        }
+    }
+    let rest = vec![[0.0; 4]; shape.len()];
+    let forcing = Forcing::new(model);
+    let rule = Integration { h: 1.0, rule: Rule::Static };
+    for c in &model.connectors {
+        let step = c.step(&rule, &forcing, c.value(&rest, 0.0), &rest, &rest);
+        let moved = |(g, (p, slope)): (usize, Grip)| {
+            dot(step.forms[g], if slope { p.gradient(shape) } else { p.value(shape) })
+        };
+        let change: f64 = c.grips().map(moved).sum();
+        if let ConnectorLaw::Linear { stiffness, .. } = c.law {
+            energy += 0.5 * stiffness * change * change;
+        }
+    }
+    energy
 }
 
 /// A bound of the highest eigenvalue of the mesh \[1/s^2\].

@@ -155,7 +155,12 @@ impl<'m> Tracer<'m> {
     fn new(model: &'m Model) -> Self {
         let mut search = StaticSearch::new(model);
         search.foresee(true);
-        let zero = search.work.increment.clone();
+        // Springs may be stressed before any load acts.
+        let stressed = model.connectors.iter().zip(&search.base.coordinates);
+        if stressed.clone().any(|(c, q)| c.potential(*q) > 0.0) {
+            search.solve(0.0);
+        }
+        let zero = vec![[0.0; 4]; model.node_count()];
         let multipliers = search.work.multiplier.clone();
         Self { search, factor: 0.0, way: zero.clone(), rising: true, response: (zero, multipliers) }
     }

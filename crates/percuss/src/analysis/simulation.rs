@@ -6,7 +6,7 @@ use super::modes;
 use super::monitor::Monitor;
 use super::start::initial_state;
 use crate::error::Error;
-use crate::ledger::{Books, Measures};
+use crate::ledger::{Books, Measures, RoundOff};
 use crate::math::vec2::scale;
 use crate::model::{Fault, Model};
 use crate::record::{Channel, Flow, Recorder};
@@ -116,7 +116,8 @@ impl<'m> Simulation<'m> {
         }
         self.damping = modes::modal_damping(self.model, &self.state);
         self.measures = Measures::of(self.model, &self.state);
-        self.state.books = Books::open(&self.measures);
+        let round_off = RoundOff::new(self.model, self.settings.step);
+        self.state.books = Books::open(&self.measures, &round_off);
         self.monitor = Monitor::new(self.model, &self.state);
         self.row_time = f64::NEG_INFINITY;
     }

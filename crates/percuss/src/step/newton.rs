@@ -120,12 +120,14 @@ impl StepProblem<'_> {
             }
             let correction_work = self.correct(work)?;
             effort.iterations += 1;
-            if iteration == 0 {
+            // What a step brings in by itself, or supports by moving, is known no better than its increment.
+            let moves = !self.model.motions.is_empty();
+            if iteration == 0 || moves || watch.energy > self.state.books.energy_scale {
                 watch.play(self.energy_in_play(work, correction_work));
             }
             let (_, reach) = largest(&self.state.displacement);
             let (_, step) = largest(&work.increment);
-            watch.corrected(largest(&work.correction).1, reach, step);
+            watch.corrected(largest(&work.correction).1, reach, step, correction_work);
             renew = false;
         }
         let (node, _) = largest(&work.residual);
@@ -145,9 +147,15 @@ impl StepProblem<'_> {
             &work.increment,
             &work.travel,
         );
-        // Supports that move by their constraints leave nothing unbalanced at the predictor.
+        // Supports that move leave nothing unbalanced at the predictor.
         let moved = |(c, m): (&Constraint, &f64)| (m * self.forcing.increment(&c.drive)).abs();
-        let supports: f64 = self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
+        let mut supports: f64 = self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
+        for hold in &self.model.holds {
+            for (n, drive) in hold.normals.iter().zip(&hold.drives) {
+                let force: f64 = (0..4).map(|k| n[k] * work.residual[hold.node][k]).sum();
+                supports += (force * self.forcing.increment(drive)).abs();
+            }
+        }
         let energy = self.state.books.energy_scale.max(loads.work.abs()).max(supports);
         if energy > 0.0 { energy } else { correction_work }
     }
@@ -330,12 +338,10 @@ impl StepProblem<'_> {
         self.integration.h * sum[0].hypot(sum[1])
     }
 
-    /// The largest momentum of the run so far, or in a first step without any the one that goes with an energy; NaN where
-    /// nothing moves.
+    /// The largest momentum of the run so far, or the one that goes with the energy in play; NaN where nothing moves.
     fn momentum_in_play(&self, energy: f64) -> f64 {
-        let so_far = self.state.books.linear_scale;
-        let scale =
-            if so_far > 0.0 { so_far } else { (2.0 * self.model.total_mass * energy).sqrt() };
+        let scale = (2.0 * self.model.total_mass * energy).sqrt();
+        let scale = scale.max(self.state.books.linear_scale);
         if scale > 0.0 { scale } else { f64::NAN }
     }
 

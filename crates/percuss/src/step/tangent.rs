@@ -198,15 +198,14 @@ impl Tangent {
         self.matrix
             .factor()
             .map_err(|at| at.map_or(Singular::Constraints, |p| Singular::Node(p.node)))?;
-        self.factor_damping(model, damping);
-        Ok(())
+        if self.factor_damping(model, damping) { Ok(()) } else { Err(Singular::Constraints) }
     }
 
-    /// Solutions for the vectors of modal damping.
-    fn factor_damping(&mut self, model: &Model, damping: Option<(&ModalDamping, f64)>) {
+    /// Solutions for the vectors of modal damping; `false` if the system between them is singular.
+    fn factor_damping(&mut self, model: &Model, damping: Option<(&ModalDamping, f64)>) -> bool {
         let Some((damping, h)) = damping.filter(|(d, _)| !d.is_empty()) else {
             self.low_rank.columns.clear();
-            return;
+            return true;
         };
         let n = damping.vectors.len();
         let mut low_rank = std::mem::take(&mut self.low_rank);
@@ -222,8 +221,9 @@ impl Tangent {
             }
             matrix[j * n + j] += h / damping.rates[j];
         }
-        low_rank.lu.factor(n, &matrix);
+        let regular = low_rank.lu.factor(n, &matrix);
         self.low_rank = low_rank;
+        regular
     }
 
     fn solve_plain(&mut self, model: &Model, x: &mut [[f64; 4]], border: &mut [f64]) {

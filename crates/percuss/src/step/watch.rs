@@ -21,7 +21,7 @@ pub struct Watch {
     /// Unbalanced work now, and before the last correction \[J\].
     pub unbalanced: f64,
     before: f64,
-    /// Unbalanced work per size of correction, at the first one.
+    /// Work of the unbalanced forces on a correction, per square of its size: the largest seen.
     stiffness: f64,
     /// Size of the last correction, and its ratio to the one before.
     size: f64,
@@ -38,7 +38,7 @@ impl Watch {
             energy,
             unbalanced: infinity,
             before: infinity,
-            stiffness: infinity,
+            stiffness: 0.0,
             size: infinity,
             rate: infinity,
             settled: false,
@@ -66,18 +66,22 @@ impl Watch {
         self.energy = energy;
     }
 
-    /// Takes in a correction: its size, and the size of the displacements and of the step.
-    pub fn corrected(&mut self, size: f64, reach: f64, step: f64) {
-        if self.size.is_infinite() {
-            self.stiffness = self.unbalanced / size;
-        } else {
+    /// Takes in a correction: its size, the size of the displacements and of the step, and the work of the unbalanced forces
+    /// on it.
+    pub fn corrected(&mut self, size: f64, reach: f64, step: f64, work: f64) {
+        if size > 0.0 {
+            self.stiffness = self.stiffness.max(work / (size * size));
+        }
+        if self.size.is_finite() {
             self.rate = size / self.size;
         }
         self.size = size;
         let round_off = size <= ROUND_OFF * reach.max(step);
         // What the next correction would find unbalanced, were there no round-off.
-        let ahead = size * self.rate * self.stiffness;
-        let predicted = self.rate <= CONTRACTION && ahead <= WORK_TOLERANCE * self.energy;
+        let ahead = size * self.rate * self.stiffness * step;
+        let predicted = self.rate <= CONTRACTION
+            && self.stiffness > 0.0
+            && ahead <= WORK_TOLERANCE * self.energy;
         let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= STALLED * step;
         self.settled = round_off || predicted || stalled;
     }
