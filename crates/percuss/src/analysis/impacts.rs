@@ -131,10 +131,14 @@ impl Simulation<'_> {
     }
 
     /// Contacts that stay closed: held at zero gap rate while their impulse pushes.
+    ///
+    /// One that happens to open as the step begins is held where it is: its mean rate over the step is zero then, so that the
+    /// impulse gives no energy.
     fn resting(&self) -> Vec<ActiveContact> {
+        let bound = |i: usize| -self.state.gap_rate(self.model, i).max(0.0);
         self.rigid()
             .filter(|i| self.state.projectiles[*i].closed)
-            .map(|projectile| ActiveContact { projectile, bound: 0.0 })
+            .map(|projectile| ActiveContact { projectile, bound: bound(projectile) })
             .collect()
     }
 
