@@ -483,3 +483,90 @@ fn an_overloaded_column_is_unstable_however_far() {
         assert_eq!(lowest > 0.0, share < 1.0, "{share}: {lowest}");
     }
 }
+
+#[test]
+fn what_is_at_rest_stays_at_rest_until_its_load_begins() {
+    // Inclined beams: their reference strains are round-off, not zero.
+    for k in 0..12 {
+        let angle = 0.1 + 0.5 * f64::from(k);
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("m", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("s", 0.02, 0.02));
+        let start = [0.37 * f64::from(k), -1.3];
+        let end = [start[0] + angle.cos(), start[1] + angle.sin()];
+        let elements = [1, 4, 10][k as usize % 3];
+        let arm = b.beam(Beam::new("arm", &[start, end], elements, material, section));
+        clamp(&mut b, arm);
+        let kind = LoadKind::Point {
+            at: at("tip", arm, 1.0),
+            force: [0.0, -100.0],
+            moment: 0.0,
+            follower: false,
+        };
+        b.load(Load { from: 1e-3, ..Load::new("late", kind) });
+        let model = b.build().unwrap();
+        let settings = Settings::new(3e-3, 1e-4);
+        let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
+        assert!(matches!(summary.termination, Termination::Completed), "{k}: {summary:?}");
+        assert_eq!(summary.step_cuts, 0);
+        assert!(summary.energy.residual_max < 1e-12, "{k}: {}", summary.energy.residual_max);
+    }
+}
+
+#[test]
+fn a_ratio_of_zero_leaves_its_mode_alone_and_every_body_is_damped() {
+    let bodies = |count: usize, ratios: Vec<f64>| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("m", YOUNG, DENSITY));
+        let section = b.section(Section::new("s", AREA, INERTIA));
+        for k in 0..count {
+            let y = 3.0 * k as f64;
+            let name = format!("beam{k}");
+            b.beam(Beam::new(name, &[[0.0, y], [2.0, y]], 6, material, section));
+        }
+        b.modal_damping(ratios);
+        let model = b.build().unwrap();
+        let mut simulation = Simulation::new(&model, &Settings::new(0.05, 1e-4)).unwrap();
+        simulation.set_velocities(|_, x| [0.0, (2.4 * x[0]).cos()]);
+        while simulation.state().step < simulation.step_count() {
+            simulation.advance(&mut NoRecorder).unwrap();
+        }
+        simulation.state().books.loss_damping
+    };
+    assert_eq!(bodies(1, vec![0.0]), 0.0);
+    let one = bodies(1, vec![0.1]);
+    assert!(one > 0.0);
+    // Two bodies have each frequency twice.
+    close(bodies(2, vec![0.1, 0.1]), 2.0 * one, 1e-6);
+}
+
+#[test]
+fn a_path_begins_where_stressed_springs_have_drawn_the_beam() {
+    let model = beam(4, |b, beam| {
+        clamp(b, beam);
+        let between = [Anchor::Point(at("tip", beam, 1.0)), Anchor::Ground([2.0, 1.0])];
+        let name = "stay".into();
+        b.spring(Spring { name, between, stiffness: 1e4, damping: 0.0, length: Some(0.9) });
+        force(b, beam, 1.0, [0.0, -500.0], 0.0);
+    });
+    let found = equilibrium(&model).unwrap().points[0].1;
+    let path = equilibrium_path(&model, &PathSettings::default()).unwrap();
+    assert!(path.points[0].displacements[0][1] > 0.01, "drawn up before the load acts");
+    let end = path.points.last().unwrap().displacements[0];
+    for i in 0..2 {
+        assert!((found[i] - end[i]).abs() < 1e-8, "{found:?} {end:?}");
+    }
+}
+
+#[test]
+fn free_bodies_have_three_motions_without_frequency_however_slender() {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("m", 2.1e11, 7850.0));
+    let section = b.section(Section::new("wire", 1e-6, 1e-14));
+    let bent = [[1.3, 0.2], [2.7, 1.9], [2.9, 4.0]];
+    b.beam(Beam::new("wire", &bent, 12, material, section));
+    let model = b.build().unwrap();
+    let found = natural_frequencies(&model, 5);
+    assert_eq!(found[..3], [0.0; 3]);
+    assert!(found[3] > 1e-4, "{found:?}");
+}

@@ -149,7 +149,8 @@ impl StepProblem<'_> {
         );
         // Supports that move leave nothing unbalanced at the predictor.
         let moved = |(c, m): (&Constraint, &f64)| (m * self.forcing.increment(&c.drive)).abs();
-        let mut supports: f64 = self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
+        let mut supports: f64 =
+            self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
         for hold in &self.model.holds {
             for (n, drive) in hold.normals.iter().zip(&hold.drives) {
                 let force: f64 = (0..4).map(|k| n[k] * work.residual[hold.node][k]).sum();
