@@ -105,7 +105,9 @@ impl Flight {
         let size = largest(struck.iter().chain(&ways));
         figures::names(canvas.history, "point.", ".displacement_1").into_iter().find(|point| {
             let Some(channels) = components(canvas, point, "displacement") else { return false };
-            rows.clone().all(|r| (at(channels, r) - struck[r]).abs() <= 1e-7 * size)
+            // A run from static equilibrium starts with a displacement; the standoff is counted from there.
+            let moved = |r: usize| at(channels, r) - at(channels, 0);
+            rows.clone().all(|r| (moved(r) - (struck[r] - struck[0])).abs() <= 1e-7 * size)
         })
     }
 
