@@ -146,6 +146,19 @@ fn mechanisms_are_named() {
 }
 
 #[test]
+fn a_spring_that_pushes_makes_no_mechanism() {
+    // The spring stands under pressure and softens the column; it would buckle, but it is held.
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 6, material, section));
+    b.support(Support::new("root", at("root", column, 0.0), SupportKind::Clamp));
+    let between = [Anchor::Point(at("top", column, 1.0)), Anchor::Ground([0.0, 4.0])];
+    let name = "strut".into();
+    b.spring(Spring { name, between, stiffness: 1e6, damping: 0.0, length: Some(1.5) });
+    assert_eq!(mechanisms(&b.build().unwrap()), []);
+}
+
+#[test]
 fn every_loose_beam_is_named_at_once() {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);

@@ -171,7 +171,7 @@ fn refined(model: &Model, state: &State, mut modes: Vec<Mode>) -> Vec<Mode> {
 }
 
 /// Energy of small displacements from the reference configuration, of beams and springs \[J\].
-fn strain_energy(model: &Model, shape: &[[f64; 4]]) -> f64 {
+pub(super) fn strain_energy(model: &Model, shape: &[[f64; 4]]) -> f64 {
     let mut energy = 0.0;
     for (span, k, a, _) in model.each_element() {
         let table = span.table(k);

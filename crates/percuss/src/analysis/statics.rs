@@ -142,7 +142,9 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let count = MOST_MECHANISMS.min(3 * model.beams.len());
     let Some(modes) = modes::lowest(model, &rest, count) else { return Vec::new() };
     let scale = bending_scale(model);
-    let loose: Vec<_> = modes.iter().filter(|m| m.eigenvalue <= 1e-6 * scale).collect();
+    // By strains and not by the tangent, which a stressed spring may soften: instability is no mechanism.
+    let free = |m: &&modes::Mode| 2.0 * modes::strain_energy(model, &m.shape) <= 1e-6 * scale;
+    let loose: Vec<_> = modes.iter().filter(free).collect();
     let moves = |beam: &crate::model::frozen::BeamData| {
         loose
             .iter()
