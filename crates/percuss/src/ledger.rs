@@ -45,7 +45,7 @@ pub struct Books {
     pub angular_scale: f64,
 }
 
-/// What is nothing: energy and momentum of displacements by the last digit of positions.
+/// What is nothing: energy and momentum of strains and displacements by the last five bits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundOff {
     /// Energy \[J\].

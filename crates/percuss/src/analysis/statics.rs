@@ -135,7 +135,7 @@ const MOST_MECHANISMS: usize = 24;
 
 /// A fault for each beam that supports and joints leave free to move without strain.
 ///
-/// A mechanism is a mode of no stiffness about the reference configuration: one whose frequency is nothing against the lowest
+/// A mechanism is a mode about the reference configuration that strains nothing: its energy is none against that of the lowest
 /// bending frequency any beam of the model could have.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);

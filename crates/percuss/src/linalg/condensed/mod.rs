@@ -5,10 +5,15 @@
 //! what their constraints leave free. What remains is a small system, dense or sparse. Order and pattern are found once.
 //! Without interface nodes this is the chain alone.
 
+mod layout;
+#[cfg(test)]
+mod tests;
+
 use super::block::{self, Block, ZERO};
 use super::chain::{Chain, SingularPivot};
 use super::cluster::Cluster;
 use super::core::Core;
+use layout::runs;
 
 /// A row or column of the border: its coefficients at nodes.
 pub type BorderVector = Vec<(usize, [f64; 4])>;
@@ -130,100 +135,6 @@ impl Condensed {
 
     fn slot(&self, node: usize) -> usize {
         self.interface.partition_point(|k| *k < node)
-    }
-
-    /// Pairs of slots that share a block in the interface system.
-    fn find_blocks(&mut self) {
-        let mut pairs: Vec<(usize, usize)> = (0..self.interface.len()).map(|i| (i, i)).collect();
-        let both = |a: usize, b: usize| [(a, b), (b, a)];
-        for (i, adjacent) in self.adjacent.iter().enumerate() {
-            if *adjacent {
-                pairs.extend(both(i, i + 1));
-            }
-        }
-        for run in &self.runs {
-            if let (Some(a), Some(b)) = (run.left, run.right) {
-                pairs.extend(both(a, b));
-            }
-        }
-        pairs.extend(self.couplings.iter().map(|(a, b, _)| (self.slot(*a), self.slot(*b))));
-        pairs.sort_unstable();
-        pairs.dedup();
-        self.blocks = pairs.into_iter().map(|(a, b)| (a, b, ZERO)).collect();
-    }
-
-    /// Gathers interface nodes that permanent constraints tie to each other.
-    fn find_clusters(&mut self, border: &[BorderPattern]) {
-        let n = self.interface.len();
-        let mut leader: Vec<usize> = (0..n).collect();
-        fn find(leader: &mut [usize], mut i: usize) -> usize {
-            while leader[i] != i {
-                leader[i] = leader[leader[i]];
-                i = leader[i];
-            }
-            i
-        }
-        for b in border.iter().filter(|b| b.permanent) {
-            let first = find(&mut leader, self.slot(b.nodes[0]));
-            for node in &b.nodes[1..] {
-                let other = find(&mut leader, self.slot(*node));
-                leader[first.max(other)] = first.min(other);
-            }
-        }
-        let leaders: Vec<usize> = (0..n).map(|i| find(&mut leader, i)).collect();
-        let mut members = vec![Vec::new(); n];
-        leaders.iter().enumerate().for_each(|(i, l)| members[*l].push(i));
-        let mut constraints = vec![Vec::new(); n];
-        for (k, b) in border.iter().enumerate() {
-            let l = leaders[self.slot(b.nodes[0])];
-            let fits = 4 * members[l].len() <= LARGEST_CLUSTER;
-            if b.permanent && fits { constraints[l].push(k) } else { self.border.push(k) }
-        }
-        self.home = vec![(0, 0); n];
-        let mut first = 0;
-        for l in 0..n {
-            let reduced = std::mem::take(&mut constraints[l]);
-            let slots = std::mem::take(&mut members[l]);
-            let groups = if reduced.is_empty() {
-                slots.into_iter().map(|s| vec![s]).collect()
-            } else {
-                vec![slots]
-            };
-            for slots in groups {
-                slots
-                    .iter()
-                    .enumerate()
-                    .for_each(|(i, s)| self.home[*s] = (self.clusters.len(), i));
-                let cluster = Cluster::new(slots, reduced.clone(), first);
-                first += cluster.size();
-                self.clusters.push(cluster);
-            }
-        }
-    }
-
-    /// Places of the reduced system that are not zero.
-    fn core_entries(&self) -> Vec<(usize, usize)> {
-        let mut pairs: Vec<(usize, usize)> =
-            self.blocks.iter().map(|(a, b, _)| (self.home[*a].0, self.home[*b].0)).collect();
-        pairs.sort_unstable();
-        pairs.dedup();
-        let range = |c: usize| {
-            let cluster = &self.clusters[c];
-            cluster.first..cluster.first + cluster.size()
-        };
-        let mut entries = Vec::new();
-        for (a, b) in pairs {
-            entries.extend(range(a).flat_map(|i| range(b).map(move |j| (i, j))));
-        }
-        let first = self.reduced_nodes();
-        for (k, c) in self.border.iter().enumerate() {
-            entries.push((first + k, first + k));
-            for (node, _) in &self.columns[*c] {
-                let both = |i| [(i, first + k), (first + k, i)];
-                entries.extend(range(self.home[self.slot(*node)].0).flat_map(both));
-            }
-        }
-        entries
     }
 
     /// Product of the band and the couplings with nodal values, before factorisation.
@@ -501,114 +412,5 @@ impl Condensed {
 fn take(target: &mut [f64], values: &[f64; 4]) {
     for k in 0..4 {
         target[k] -= values[k];
-    }
-}
-
-/// Runs of nodes between interface nodes, cut where the band is not linked.
-fn runs(n: usize, links: &impl Fn(usize) -> bool, interface: &[usize]) -> Vec<Run> {
-    let slot = |node: usize| interface.binary_search(&node).ok();
-    let mut runs = Vec::new();
-    let mut i = 0;
-    while i < n {
-        if slot(i).is_some() {
-            i += 1;
-            continue;
-        }
-        let start = i;
-        while links(i) && i + 1 < n && slot(i + 1).is_none() {
-            i += 1;
-        }
-        let left = if start > 0 && links(start - 1) { slot(start - 1) } else { None };
-        let right = if i + 1 < n && links(i) { slot(i + 1) } else { None };
-        runs.push(Run { start, end: i + 1, left, right });
-        i += 1;
-    }
-    runs
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A matrix with two chains of 6 and 5 nodes, couplings and constraints, and its product with a vector.
-    fn sample(couplings: &[(usize, usize)], border: &[BorderPattern]) -> Condensed {
-        let mut seed = 7_u64;
-        let mut next = || {
-            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (seed >> 33) as f64 / (1_u64 << 31) as f64 - 0.5
-        };
-        let mut fill = |diagonal: f64| -> Block {
-            std::array::from_fn(|r| {
-                std::array::from_fn(|c| next() + if r == c { diagonal } else { 0.0 })
-            })
-        };
-        let n = 11;
-        let mut a = Condensed::new(n, |i| i != 5, couplings, border);
-        for i in 0..n {
-            a.chain.diag[i] = fill(5.0);
-            if i != 5 && i + 1 < n {
-                (a.chain.upper[i], a.chain.lower[i]) = (fill(0.0), fill(0.0));
-            }
-        }
-        for coupling in &mut a.couplings {
-            coupling.2 = fill(0.0);
-        }
-        let values: Vec<[f64; 4]> = (0..100).map(|_| fill(1.0)[0]).collect();
-        let mut k = 0;
-        for vector in a.columns.iter_mut().chain(&mut a.rows) {
-            for (_, value) in vector {
-                *value = values[k];
-                k += 1;
-            }
-        }
-        a
-    }
-
-    fn multiply(a: &Condensed, x: &[[f64; 4]], border: &[f64]) -> (Vec<[f64; 4]>, Vec<f64>) {
-        let mut y = a.multiply(x);
-        for (column, b) in a.columns.iter().zip(border) {
-            for (node, c) in column {
-                (0..4).for_each(|k| y[*node][k] += c[k] * b);
-            }
-        }
-        let inner = |row: &BorderVector| -> f64 {
-            row.iter().map(|(node, c)| (0..4).map(|k| c[k] * x[*node][k]).sum::<f64>()).sum()
-        };
-        (y, a.rows.iter().map(inner).collect())
-    }
-
-    fn check(couplings: &[(usize, usize)], border: &[Vec<usize>]) {
-        for permanent in [true, false] {
-            let pattern = |nodes: &Vec<usize>| BorderPattern { nodes: nodes.clone(), permanent };
-            check_with(couplings, &border.iter().map(pattern).collect::<Vec<_>>());
-        }
-    }
-
-    fn check_with(couplings: &[(usize, usize)], border: &[BorderPattern]) {
-        let a = sample(couplings, border);
-        let b: Vec<[f64; 4]> = (0..11).map(|i| [1.0, f64::from(i), -2.0, 0.5]).collect();
-        let c: Vec<f64> = (0..border.len()).map(|i| 1.0 - i as f64).collect();
-        let (mut x, mut l) = (b.clone(), c.clone());
-        let mut lu = a.clone();
-        lu.factor().unwrap();
-        lu.solve(&mut x, &mut l);
-        let (y, d) = multiply(&a, &x, &l);
-        for (y, b) in y.iter().zip(&b) {
-            (0..4).for_each(|k| assert!((y[k] - b[k]).abs() < 1e-10, "{couplings:?} {border:?}"));
-        }
-        d.iter().zip(&c).for_each(|(d, c)| assert!((d - c).abs() < 1e-10));
-    }
-
-    #[test]
-    fn solutions_satisfy_the_system() {
-        check(&[], &[]);
-        check(&[], &[vec![5, 6]]);
-        check(&[(2, 8), (8, 2)], &[]);
-        check(&[(2, 8), (8, 2)], &[vec![0, 10], vec![2, 3, 8]]);
-        // Large enough for the sparse interface system.
-        check(
-            &[(0, 10), (10, 0), (3, 7), (7, 3), (4, 7), (7, 4), (1, 9), (9, 1), (2, 5), (5, 2)],
-            &[vec![0, 6], vec![1], vec![3, 4, 9], vec![3, 8]],
-        );
     }
 }
