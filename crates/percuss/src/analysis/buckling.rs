@@ -11,6 +11,8 @@ use crate::step::tangent::{Tangent, inner, project};
 
 /// Iterations of the subspace.
 const MOST_ITERATIONS: usize = 200;
+/// Vectors beside those asked for: loads the other way round buckle structures too, and come in between.
+const SPARE: usize = 24;
 /// Relative change of a factor that has settled.
 const SETTLED: f64 = 1e-12;
 
@@ -26,7 +28,8 @@ pub struct BucklingMode {
 /// Linear buckling factors of the loads that act at time zero: up to `count` positive ones, in ascending order.
 ///
 /// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear
-/// response to the loads. Empty if no load acts, nothing buckles, or the structure is a mechanism.
+/// response to the loads. Empty if no load acts, nothing buckles, or the
+/// unloaded structure is a mechanism or unstable.
 pub fn buckling(model: &Model, count: usize) -> Vec<BucklingMode> {
     find(model, count).unwrap_or_default()
 }
@@ -45,14 +48,16 @@ fn find(model: &Model, count: usize) -> Option<Vec<BucklingMode>> {
     };
     let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
     let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
-    let size = (2 * count + 8).min(free);
+    let size = (2 * count).max(count + SPARE).min(free);
     let mut basis = start(model, size);
     for x in &mut basis {
         factored.solve_linear(model, x);
     }
     let mut previous = Vec::new();
     for iteration in 0..MOST_ITERATIONS {
-        orthonormalize(&stiffness, &mut basis);
+        if !orthonormalize(&stiffness, &mut basis) {
+            return None;
+        }
         let loads: Vec<Vec<[f64; 4]>> = basis.iter().map(|x| geometric(x)).collect();
         let matrix = DMatrix::from_fn(size, size, |i, j| inner(&basis[i], &loads[j]));
         let (inverse, rotation) = sorted_eigen(&matrix);
@@ -117,8 +122,9 @@ fn linear_response(model: &Model) -> Option<(Vec<[f64; 4]>, Vec<f64>, Tangent)> 
     (reach > 1e-14 * search.size()).then_some((x, multipliers, tangent))
 }
 
-/// Gram-Schmidt in the inner product of the stiffness, twice.
-fn orthonormalize(stiffness: &Tangent, vectors: &mut [Vec<[f64; 4]>]) {
+/// Gram-Schmidt in the inner product of the stiffness, twice; `false` if the stiffness is not positive: stressed springs have
+/// made the reference configuration unstable before any load acts.
+fn orthonormalize(stiffness: &Tangent, vectors: &mut [Vec<[f64; 4]>]) -> bool {
     for i in 0..vectors.len() {
         let (done, rest) = vectors.split_at_mut(i);
         let x = &mut rest[0];
@@ -128,7 +134,11 @@ fn orthonormalize(stiffness: &Tangent, vectors: &mut [Vec<[f64; 4]>]) {
                 subtract(x, inner(y, &weighed), y);
             }
         }
-        let size = inner(x, &stiffness.multiply(x)).abs().sqrt();
+        let size = inner(x, &stiffness.multiply(x)).sqrt();
+        if !(size > 0.0 && size.is_finite()) {
+            return false;
+        }
         scale(x, 1.0 / size);
     }
+    true
 }
