@@ -19,12 +19,14 @@ pub fn elastic_example(elements: usize) -> Model {
     }
     b.projectile(Projectile {
         name: "mass".into(),
-        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        kind: ProjectileKind::spring(7.5e5),
         mass: 500.0,
         velocity: [0.0, 20.0],
         direction: None,
         strikes: at("girder.mid", 0.5),
         standoff: 0.2,
+        rear: None,
+        local_mass: 0.0,
     });
     b.build().expect("a sound scene")
 }
@@ -74,12 +76,14 @@ pub fn frame(storeys: usize, bays: usize, elements: usize) -> Model {
     }
     b.projectile(Projectile {
         name: "mass".into(),
-        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        kind: ProjectileKind::spring(7.5e5),
         mass: 500.0,
         velocity: [20.0, 0.0],
         direction: None,
         strikes: at("struck", columns[0][0], 0.5),
         standoff: 0.2,
+        rear: None,
+        local_mass: 0.0,
     });
     b.build().expect("a sound scene")
 }

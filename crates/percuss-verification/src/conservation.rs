@@ -68,8 +68,12 @@ pub fn paper_forms() -> Vec<Check> {
     let mut c = Checks::new();
     let text = |wanted: &str| PAPER.iter().find(|(name, _)| *name == wanted).map_or("", |p| p.1);
     let mut midpoint = paper_beam(6).clamped().struck(paper_elastic());
-    midpoint.projectiles[0].kind =
-        ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Midpoint };
+    midpoint.projectiles[0].kind = ProjectileKind::Elastic {
+        law: SmoothLaw {
+            force: ContactForce::Midpoint,
+            ..SmoothLaw::elastic(Potential::Linear { stiffness: 7.5e5 })
+        },
+    };
     let energy = run(&midpoint.build(), &Settings::new(0.15, 1e-4)).energy.residual_max;
     c.relative("midpoint force: energy residual", energy, 2.8e-7, 0.05);
     let rigid = paper_run(text("rigid-clamped-e1-paper"));

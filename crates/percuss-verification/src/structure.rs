@@ -30,7 +30,7 @@ pub struct Single {
 }
 
 /// A projectile and where it strikes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Shot {
     /// Fraction of the beam's length.
     pub at: f64,
@@ -67,7 +67,7 @@ pub fn paper_beam(elements: usize) -> Single {
 pub fn paper_elastic() -> Shot {
     Shot {
         at: 0.5,
-        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        kind: ProjectileKind::spring(7.5e5),
         mass: 500.0,
         velocity: [0.0, 20.0],
         direction: None,
@@ -137,12 +137,14 @@ impl Single {
         for (i, shot) in self.projectiles.iter().enumerate() {
             b.projectile(Projectile {
                 name: format!("shot{i}"),
-                kind: shot.kind,
+                kind: shot.kind.clone(),
                 mass: shot.mass,
                 velocity: shot.velocity,
                 direction: shot.direction,
                 strikes: at(shot.at),
                 standoff: shot.standoff,
+                rear: None,
+                local_mass: 0.0,
             });
         }
         for (f, load) in &self.loads {

@@ -38,12 +38,14 @@ pub fn corners() -> Vec<Check> {
     b.initial_motion(InitialMotion { velocity: [1.0, 2.0], spin: 4.0, about: [1.0, 0.0] });
     b.projectile(Projectile {
         name: "mass".into(),
-        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        kind: ProjectileKind::spring(7.5e5),
         mass: 200.0,
         velocity: [0.0, 20.0],
         direction: None,
         strikes: at("bent.start", bent, 0.0),
         standoff: 0.05,
+        rear: None,
+        local_mass: 0.0,
     });
     let model = b.build().expect("a verification case builds");
     let mut run = Simulation::new(&model, &Settings::new(0.4, 2e-4)).expect("sound settings");
@@ -212,12 +214,7 @@ fn everything_model() -> Model {
     b.modal_damping(vec![0.01, 0.02, 0.005]);
     b.initial_motion(InitialMotion { velocity: [0.0, 0.05], spin: 0.02, about: [2.0, 1.0] });
     for (name, kind, strikes, velocity) in [
-        (
-            "buffer",
-            ProjectileKind::Elastic { stiffness: 4e5, force: ContactForce::Conserving },
-            at("frame@0.5", frame, 0.5),
-            [6.0, -3.0],
-        ),
+        ("buffer", ProjectileKind::spring(4e5), at("frame@0.5", frame, 0.5), [6.0, -3.0]),
         (
             "hammer",
             ProjectileKind::Rigid { restitution: 0.6 },
@@ -234,6 +231,8 @@ fn everything_model() -> Model {
             direction: None,
             strikes,
             standoff: 0.03,
+            rear: None,
+            local_mass: 0.0,
         });
     }
     b.build().expect("a verification case builds")

@@ -80,6 +80,8 @@ pub(super) fn definitions(content: &Content) -> (ModelBuilder, Vec<Fault>) {
             direction: table.direction,
             strikes: point(&table.strikes),
             standoff: table.standoff,
+            rear: None,
+            local_mass: 0.0,
         });
     }
     for Named { name, table } in &content.load {
@@ -227,7 +229,9 @@ fn joint_kind(kind: &JointKind) -> percuss::JointKind {
 fn projectile_kind(kind: &ProjectileKind) -> percuss::ProjectileKind {
     match *kind {
         ProjectileKind::Elastic { stiffness, force } => {
-            percuss::ProjectileKind::Elastic { stiffness, force }
+            let potential = percuss::Potential::Linear { stiffness };
+            let law = percuss::SmoothLaw { force, ..percuss::SmoothLaw::elastic(potential) };
+            percuss::ProjectileKind::Elastic { law }
         }
         ProjectileKind::Rigid { restitution } => percuss::ProjectileKind::Rigid { restitution },
     }

@@ -121,19 +121,10 @@ fn settings_alone(content: &Content, settings: &Settings) -> Vec<Fault> {
     let points = [[0.0, 0.0], [1.0, 0.0]];
     let beam = builder.beam(percuss::Beam::new("b", &points, 1, material, section));
     if content.projectile.iter().any(|p| matches!(p.table.kind, ProjectileKind::Rigid { .. })) {
-        builder.projectile(percuss::Projectile {
-            name: "p".into(),
-            kind: percuss::ProjectileKind::Rigid { restitution: 1.0 },
-            mass: 1.0,
-            velocity: [0.0, 1.0],
-            direction: None,
-            strikes: percuss::PointRef {
-                label: String::new(),
-                beam,
-                along: percuss::Along::Fraction(0.5),
-            },
-            standoff: 0.0,
-        });
+        let kind = percuss::ProjectileKind::Rigid { restitution: 1.0 };
+        let along = percuss::Along::Fraction(0.5);
+        let strikes = percuss::PointRef { label: String::new(), beam, along };
+        builder.projectile(percuss::Projectile::new("p", kind, 1.0, [0.0, 1.0], strikes));
     }
     builder.build().map(|model| settings.validate(&model)).unwrap_or_default()
 }

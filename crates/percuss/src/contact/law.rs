@@ -28,7 +28,7 @@ pub struct StepForce {
 /// Midpoint: the force at `(p0 + p1)/2` (the paper, section 2.2).
 pub fn step_force(kind: ContactForce, stiffness: f64, p0: f64, p1: f64) -> StepForce {
     match kind {
-        ContactForce::Conserving => conserving(stiffness, p0, p1),
+        ContactForce::Conserving | ContactForce::PlainGradient => conserving(stiffness, p0, p1),
         ContactForce::Midpoint => collocated(stiffness, p0, p1, 0.5),
     }
 }

@@ -19,6 +19,9 @@ pub struct ModelBuilder {
     pub(super) supports: Vec<Support>,
     pub(super) joints: Vec<Joint>,
     pub(super) projectiles: Vec<Projectile>,
+    pub(super) discs: Vec<Disc>,
+    pub(super) obstacles: Vec<Obstacle>,
+    pub(super) contacts: Vec<Contact>,
     pub(super) loads: Vec<Load>,
     pub(super) springs: Vec<Spring>,
     pub(super) masses: Vec<PointMass>,
@@ -64,6 +67,23 @@ impl ModelBuilder {
     /// Adds a projectile; the point it strikes is recorded.
     pub fn projectile(&mut self, projectile: Projectile) {
         self.projectiles.push(projectile);
+    }
+
+    /// Adds a disc that moves freely in the plane.
+    pub fn disc(&mut self, disc: Disc) -> DiscId {
+        self.discs.push(disc);
+        DiscId(self.discs.len() as u32 - 1)
+    }
+
+    /// Adds an obstacle.
+    pub fn obstacle(&mut self, obstacle: Obstacle) -> ObstacleId {
+        self.obstacles.push(obstacle);
+        ObstacleId(self.obstacles.len() as u32 - 1)
+    }
+
+    /// Lets two things touch.
+    pub fn contact(&mut self, contact: Contact) {
+        self.contacts.push(contact);
     }
 
     /// Adds a load.
@@ -213,11 +233,14 @@ impl ModelBuilder {
                 position: sub(point.position, scale(projectile.standoff, direction)),
                 standoff: projectile.standoff,
                 point,
-                law: match projectile.kind {
-                    ProjectileKind::Elastic { stiffness, force } => {
-                        ContactLaw::Spring { stiffness, force }
+                law: match &projectile.kind {
+                    ProjectileKind::Elastic { law } => {
+                        let Potential::Linear { stiffness } = law.potential else { continue };
+                        ContactLaw::Spring { stiffness, force: law.force }
                     }
-                    ProjectileKind::Rigid { restitution } => ContactLaw::Unilateral { restitution },
+                    ProjectileKind::Rigid { restitution } => {
+                        ContactLaw::Unilateral { restitution: *restitution }
+                    }
                 },
             });
         }

@@ -31,12 +31,14 @@ pub fn at(label: &str, beam: BeamId, fraction: f64) -> PointRef {
 pub fn elastic(name: &str, strikes: PointRef, velocity: [f64; 2]) -> Projectile {
     Projectile {
         name: name.into(),
-        kind: ProjectileKind::Elastic { stiffness: 7.5e5, force: ContactForce::Conserving },
+        kind: ProjectileKind::spring(7.5e5),
         mass: 500.0,
         velocity,
         direction: None,
         strikes,
         standoff: 0.02,
+        rear: None,
+        local_mass: 0.0,
     }
 }
 
@@ -50,5 +52,7 @@ pub fn rigid(name: &str, strikes: PointRef, velocity: [f64; 2], restitution: f64
         direction: None,
         strikes,
         standoff: 0.02,
+        rear: None,
+        local_mass: 0.0,
     }
 }

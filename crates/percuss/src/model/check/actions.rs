@@ -41,13 +41,15 @@ pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, ou
     let path = |field: &str| format!("projectile.{}.{field}", projectile.name);
     out.positive(path("mass"), projectile.mass, "a mass", "kg");
     check_point(model, &projectile.strikes, path("strikes"), out);
-    match projectile.kind {
-        ProjectileKind::Elastic { stiffness, .. } => {
-            out.positive(path("stiffness"), stiffness, "a stiffness", "N/m");
+    match &projectile.kind {
+        ProjectileKind::Elastic { law } => {
+            if let Potential::Linear { stiffness } = law.potential {
+                out.positive(path("stiffness"), stiffness, "a stiffness", "N/m");
+            }
         }
         ProjectileKind::Rigid { restitution } => {
-            if !(0.0..=1.0).contains(&restitution) {
-                let found = quantity(restitution, "");
+            if !(0.0..=1.0).contains(restitution) {
+                let found = quantity(*restitution, "");
                 out.add(path("restitution"), found, "a coefficient from 0 to 1");
             }
         }

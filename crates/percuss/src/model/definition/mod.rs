@@ -3,6 +3,7 @@
 //! Names are those of the scenario file. All quantities are SI.
 
 mod beam;
+mod contact;
 mod load;
 mod material;
 mod projectile;
@@ -10,6 +11,7 @@ mod section;
 mod support;
 
 pub use beam::*;
+pub use contact::*;
 pub use load::*;
 pub use material::*;
 pub use projectile::*;

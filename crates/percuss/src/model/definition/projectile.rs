@@ -1,26 +1,14 @@
-//! Projectiles.
+//! Projectiles that are guided along a line of flight.
 
-use super::PointRef;
-
-/// How the force of an elastic projectile is evaluated over a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ContactForce {
-    /// Difference quotient of the spring's potential: conserves energy through opening and closing.
-    #[default]
-    Conserving,
-    /// The paper's: the spring's force at the midpoint of the step.
-    Midpoint,
-}
+use super::{PointRef, Potential, SmoothLaw};
 
 /// What strikes.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ProjectileKind {
-    /// A mass behind a massless linear spring.
+    /// A mass behind a massless spring.
     Elastic {
-        /// Spring stiffness \[N/m\].
-        stiffness: f64,
-        /// Evaluation of the contact force.
-        force: ContactForce,
+        /// Law of the spring.
+        law: SmoothLaw,
     },
     /// A rigid mass under Newton's impact law.
     Rigid {
@@ -29,14 +17,32 @@ pub enum ProjectileKind {
     },
 }
 
-/// A projectile: it moves along a fixed line of flight and strikes a material point of a beam.
+impl ProjectileKind {
+    /// A mass behind a linear spring \[N/m\].
+    pub fn spring(stiffness: f64) -> Self {
+        Self::Elastic { law: SmoothLaw::elastic(Potential::Linear { stiffness }) }
+    }
+}
+
+/// A second mass of a projectile, behind the first one on its line of flight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RearMass {
+    /// Mass \[kg\].
+    pub mass: f64,
+    /// Stiffness of the spring between the two, which pushes and pulls \[N/m\].
+    pub stiffness: f64,
+    /// Damping of the same \[N s/m\].
+    pub damping: f64,
+}
+
+/// A projectile: it is guided along a fixed line of flight and strikes a material point of a beam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projectile {
     /// The user's name for it.
     pub name: String,
     /// Elastic or rigid.
     pub kind: ProjectileKind,
-    /// Mass \[kg\].
+    /// Mass \[kg\]; of two masses, that of the front one.
     pub mass: f64,
     /// Initial velocity \[m/s\].
     pub velocity: [f64; 2],
@@ -46,4 +52,31 @@ pub struct Projectile {
     pub strikes: PointRef,
     /// Initial distance between projectile (or spring tip) and beam along the line of flight \[m\].
     pub standoff: f64,
+    /// A second mass behind it.
+    pub rear: Option<RearMass>,
+    /// Mass that the struck point carries in itself \[kg\]: what a blow meets first, however fine the mesh.
+    pub local_mass: f64,
+}
+
+impl Projectile {
+    /// A single mass that starts at the beam.
+    pub fn new(
+        name: impl Into<String>,
+        kind: ProjectileKind,
+        mass: f64,
+        velocity: [f64; 2],
+        strikes: PointRef,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            kind,
+            mass,
+            velocity,
+            direction: None,
+            strikes,
+            standoff: 0.0,
+            rear: None,
+            local_mass: 0.0,
+        }
+    }
 }
