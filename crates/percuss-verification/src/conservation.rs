@@ -158,7 +158,7 @@ pub fn rigid_motion() -> Vec<Check> {
     };
     let mut off_centre = paper_elastic();
     off_centre.at = 0.3;
-    let plain = paper_beam(6).clamped().struck(off_centre);
+    let plain = paper_beam(6).clamped().struck(off_centre.clone());
     let mut moved = plain.clone();
     moved.points = plain.points.map(|p| {
         let q = turn(p);

@@ -78,61 +78,112 @@ pub struct AuditSummary {
     pub membrane_drift_max: f64,
 }
 
-/// What became of a projectile.
+/// What became of a projectile, guided or free.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProjectileSummary {
     /// The user's name for it.
     pub name: String,
     /// Velocity at the end \[m/s\].
     pub velocity_final: [f64; 2],
-    /// Momentum given away, along the line of flight \[kg m/s\].
+    /// Angular velocity at the end \[rad/s\]; zero for a guided one.
+    pub spin_final: f64,
+    /// Momentum given away, along its initial velocity or its line of flight \[kg m/s\].
     pub momentum_transferred: f64,
     /// Kinetic energy given away \[J\].
     pub energy_transferred: f64,
 }
 
-/// One closed interval of a smooth contact, resolved within the step.
+/// Where two things touch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactPlace {
+    /// Arc length along the first party, if it is a beam; else NaN \[m\].
+    pub s: f64,
+    /// Position in the plane \[m\].
+    pub position: [f64; 2],
+}
+
+impl Default for ContactPlace {
+    fn default() -> Self {
+        Self { s: f64::NAN, position: [f64::NAN; 2] }
+    }
+}
+
+/// What a contact did to the energies of the two that touch, over an interval or in an impact.
+///
+/// `given[0] + given[1] + lost + stored` is zero.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EnergySplit {
+    /// Work of the contact on either party: what goes into a beam runs on as waves \[J\].
+    pub given: [f64; 2],
+    /// Energy lost in the contact \[J\].
+    pub lost: f64,
+    /// Energy that the contact's own spring holds more than at the start; zero once it is open again \[J\].
+    pub stored: f64,
+}
+
+/// One closed interval of a contact, resolved within the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactInterval {
     /// Start \[s\].
     pub start: f64,
     /// End \[s\]; NaN if still closed at the end of the run.
     pub end: f64,
-    /// Impulse handed over in it \[N s\].
+    /// Impulse handed over in it, along the normal \[N s\].
     pub impulse: f64,
+    /// Largest force of a smooth contact in it; unset for persistent contact of rigid bodies, which has none but means over
+    /// steps.
+    pub peak_force: Peak,
+    /// Relative velocity at the start, positive when approaching \[m/s\].
+    pub approach_velocity: f64,
+    /// Relative velocity at the end, positive when separating; NaN if still closed \[m/s\].
+    pub separation_velocity: f64,
+    /// Where it closed.
+    pub place: ContactPlace,
+    /// Where it opened, or was last closed.
+    pub place_end: ContactPlace,
+    /// Energies.
+    pub energy: EnergySplit,
 }
 
-/// One impact of a rigid projectile.
+/// One impact of rigid bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
     /// Time \[s\].
     pub time: f64,
-    /// Impulse \[N s\].
+    /// Impulse along the normal \[N s\].
     pub impulse: f64,
+    /// Impulse of friction, along the tangent: the normal turned by -90 degrees \[N s\].
+    pub tangential_impulse: f64,
     /// Relative velocity before, positive when approaching \[m/s\].
     pub approach_velocity: f64,
     /// Relative velocity after, positive when separating \[m/s\].
     pub separation_velocity: f64,
-    /// Energy lost \[J\].
-    pub energy_lost: f64,
+    /// Where.
+    pub place: ContactPlace,
+    /// Energies.
+    pub energy: EnergySplit,
+    /// Whether Newton's law would have given energy, so that Moreau's was used.
+    pub tamed: bool,
 }
 
-/// What happened between a projectile and the point it strikes.
+/// What happened between two things that can touch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ContactRecord {
-    /// Of an elastic projectile.
+    /// Under a smooth law.
     Smooth {
-        /// Largest force \[N\].
+        /// Largest force.
         peak_force: Peak,
-        /// Closed intervals.
+        /// Closed intervals, in the order they began; the first [`ContactRecord::IMPACTS_KEPT`] of them.
         intervals: Vec<ContactInterval>,
     },
-    /// Of a rigid projectile.
+    /// Under a set-valued law.
     Nonsmooth {
         /// Impacts, in order; the first [`ContactRecord::IMPACTS_KEPT`] of them.
         impacts: Vec<Impact>,
         /// Number of impacts, kept or not.
         impact_count: usize,
+        /// Impacts in which Newton's law would have given energy, so that Moreau's was used.
+        tamed_count: usize,
         /// Impulse of all impacts and of persistent contact \[N s\].
         impulse_total: f64,
         /// Intervals in which the contact stayed closed (persistent contact); impulse included.
@@ -145,13 +196,15 @@ impl ContactRecord {
     pub const IMPACTS_KEPT: usize = 10_000;
 }
 
-/// Contact of one projectile.
+/// A contact: that of a guided projectile with the point it strikes, or one between two things that can touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactSummary {
-    /// The projectile's name.
+    /// The projectile's or the contact's name.
     pub name: String,
-    /// Effective mass of the struck point.
-    pub effective_mass: EffectiveMass,
+    /// Names of the two parties; of a guided projectile's contact, the label of the struck point and the projectile.
+    pub between: [String; 2],
+    /// Effective mass of the struck point, of a guided projectile.
+    pub effective_mass: Option<EffectiveMass>,
     /// What happened.
     pub record: ContactRecord,
 }
@@ -302,10 +355,12 @@ pub struct RunSummary {
     pub momentum: MomentumSummary,
     /// Drift of stored strains.
     pub audit: AuditSummary,
-    /// One entry a projectile, in the model's order.
+    /// One entry a guided projectile, then one a disc, in the model's order.
     pub projectiles: Vec<ProjectileSummary>,
-    /// One entry a projectile, in the model's order.
+    /// One entry a guided projectile, then one a contact, in the model's order.
     pub contacts: Vec<ContactSummary>,
+    /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[1\].
+    pub contact_residual_max: f64,
     /// One entry a recorded point.
     pub points: Vec<PointSummary>,
     /// One entry a support, in the model's order.
