@@ -1,11 +1,10 @@
 //! Energies and momenta of a state, and the books of what entered and left.
 
-use crate::contact::law;
 use crate::element::beam::ElementValues;
 use crate::element::strain::strains;
-use crate::math::vec2::{add, cross, scale};
-use crate::model::Model;
-use crate::model::frozen::{ContactLaw, Span};
+use crate::math::vec2::{add, cross, dot, scale};
+use crate::model::frozen::{BodyKind, Span};
+use crate::model::{Model, TouchLaw};
 use crate::state::State;
 
 /// What entered and left since the start of the run.
@@ -121,7 +120,8 @@ impl Measures {
             m.add_span(model, state, span);
         }
         m.add_masses(model, state);
-        m.add_projectiles(model, state);
+        m.add_bodies(model, state);
+        m.add_contacts(model, state);
         for (c, q) in model.connectors.iter().zip(&state.coordinates) {
             m.springs += c.potential(*q);
         }
@@ -198,14 +198,34 @@ impl Measures {
         }
     }
 
-    fn add_projectiles(&mut self, model: &Model, state: &State) {
-        for (i, (p, s)) in model.projectiles.iter().zip(&state.projectiles).enumerate() {
-            self.kinetic_projectiles += 0.5 * p.mass * s.speed * s.speed;
-            let linear = scale(p.mass * s.speed, p.direction);
-            let angular = cross(p.position, linear); // the line of flight keeps its distance
-            self.add_momentum(linear, angular);
-            if let ContactLaw::Spring { stiffness, .. } = p.law {
-                self.contact += law::potential(stiffness, -state.gap(model, i));
+    fn add_bodies(&mut self, model: &Model, state: &State) {
+        for (i, body) in model.bodies.iter().enumerate() {
+            let node = model.body_node(i);
+            let (u, v) = (&state.displacement[node], &state.velocity[node]);
+            if let BodyKind::Rear { direction, stiffness, .. } = body.kind {
+                let front = &state.displacement[node - 1];
+                let pressed = dot(direction, [u[0] - front[0], u[1] - front[1]]);
+                self.springs += 0.5 * stiffness * pressed * pressed;
+            }
+            if body.mass == 0.0 {
+                continue;
+            }
+            let turning = body.inertia * v[2];
+            self.kinetic_projectiles +=
+                0.5 * (body.mass * (v[0] * v[0] + v[1] * v[1]) + turning * v[2]);
+            let linear = scale(body.mass, [v[0], v[1]]);
+            let x = add(model.nodes[node].position, [u[0], u[1]]);
+            self.add_momentum(linear, cross(x, linear) + turning);
+        }
+    }
+
+    fn add_contacts(&mut self, model: &Model, state: &State) {
+        for contact in &model.contacts {
+            let TouchLaw::Smooth(law) = &contact.law else { continue };
+            for seen in &state.pairs[contact.pairs.clone()] {
+                if seen.gap < 0.0 {
+                    self.contact += law.potential.energy(-seen.gap);
+                }
             }
         }
     }

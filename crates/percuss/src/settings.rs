@@ -114,8 +114,8 @@ impl Settings {
             let found = spectral_radius.to_string();
             add("integrator.spectral_radius", found, "a radius from 0 to 1");
         }
-        if self.scheme.advances_accelerations() && model.has_rigid_projectile() {
-            let found = "a scheme that advances accelerations, with a rigid projectile";
+        if self.scheme.advances_accelerations() && model.has_rigid_contact() {
+            let found = "a scheme that advances accelerations, with a rigid contact";
             let expected = "energy-momentum, strain-rate or midpoint: \
                             an impulse has no acceleration";
             add("integrator.scheme", found.into(), expected);

@@ -1,22 +1,37 @@
 //! What changes while a run steps: everything a restart needs, and nothing else.
 
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::Memory;
+use crate::contact::touch::Reach;
 use crate::ledger::Books;
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::dot;
 use crate::model::Model;
 use crate::model::frozen::Coordinate;
 use crate::settings::Scheme;
 
-/// State of a projectile on its line of flight.
+/// What moves of a projectile, guided or free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProjectileState {
-    /// Distance travelled along the line of flight \[m\].
-    pub travel: f64,
-    /// Speed along the line of flight \[m/s\].
-    pub speed: f64,
-    /// Acceleration along the line of flight \[m/s^2\]; kept by schemes that advance accelerations.
-    pub acceleration: f64,
-    /// Whether a rigid projectile rests on the beam (persistent contact).
+    /// Position of its centre \[m\].
+    pub position: [f64; 2],
+    /// Velocity \[m/s\].
+    pub velocity: [f64; 2],
+    /// Angle turned \[rad\].
+    pub angle: f64,
+    /// Angular velocity \[rad/s\].
+    pub spin: f64,
+}
+
+/// A pair that can touch, as the last step left it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairState {
+    /// Gap \[m\]; negative inside. Of a pair too far apart to be looked at, a bound from below.
+    pub gap: f64,
+    /// Rate of the gap \[m/s\]; negative when approaching.
+    pub rate: f64,
+    /// Side of the target's face, and where on its axis it is nearest.
+    pub(crate) memory: Memory,
+    /// Whether a rigid contact is closed (persistent contact).
     pub closed: bool,
     /// Largest approach velocity it ever struck with \[m/s\]; the scale of the stick velocity.
     pub approach_max: f64,
@@ -31,7 +46,8 @@ pub struct State {
     pub offset: f64,
     /// Time \[s\].
     pub time: f64,
-    /// Displacements and their gradients (u1, u2, u1', u2') of the nodes, shape (n_node) \[m, 1\].
+    /// Displacements and their gradients (u1, u2, u1', u2') of the beams' nodes, then displacements and angle of the bodies,
+    /// shape (n_node) \[m, 1, rad\].
     pub displacement: Vec<[f64; 4]>,
     /// Velocities of the same, shape (n_node) \[m/s, 1/s\].
     pub velocity: Vec<[f64; 4]>,
@@ -50,8 +66,8 @@ pub struct State {
     pub reactions: Vec<[f64; 3]>,
     /// Multipliers of the constraints, shape (n_constraint) \[N, N m\].
     pub multiplier: Vec<f64>,
-    /// Projectiles, in the model's order.
-    pub projectiles: Vec<ProjectileState>,
+    /// Pairs that can touch, in the model's order.
+    pub pairs: Vec<PairState>,
     /// The running books.
     pub books: Books,
 }
@@ -75,20 +91,47 @@ impl State {
             mass_spin: vec![0.0; model.masses.len()],
             reactions: vec![[0.0; 3]; model.supports.len()],
             multiplier: vec![0.0; model.constraints.len()],
-            projectiles: model
-                .projectiles
-                .iter()
-                .map(|p| ProjectileState {
-                    travel: 0.0,
-                    speed: p.speed,
-                    acceleration: 0.0,
-                    closed: false,
-                    approach_max: 0.0,
-                })
-                .collect(),
+            pairs: vec![PairState::unseen(); model.pairs.len()],
             books: Books::default(),
         }
         .with_coordinates(model)
+        .with_bodies(model)
+    }
+
+    /// Velocities of the bodies, and obstacles where their motion begins.
+    fn with_bodies(mut self, model: &Model) -> Self {
+        for (i, body) in model.bodies.iter().enumerate() {
+            let [v1, v2] = body.velocity;
+            self.velocity[model.body_node(i)] = [v1, v2, body.spin, 0.0];
+        }
+        for hold in model.holds.iter().filter(|h| h.node >= model.beam_node_count()) {
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let start: f64 = drive.iter().map(|(m, a)| a * model.motions[*m].value(0.0)).sum();
+                (0..4).for_each(|k| self.displacement[hold.node][k] += start * normal[k]);
+            }
+        }
+        self
+    }
+
+    /// The state of the beams alone, as the model of their [`Model::structure`] knows it.
+    pub(crate) fn of_structure(&self, structure: &Model) -> Self {
+        let mut state = self.clone();
+        for nodal in [&mut state.displacement, &mut state.velocity, &mut state.acceleration] {
+            nodal.truncate(structure.node_count());
+        }
+        state.pairs.clear();
+        state
+    }
+
+    /// The same with bodies added, where they start.
+    pub(crate) fn with_bodies_of(mut self, model: &Model) -> Self {
+        let scheme = Scheme::EnergyMomentum;
+        let start = Self::at_rest(model, scheme);
+        let first = self.displacement.len();
+        self.displacement.extend_from_slice(&start.displacement[first..]);
+        self.velocity.resize(model.node_count(), [0.0; 4]);
+        self.pairs = start.pairs;
+        self
     }
 
     /// Coordinates of the connectors in the configuration as it stands.
@@ -106,16 +149,45 @@ impl State {
         self
     }
 
-    /// Gap between projectile `i` and the point it strikes \[m\].
-    pub(crate) fn gap(&self, model: &Model, i: usize) -> f64 {
-        let p = &model.projectiles[i];
-        p.standoff + dot(p.direction, p.point.value(&self.displacement))
-            - self.projectiles[i].travel
+    /// Projectile `i` of the model, guided ones first, then discs.
+    pub fn projectile(&self, model: &Model, i: usize) -> Option<ProjectileState> {
+        let node = model.body_node(model.striking_bodies().nth(i)?);
+        let (x, u, v) = (model.nodes[node].position, self.displacement[node], self.velocity[node]);
+        Some(ProjectileState {
+            position: [x[0] + u[0], x[1] + u[1]],
+            velocity: [v[0], v[1]],
+            angle: u[2],
+            spin: v[2],
+        })
     }
 
-    /// Rate of the gap \[m/s\]; negative when approaching.
-    pub(crate) fn gap_rate(&self, model: &Model, i: usize) -> f64 {
-        let p = &model.projectiles[i];
-        dot(p.direction, p.point.value(&self.velocity)) - self.projectiles[i].speed
+    /// Looks at pair `i` where it stands; returns how far apart the two are \[m\].
+    pub(crate) fn see(&mut self, model: &Model, i: usize) -> f64 {
+        let (pair, at) = (&model.pairs[i], Configuration::of(&self.displacement));
+        let seen = &mut self.pairs[i];
+        match pair.touch(model, &at, &seen.memory, Reach::All) {
+            Some(touch) => {
+                let row = pair.normal_row(&touch, &at);
+                (seen.gap, seen.rate) = (touch.gap, row.on(&self.velocity));
+                seen.memory = touch.memory;
+                touch.apart
+            }
+            None => {
+                (seen.gap, seen.rate) = (f64::INFINITY, 0.0);
+                f64::INFINITY
+            }
+        }
+    }
+}
+
+impl PairState {
+    fn unseen() -> Self {
+        Self {
+            gap: f64::NAN,
+            rate: f64::NAN,
+            memory: Memory::default(),
+            closed: false,
+            approach_max: 0.0,
+        }
     }
 }

@@ -31,7 +31,7 @@ pub struct BucklingMode {
 /// response to the loads. Empty if no load acts, nothing buckles, or the
 /// unloaded structure is a mechanism or unstable.
 pub fn buckling(model: &Model, count: usize) -> Vec<BucklingMode> {
-    find(model, count).unwrap_or_default()
+    find(&model.structure(), count).unwrap_or_default()
 }
 
 fn find(model: &Model, count: usize) -> Option<Vec<BucklingMode>> {

@@ -1,11 +1,13 @@
 //! The columns of the history and their values at a state.
 
 use super::section_forces::{self, Before};
-use crate::contact::law;
+use super::contact_log;
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::Target;
+use crate::contact::touch::Reach;
 use crate::ledger::Measures;
-use crate::math::vec2::{add, scale};
-use crate::model::Model;
-use crate::model::frozen::{ContactLaw, MaterialPoint};
+use crate::model::frozen::{BodyKind, ContactData, MaterialPoint};
+use crate::model::{Model, TouchLaw};
 use crate::record::Channel;
 use crate::state::State;
 
@@ -16,21 +18,34 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         out.push(Channel { name, unit, description: description.into() });
     };
     add("time".into(), "s", "Time");
-    for p in &model.projectiles {
-        let name = &p.name;
+    for (_, name, disc) in projectiles(model) {
         for i in 1..=2 {
             add(format!("projectile.{name}.position_{i}"), "m", "Position of the projectile");
         }
         for i in 1..=2 {
             add(format!("projectile.{name}.velocity_{i}"), "m/s", "Velocity of the projectile");
         }
-        let gap = "Gap between projectile and struck point along the line of flight";
-        add(format!("contact.{name}.gap"), "m", gap);
-        if matches!(p.law, ContactLaw::Spring { .. }) {
+        if disc {
+            add(format!("projectile.{name}.angle"), "rad", "Angle the projectile has turned");
+            add(format!("projectile.{name}.spin"), "rad/s", "Angular velocity of the projectile");
+        }
+    }
+    for contact in &model.contacts {
+        let name = &contact.name;
+        add(format!("contact.{name}.gap"), "m", "Gap where the two are nearest");
+        if matches!(contact.law, TouchLaw::Smooth(_)) {
             add(format!("contact.{name}.force"), "N", "Contact force at this instant");
         }
         let text = "Impulse handed over since the row before";
         add(format!("contact.{name}.impulse"), "N*s", text);
+        if has_friction(contact) {
+            let text = "Impulse of friction since the row before";
+            add(format!("contact.{name}.friction_impulse"), "N*s", text);
+        }
+        if slides(model, contact) {
+            let text = "Arc length along the first beam where the two are nearest";
+            add(format!("contact.{name}.place"), "m", text);
+        }
     }
     for p in &model.points {
         let name = &p.label;
@@ -93,6 +108,55 @@ const BOOK_COLUMNS: [(&str, &str, &str); 23] = [
     ("solver.newton_iterations", "1", "Newton iterations since the row before"),
 ];
 
+/// Bodies of projectiles, their names and whether they are discs.
+fn projectiles(model: &Model) -> impl Iterator<Item = (usize, &str, bool)> {
+    model.striking_bodies().map(|i| {
+        let body = &model.bodies[i];
+        (i, body.name.as_str(), matches!(body.kind, BodyKind::Disc { .. }))
+    })
+}
+
+fn has_friction(contact: &ContactData) -> bool {
+    matches!(contact.law, TouchLaw::Rigid(law) if law.friction > 0.0)
+}
+
+/// Whether the place of a contact along a beam can change.
+fn slides(model: &Model, contact: &ContactData) -> bool {
+    model.pairs[contact.pairs.clone()]
+        .iter()
+        .any(|p| !matches!(p.target, Target::Guided { .. }) && p.movers.iter().any(|m| *m < model.beams.len()))
+}
+
+/// The nearest pair of a contact.
+struct Nearest {
+    gap: f64,
+    place: f64,
+}
+
+/// The nearest pair of a contact where the state stands; pairs that sleep are looked at.
+fn nearest(model: &Model, state: &State, contact: &ContactData, awake: &[usize]) -> Nearest {
+    let mut best = (f64::INFINITY, None);
+    let awake_ones = awake.iter().filter(|i| contact.pairs.contains(i));
+    for i in awake_ones {
+        if state.pairs[*i].gap < best.0 {
+            best = (state.pairs[*i].gap, Some(*i));
+        }
+    }
+    if best.1.is_none() {
+        let at = Configuration::of(&state.displacement);
+        for i in contact.pairs.clone() {
+            let memory = &state.pairs[i].memory;
+            let touch = model.pairs[i].touch(model, &at, memory, Reach::All);
+            if let Some(touch) = touch.filter(|t| t.gap < best.0) {
+                best = (touch.gap, Some(i));
+            }
+        }
+    }
+    let place = best.1.filter(|_| slides(model, contact));
+    let place = place.map_or(f64::NAN, |i| contact_log::place(model, state, i).s);
+    Nearest { gap: best.0, place }
+}
+
 /// Whether the section at a point has a depth, and so extreme fibres.
 fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
     let (span, k) = model.element_of(point.node);
@@ -101,8 +165,10 @@ fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
 
 /// What happened since the row before.
 pub struct SinceLast<'a> {
-    /// Impulses, shape (n_projectile) \[N s\].
-    pub impulse: &'a [f64],
+    /// Impulses along normal and tangent, shape (n_contact) \[N s\].
+    pub impulse: &'a [[f64; 2]],
+    /// Pairs looked at where the state stands.
+    pub awake: &'a [usize],
     /// Mean reactions, shape (n_support) \[N, N m\].
     pub reactions: &'a [[f64; 3]],
     /// Angular rates at the start of the last step.
@@ -115,16 +181,34 @@ pub struct SinceLast<'a> {
 pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row: &mut Vec<f64>) {
     row.clear();
     row.push(state.time);
-    for (i, p) in model.projectiles.iter().enumerate() {
-        let s = &state.projectiles[i];
-        row.extend(add(p.position, scale(s.travel, p.direction)));
-        row.extend(scale(s.speed, p.direction));
-        let gap = state.gap(model, i);
-        row.push(gap);
-        if let ContactLaw::Spring { stiffness, .. } = p.law {
-            row.push(law::force(stiffness, -gap));
+    for (i, _, disc) in projectiles(model) {
+        let node = model.body_node(i);
+        let (x, u, v) =
+            (model.nodes[node].position, state.displacement[node], state.velocity[node]);
+        row.extend([x[0] + u[0], x[1] + u[1], v[0], v[1]]);
+        if disc {
+            row.extend([u[2], v[2]]);
         }
-        row.push(since.impulse[i]);
+    }
+    for (k, contact) in model.contacts.iter().enumerate() {
+        let nearest = nearest(model, state, contact, since.awake);
+        row.push(nearest.gap);
+        if let TouchLaw::Smooth(law) = &contact.law {
+            let force = |i: usize| {
+                let pair = &state.pairs[i];
+                let damped = (1.0 - law.dissipation * pair.rate).max(0.0);
+                law.potential.force(-pair.gap) * damped
+            };
+            let awake = since.awake.iter().filter(|i| contact.pairs.contains(i));
+            row.push(awake.map(|i| force(*i)).sum());
+        }
+        row.push(since.impulse[k][0]);
+        if has_friction(contact) {
+            row.push(since.impulse[k][1]);
+        }
+        if slides(model, contact) {
+            row.push(nearest.place);
+        }
     }
     for p in &model.points {
         row.extend(p.value(&state.displacement));

@@ -1,9 +1,9 @@
 //! Where in time impacts happen.
 //!
-//! Event mode: if a step would end with a projectile inside the beam, the instant of contact is located by a root search
-//! over the step size, each trial a full step; the shortened step is accepted, and the impulse acts in a pulse, a very short
-//! step of its own. The pulse starts half its length before the gap vanishes, so that its middle is the instant of
-//! contact; its impulse obeys Newton's law exactly, and its energy is booked exactly.
+//! Event mode: if a step would end with one rigid thing inside another, or if they have passed through each other on the way, the
+//! instant of contact is located by a root search over the step size, each trial a full step; the shortened step is accepted,
+//! and the impulse acts in a pulse, a very short step of its own. The pulse starts half its length before the gap vanishes, so
+//! that its middle is the instant of contact; its impulse obeys the impact law exactly, and its energy is booked exactly.
 //!
 //! Time-stepping mode: the gap is looked at once per step, as in the paper.
 
@@ -11,24 +11,22 @@ use super::simulation::Simulation;
 use crate::error::Error;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
-use crate::model::frozen::ContactLaw;
+use crate::model::{ImpactLaw, RigidLaw, TouchLaw};
 use crate::record::Recorder;
 use crate::settings::ImpactResolution;
-use crate::step::commit;
-use crate::step::integration::Integration;
-use crate::step::newton::{ActiveContact, Failure, StepProblem};
-use crate::summary::Impact;
+use crate::step::contacts::{ActiveContact, Phase};
+use crate::step::newton::Failure;
 
 /// Length of a pulse as a share of the step.
 const PULSE: f64 = 1e-6;
-/// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
-const BRIEF: f64 = 1e-3;
 /// A contact is located to this share of a pulse.
 const LOCATED: f64 = 1e-3;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
 const STICK: f64 = 1e-6;
 /// Nor does approach slower than this share of the velocities in play, which is round-off.
 const NO_APPROACH: f64 = 1e-12;
+/// Energy that impulses may give, relative to the work they do: round-off.
+const NO_GAIN: f64 = 1e-12;
 
 /// What remains of a step.
 #[derive(Clone, Copy, Debug)]
@@ -72,57 +70,52 @@ impl Simulation<'_> {
         }
     }
 
-    fn restitution(&self, i: usize) -> Option<f64> {
-        match self.model.projectiles[i].law {
-            ContactLaw::Unilateral { restitution } => Some(restitution),
-            ContactLaw::Spring { .. } => None,
+    /// Law of pair `i`, if it is a rigid one.
+    fn rigid_law(&self, i: usize) -> Option<RigidLaw> {
+        match &self.model.contacts[self.model.pairs[i].contact].law {
+            TouchLaw::Rigid(law) => Some(*law),
+            TouchLaw::Smooth(_) => None,
         }
-    }
-
-    fn rigid(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..self.model.projectiles.len()).filter(|i| self.restitution(*i).is_some())
-    }
-
-    /// Open rigid contacts.
-    fn open_contacts(&self) -> impl Iterator<Item = usize> + '_ {
-        self.rigid().filter(|i| !self.state.projectiles[*i].closed)
     }
 
     fn pulse(&self) -> f64 {
         PULSE * self.settings.step
     }
 
-    /// Projectiles that lie on the beam, at rest but for round-off, count as closed.
+    /// Rigid pairs near enough to matter where the state stands.
+    fn rigid(&self) -> Vec<usize> {
+        let awake = self.search.awake().iter().copied();
+        awake.filter(|i| self.rigid_law(*i).is_some()).collect()
+    }
+
+    /// Rigid pairs that touch, at rest but for round-off, count as closed.
     fn settle(&mut self) {
         let round_off = NO_APPROACH * self.velocity_in_play();
-        for i in 0..self.model.projectiles.len() {
-            let p = &self.model.projectiles[i];
-            let reach = 1e-12 * self.model.beams[p.point.beam].length;
-            let at_rest = self.restitution(i).is_some()
-                && self.state.gap_rate(self.model, i).abs() <= round_off
-                && self.state.gap(self.model, i) <= reach;
-            if at_rest {
-                self.state.projectiles[i].closed = true;
+        let reach = 1e-12 * self.size;
+        for i in self.rigid() {
+            let pair = &mut self.state.pairs[i];
+            if pair.gap <= reach && pair.rate.abs() <= round_off {
+                pair.closed = true;
             }
         }
     }
 
     /// Open contacts that would close within the next three quarters of a pulse, and those just located.
     fn touching(&mut self) -> Vec<usize> {
+        let located = self.located.take();
+        let pulse = self.pulse();
         let near = |i: &usize| {
-            let rate = self.state.gap_rate(self.model, *i);
-            let gap = self.state.gap(self.model, *i);
-            rate < 0.0 && (self.located == Some(*i) || gap < -0.75 * self.pulse() * rate)
+            let pair = &self.state.pairs[*i];
+            let close = located == Some(*i) || pair.gap < -0.75 * pulse * pair.rate;
+            !pair.closed && pair.rate < 0.0 && close
         };
-        let touching = self.open_contacts().filter(near).collect();
-        self.located = None;
-        touching
+        self.rigid().into_iter().filter(near).collect()
     }
 
-    /// Approach velocities of projectile `i` up to this one do not bounce \[m/s\].
+    /// Approach velocities of pair `i` up to this one do not bounce \[m/s\].
     fn stick_velocity(&self, i: usize) -> f64 {
         let round_off = NO_APPROACH * self.velocity_in_play();
-        (STICK * self.state.projectiles[i].approach_max).max(round_off)
+        (STICK * self.state.pairs[i].approach_max).max(round_off)
     }
 
     /// Velocity that goes with the largest energy of the run so far \[m/s\].
@@ -130,127 +123,85 @@ impl Simulation<'_> {
         (2.0 * self.state.books.energy_scale / self.model.total_mass).sqrt()
     }
 
-    /// Contacts that stay closed: held at zero gap rate while their impulse pushes.
-    ///
-    /// One that happens to open as the step begins is held where it is: its mean rate over the step is zero then, so that the
-    /// impulse gives no energy.
+    /// Contacts that stay closed.
     fn resting(&self) -> Vec<ActiveContact> {
-        let bound = |i: usize| -self.state.gap_rate(self.model, i).max(0.0);
-        self.rigid()
-            .filter(|i| self.state.projectiles[*i].closed)
-            .map(|projectile| ActiveContact { projectile, bound: bound(projectile) })
-            .collect()
+        let closed = self.rigid().into_iter().filter(|i| self.state.pairs[*i].closed);
+        closed.map(|pair| ActiveContact { pair, phase: Phase::Resting { mean: false } }).collect()
     }
 
-    /// Solves a step of size `h` without accepting it.
-    fn solve(&mut self, h: f64, active: &[ActiveContact]) -> Result<(), Failure> {
-        self.solver_steps += 1;
-        self.forcing.set(self.model, self.state.time, h, self.settings.step);
-        let problem = StepProblem {
-            model: self.model,
-            state: &self.state,
-            integration: Integration::new(self.settings.scheme, h),
-            forcing: &self.forcing,
-            damping: &self.damping,
-            active,
-            feedback: (h / self.settings.step).min(1.0),
-        };
-        problem.solve(&mut self.work, &mut self.effort)
-    }
-
-    /// Gap of projectile `i` at the end of the step solved last, and its rate.
-    fn gap_next(&self, h: f64, i: usize) -> [f64; 2] {
-        let problem = StepProblem {
-            model: self.model,
-            state: &self.state,
-            integration: Integration::new(self.settings.scheme, h),
-            forcing: &self.forcing,
-            damping: &self.damping,
-            active: &[],
-            feedback: 0.0,
-        };
-        [problem.gap_next(&self.work, i), problem.gap_rate_next(&self.work, i)]
-    }
-
-    /// Accepts the step solved last and measures the new state.
-    fn accept(&mut self, h: f64) {
-        let integration = Integration::new(self.settings.scheme, h);
-        self.monitor.begin_step(self.model, &self.state);
-        let brief = h < BRIEF * self.settings.step;
-        let before = brief.then(|| self.state.multiplier.clone());
-        let (state, forcing) = (&mut self.state, &self.forcing);
-        commit::commit(self.model, state, integration, forcing, &self.damping, &self.work);
-        if let Some(before) = before {
-            // Multipliers of an impact are impulses over its time: no prediction for what follows.
-            self.state.multiplier = before;
+    /// Solves a step in which nothing strikes but `resting` contacts stay closed; friction on them never gives energy.
+    fn solve_resting(&mut self, h: f64, resting: &mut [ActiveContact]) -> Result<(), Failure> {
+        self.solve(h, resting, ImpactLaw::Newton)?;
+        let mut again = false;
+        for (contact, found) in resting.iter_mut().zip(&self.work.rigid) {
+            let work = found.impulse[1] * found.tangent.on(&self.work.increment) / h;
+            if work > 0.0 {
+                contact.phase = Phase::Resting { mean: true };
+                again = true;
+            }
         }
-        self.monitor.end_step(self.model, &self.state, h, &self.work.force, brief);
-        self.gather_reactions(h, brief);
-        for (i, sum) in self.row_impulse.iter_mut().enumerate() {
-            *sum += self.work.impulse[i] + h * self.work.force[i]; // one of the two is zero
-        }
-        self.measure();
+        if again { self.solve(h, resting, ImpactLaw::Newton) } else { Ok(()) }
     }
 
     /// A step without impacts: of the given size, or up to the first instant of contact.
     fn free_part(&mut self, advance: &mut Advance) -> Result<f64, Failure> {
-        let resting = self.resting();
-        self.solve(advance.size, &resting)?;
-        let contact = self.first_contact(advance.size, &resting)?;
+        let mut resting = self.resting();
+        self.solve_resting(advance.size, &mut resting)?;
+        let contact = self.first_contact(advance.size, &mut resting)?;
         let done = contact.unwrap_or(advance.size);
         advance.events_left -= usize::from(contact.is_some());
         self.located = contact.and_then(|instant| {
-            let ahead = |i: &usize| self.gap_ahead(instant, *i);
-            self.open_contacts().min_by(|a, b| ahead(a).total_cmp(&ahead(b)))
+            let open = self.open_contacts();
+            open.into_iter().min_by(|a, b| {
+                self.gap_ahead(instant, *a).total_cmp(&self.gap_ahead(instant, *b))
+            })
         });
-        self.accept(done);
-        for contact in &resting {
-            self.book_persistent(contact.projectile);
-        }
+        self.accept(done, &resting);
+        self.release(&resting);
         Ok(done)
     }
 
     /// The rest of a step in which impacts have accumulated: contacts no wider than the fastest approach covers in a pulse
     /// are held while they push, and none is sought.
     fn accumulated_part(&mut self, size: f64) -> Result<f64, Failure> {
-        for i in 0..self.model.projectiles.len() {
-            let reach = self.pulse() * self.state.projectiles[i].approach_max;
-            if self.restitution(i).is_some() && self.state.gap(self.model, i) <= reach {
-                self.state.projectiles[i].closed = true;
-            }
+        let pulse = self.pulse();
+        for i in self.rigid() {
+            let pair = &mut self.state.pairs[i];
+            pair.closed |= pair.gap <= pulse * pair.approach_max;
         }
-        let resting = self.resting();
-        self.solve(size, &resting)?;
-        self.accept(size);
-        for contact in &resting {
-            self.book_persistent(contact.projectile);
-        }
+        let mut resting = self.resting();
+        self.solve_resting(size, &mut resting)?;
+        self.accept(size, &resting);
+        self.release(&resting);
         Ok(size)
     }
 
-    /// Releases a resting contact whose impulse has vanished, and notes its impulse.
-    fn book_persistent(&mut self, i: usize) {
-        let impulse = self.work.impulse[i];
-        let closed = impulse > 0.0;
-        self.state.projectiles[i].closed = closed;
-        self.monitor.persistent(i, impulse, self.state.time, closed);
+    /// Releases resting contacts whose impulse has vanished.
+    fn release(&mut self, active: &[ActiveContact]) {
+        for (contact, found) in active.iter().zip(&self.work.rigid) {
+            if let Phase::Resting { .. } = contact.phase {
+                self.state.pairs[contact.pair].closed = found.impulse[0] > 0.0;
+            }
+        }
     }
 
-    /// The gap of projectile `i` half a pulse after the end of the step solved last.
+    /// Open rigid pairs that could touch within the step solved last.
+    fn open_contacts(&self) -> Vec<usize> {
+        let open = |i: &usize| self.rigid_law(*i).is_some() && !self.state.pairs[*i].closed;
+        self.reached.iter().copied().filter(open).collect()
+    }
+
+    /// The gap of pair `i` half a pulse after the end of the step solved last.
     fn gap_ahead(&self, h: f64, i: usize) -> f64 {
         let [gap, rate] = self.gap_next(h, i);
         gap + 0.5 * self.pulse() * rate.min(0.0)
     }
 
-    fn least_gap_ahead(&self, h: f64) -> f64 {
-        self.nearest_ahead(h).0
-    }
-
-    /// Least gap ahead of all open contacts, and whether the one it belongs to approaches.
-    fn nearest_ahead(&self, h: f64) -> (f64, bool) {
-        let nearest = self
-            .open_contacts()
-            .map(|i| (self.gap_ahead(h, i), i))
+    /// Least gap ahead of the given contacts, and whether the one it belongs to approaches.
+    fn nearest_ahead(&self, h: f64, open: &[usize]) -> (f64, bool) {
+        let nearest = open
+            .iter()
+            .map(|i| (self.gap_ahead(h, *i), *i))
             .min_by(|a, b| a.0.total_cmp(&b.0));
         nearest.map_or((f64::INFINITY, false), |(ahead, i)| (ahead, self.gap_next(h, i)[1] < 0.0))
     }
@@ -260,30 +211,33 @@ impl Simulation<'_> {
     fn first_contact(
         &mut self,
         size: f64,
-        resting: &[ActiveContact],
+        resting: &mut [ActiveContact],
     ) -> Result<Option<f64>, Failure> {
-        if self.open_contacts().next().is_none() {
+        let open = self.open_contacts();
+        if open.is_empty() {
             return Ok(None);
         }
-        let paths: Vec<Cubic> = self
-            .open_contacts()
-            .map(|i| Cubic {
-                h: size,
-                start: [self.state.gap(self.model, i), self.state.gap_rate(self.model, i)],
-                end: self.gap_next(size, i),
-            })
-            .collect();
-        let (mut end, mut ahead) = (size, self.least_gap_ahead(size));
+        let path = |i: &usize| {
+            let pair = &self.state.pairs[*i];
+            Cubic { h: size, start: [pair.gap, pair.rate], end: self.gap_next(size, *i) }
+        };
+        let paths: Vec<Cubic> = open.iter().map(path).collect();
+        let (mut end, mut ahead) = (size, self.nearest_ahead(size, &open).0);
         if ahead > 0.0 {
-            // A projectile may have dipped into the beam and out again.
+            // One may have dipped into the other and out again, or passed through it.
             let dips = |c: &Cubic| c.stationary().find(|t| c.value(*t) < 0.0);
-            let Some(dip) = paths.iter().filter_map(dips).reduce(f64::min) else {
+            let dip = paths.iter().filter_map(dips).reduce(f64::min);
+            let passed = self.first_passage(&open).map(|share| share * size);
+            let Some(dip) = [dip, passed].into_iter().flatten().reduce(f64::min) else {
                 return Ok(None);
             };
-            self.solve(dip, resting)?;
-            (end, ahead) = (dip, self.least_gap_ahead(dip));
+            self.solve_resting(dip, resting)?;
+            (end, ahead) = (dip, self.nearest_ahead(dip, &open).0);
             if ahead > 0.0 {
-                self.solve(size, resting)?;
+                if passed.is_some() {
+                    return Err(Failure::Passed);
+                }
+                self.solve_resting(size, resting)?;
                 return Ok(None);
             }
         }
@@ -304,10 +258,10 @@ impl Simulation<'_> {
             tolerance,
             tolerance * rate,
             |t| {
-                self.solve(t, resting)?;
-                let (ahead, approaching) = self.nearest_ahead(t);
+                self.solve_resting(t, resting)?;
+                let (ahead, approaching) = self.nearest_ahead(t, &open);
                 // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
-                // inside the beam is, even on its way out again.
+                // inside is, even on its way out again.
                 Ok::<f64, Failure>(if approaching || ahead < -tolerance * rate {
                     ahead
                 } else {
@@ -326,42 +280,30 @@ impl Simulation<'_> {
         recorder: &mut dyn Recorder,
     ) -> Result<Result<f64, Failure>, Error> {
         let pulse = self.pulse() * advance.share;
-        let resting = self.resting();
-        let mut active = resting.clone();
-        let mut before = Vec::with_capacity(touching.len());
+        let mut active = self.resting();
         for &i in touching {
-            let rate = self.state.gap_rate(self.model, i);
-            let p = &mut self.state.projectiles[i];
-            p.approach_max = p.approach_max.max(-rate);
+            let rate = self.state.pairs[i].rate;
+            let pair = &mut self.state.pairs[i];
+            pair.approach_max = pair.approach_max.max(-rate);
             let sticks = -rate <= self.stick_velocity(i);
-            let e = if sticks { 0.0 } else { self.restitution(i).unwrap_or(0.0) };
-            before.push((i, rate, e));
-            active.push(ActiveContact { projectile: i, bound: -e * rate });
+            active.push(self.striking(i, sticks));
         }
-        if let Err(failure) = self.solve(pulse, &active) {
-            return Ok(Err(failure));
-        }
-        let time = self.state.time + 0.5 * pulse;
-        let after: Vec<f64> = touching.iter().map(|i| self.gap_next(pulse, *i)[1]).collect();
-        let strikes = touching.iter().any(|i| self.work.impulse[*i] > 0.0);
+        let tamed = match self.solve_impact(pulse, &active) {
+            Ok(tamed) => tamed,
+            Err(failure) => return Ok(Err(failure)),
+        };
+        let struck = &self.work.rigid[active.len() - touching.len()..];
+        let strikes = struck.iter().any(|contact| contact.impulse[0] > 0.0);
         if strikes {
             self.record(recorder)?;
         }
-        self.accept(pulse);
-        for contact in &resting {
-            self.book_persistent(contact.projectile);
-        }
-        for ((i, rate, e), separation) in before.into_iter().zip(after) {
-            // What sticks is held from here on; if nothing presses it, the next step releases it.
-            self.state.projectiles[i].closed = e == 0.0;
-            let impulse = self.work.impulse[i];
-            if impulse > 0.0 {
-                let energy_lost = -0.5 * impulse * (rate + separation);
-                let (approach_velocity, separation_velocity) = (-rate, separation);
-                self.monitor.impact(
-                    i,
-                    Impact { time, impulse, approach_velocity, separation_velocity, energy_lost },
-                );
+        self.tamed = tamed;
+        self.accept(pulse, &active);
+        self.release(&active);
+        for contact in &active {
+            if let Phase::Impact { restitution, .. } = contact.phase {
+                // What sticks is held from here on; if nothing presses it, the next step releases it.
+                self.state.pairs[contact.pair].closed = restitution == 0.0;
             }
         }
         advance.events_left = advance.events_left.saturating_sub(1);
@@ -371,45 +313,74 @@ impl Simulation<'_> {
         Ok(Ok(pulse))
     }
 
-    /// A step of the paper's: contacts closed at its start obey Newton's law over the whole step.
+    /// Pair `i` as it strikes; without restitution where it sticks.
+    fn striking(&self, i: usize, sticks: bool) -> ActiveContact {
+        let law = self.rigid_law(i);
+        let e = |law: RigidLaw| (law.restitution, law.tangential_restitution);
+        let (restitution, tangential) = law.filter(|_| !sticks).map_or((0.0, 0.0), e);
+        ActiveContact { pair: i, phase: Phase::Impact { restitution, tangential } }
+    }
+
+    /// Solves a step with impulses by the contacts' impact law, by Moreau's where Newton's would give energy; tells whether it
+    /// would have.
+    fn solve_impact(&mut self, h: f64, active: &[ActiveContact]) -> Result<bool, Failure> {
+        let moreau = |c: &ActiveContact| {
+            self.rigid_law(c.pair).is_some_and(|law| law.impact == ImpactLaw::Moreau)
+        };
+        if active.iter().any(moreau) {
+            return self.solve(h, active, ImpactLaw::Moreau).map(|()| false);
+        }
+        let newton = self.solve(h, active, ImpactLaw::Newton);
+        let gives = newton.is_ok() && {
+            let (mut gain, mut size) = (0.0, 0.0_f64);
+            for found in &self.work.rigid {
+                for (impulse, row) in found.impulse.iter().zip([&found.normal, &found.tangent]) {
+                    gain += impulse * row.on(&self.work.increment) / h;
+                    size += (impulse * row.on(&self.state.velocity)).abs();
+                }
+            }
+            gain > NO_GAIN * size
+        };
+        // Newton's law with friction may also have no solution; Moreau's always has one.
+        let none = newton == Err(Failure::Impact);
+        if gives || none {
+            self.solve(h, active, ImpactLaw::Moreau)?;
+            return Ok(true);
+        }
+        newton.map(|()| false)
+    }
+
+    /// A step of the paper's: contacts closed at its start obey the impact law over the whole step.
     fn time_stepping_part(&mut self, size: f64, closed_tolerance: f64) -> Result<f64, Failure> {
-        let closed: Vec<(ActiveContact, f64)> = self
-            .rigid()
-            .filter(|i| self.state.gap(self.model, *i) <= closed_tolerance)
+        let mut active = Vec::new();
+        for i in self.rigid() {
+            let pair = self.state.pairs[i];
             // What separates already is not struck: an impulse on its way out would give energy.
-            .filter(|i| self.state.gap_rate(self.model, *i) <= self.stick_velocity(*i))
-            .map(|projectile| {
-                let rate = self.state.gap_rate(self.model, projectile);
-                let e = self.restitution(projectile).unwrap_or(0.0);
-                (ActiveContact { projectile, bound: -e * rate }, rate)
-            })
-            .collect();
-        let active: Vec<ActiveContact> = closed.iter().map(|(contact, _)| *contact).collect();
-        self.solve(size, &active)?;
-        let start = self.state.time;
-        let after: Vec<f64> = active.iter().map(|c| self.gap_next(size, c.projectile)[1]).collect();
-        self.accept(size);
-        for ((contact, rate), separation) in closed.into_iter().zip(after) {
-            let i = contact.projectile;
-            let impulse = self.work.impulse[i];
-            let p = &mut self.state.projectiles[i];
-            p.approach_max = p.approach_max.max(-rate);
-            if -rate <= self.stick_velocity(i) {
-                self.monitor.persistent(i, impulse, self.state.time, impulse > 0.0);
-            } else if impulse > 0.0 {
-                let energy_lost = -0.5 * impulse * (rate + separation);
-                self.monitor.impact(
-                    i,
-                    Impact {
-                        time: start,
-                        impulse,
-                        approach_velocity: -rate,
-                        separation_velocity: separation,
-                        energy_lost,
-                    },
-                );
+            if pair.gap <= closed_tolerance && pair.rate <= self.stick_velocity(i) {
+                active.push(self.striking(i, false));
             }
         }
+        self.tamed = self.solve_impact(size, &active)?;
+        let reached = std::mem::take(&mut self.reached);
+        let passed = self.first_passage(&reached);
+        self.reached = reached;
+        if passed.is_some() {
+            return Err(Failure::Passed);
+        }
+        let rates: Vec<f64> = active.iter().map(|c| self.state.pairs[c.pair].rate).collect();
+        let rests: Vec<bool> = active
+            .iter()
+            .zip(&rates)
+            .map(|(c, rate)| {
+                let most = self.state.pairs[c.pair].approach_max.max(-rate);
+                self.state.pairs[c.pair].approach_max = most;
+                -rate <= self.stick_velocity(c.pair)
+            })
+            .collect();
+        self.persistent.clear();
+        self.persistent.extend(rests);
+        self.accept(size, &active);
+        self.persistent.clear();
         Ok(size)
     }
 }

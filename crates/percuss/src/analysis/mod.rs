@@ -2,6 +2,7 @@
 
 mod buckling;
 mod channels;
+mod contact_log;
 mod impacts;
 mod modes;
 mod monitor;
@@ -11,6 +12,7 @@ mod simulation;
 mod start;
 mod static_search;
 mod statics;
+mod trial;
 
 pub use buckling::{BucklingMode, buckling};
 pub use modes::{Mode, modes_about, natural_frequencies};

@@ -53,6 +53,8 @@ impl Mode {
 ///
 /// Fewer if the mesh has fewer; empty where the tangent is singular.
 pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
+    let model = &model.structure();
+    let state = &state.of_structure(model);
     let mut modes = lowest(model, state, count).unwrap_or_default();
     // Motions of a rigid body have round-off for an eigenvalue.
     let zero = (RIGID * bending_scale(model)).max(ROUND_OFF * highest(model));
@@ -76,6 +78,9 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
     if ratios.is_empty() {
         return ModalDamping::default();
     }
+    let nodes = model.node_count();
+    let model = &model.structure();
+    let state = &state.of_structure(model);
     let rigid = RIGID * bending_scale(model);
     // Motions of rigid bodies come first, at most three a beam; as a rule three in all.
     let mut spare = 3;
@@ -95,7 +100,10 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
         damping.vectors.push(mass.multiply(&mode.shape));
         damping.rates.push(2.0 * ratio * mode.eigenvalue.sqrt());
     }
-    damping.vectors.iter_mut().for_each(|v| project(model, v));
+    for vector in &mut damping.vectors {
+        project(model, vector);
+        vector.resize(nodes, [0.0; 4]);
+    }
     damping
 }
 

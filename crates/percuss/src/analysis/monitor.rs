@@ -3,23 +3,35 @@
 //! Between the ends of a step, gap and displacements are cubics through values and velocities: peaks and instants of contact
 //! are resolved within the step.
 
+use super::contact_log::ContactLog;
 use super::section_forces;
-use crate::contact::law;
 use crate::ledger::{Books, Measures};
 use crate::math::hermite::{Cubic, GAUSS};
-use crate::math::roots;
 use crate::model::Model;
-use crate::model::frozen::ContactLaw;
 use crate::state::State;
-use crate::summary::{
-    ContactInterval, ContactRecord, Impact, Peak, Range, SectionForceSummary, SupportSummary,
-};
+use crate::step::contacts::ActiveContact;
+use crate::step::workspace::Workspace;
+use crate::summary::{Peak, Range, SectionForceSummary, SupportSummary};
+
+/// An accepted part of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Part<'a> {
+    /// Size \[s\].
+    pub h: f64,
+    /// Whether it is as short as an impact, so that quotients over it are impulsive.
+    pub brief: bool,
+    /// Rigid contacts that took part.
+    pub active: &'a [ActiveContact],
+    /// Of those that strike in time-stepping, which of them rest; empty otherwise.
+    pub persistent: &'a [bool],
+    /// Whether Moreau's impact law stood in for Newton's.
+    pub tamed: bool,
+}
 
 /// Values at the start of a step that the monitor compares with those at its end.
 #[derive(Clone, Debug, Default)]
 struct Start {
     time: f64,
-    gap: Vec<[f64; 2]>,
     points: Vec<[[f64; 2]; 2]>,
     spin: Vec<[f64; GAUSS]>,
     reactions: Vec<[f64; 3]>,
@@ -29,8 +41,8 @@ struct Start {
 #[derive(Clone, Debug)]
 pub struct Monitor {
     start: Start,
-    /// One record a projectile.
-    pub contacts: Vec<ContactRecord>,
+    /// What happens at contacts.
+    pub contacts: ContactLog,
     /// Extremes of the recorded points.
     pub points: Vec<[Peak; 2]>,
     /// Extremes of the section forces, one entry a beam.
@@ -54,26 +66,13 @@ pub struct Monitor {
 impl Monitor {
     /// Opens the record at the initial state.
     pub fn new(model: &Model, state: &State) -> Self {
-        let contacts = model.projectiles.iter().enumerate().map(|(i, p)| match p.law {
-            ContactLaw::Spring { stiffness, .. } => {
-                let value = law::force(stiffness, -state.gap(model, i));
-                let peak_force = Peak { value, time: state.time };
-                ContactRecord::Smooth { peak_force, intervals: Vec::new() }
-            }
-            ContactLaw::Unilateral { .. } => ContactRecord::Nonsmooth {
-                impacts: Vec::new(),
-                impact_count: 0,
-                impulse_total: 0.0,
-                intervals: Vec::new(),
-            },
-        });
         let points = model
             .points
             .iter()
             .map(|p| p.value(&state.displacement).map(|value| Peak { value, time: state.time }));
         let mut monitor = Self {
             start: Start::default(),
-            contacts: contacts.collect(),
+            contacts: ContactLog::new(model, state),
             points: points.collect(),
             section_forces: section_forces::unset(model),
             supports: model.supports.iter().map(|s| unset_support(&s.name)).collect(),
@@ -84,19 +83,20 @@ impl Monitor {
             curvature_drift: 0.0,
             membrane_drift: 0.0,
         };
-        monitor.start.gap.resize(model.projectiles.len(), [0.0; 2]);
         monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
         section_forces::update(model, state, None, &mut monitor.section_forces);
-        monitor.begin_step(model, state);
+        monitor.note_start(model, state);
         monitor
     }
 
-    /// Notes the start of a step.
-    pub fn begin_step(&mut self, model: &Model, state: &State) {
+    /// Notes the start of a step that stands solved in `work`.
+    pub fn begin_step(&mut self, model: &Model, state: &State, work: &Workspace) {
+        self.note_start(model, state);
+        self.contacts.begin_step(state, work);
+    }
+
+    fn note_start(&mut self, model: &Model, state: &State) {
         self.start.time = state.time;
-        for (i, gap) in self.start.gap.iter_mut().enumerate() {
-            *gap = [state.gap(model, i), state.gap_rate(model, i)];
-        }
         for (start, p) in self.start.points.iter_mut().zip(&model.points) {
             *start = [p.value(&state.displacement), p.value(&state.velocity)];
         }
@@ -109,10 +109,10 @@ impl Monitor {
         self.steady.as_ref().map(|(spin, h)| (spin.as_slice(), *h))
     }
 
-    /// Takes in the end of a step of size `h` with its smooth contact forces; `brief` if it is as short as an impact, so that
-    /// quotients over it are impulsive.
-    pub fn end_step(&mut self, model: &Model, state: &State, h: f64, force: &[f64], brief: bool) {
-        if brief {
+    /// Takes in the end of a step.
+    pub fn end_step(&mut self, model: &Model, state: &State, work: &Workspace, part: &Part) {
+        let h = part.h;
+        if part.brief {
             section_forces::update(model, state, None, &mut self.section_forces);
         } else {
             self.reactions(state, h);
@@ -122,13 +122,7 @@ impl Monitor {
             let before = self.steady.as_ref().map(|(spin, h)| (spin.as_slice(), *h));
             section_forces::update(model, state, before, &mut self.section_forces);
         }
-        for (i, p) in model.projectiles.iter().enumerate() {
-            if let ContactLaw::Spring { stiffness, .. } = p.law {
-                let end = [state.gap(model, i), state.gap_rate(model, i)];
-                let gap = Cubic { h, start: self.start.gap[i], end };
-                self.smooth_contact(i, stiffness, &gap, h * force[i]);
-            }
-        }
+        self.contacts.end_step(model, state, work, part);
         for (k, p) in model.points.iter().enumerate() {
             let (u, v) = (p.value(&state.displacement), p.value(&state.velocity));
             let [u0, v0] = self.start.points[k];
@@ -146,65 +140,6 @@ impl Monitor {
             summary.force[0].take(mean(0), state.time);
             summary.force[1].take(mean(1), state.time);
             summary.moment.take(mean(2), state.time);
-        }
-    }
-
-    fn smooth_contact(&mut self, i: usize, stiffness: f64, gap: &Cubic, impulse: f64) {
-        let start = self.start.time;
-        let ContactRecord::Smooth { peak_force, intervals } = &mut self.contacts[i] else { return };
-        if gap.start[0] >= 0.0 && gap.end[0] >= 0.0 {
-            return;
-        }
-        for t in gap.stationary().chain([gap.h]) {
-            let value = law::force(stiffness, -gap.value(t));
-            if value > peak_force.value {
-                *peak_force = Peak { value, time: start + t };
-            }
-        }
-        let keep = intervals.len() < ContactRecord::IMPACTS_KEPT;
-        let open = intervals.last().is_some_and(|last| last.end.is_nan());
-        if !open && keep {
-            let opens = if gap.start[0] >= 0.0 { crossing(gap) } else { 0.0 };
-            intervals.push(ContactInterval { start: start + opens, end: f64::NAN, impulse: 0.0 });
-        }
-        if let Some(last) = intervals.last_mut().filter(|last| last.end.is_nan()) {
-            last.impulse += impulse;
-            if gap.end[0] >= 0.0 {
-                last.end = start + crossing(gap);
-            }
-        }
-    }
-
-    /// Notes an impact of projectile `i`.
-    pub fn impact(&mut self, i: usize, impact: Impact) {
-        if let ContactRecord::Nonsmooth { impacts, impact_count, impulse_total, .. } =
-            &mut self.contacts[i]
-        {
-            *impact_count += 1;
-            *impulse_total += impact.impulse;
-            if impacts.len() < ContactRecord::IMPACTS_KEPT {
-                impacts.push(impact);
-            }
-        }
-    }
-
-    /// Notes the impulse of a persistent contact over the step that ends at `state`; `closed` tells whether it still is.
-    pub fn persistent(&mut self, i: usize, impulse: f64, end: f64, closed: bool) {
-        let start = self.start.time;
-        let ContactRecord::Nonsmooth { impulse_total, intervals, .. } = &mut self.contacts[i]
-        else {
-            return;
-        };
-        *impulse_total += impulse;
-        let open = intervals.last().is_some_and(|last| last.end.is_nan());
-        if !open && impulse > 0.0 && intervals.len() < ContactRecord::IMPACTS_KEPT {
-            intervals.push(ContactInterval { start, end: f64::NAN, impulse: 0.0 });
-        }
-        if let Some(last) = intervals.last_mut().filter(|last| last.end.is_nan()) {
-            last.impulse += impulse;
-            if !closed {
-                last.end = end;
-            }
         }
     }
 
@@ -240,30 +175,5 @@ fn update_peak(peak: &mut Peak, path: &Cubic, start: f64) {
         if value.abs() > peak.value.abs() {
             *peak = Peak { value, time: start + t };
         }
-    }
-}
-
-/// The first instant within the step at which the gap changes sign.
-fn crossing(gap: &Cubic) -> f64 {
-    let opening = gap.start[0] < 0.0;
-    let sign = if opening { -1.0 } else { 1.0 };
-    let f = |t: f64| sign * gap.value(t);
-    // If both ends have the same sign, the cubic dips between them: search up to the dip.
-    let ends = [f(0.0), f(gap.h)];
-    let until = if ends[1] > 0.0 {
-        gap.stationary().find(|t| f(*t) <= 0.0).unwrap_or(gap.h)
-    } else {
-        gap.h
-    };
-    if ends[0] <= 0.0 {
-        return 0.0;
-    }
-    let end = f(until);
-    let guess = until * ends[0] / (ends[0] - end);
-    let search = roots::bracketed((0.0, ends[0]), (until, end), guess, 0.0, 0.0, |t| {
-        Ok::<f64, std::convert::Infallible>(f(t))
-    });
-    match search {
-        Ok(t) => t,
     }
 }

@@ -47,6 +47,12 @@ pub struct Path {
 /// # Errors
 /// No point beyond the first found, or an end that names no recorded point.
 pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
+    let mut path = path_of(&model.structure(), settings)?;
+    path.end.state = path.end.state.with_bodies_of(model);
+    Ok(path)
+}
+
+fn path_of(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
     let goal = Goal::new(model, &settings.end).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let mut tracer = Tracer::new(model);
     let mut path = Path {

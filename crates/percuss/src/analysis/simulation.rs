@@ -5,13 +5,17 @@ use super::impacts::Advance;
 use super::modes;
 use super::monitor::Monitor;
 use super::start::initial_state;
+use super::trial::size_of;
+use crate::contact::search::Search;
 use crate::error::Error;
 use crate::ledger::{Books, Measures, RoundOff};
-use crate::math::vec2::scale;
+use crate::math::vec2::{add, dot, norm, scale, sub};
+use crate::model::frozen::BodyKind;
 use crate::model::{Fault, Model};
 use crate::record::{Channel, Flow, Recorder};
 use crate::settings::Settings;
 use crate::state::State;
+use crate::step::contacts::ActiveContact;
 use crate::step::forcing::Forcing;
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::{Effort, Failure};
@@ -58,8 +62,8 @@ pub struct Simulation<'m> {
     measures: Measures,
     rows: usize,
     row: Vec<f64>,
-    /// Impulses since the last row, shape (n_projectile) \[N s\].
-    pub(super) row_impulse: Vec<f64>,
+    /// Impulses since the last row along normal and tangent, shape (n_contact) \[N s\].
+    row_impulse: Vec<[f64; 2]>,
     /// Impulses of the supports since the last row and the time they took, impacts left out; mean reactions then.
     row_reactions: (Vec<[f64; 3]>, f64),
     mean_reactions: Vec<[f64; 3]>,
@@ -68,8 +72,19 @@ pub struct Simulation<'m> {
     row_iterations: usize,
     /// Time of the last row \[s\].
     row_time: f64,
-    /// Projectile whose instant of contact the last accepted step was cut to.
+    /// Pair whose instant of contact the last accepted step was cut to.
     pub(super) located: Option<usize>,
+    /// Which pairs are near.
+    pub(super) search: Search,
+    /// Pairs taken into the step at hand, and those it brought within reach.
+    pub(super) near: Vec<usize>,
+    pub(super) reached: Vec<usize>,
+    /// In time-stepping, which of the active contacts rest.
+    pub(super) persistent: Vec<bool>,
+    /// Whether Moreau's impact law stands in for Newton's in the step solved last.
+    pub(super) tamed: bool,
+    /// Size of the structure \[m\].
+    pub(super) size: f64,
 }
 
 impl<'m> Simulation<'m> {
@@ -83,6 +98,10 @@ impl<'m> Simulation<'m> {
             return Err(faults);
         }
         let (state, reactions) = initial_state(model, settings)?;
+        let overlaps = model.overlaps(&state.displacement);
+        if !overlaps.is_empty() {
+            return Err(overlaps);
+        }
         let mut simulation = Self {
             model,
             settings: *settings,
@@ -97,13 +116,19 @@ impl<'m> Simulation<'m> {
             measures: Measures::default(),
             rows: 0,
             row: Vec::new(),
-            row_impulse: vec![0.0; model.projectiles.len()],
+            row_impulse: vec![[0.0; 2]; model.contacts.len()],
             row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
             mean_reactions: reactions,
             seen_reactions: vec![[0.0; 3]; model.supports.len()],
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,
+            search: Search::new(model),
+            near: Vec::new(),
+            reached: Vec::new(),
+            persistent: Vec::new(),
+            tamed: false,
+            size: size_of(model),
         };
         simulation.start_moving();
         simulation.open();
@@ -111,6 +136,9 @@ impl<'m> Simulation<'m> {
     }
 
     pub(super) fn open(&mut self) {
+        self.steer_obstacles();
+        self.search = Search::new(self.model);
+        self.search.see(self.model, &mut self.state);
         if self.settings.scheme.advances_accelerations() {
             self.initial_acceleration();
         }
@@ -238,7 +266,12 @@ impl<'m> Simulation<'m> {
     fn give_up(&self, failure: Failure, step: f64) -> Error {
         let place = |node: usize| {
             let beam = self.model.beams.iter().find(|b| b.nodes.contains(&node));
-            beam.map_or_else(String::new, |b| {
+            let body = || {
+                let body = node.checked_sub(self.model.beam_node_count());
+                let body = body.and_then(|i| self.model.bodies.get(i));
+                body.map_or_else(String::new, |b| format!("`{}`", b.name))
+            };
+            beam.map_or_else(body, |b| {
                 let element = (node - b.nodes.start).min(b.elements.len() - 1) + 1;
                 format!("element {element} of {} of beam `{}`", b.elements.len(), b.name)
             })
@@ -250,6 +283,10 @@ impl<'m> Simulation<'m> {
             }
             Failure::Impact => {
                 Error::no_convergence(time, step, f64::NAN, "the impacts' impulses".into())
+            }
+            Failure::Passed => {
+                let place = "two things that pass through each other".into();
+                Error::no_convergence(time, step, f64::NAN, place)
             }
             Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
             Failure::Singular(Singular::Constraints) => {
@@ -275,12 +312,13 @@ impl<'m> Simulation<'m> {
         self.average_reactions();
         let since = SinceLast {
             impulse: &self.row_impulse,
+            awake: self.search.awake(),
             reactions: &self.mean_reactions,
             before: self.monitor.before(),
             iterations,
         };
         channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);
-        self.row_impulse.fill(0.0);
+        self.row_impulse.fill([0.0; 2]);
         self.rows += 1;
         self.row_time = self.state.time;
         recorder.row(&self.row).map_err(Error::recorder)
@@ -301,6 +339,18 @@ impl<'m> Simulation<'m> {
         *time += if brief { 0.0 } else { h };
     }
 
+    /// Adds the impulses of an accepted part of a step of size `h`.
+    pub(super) fn gather_impulses(&mut self, h: f64, active: &[ActiveContact]) {
+        let contact_of = |pair: usize| self.model.pairs[pair].contact;
+        for contact in &self.work.smooth {
+            self.row_impulse[contact_of(contact.pair)][0] += h * contact.force.force;
+        }
+        for (contact, found) in active.iter().zip(&self.work.rigid) {
+            let sum = &mut self.row_impulse[contact_of(contact.pair)];
+            (0..2).for_each(|i| sum[i] += found.impulse[i]);
+        }
+    }
+
     /// Means of the reactions since the last row; those of the row before if nothing but impacts lies between.
     fn average_reactions(&mut self) {
         let (sum, time) = &mut self.row_reactions;
@@ -313,10 +363,44 @@ impl<'m> Simulation<'m> {
         *time = 0.0;
     }
 
+    fn projectiles(&self) -> Vec<ProjectileSummary> {
+        let (model, state) = (self.model, &self.state);
+        let each = model.striking_bodies().map(|first| {
+            let body = &model.bodies[first];
+            let next = model.bodies.get(first + 1).map(|b| b.kind);
+            let last = first + usize::from(matches!(next, Some(BodyKind::Rear { .. })));
+            let (mut momentum, mut energy) = ([0.0; 2], 0.0);
+            for i in first..=last {
+                let (own, v) = (&model.bodies[i], &state.velocity[model.body_node(i)]);
+                let squares = |v: [f64; 2], w: f64| own.mass * dot(v, v) + own.inertia * w * w;
+                let given = sub(own.velocity, [v[0], v[1]]);
+                momentum = add(momentum, scale(own.mass, given));
+                energy += 0.5 * (squares(own.velocity, own.spin) - squares([v[0], v[1]], v[2]));
+            }
+            let v = &state.velocity[model.body_node(first)];
+            // At rest at the start, it has a direction only if it is guided.
+            let guide = model.projectiles.iter().find(|p| p.body == first).map(|p| p.direction);
+            let speed = norm(body.velocity);
+            let along = guide.unwrap_or(scale(1.0 / speed, body.velocity));
+            let plain = |x: f64| x + 0.0; // no -0.0
+            ProjectileSummary {
+                name: body.name.clone(),
+                velocity_final: [plain(v[0]), plain(v[1])],
+                spin_final: plain(v[2]),
+                momentum_transferred: if speed > 0.0 || guide.is_some() {
+                    dot(along, momentum)
+                } else {
+                    -norm(momentum)
+                },
+                energy_transferred: energy,
+            }
+        });
+        each.collect()
+    }
+
     fn summary(self, termination: Termination) -> RunSummary {
         let books = &self.state.books;
         let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
-        let projectiles = self.model.projectiles.iter().zip(&self.state.projectiles);
         let effective = self.model.effective_masses();
         RunSummary {
             termination,
@@ -347,21 +431,16 @@ impl<'m> Simulation<'m> {
                 curvature_drift_max: self.monitor.curvature_drift,
                 membrane_drift_max: self.monitor.membrane_drift,
             },
-            projectiles: projectiles
-                .map(|(p, s)| ProjectileSummary {
-                    name: p.name.clone(),
-                    velocity_final: scale(s.speed, p.direction).map(|v| v + 0.0), // no -0.0
-                    momentum_transferred: p.mass * (p.speed - s.speed),
-                    energy_transferred: 0.5 * p.mass * (p.speed.powi(2) - s.speed.powi(2)),
-                })
-                .collect(),
-            contacts: (self.model.projectiles.iter().zip(self.monitor.contacts).zip(effective))
-                .map(|((p, record), effective_mass)| ContactSummary {
-                    name: p.name.clone(),
-                    effective_mass,
+            projectiles: self.projectiles(),
+            contacts: (self.model.contacts.iter().zip(self.monitor.contacts.records).enumerate())
+                .map(|(i, (contact, record))| ContactSummary {
+                    name: contact.name.clone(),
+                    between: contact.between.clone(),
+                    effective_mass: effective.get(i).copied(),
                     record,
                 })
                 .collect(),
+            contact_residual_max: self.monitor.contacts.residual,
             points: (self.model.points.iter().zip(self.monitor.points))
                 .map(|(p, displacement_max)| PointSummary {
                     name: p.label.clone(),

@@ -6,10 +6,12 @@ use super::statics::{equilibrium, mechanisms};
 use crate::contact::effective_mass;
 use crate::error::Error;
 use crate::math::vec2::{dot, rot90, scale};
+use crate::model::frozen::{Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
 use crate::step::commit;
+use crate::step::tangent::project_node;
 
 impl Simulation<'_> {
     /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
@@ -40,9 +42,9 @@ impl Simulation<'_> {
             return;
         }
         let state = &mut self.state;
-        for ((node, u), v) in
-            self.model.nodes.iter().zip(&state.displacement).zip(&mut state.velocity)
-        {
+        let beams = self.model.beam_node_count();
+        let nodes = self.model.nodes[..beams].iter();
+        for ((node, u), v) in nodes.zip(&state.displacement).zip(&mut state.velocity) {
             let x = [0, 1].map(|i| node.position[i] + u[i] - motion.about[i]);
             let g = [0, 1].map(|i| node.tangent[i] + u[2 + i]);
             let (x, g) = (scale(motion.spin, rot90(x)), scale(motion.spin, rot90(g)));
@@ -67,9 +69,6 @@ impl Simulation<'_> {
         for w in &mut self.state.mass_spin {
             *w = -*w;
         }
-        for p in &mut self.state.projectiles {
-            p.speed = -p.speed;
-        }
         self.state.step = 0;
         self.state.time = 0.0;
         self.open();
@@ -81,13 +80,12 @@ impl Simulation<'_> {
         let step = self.settings.step;
         self.forcing.set(model, 0.0, step, step);
         let forcing = &self.forcing;
-        for (s, p) in self.state.projectiles.iter_mut().zip(&model.projectiles) {
-            s.acceleration = dot(forcing.gravity, p.direction);
-        }
-        let Ok(mut mass) = effective_mass::mass_matrix(model, &self.state.displacement) else {
+        let (structure, beams) = (model.structure(), model.beam_node_count());
+        let state = self.state.of_structure(&structure);
+        let Ok(mut mass) = effective_mass::mass_matrix(&structure, &state.displacement) else {
             return;
         };
-        let mut search = StaticSearch::at(model, &self.state);
+        let mut search = StaticSearch::at(&structure, &state);
         search.forcing.clone_from(forcing);
         search.forcing.rest_motions();
         search.work.multiplier.fill(0.0);
@@ -96,7 +94,13 @@ impl Simulation<'_> {
         for f in &mut force {
             *f = f.map(|c| -c);
         }
-        mass.solve_linear(model, &mut force);
+        mass.solve_linear(&structure, &mut force);
+        // Bodies fall freely: nothing touches, and no spring is pressed.
+        let falling = |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
+        force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
+        for hold in model.holds.iter().filter(|h| h.node >= beams) {
+            project_node(hold, &mut force[hold.node]);
+        }
         self.state.acceleration = force;
     }
 }
@@ -124,11 +128,16 @@ pub(super) fn initial_state(
         let found = equilibrium(model).map_err(fault)?;
         reactions = found.reactions.iter().map(|(_, r)| *r).collect();
         let found = found.state;
-        state.displacement = found.displacement;
+        state.displacement.copy_from_slice(&found.displacement);
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
-        for (s, p) in state.projectiles.iter_mut().zip(&model.projectiles) {
-            s.travel = dot(p.direction, p.point.value(&state.displacement));
+        // Projectiles stand off from where their points have moved to.
+        for p in &model.projectiles {
+            let moved = dot(p.direction, p.point.value(&state.displacement));
+            for node in (0..=usize::from(p.has_rear)).map(|k| model.body_node(p.body + k)) {
+                let [x, y] = scale(moved, p.direction);
+                state.displacement[node] = [x, y, 0.0, 0.0];
+            }
         }
         if !state.strain.is_empty() {
             stored_strains(model, &mut state);
@@ -139,7 +148,8 @@ pub(super) fn initial_state(
 
 /// Stores the strains of the configuration, for the scheme that keeps them.
 fn stored_strains(model: &Model, state: &mut State) {
-    let mut search = StaticSearch::at(model, state);
+    let structure = model.structure();
+    let mut search = StaticSearch::at(&structure, &state.of_structure(&structure));
     search.foresee(true);
     state.strain = search.base.strain;
 }

@@ -244,7 +244,7 @@ impl<'m> StaticSearch<'m> {
             }
             let u = &state.displacement[hold.node];
             let g = add(model.nodes[hold.node].tangent, [u[2], u[3]]);
-            enter(Some(hold.support), [r[0], r[1]], cross(g, [r[2], r[3]]));
+            enter(hold.support, [r[0], r[1]], cross(g, [r[2], r[3]]));
         }
         let step = constraint_step(&self.base, &work.increment, &self.forcing);
         for (c, multiplier) in model.constraints.iter().zip(&work.multiplier) {

@@ -50,6 +50,12 @@ pub fn equilibrium(model: &Model) -> Result<Equilibrium, Error> {
 /// # Errors
 /// As [`equilibrium`].
 pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Error> {
+    let mut found = equilibrium_of(&model.structure(), first_step)?;
+    found.state = found.state.with_bodies_of(model);
+    Ok(found)
+}
+
+fn equilibrium_of(model: &Model, first_step: f64) -> Result<Equilibrium, Error> {
     let mut search = StaticSearch::new(model);
     search.foresee(true);
     let mut accepted = (search.work.increment.clone(), search.work.multiplier.clone());
@@ -138,6 +144,7 @@ const MOST_MECHANISMS: usize = 24;
 /// A mechanism is a mode about the reference configuration that strains nothing: its energy is none against that of the lowest
 /// bending frequency any beam of the model could have.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
+    let model = &model.structure();
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);
     let count = MOST_MECHANISMS.min(3 * model.beams.len());
     let Some(modes) = modes::lowest(model, &rest, count) else { return Vec::new() };

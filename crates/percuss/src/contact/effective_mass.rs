@@ -5,7 +5,7 @@ use crate::element::point::PointResponse;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{add, cross, dot};
 use crate::model::Model;
-use crate::model::frozen::{BeamData, MaterialPoint, ProjectileData};
+use crate::model::frozen::{BeamData, BodyKind, MaterialPoint, ProjectileData};
 use crate::step::assemble;
 use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
@@ -72,6 +72,11 @@ pub fn mass_band(model: &Model, u: &[[f64; 4]]) -> Chain {
         chain.add_outer(p.node, &p.shape, &p.shape, &[[m, 0.0], [0.0, m]]);
         let g = add(p.tangent, p.gradient(u));
         chain.add_outer(p.node, &p.slope, &p.slope, &turning(mass.rotary_inertia, g));
+    }
+    for (i, body) in model.bodies.iter().enumerate() {
+        let diag = &mut chain.diag[model.body_node(i)];
+        let mass = if body.kind == BodyKind::Obstacle { 1.0 } else { body.mass };
+        (0..4).for_each(|k| diag[k][k] = if k == 2 { body.inertia.max(mass) } else { mass });
     }
     chain
 }

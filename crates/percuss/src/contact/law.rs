@@ -1,82 +1,251 @@
-//! The contact spring of an elastic projectile, defined by its potential `k <p>^2 / 2` of the penetration p.
+//! Smooth contact laws: a potential of the penetration p, and what is dissipated on top of it.
 
-use crate::model::ContactForce;
-
-/// Potential of the spring at penetration `p` \[J\].
-pub fn potential(stiffness: f64, p: f64) -> f64 {
-    let p = p.max(0.0);
-    0.5 * stiffness * p * p
-}
-
-/// Force of the spring at penetration `p` \[N\].
-pub fn force(stiffness: f64, p: f64) -> f64 {
-    stiffness * p.max(0.0)
-}
+use crate::model::{ContactForce, Potential, SmoothLaw};
 
 /// Force over a step and its derivative with respect to the penetration at its end.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepForce {
     /// Force \[N\].
     pub force: f64,
+    /// Of it, what is dissipated \[N\].
+    pub dissipated: f64,
     /// Derivative with respect to the penetration at the end of the step \[N/m\].
     pub slope: f64,
 }
 
-/// Force over a step that starts with penetration `p0` and ends with `p1`.
-///
-/// Conserving: `(V(p1) - V(p0)) / (p1 - p0)`, whose work is the change of the potential exactly.
-/// Midpoint: the force at `(p0 + p1)/2` (the paper, section 2.2).
-pub fn step_force(kind: ContactForce, stiffness: f64, p0: f64, p1: f64) -> StepForce {
-    match kind {
-        ContactForce::Conserving | ContactForce::PlainGradient => conserving(stiffness, p0, p1),
-        ContactForce::Midpoint => collocated(stiffness, p0, p1, 0.5),
+impl Potential {
+    /// Potential at penetration `p` \[J\].
+    pub fn energy(&self, p: f64) -> f64 {
+        let p = p.max(0.0);
+        match self {
+            Self::Linear { stiffness } => 0.5 * stiffness * p * p,
+            Self::Hertz { stiffness } => 0.4 * stiffness * p * p * p.sqrt(),
+            Self::Table { .. } => p * self.mean_force(0.0, p),
+        }
+    }
+
+    /// Force at penetration `p` \[N\].
+    pub fn force(&self, p: f64) -> f64 {
+        let p = p.max(0.0);
+        match self {
+            Self::Linear { stiffness } => stiffness * p,
+            Self::Hertz { stiffness } => stiffness * p * p.sqrt(),
+            Self::Table { penetration, force } => line(penetration, force, p),
+        }
+    }
+
+    /// Stiffness at penetration `p` \[N/m\]; zero outside.
+    pub fn stiffness(&self, p: f64) -> f64 {
+        if p <= 0.0 {
+            return 0.0;
+        }
+        match self {
+            Self::Linear { stiffness } => *stiffness,
+            Self::Hertz { stiffness } => 1.5 * stiffness * p.sqrt(),
+            Self::Table { penetration, force } => {
+                let k = interval(penetration, p);
+                (force[k + 1] - force[k]) / (penetration[k + 1] - penetration[k])
+            }
+        }
+    }
+
+    /// `(V(q1) - V(q0)) / (q1 - q0)` for penetrations that are not negative, without subtracting potentials \[N\].
+    fn mean_force(&self, q0: f64, q1: f64) -> f64 {
+        match self {
+            Self::Linear { stiffness } => 0.5 * stiffness * (q0 + q1),
+            Self::Hertz { stiffness } => {
+                let (a, b) = (q1.sqrt(), q0.sqrt());
+                if a + b == 0.0 {
+                    return 0.0;
+                }
+                // (a^5 - b^5) / (a^2 - b^2), divided out.
+                let (a2, ab, b2) = (a * a, a * b, b * b);
+                0.4 * stiffness * (a2 * a2 + ab * (a2 + ab + b2) + b2 * b2) / (a + b)
+            }
+            Self::Table { penetration, force } => {
+                let (low, high) = (q0.min(q1), q0.max(q1));
+                if high == low {
+                    return line(penetration, force, low);
+                }
+                let (first, last) = (interval(penetration, low), interval(penetration, high));
+                let mut sum = 0.0;
+                for k in first..=last {
+                    let a = if k == first { low } else { penetration[k] };
+                    let b = if k == last { high } else { penetration[k + 1] };
+                    let f = |p| line(penetration, force, p);
+                    sum += 0.5 * (b - a) / (high - low) * (f(a) + f(b));
+                }
+                sum
+            }
+        }
+    }
+
+    /// Force over a step from penetration `p0` to `p1`: the difference quotient of the potential.
+    pub fn quotient(&self, p0: f64, p1: f64) -> StepForce {
+        let (q0, q1) = (p0.max(0.0), p1.max(0.0));
+        if q0 == 0.0 && q1 == 0.0 {
+            return StepForce::default();
+        }
+        let mean = self.mean_force(q0, q1);
+        let step = p1 - p0;
+        // Of the way over the step, the share inside.
+        let share = if p0 >= 0.0 && p1 >= 0.0 { 1.0 } else { (q1 - q0) / step };
+        let force = mean * share;
+        let close = step.abs() <= 1e-6 * (q0 + q1);
+        let slope = if close {
+            0.5 * self.stiffness(0.5 * (q0 + q1))
+        } else {
+            (self.force(q1) - force) / step
+        };
+        StepForce { force, dissipated: 0.0, slope }
+    }
+
+    /// Force at `p0 + theta (p1 - p0)`.
+    pub fn collocated(&self, p0: f64, p1: f64, theta: f64) -> StepForce {
+        let p = p0 + theta * (p1 - p0);
+        StepForce { force: self.force(p), dissipated: 0.0, slope: theta * self.stiffness(p) }
     }
 }
 
-/// Force at `p0 + theta (p1 - p0)`.
-pub fn collocated(stiffness: f64, p0: f64, p1: f64, theta: f64) -> StepForce {
-    let p = p0 + theta * (p1 - p0);
-    StepForce { force: force(stiffness, p), slope: if p > 0.0 { theta * stiffness } else { 0.0 } }
+/// The interval of a table that holds `p`; the last one goes on for ever.
+fn interval(penetration: &[f64], p: f64) -> usize {
+    penetration.partition_point(|x| *x <= p).clamp(1, penetration.len() - 1) - 1
 }
 
-fn conserving(stiffness: f64, p0: f64, p1: f64) -> StepForce {
-    let (q0, q1) = (p0.max(0.0), p1.max(0.0));
-    let half = 0.5 * stiffness;
-    if q0 > 0.0 && q1 > 0.0 {
-        return StepForce { force: half * (q0 + q1), slope: half };
+fn line(penetration: &[f64], force: &[f64], p: f64) -> f64 {
+    let k = interval(penetration, p);
+    let slope = (force[k + 1] - force[k]) / (penetration[k + 1] - penetration[k]);
+    force[k] + slope * (p - penetration[k])
+}
+
+impl SmoothLaw {
+    /// Force over a step of size `h` from penetration `p0` to `p1` of the midpoint family.
+    ///
+    /// The dissipative part is `f chi (p1 - p0) / h` with f the elastic force of the same step; what would make the sum a pull is
+    /// left out. Its work is never negative.
+    pub fn step_force(&self, p0: f64, p1: f64, h: f64) -> StepForce {
+        let elastic = match self.force {
+            ContactForce::Conserving | ContactForce::PlainGradient => {
+                self.potential.quotient(p0, p1)
+            }
+            ContactForce::Midpoint => self.potential.collocated(p0, p1, 0.5),
+        };
+        if self.dissipation == 0.0 {
+            return elastic;
+        }
+        let rate = self.dissipation / h;
+        let factor = 1.0 + rate * (p1 - p0);
+        if factor <= 0.0 {
+            return StepForce { force: 0.0, dissipated: -elastic.force, slope: 0.0 };
+        }
+        StepForce {
+            force: elastic.force * factor,
+            dissipated: elastic.force * (factor - 1.0),
+            slope: elastic.slope * factor + elastic.force * rate,
+        }
     }
-    if q0 == 0.0 && q1 == 0.0 {
-        return StepForce { force: 0.0, slope: 0.0 };
-    }
-    // Opening or closing: p0 and p1 lie on either side of zero, so p1 - p0 is no difference of close numbers.
-    let step = p1 - p0;
-    let force = half * (q0 + q1) * ((q1 - q0) / step);
-    StepForce { force, slope: (stiffness * q1 - force) / step }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn potentials() -> [Potential; 3] {
+        [
+            Potential::Linear { stiffness: 7.5e5 },
+            Potential::Hertz { stiffness: 2e6 },
+            Potential::Table {
+                penetration: vec![0.0, 0.01, 0.05, 0.06],
+                force: vec![0.0, 2e3, 5e3, 2e4],
+            },
+        ]
+    }
+
+    const STEPS: [(f64, f64); 8] = [
+        (0.1, 0.12),
+        (-0.01, 0.02),
+        (0.02, -0.01),
+        (-0.1, -0.2),
+        (0.0, 1e-9),
+        (0.03, 0.03 + 1e-9),
+        (0.055, 0.004),
+        (0.005, 0.009),
+    ];
+
     #[test]
-    fn work_of_the_conserving_force_is_the_change_of_the_potential() {
-        let k = 7.5e5;
-        for (p0, p1) in [(0.1, 0.12), (-0.01, 0.02), (0.02, -0.01), (-0.1, -0.2), (0.0, 1e-12)] {
-            let work = step_force(ContactForce::Conserving, k, p0, p1).force * (p1 - p0);
-            let change = potential(k, p1) - potential(k, p0);
-            assert!((work - change).abs() <= 1e-15 * k * p0.abs().max(p1.abs()).powi(2));
+    fn work_of_the_quotient_is_the_change_of_the_potential() {
+        for law in potentials() {
+            for (p0, p1) in STEPS {
+                let work = law.quotient(p0, p1).force * (p1 - p0);
+                let change = law.energy(p1) - law.energy(p0);
+                let scale = law.energy(p0.max(p1)).max(law.energy(0.1) * 1e-6);
+                assert!((work - change).abs() <= 4e-15 * scale, "{law:?} {p0} {p1}");
+            }
         }
     }
 
     #[test]
-    fn slopes_are_derivatives() {
-        let k = 7.5e5;
-        for kind in [ContactForce::Conserving, ContactForce::Midpoint] {
-            for (p0, p1) in [(0.1, 0.12), (-0.01, 0.02), (0.02, -0.01), (-0.1, -0.2)] {
-                let f = |p1: f64| step_force(kind, k, p0, p1).force;
-                let difference = (f(p1 + 1e-6) - f(p1 - 1e-6)) / 2e-6;
-                let slope = step_force(kind, k, p0, p1).slope;
-                assert!((slope - difference).abs() < 1e-6 * k, "{kind:?} {p0} {p1}");
+    fn forces_are_derivatives_of_potentials_and_slopes_of_forces() {
+        for law in potentials() {
+            for p in [-0.1, 0.005, 0.03, 0.07] {
+                let e = 1e-6;
+                let force = (law.energy(p + e) - law.energy(p - e)) / (2.0 * e);
+                assert!((law.force(p) - force).abs() <= 1e-5 * (1.0 + force), "{law:?} {p}");
+            }
+            for chi in [0.0, 0.3] {
+                for force in [ContactForce::Conserving, ContactForce::Midpoint] {
+                    let law =
+                        SmoothLaw { potential: law.clone(), dissipation: chi, force };
+                    for (p0, p1) in STEPS {
+                        let e = 1e-8;
+                        if [p0, p1, 0.5 * (p0 + p1)].iter().any(|p| p.abs() < 2.0 * e) {
+                            continue;
+                        }
+                        let f = |p1: f64| law.step_force(p0, p1, 0.1).force;
+                        let difference = (f(p1 + e) - f(p1 - e)) / (2.0 * e);
+                        let slope = law.step_force(p0, p1, 0.1).slope;
+                        let scale = 1e-4 * law.potential.stiffness(0.1);
+                        assert!((slope - difference).abs() <= scale, "{law:?} {p0} {p1}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn dissipation_takes_and_never_pulls() {
+        for potential in potentials() {
+            let law =
+                SmoothLaw { potential, dissipation: 2.0, force: ContactForce::Conserving };
+            for (p0, p1) in STEPS {
+                let step = law.step_force(p0, p1, 0.01);
+                assert!(step.force >= 0.0 && step.dissipated * (p1 - p0) >= 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn bodies_part_with_the_coefficient_that_the_dissipation_was_chosen_for() {
+        let (mass, speed) = (0.3, 2.0);
+        for potential in potentials() {
+            for e in [0.95, 0.7, 0.3] {
+                let dissipation = crate::model::hunt_crossley(e, speed);
+                let law = SmoothLaw {
+                    potential: potential.clone(),
+                    dissipation,
+                    force: ContactForce::Conserving,
+                };
+                // Explicit midpoint steps of m p'' = -f (1 + chi p').
+                let (mut p, mut v, h) = (0.0, speed, 2e-8);
+                loop {
+                    let a = |p: f64, v: f64| -law.potential.force(p) * (1.0 + dissipation * v) / mass;
+                    let (pm, vm) = (p + 0.5 * h * v, v + 0.5 * h * a(p, v));
+                    (p, v) = (p + h * vm, v + h * a(pm, vm));
+                    if p <= 0.0 {
+                        break;
+                    }
+                }
+                assert!((-v / speed - e).abs() < 1e-4, "{law:?}: {} for {e}", -v / speed);
             }
         }
     }

@@ -1,5 +1,12 @@
-//! Contact between projectiles and the points they strike.
+//! Contact: laws, gaps and their gradients, the problem of impulses, the search for what is near.
 
+pub mod axis;
+pub mod configuration;
+pub mod discrete_gradient;
 pub mod effective_mass;
 pub mod impact;
 pub mod law;
+pub mod pair;
+pub mod row;
+pub mod search;
+pub mod touch;

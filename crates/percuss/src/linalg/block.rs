@@ -88,6 +88,22 @@ pub fn inverse(a: &Block) -> Option<Block> {
     Some(m)
 }
 
+/// The inverse of the block of a node on its own, which as a rule is diagonal.
+pub fn inverse_alone(a: &Block) -> Option<Block> {
+    let diagonal = (0..4).all(|r| (0..4).all(|c| r == c || a[r][c] == 0.0));
+    if !diagonal {
+        return inverse(a);
+    }
+    let mut out = ZERO;
+    for k in 0..4 {
+        if a[k][k] == 0.0 || !a[k][k].is_finite() {
+            return None;
+        }
+        out[k][k] = 1.0 / a[k][k];
+    }
+    Some(out)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

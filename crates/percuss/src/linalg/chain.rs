@@ -4,9 +4,12 @@ use super::block::{self, Block, ZERO};
 
 /// A block-tridiagonal matrix, or, after [`Chain::factor`], its block LU factors in place.
 ///
-/// Where one beam ends and the next begins the coupling blocks are zero.
+/// Where one beam ends and the next begins the coupling blocks are zero. From some node on there may be nothing but nodes on their
+/// own; their coupling blocks are not looked at.
 #[derive(Clone, Debug, Default)]
 pub struct Chain {
+    /// First node from which on all are on their own.
+    pub isolated: usize,
     /// Diagonal blocks, shape (n); after factorisation the inverses of the pivots.
     pub diag: Vec<Block>,
     /// Block in row i, column i + 1, shape (n); the last one is unused. After factorisation `pivot^-1 upper`.
@@ -25,7 +28,7 @@ pub struct SingularPivot {
 impl Chain {
     /// A zero matrix of `n` block rows.
     pub fn zeros(n: usize) -> Self {
-        Self { diag: vec![ZERO; n], upper: vec![ZERO; n], lower: vec![ZERO; n] }
+        Self { isolated: n, diag: vec![ZERO; n], upper: vec![ZERO; n], lower: vec![ZERO; n] }
     }
 
     /// Adds `left^T k right` on the nodes `a` and `a + 1`: a 2 x 2 matrix between interpolated values, whose weights are
@@ -72,7 +75,7 @@ impl Chain {
     pub fn multiply(&self, x: &[[f64; 4]]) -> Vec<[f64; 4]> {
         let mut y: Vec<[f64; 4]> =
             self.diag.iter().zip(x).map(|(d, x)| block::apply(d, x)).collect();
-        for i in 0..x.len().saturating_sub(1) {
+        for i in 0..self.isolated.saturating_sub(1) {
             let (up, low) =
                 (block::apply(&self.upper[i], &x[i + 1]), block::apply(&self.lower[i], &x[i]));
             for k in 0..4 {
@@ -88,7 +91,10 @@ impl Chain {
     /// # Errors
     /// [`SingularPivot`] names the block that cannot be inverted.
     pub fn factor(&mut self) -> Result<(), SingularPivot> {
-        let n = self.diag.len();
+        let n = self.isolated;
+        for i in n..self.diag.len() {
+            self.diag[i] = block::inverse_alone(&self.diag[i]).ok_or(SingularPivot { node: i })?;
+        }
         for i in 0..n {
             let inverse = block::inverse(&self.diag[i]).ok_or(SingularPivot { node: i })?;
             self.diag[i] = inverse;
@@ -103,8 +109,11 @@ impl Chain {
 
     /// Solves in place with the factors.
     pub fn solve(&self, x: &mut [[f64; 4]]) {
-        let n = self.diag.len();
-        debug_assert_eq!(x.len(), n);
+        let n = self.isolated;
+        debug_assert_eq!(x.len(), self.diag.len());
+        for i in n..x.len() {
+            x[i] = block::apply(&self.diag[i], &x[i]);
+        }
         let mut previous = [0.0; 4];
         for i in 0..n {
             let mut y = x[i];

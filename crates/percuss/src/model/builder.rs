@@ -4,11 +4,12 @@ use super::centre_line::CentreLine;
 use super::definition::*;
 use super::frozen::*;
 use super::mesh::SpanPlan;
-use super::{Fault, check, connect, constrain, loads, mesh};
+use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs};
+use crate::contact::axis::AxisElement;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
 use crate::math::hermite;
-use crate::math::vec2::{norm, scale, sub};
+use crate::math::vec2::norm;
 
 /// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
 #[derive(Clone, Debug, Default)]
@@ -127,17 +128,18 @@ impl ModelBuilder {
             return Err(faults);
         }
         let mut model = self.mesh();
-        self.place_projectiles(&mut model);
         self.place_masses(&mut model);
+        connect::supports(self, &mut model);
+        bodies::place(self, &mut model);
         loads::place(self, &mut model);
         for point in self.projectiles.iter().map(|p| &p.strikes).chain(&self.points) {
             if !model.points.iter().any(|p| p.label == point.label) {
                 model.points.push(locate(&model, point));
             }
         }
-        connect::supports(self, &mut model);
         connect::springs(self, &mut model);
         constrain::all(self, &mut model)?;
+        pairs::place(self, &mut model)?;
         Ok(model)
     }
 
@@ -152,12 +154,15 @@ impl ModelBuilder {
             masses: Vec::new(),
             supports: Vec::new(),
             motions: Vec::new(),
+            bodies: Vec::new(),
             projectiles: Vec::new(),
+            contacts: Vec::new(),
+            pairs: Vec::new(),
             loads: Vec::new(),
             modal_damping: self.modal_damping.clone(),
             initial_motion: self.initial_motion,
             points: Vec::new(),
-            total_mass: self.projectiles.iter().map(|p| p.mass).sum(),
+            total_mass: 0.0,
         };
         for beam in &self.beams {
             let Some(line) = CentreLine::new(beam) else { continue }; // checked before
@@ -171,6 +176,7 @@ impl ModelBuilder {
                 nodes: first.1..model.nodes.len(),
                 elements: first.2..model.element_count(),
                 length: line.length(),
+                axis: axis(&model, first.0),
             });
         }
         model
@@ -220,32 +226,6 @@ impl ModelBuilder {
         model.spans.push(span);
     }
 
-    fn place_projectiles(&self, model: &mut Model) {
-        for projectile in &self.projectiles {
-            let point = locate(model, &projectile.strikes);
-            let line = check::line_of_flight(projectile).unwrap_or([f64::NAN; 2]);
-            let direction = scale(1.0 / norm(line), line);
-            model.projectiles.push(ProjectileData {
-                name: projectile.name.clone(),
-                mass: projectile.mass,
-                direction,
-                speed: norm(projectile.velocity),
-                position: sub(point.position, scale(projectile.standoff, direction)),
-                standoff: projectile.standoff,
-                point,
-                law: match &projectile.kind {
-                    ProjectileKind::Elastic { law } => {
-                        let Potential::Linear { stiffness } = law.potential else { continue };
-                        ContactLaw::Spring { stiffness, force: law.force }
-                    }
-                    ProjectileKind::Rigid { restitution } => {
-                        ContactLaw::Unilateral { restitution: *restitution }
-                    }
-                },
-            });
-        }
-    }
-
     fn place_masses(&self, model: &mut Model) {
         for mass in &self.masses {
             let point = locate(model, &mass.at);
@@ -273,6 +253,22 @@ fn section_values(material: &Material, section: &Section, fraction: f64) -> Sect
         area: station.area,
         half_depth: station.depth.map_or(f64::NAN, |d| 0.5 * d),
     }
+}
+
+/// The elements of the spans from `first_span` on, as contact sees them.
+fn axis(model: &Model, first_span: usize) -> Vec<AxisElement> {
+    let element = |span: &Span, k: usize| {
+        let rows = &span.table(k).rows;
+        let depth: f64 = rows.iter().map(|r| r.half_depth).sum::<f64>() / rows.len() as f64;
+        AxisElement {
+            node: span.nodes.start + k,
+            length: span.table(k).length,
+            s: span.stations[k],
+            half_depth: if depth.is_nan() { 0.0 } else { depth },
+        }
+    };
+    let spans = &model.spans[first_span..];
+    spans.iter().flat_map(|span| (0..span.elements.len()).map(move |k| element(span, k))).collect()
 }
 
 /// The material point meant by a (checked) reference; points within a billionth of an element of a node are that node, at a

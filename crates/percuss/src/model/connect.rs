@@ -15,7 +15,7 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
             model.motions.len() - 1
         });
         let (name, until) = (support.name.clone(), support.until);
-        model.supports.push(SupportData { name, point: point.clone(), until, motion });
+        model.supports.push(SupportData { name, point: Some(point.clone()), until, motion });
         match support.kind {
             SupportKind::Elastic {
                 direction,
@@ -59,8 +59,12 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
 /// Prescribed displacement along `axis` of the support of number `index`.
 pub(super) fn drive_of(support: &Support, model: &Model, index: usize, axis: [f64; 2]) -> Drive {
     let amplitude = support.motion.as_ref().map_or(0.0, |m| dot(m.displacement, axis));
-    let motion = model.supports[index].motion.filter(|_| amplitude != 0.0);
-    motion.map(|m| (m, amplitude)).into_iter().collect()
+    drive(model.supports[index].motion, amplitude)
+}
+
+/// An amplitude times a motion; nothing if there is none.
+pub(super) fn drive(motion: Option<usize>, amplitude: f64) -> Drive {
+    motion.filter(|_| amplitude != 0.0).map(|m| (m, amplitude)).into_iter().collect()
 }
 
 fn push(

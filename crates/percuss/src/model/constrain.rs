@@ -83,7 +83,7 @@ fn node_of(point: &MaterialPoint) -> Option<usize> {
 
 /// Holds components of nodes; a prescribed rotation is left to a constraint.
 fn hold_nodes(index: usize, support: &Support, model: &mut Model) {
-    let point = model.supports[index].point.clone();
+    let Some(point) = model.supports[index].point.clone() else { return };
     let Some(node) = node_of(&point) else { return };
     for held in held_directions(support, point.tangent) {
         if held.gradient && turns(support) && dot(held.direction, point.tangent).abs() < 0.5 {
@@ -105,7 +105,7 @@ fn hold(model: &mut Model, support: usize, node: usize, held: HeldDirection, mut
     normal[offset] = held.direction[0];
     normal[offset + 1] = held.direction[1];
     let index = model.holds.iter().position(|h| h.node == node).unwrap_or_else(|| {
-        model.holds.push(NodeHold { node, support, normals: Vec::new(), drives: Vec::new() });
+        model.holds.push(NodeHold { node, support: Some(support), normals: Vec::new(), drives: Vec::new() });
         model.holds.len() - 1
     });
     let at = &mut model.holds[index];
@@ -128,7 +128,7 @@ fn constrain_points(
     model: &mut Model,
     independent: &mut Independent,
 ) {
-    let point = model.supports[index].point.clone();
+    let Some(point) = model.supports[index].point.clone() else { return };
     let for_ever = support.until == f64::INFINITY;
     for held in held_directions(support, point.tangent) {
         let turned =

@@ -2,13 +2,16 @@
 
 use std::ops::Range;
 
-use super::definition::{ContactForce, InitialMotion, StrainMeasure};
+use super::definition::{InitialMotion, StrainMeasure, TouchLaw};
 use super::time_function::Course;
+use crate::contact::axis::AxisElement;
+use crate::contact::pair::Pair;
 use crate::element::beam::{ElementTable, NodeFrame};
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
 ///
-/// Nodes and elements of all beams stand in one row, beam after beam, span after span.
+/// Nodes and elements of all beams stand in one row, beam after beam, span after span. Behind them stand rigid bodies, a node
+/// each, whose degrees of freedom are (u1, u2, angle, nothing).
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Nodes in the reference configuration, shape (n_node).
@@ -29,8 +32,14 @@ pub struct Model {
     pub(crate) supports: Vec<SupportData>,
     /// Prescribed motions.
     pub(crate) motions: Vec<Course>,
-    /// Projectiles, in the order they were defined.
+    /// Rigid bodies: guided projectiles, discs, obstacles, in the order of their nodes.
+    pub(crate) bodies: Vec<Body>,
+    /// Guided projectiles, in the order they were defined.
     pub(crate) projectiles: Vec<ProjectileData>,
+    /// Contacts: those of guided projectiles, then those defined.
+    pub(crate) contacts: Vec<ContactData>,
+    /// Pairs that can touch, contact after contact.
+    pub(crate) pairs: Vec<Pair>,
     /// Loads, in the order they were defined.
     pub(crate) loads: Vec<LoadData>,
     /// Ratios of damping of the flexible modes, from the lowest on.
@@ -52,6 +61,8 @@ pub(crate) struct BeamData {
     pub elements: Range<usize>,
     /// Arc length \[m\].
     pub length: f64,
+    /// Its elements as contact sees them.
+    pub axis: Vec<AxisElement>,
 }
 
 /// A part of a beam without corner, of one material and one section.
@@ -87,8 +98,8 @@ impl Span {
 #[derive(Clone, Debug)]
 pub(crate) struct NodeHold {
     pub node: usize,
-    /// The support that holds them; the first one where several do.
-    pub support: usize,
+    /// The support that holds them, the first one where several do; `None` for the guide of a projectile.
+    pub support: Option<usize>,
     /// Held directions in (u1, u2, u1', u2'), orthonormal; at most four.
     pub normals: Vec<[f64; 4]>,
     /// Motion along each of them.
@@ -102,7 +113,8 @@ pub(crate) type Drive = Vec<(usize, f64)>;
 #[derive(Clone, Debug)]
 pub(crate) struct SupportData {
     pub name: String,
-    pub point: MaterialPoint,
+    /// Its point; an obstacle has none.
+    pub point: Option<MaterialPoint>,
     /// Holds until this time \[s\].
     pub until: f64,
     /// Its course among [`Model::motions`].
@@ -271,31 +283,54 @@ pub(crate) struct MassData {
     pub rotary_inertia: f64,
 }
 
+/// A rigid body.
+#[derive(Clone, Debug)]
+pub(crate) struct Body {
+    pub name: String,
+    pub kind: BodyKind,
+    pub mass: f64,
+    /// Moment of inertia about its centre \[kg m^2\].
+    pub inertia: f64,
+    /// Velocity at the start \[m/s\].
+    pub velocity: [f64; 2],
+    /// Angular velocity at the start \[rad/s\].
+    pub spin: f64,
+}
+
+/// What a rigid body is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum BodyKind {
+    /// The mass of a projectile that strikes, on its line of flight.
+    Guided,
+    /// A mass behind it; the body before it in the row is the front.
+    Rear { direction: [f64; 2], stiffness: f64, damping: f64 },
+    /// A disc.
+    Disc { radius: f64 },
+    /// An obstacle.
+    Obstacle,
+}
+
 /// A projectile on its line of flight.
 #[derive(Clone, Debug)]
 pub(crate) struct ProjectileData {
-    pub name: String,
-    pub mass: f64,
+    /// Its body that strikes; a rear mass is the next one.
+    pub body: usize,
+    pub has_rear: bool,
     /// Unit vector of the line of flight, from projectile to beam.
     pub direction: [f64; 2],
-    /// Initial speed along `direction` \[m/s\].
-    pub speed: f64,
-    /// Initial position \[m\].
-    pub position: [f64; 2],
-    /// Initial gap \[m\].
-    pub standoff: f64,
     /// The point struck.
     pub point: MaterialPoint,
-    pub law: ContactLaw,
 }
 
-/// What acts between a projectile and the point it strikes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum ContactLaw {
-    /// A linear spring without tension.
-    Spring { stiffness: f64, force: ContactForce },
-    /// Newton's impact law.
-    Unilateral { restitution: f64 },
+/// What two things do to each other.
+#[derive(Clone, Debug)]
+pub(crate) struct ContactData {
+    pub name: String,
+    /// Names of the parties.
+    pub between: [String; 2],
+    pub law: TouchLaw,
+    /// Its pairs.
+    pub pairs: Range<usize>,
 }
 
 /// A load and its course.
@@ -412,15 +447,69 @@ impl Model {
         self.supports.iter().map(|s| s.name.as_str())
     }
 
-    /// Names of the projectiles, in their order, and whether each is rigid.
-    pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
-        let rigid = |p: &ProjectileData| matches!(p.law, ContactLaw::Unilateral { .. });
-        self.projectiles.iter().map(move |p| (p.name.as_str(), rigid(p)))
+    /// Number of nodes that belong to beams; those of bodies follow.
+    pub(crate) fn beam_node_count(&self) -> usize {
+        self.nodes.len() - self.bodies.len()
     }
 
-    /// Whether any projectile is rigid, so that impacts with impulses can occur.
-    pub fn has_rigid_projectile(&self) -> bool {
-        self.projectile_names().any(|(_, rigid)| rigid)
+    /// Node of a body.
+    pub(crate) fn body_node(&self, body: usize) -> usize {
+        self.beam_node_count() + body
+    }
+
+    /// Nodes of something that moves: beams first, then bodies.
+    pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
+        match self.beams.get(mover) {
+            Some(beam) => beam.nodes.clone(),
+            None => {
+                let node = self.body_node(mover - self.beams.len());
+                node..node + 1
+            }
+        }
+    }
+
+    /// Length of the element at a beam's node \[m\].
+    pub(crate) fn node_length(&self, node: usize) -> f64 {
+        let (span, k) = self.element_of(node);
+        span.table(k).length
+    }
+
+    /// Names of the projectiles, guided ones first, then discs, and whether each is a disc.
+    pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
+        self.striking_bodies().map(|i| {
+            let body = &self.bodies[i];
+            (body.name.as_str(), matches!(body.kind, BodyKind::Disc { .. }))
+        })
+    }
+
+    /// Bodies that strike: those of guided projectiles, then discs.
+    pub(crate) fn striking_bodies(&self) -> impl Iterator<Item = usize> {
+        let strikes = |b: &Body| matches!(b.kind, BodyKind::Guided | BodyKind::Disc { .. });
+        (0..self.bodies.len()).filter(move |i| strikes(&self.bodies[*i]))
+    }
+
+    /// Names of the contacts, those of guided projectiles first, and whether each is set-valued.
+    pub fn contact_names(&self) -> impl Iterator<Item = (&str, bool)> {
+        let rigid = |c: &ContactData| matches!(c.law, TouchLaw::Rigid(_));
+        self.contacts.iter().map(move |c| (c.name.as_str(), rigid(c)))
+    }
+
+    /// Whether any contact is set-valued, so that impacts with impulses can occur.
+    pub fn has_rigid_contact(&self) -> bool {
+        self.contact_names().any(|(_, rigid)| rigid)
+    }
+
+    /// The beams with all that holds them, without bodies and contacts: what statics and vibrations know.
+    pub(crate) fn structure(&self) -> Self {
+        let nodes = self.beam_node_count();
+        let mut structure = self.clone();
+        structure.nodes.truncate(nodes);
+        structure.holds.retain(|h| h.node < nodes);
+        structure.bodies.clear();
+        structure.projectiles.clear();
+        structure.contacts.clear();
+        structure.pairs.clear();
+        structure
     }
 
     /// Strain measure of the beam called `name`, at its start.
@@ -433,6 +522,8 @@ impl Model {
     pub(crate) fn has_viscous_parts(&self) -> bool {
         self.spans.iter().any(|s| s.retardation > 0.0)
             || self.connectors.iter().any(|c| c.damping > 0.0)
+            || self.contacts.iter().any(|c| c.law.dissipates())
+            || self.bodies.iter().any(|b| matches!(b.kind, BodyKind::Rear { damping, .. } if damping > 0.0))
             || !self.modal_damping.is_empty()
     }
 

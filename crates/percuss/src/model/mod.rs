@@ -1,5 +1,6 @@
 //! From definitions to the frozen [`Model`].
 
+mod bodies;
 mod builder;
 mod centre_line;
 mod check;
@@ -10,6 +11,7 @@ mod fault;
 pub(crate) mod frozen;
 mod loads;
 mod mesh;
+mod pairs;
 mod time_function;
 
 pub use builder::ModelBuilder;

@@ -1,18 +1,20 @@
 //! Books of a solved step: what loads, supports, damping and impacts brought and took.
 
 use super::constraint::ConstraintStep;
+use super::bodies::rear_spring;
 use super::external::{self, LoadWork};
 use super::forcing::Forcing;
 use super::integration::Integration;
 use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
+use crate::contact::row::Row;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
 use crate::element::strain::strains;
 use crate::element::{rotary, strain_rate};
 use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::Model;
-use crate::model::frozen::{ContactLaw, Coordinate, MaterialPoint, Place, Span};
+use crate::model::frozen::{Coordinate, MaterialPoint, Place, Span};
 use crate::settings::Scheme;
 use crate::state::State;
 
@@ -26,7 +28,7 @@ pub fn book(
     work: &Workspace,
 ) {
     let done =
-        external::work(model, state, rule.h, rule.theta(), forcing, &work.increment, &work.travel);
+        external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
     let books = &mut state.books;
     books.work_loads += done.work;
     books.impulse_loads = add(books.impulse_loads, done.impulse);
@@ -37,6 +39,7 @@ pub fn book(
     entry.connectors();
     entry.spans();
     entry.modes(damping);
+    entry.rear_masses();
     entry.contacts();
 }
 
@@ -59,12 +62,13 @@ impl Entry<'_> {
         )
     }
 
-    /// Books a force and a couple of a support on a point.
-    fn reaction(&mut self, support: usize, x: [f64; 2], force: [f64; 2], moment: f64) {
+    /// Books a force and a couple of a support, a guide or the ground on a point; supports have reactions of their own.
+    fn reaction(&mut self, support: Option<usize>, x: [f64; 2], force: [f64; 2], moment: f64) {
         let h = self.rule.h;
         let books = &mut self.state.books;
         books.impulse_supports = add(books.impulse_supports, scale(h, force));
         books.angular_impulse_supports += h * (cross(x, force) + moment);
+        let Some(support) = support else { return };
         let own = &mut self.state.reactions[support];
         own[0] += h * force[0];
         own[1] += h * force[1];
@@ -84,7 +88,11 @@ impl Entry<'_> {
             }
             let x = [0, 1].map(|i| frame.position[i] + u[i] + 0.5 * d[i]);
             let g = [0, 1].map(|i| frame.tangent[i] + u[2 + i] + 0.5 * d[2 + i]);
-            let moment = cross(g, [reaction[2], reaction[3]]);
+            let moment = if n < model.beam_node_count() {
+                cross(g, [reaction[2], reaction[3]])
+            } else {
+                reaction[2]
+            };
             self.state.books.work_supports += (0..4).map(|k| reaction[k] * d[k]).sum::<f64>();
             self.reaction(hold.support, x, [reaction[0], reaction[1]], moment);
         }
@@ -94,7 +102,10 @@ impl Entry<'_> {
     fn constraints(&mut self) {
         let (model, work, forcing) = (self.model, self.work, self.forcing);
         for (c, multiplier) in model.constraints.iter().zip(&work.multiplier) {
-            let Some(support) = c.support else { continue };
+            if c.support.is_none() {
+                continue;
+            }
+            let support = c.support;
             let point = &c.points()[0];
             let (x, g) = self.middle(point);
             let start = &self.state.displacement;
@@ -128,11 +139,11 @@ impl Entry<'_> {
                 Coordinate::Displacement { point, drive, .. } => {
                     self.state.books.work_supports -= step.force * forcing.increment(drive);
                     let (x, _) = self.middle(point);
-                    self.ground(c.support, x, force(0), 0.0);
+                    self.reaction(c.support, x, force(0), 0.0);
                 }
                 Coordinate::Angle { a, b: None, .. } => {
                     let (x, g) = self.middle(a);
-                    self.ground(c.support, x, [0.0; 2], cross(g, force(0)));
+                    self.reaction(c.support, x, [0.0; 2], cross(g, force(0)));
                 }
                 Coordinate::Angle { .. } => {}
                 Coordinate::Distance { ends } => {
@@ -141,22 +152,12 @@ impl Entry<'_> {
                     {
                         if let (Place::Point(p), Place::Ground(_)) = (end, other) {
                             let (x, _) = self.middle(p);
-                            self.ground(None, x, force(k), 0.0);
+                            self.reaction(None, x, force(k), 0.0);
                         }
                     }
                 }
             }
         }
-    }
-
-    /// Books a force of the ground, of a support or of a spring that has no reaction of its own.
-    fn ground(&mut self, support: Option<usize>, x: [f64; 2], force: [f64; 2], moment: f64) {
-        if let Some(support) = support {
-            return self.reaction(support, x, force, moment);
-        }
-        let (h, books) = (self.rule.h, &mut self.state.books);
-        books.impulse_supports = add(books.impulse_supports, scale(h, force));
-        books.angular_impulse_supports += h * (cross(x, force) + moment);
     }
 
     /// Damping of the beams' materials.
@@ -275,29 +276,34 @@ impl Entry<'_> {
         self.damped(&sum);
     }
 
-    /// Loss of impacts, and the couple by which a projectile's guide answers a contact point off its line of flight.
-    fn contacts(&mut self) {
-        let (h, work) = (self.rule.h, self.work);
-        for (i, p) in self.model.projectiles.iter().enumerate() {
-            let impulse = match p.law {
-                ContactLaw::Spring { .. } => h * work.force[i],
-                ContactLaw::Unilateral { .. } => work.impulse[i],
-            };
-            if impulse == 0.0 {
-                continue;
+    /// Springs to rear masses.
+    fn rear_masses(&mut self) {
+        for (i, body) in self.model.bodies.iter().enumerate() {
+            let (node, u) = (self.model.body_node(i), &self.state.displacement);
+            if let Some(spring) =
+                rear_spring(&body.kind, node, self.rule, u, &self.work.increment)
+            {
+                self.state.books.loss_damping += spring.damper * spring.change;
             }
-            let d = p.point.value(&work.increment);
-            let (x, _) = self.middle(&p.point);
-            let arm = add(x, scale(-1.0, p.position));
-            let books = &mut self.state.books;
-            books.angular_impulse_supports += impulse * cross(arm, p.direction);
-            if matches!(p.law, ContactLaw::Unilateral { .. }) {
-                // Work of the impulse: L (z0 + z1)/2, the mean gap rate over the step.
-                let speed = self.state.projectiles[i].speed
-                    + 0.5 * h * dot(self.forcing.gravity, p.direction)
-                    - 0.5 * impulse / p.mass;
-                let mean_rate = dot(p.direction, d) / h - speed;
-                books.loss_impacts -= impulse * mean_rate;
+        }
+    }
+
+    /// Loss of impacts, and of smooth contacts that dissipate.
+    fn contacts(&mut self) {
+        let (work, books) = (self.work, &mut self.state.books);
+        for contact in &work.smooth {
+            if contact.force.dissipated != 0.0 {
+                let closed = -contact.row.on(&work.increment);
+                books.loss_damping += contact.force.dissipated * closed;
+            }
+        }
+        for contact in &work.rigid {
+            // Work of an impulse: L (z0 + z1)/2, the mean rate over the step.
+            let mean = |row: &Row| row.on(&work.increment) / self.rule.h;
+            let [normal, tangent] = contact.impulse;
+            books.loss_impacts -= normal * mean(&contact.normal);
+            if tangent != 0.0 {
+                books.loss_impacts -= tangent * mean(&contact.tangent);
             }
         }
     }

@@ -4,7 +4,6 @@ use super::books::book;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
-use super::newton::StepProblem;
 use super::workspace::Workspace;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
@@ -12,7 +11,7 @@ use crate::element::{rotary, strain_rate};
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, dot};
 use crate::model::Model;
-use crate::model::frozen::{Connector, ContactLaw, Coordinate};
+use crate::model::frozen::{Connector, Coordinate};
 use crate::state::State;
 
 /// Moves `state` to the end of the step solved in `work`, works and impulses into its books.
@@ -34,7 +33,6 @@ pub fn commit(
     if matches!(integration.rule, Rule::Alpha(_)) {
         spin_from_velocity(model, state);
     }
-    advance_projectiles(model, state, &integration, forcing.gravity, work);
     state.multiplier.copy_from_slice(&work.multiplier);
     state.time += h;
 }
@@ -64,26 +62,6 @@ fn advance_masses(model: &Model, state: &mut State, rule: &Integration, work: &W
         let g0 = add(p.tangent, p.gradient(&state.displacement));
         let mean = rotary::mean_spin(g0, p.gradient(&work.increment), rule.h);
         state.mass_spin[i] = 2.0 * mean - state.mass_spin[i];
-    }
-}
-
-impl StepProblem<'_> {
-    /// Gap rate of projectile `i` at the end of the solved step \[m/s\].
-    pub fn gap_rate_next(&self, work: &Workspace, i: usize) -> f64 {
-        let p = &self.model.projectiles[i];
-        let d = p.point.value(&work.increment);
-        let v = p.point.value(&self.state.velocity);
-        let h = self.integration.h;
-        let beam: f64 = (0..2).map(|k| p.direction[k] * (2.0 * d[k] / h - v[k])).sum();
-        let gravity = h * dot(self.forcing.gravity, p.direction);
-        beam - (self.state.projectiles[i].speed + gravity - work.impulse[i] / p.mass)
-    }
-
-    /// Gap of projectile `i` at the end of the solved step \[m\].
-    pub fn gap_next(&self, work: &Workspace, i: usize) -> f64 {
-        let p = &self.model.projectiles[i];
-        let moved = dot(p.direction, p.point.value(&work.increment));
-        self.state.gap(self.model, i) + moved - work.travel[i]
     }
 }
 
@@ -148,29 +126,5 @@ pub fn spin_from_velocity(model: &Model, state: &mut State) {
         let p = &mass.point;
         let g = add(p.tangent, p.gradient(&state.displacement));
         state.mass_spin[i] = cross(g, p.gradient(&state.velocity)) / dot(g, g);
-    }
-}
-
-fn advance_projectiles(
-    model: &Model,
-    state: &mut State,
-    rule: &Integration,
-    gravity: [f64; 2],
-    work: &Workspace,
-) {
-    for (i, p) in model.projectiles.iter().enumerate() {
-        let s = &mut state.projectiles[i];
-        let d = work.travel[i];
-        match p.law {
-            ContactLaw::Spring { .. } => {
-                let (v0, a0) = (s.speed, s.acceleration);
-                s.speed = rule.velocity(d, v0, a0);
-                s.acceleration = rule.acceleration(d, v0, a0);
-            }
-            ContactLaw::Unilateral { .. } => {
-                s.speed += rule.h * dot(gravity, p.direction) - work.impulse[i] / p.mass;
-            }
-        }
-        s.travel += d;
     }
 }

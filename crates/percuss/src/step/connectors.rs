@@ -7,10 +7,9 @@
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::tangent::Tangent;
-use crate::contact::law;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::frozen::{Connector, ConnectorLaw, Coordinate, MaterialPoint, Place};
-use crate::model::{ContactForce, Model};
+use crate::model::{Model, Potential};
 use crate::state::State;
 
 /// A matrix between the two ends of a connector, 2 x 2 blocks.
@@ -78,7 +77,7 @@ impl Connector {
     pub fn potential(&self, q: f64) -> f64 {
         match self.law {
             ConnectorLaw::Linear { stiffness, rest } => 0.5 * stiffness * (q - rest) * (q - rest),
-            ConnectorLaw::OneSided { stiffness, gap } => law::potential(stiffness, q - gap),
+            ConnectorLaw::OneSided { stiffness, gap } => Potential::Linear { stiffness }.energy(q - gap),
         }
     }
 
@@ -91,11 +90,10 @@ impl Connector {
             }
             ConnectorLaw::OneSided { stiffness, gap } => {
                 let (p0, p1) = (q0 - gap, q0 - gap + change);
+                let law = Potential::Linear { stiffness };
                 let step = match rule.rule {
-                    Rule::Midpoint(_) => {
-                        law::step_force(ContactForce::Conserving, stiffness, p0, p1)
-                    }
-                    Rule::Alpha(_) | Rule::Static => law::collocated(stiffness, p0, p1, theta),
+                    Rule::Midpoint(_) => law.quotient(p0, p1),
+                    Rule::Alpha(_) | Rule::Static => law.collocated(p0, p1, theta),
                 };
                 (step.force, step.slope)
             }

@@ -1,43 +1,199 @@
-//! Contacts within a step: springs condensed into the band, impulses from the Delassus operator.
+//! Contacts within a step: smooth forces along discrete gradients, impulses from the Delassus operator.
 
 use super::integration::Rule;
 use super::newton::{Failure, StepProblem};
+use super::tangent::Tangent;
 use super::workspace::Workspace;
-use crate::contact::law;
-use crate::math::vec2::{dot, scale};
-use crate::model::frozen::ContactLaw;
+use crate::contact::configuration::Configuration;
+use crate::contact::law::StepForce;
+use crate::contact::pair::Target;
+use crate::contact::row::Row;
+use crate::contact::touch::Reach;
+use crate::linalg::block::ZERO;
+use crate::model::{ContactForce, ImpactLaw, RigidLaw, SmoothLaw, TouchLaw};
+
+/// A rigid contact that takes part in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ActiveContact {
+    /// The pair.
+    pub pair: usize,
+    /// What is asked of it.
+    pub phase: Phase,
+}
+
+/// What a rigid contact does in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Phase {
+    /// It strikes: restitution along normal and tangent.
+    Impact {
+        /// Along the normal.
+        restitution: f64,
+        /// Along the tangent.
+        tangential: f64,
+    },
+    /// It stays closed while it presses; friction acts against the sliding velocity at the end of the step, or against its mean.
+    Resting { mean: bool },
+}
+
+/// A smooth contact in a step, as last evaluated.
+#[derive(Clone, Copy, Debug)]
+pub struct SmoothContact {
+    /// The pair.
+    pub pair: usize,
+    /// Force over the step.
+    pub force: StepForce,
+    /// Where the force acts: the form of the gap's change.
+    pub row: Row,
+}
+
+/// A rigid contact in a step, as last evaluated.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RigidContact {
+    /// Gradient of the gap.
+    pub normal: Row,
+    /// Form of the sliding velocity.
+    pub tangent: Row,
+    /// Impulses along normal and tangent \[N s\].
+    pub impulse: [f64; 2],
+}
 
 impl StepProblem<'_> {
-    /// Contact springs, their projectiles' unknowns condensed into the band.
-    pub(super) fn springs<const TANGENT: bool>(&self, work: &mut Workspace) {
-        let rule = &self.integration;
-        for (i, p) in self.model.projectiles.iter().enumerate() {
-            let ContactLaw::Spring { stiffness, force } = p.law else { continue };
-            let state = &self.state.projectiles[i];
-            let p0 = -self.state.gap(self.model, i);
-            let moved = dot(p.direction, p.point.value(&work.increment));
-            let p1 = p0 + work.travel[i] - moved;
-            let step = match rule.rule {
-                Rule::Midpoint(_) => law::step_force(force, stiffness, p0, p1),
-                Rule::Alpha(_) | Rule::Static => law::collocated(stiffness, p0, p1, rule.theta()),
-            };
-            work.force[i] = step.force;
-            let acceleration = rule.inertia(work.travel[i], state.speed, state.acceleration);
-            work.projectile_residual[i] =
-                step.force + p.mass * (acceleration - dot(self.forcing.gravity, p.direction));
-            p.point.spread(scale(-step.force, p.direction), &mut work.residual);
-            if TANGENT {
-                work.spring_slope[i] = step.slope;
-                if step.slope != 0.0 {
-                    let inertia = p.mass * rule.inertia_slope();
-                    let k = step.slope * inertia / (inertia + step.slope);
-                    let d = p.direction;
-                    let matrix =
-                        [[k * d[0] * d[0], k * d[0] * d[1]], [k * d[1] * d[0], k * d[1] * d[1]]];
-                    let (node, n) = (p.point.node, &p.point.shape);
-                    work.tangent.chain_mut().add_outer(node, n, n, &matrix);
-                }
+    fn configuration<'b>(&'b self, increment: &'b [[f64; 4]], share: f64) -> Configuration<'b> {
+        Configuration { start: &self.state.displacement, increment, share }
+    }
+
+    fn smooth_law(&self, pair: usize) -> Option<&SmoothLaw> {
+        match &self.model.contacts[self.model.pairs[pair].contact].law {
+            TouchLaw::Smooth(law) => Some(law),
+            TouchLaw::Rigid(_) => None,
+        }
+    }
+
+    /// Law of a rigid pair.
+    pub(super) fn rigid_law(&self, pair: usize) -> Option<RigidLaw> {
+        match &self.model.contacts[self.model.pairs[pair].contact].law {
+            TouchLaw::Rigid(law) => Some(*law),
+            TouchLaw::Smooth(_) => None,
+        }
+    }
+
+    /// Forces of the smooth contacts.
+    pub(super) fn smooth_contacts<const TANGENT: bool>(&self, work: &mut Workspace) {
+        let mut contacts = std::mem::take(&mut work.smooth);
+        contacts.clear();
+        for &pair in self.near {
+            let Some(law) = self.smooth_law(pair) else { continue };
+            if let Some(contact) = self.smooth_contact::<TANGENT>(pair, law, work) {
+                contact.row.spread(-contact.force.force, &mut work.residual);
+                contacts.push(contact);
             }
+        }
+        work.smooth = contacts;
+    }
+
+    fn smooth_contact<const TANGENT: bool>(
+        &self,
+        index: usize,
+        law: &SmoothLaw,
+        work: &mut Workspace,
+    ) -> Option<SmoothContact> {
+        let (pair, seen) = (&self.model.pairs[index], &self.state.pairs[index]);
+        let Workspace { increment, tangent, .. } = work;
+        let rule = &self.integration;
+        let theta = rule.theta();
+        let at = self.configuration(increment, 1.0);
+        if let Rule::Alpha(_) = rule.rule {
+            let mid = at.at(theta);
+            let touch = pair.touch(self.model, &mid, &seen.memory, Reach::Near)?;
+            let row = pair.normal_row(&touch, &mid);
+            let force = law.potential.collocated(-touch.gap, -touch.gap, 1.0);
+            if TANGENT && force.force > 0.0 {
+                let (slope, bend) = (theta * force.slope, theta * force.force);
+                add_tangent(tangent, &row, &row, slope, bend, |n| pair.turning(&touch, n));
+            }
+            return Some(SmoothContact { pair: index, force, row });
+        }
+        let projected = law.force == ContactForce::Conserving;
+        let step = pair.over_step(self.model, &at, &seen.memory, seen.gap, projected)?;
+        let (force, row) = if law.force == ContactForce::Midpoint {
+            let p = -step.middle.gap;
+            let force = law.potential.collocated(p, p, 1.0);
+            (StepForce { slope: 0.5 * force.slope, ..force }, step.middle_row)
+        } else {
+            (law.step_force(-seen.gap, -step.gap, rule.h), step.row)
+        };
+        if TANGENT && force.force > 0.0 {
+            // Where the foot crosses into another element the gradients know other nodes; those of the middle will do.
+            let same = step.end_row.same_nodes(&step.middle_row);
+            let end = if same { &step.end_row } else { &step.middle_row };
+            let turn = |n: &dyn Fn(usize) -> [f64; 4]| pair.turning(&step.middle, n);
+            add_tangent(tangent, &step.middle_row, end, force.slope, 0.5 * force.force, turn);
+        }
+        Some(SmoothContact { pair: index, force, row })
+    }
+
+    /// Rows of the active rigid contacts at the increment as it stands, and their impulses' part of the residual.
+    pub(super) fn rigid_contacts(&self, work: &mut Workspace) {
+        let h = self.integration.h;
+        for (a, contact) in self.active.iter().enumerate() {
+            let impulse = work.rigid[a].impulse;
+            let Some(found) = self.rigid_contact(contact, &work.increment, impulse) else {
+                continue;
+            };
+            work.rigid[a] = found;
+            found.normal.spread(-impulse[0] / h, &mut work.residual);
+            if impulse[1] != 0.0 {
+                found.tangent.spread(-impulse[1] / h, &mut work.residual);
+            }
+        }
+    }
+
+    /// A rigid contact in the middle of the step.
+    pub(super) fn rigid_contact(
+        &self,
+        contact: &ActiveContact,
+        increment: &[[f64; 4]],
+        impulse: [f64; 2],
+    ) -> Option<RigidContact> {
+        let (pair, seen) = (&self.model.pairs[contact.pair], &self.state.pairs[contact.pair]);
+        let at = self.configuration(increment, 1.0);
+        let mid = at.at(0.5);
+        let (touch, normal) = match contact.phase {
+            // What stays closed does so at the end of the step: the form must give the change of the gap.
+            Phase::Resting { .. } => {
+                let step = pair.over_step(self.model, &at, &seen.memory, seen.gap, true)?;
+                (step.middle, step.row)
+            }
+            Phase::Impact { .. } => {
+                let touch = pair.touch(self.model, &mid, &seen.memory, Reach::Near)?;
+                (touch, pair.normal_row(&touch, &mid))
+            }
+        };
+        let frictional = self.rigid_law(contact.pair).is_some_and(|law| law.friction > 0.0);
+        let tangent =
+            if frictional { pair.tangent_row(&touch, &mid) } else { Row::default() };
+        Some(RigidContact { normal, tangent, impulse })
+    }
+
+    /// Answers of the factored tangent to unit forces along the rows of the active contacts.
+    pub(super) fn contact_columns(&self, work: &mut Workspace) {
+        let (nodes, constraints) = (self.model.node_count(), self.model.constraints.len());
+        let rows = 2 * self.active.len();
+        if work.contact_columns.len() < rows {
+            work.contact_columns.resize(rows, (vec![[0.0; 4]; nodes], vec![0.0; constraints]));
+        }
+        for k in 0..rows {
+            let contact = &work.rigid[k / 2];
+            let row = if k.is_multiple_of(2) { contact.normal } else { contact.tangent };
+            if row == Row::default() {
+                continue;
+            }
+            let (column, multiplier) = &mut work.contact_columns[k];
+            column.fill([0.0; 4]);
+            multiplier.fill(0.0);
+            row.spread(1.0, column);
+            let step = self.constraint_step(&work.increment);
+            work.tangent.solve(self.model, &step, self.damping, column, multiplier, None);
         }
     }
 
@@ -47,50 +203,145 @@ impl StepProblem<'_> {
         if n == 0 {
             return Ok(());
         }
-        let h = self.integration.h;
-        let rate_per_force = 2.0 / (h * h); // of the gap, for the midpoint rule: v1 = 2 d/h - v0, force L/h
-        let problem = &mut work.impact;
-        problem.delassus.resize(n * n, 0.0);
-        problem.free.resize(n, 0.0);
-        problem.bound.resize(n, 0.0);
-        work.active_impulse.resize(n, 0.0);
-        for (a, contact) in self.active.iter().enumerate() {
-            let i = contact.projectile;
-            let p = &self.model.projectiles[i];
-            for (b, (column, _)) in work.contact_columns[..n].iter().enumerate() {
-                problem.delassus[a * n + b] =
-                    rate_per_force * dot(p.direction, p.point.value(column));
-            }
-            problem.delassus[a * n + a] += 1.0 / p.mass;
-            work.active_impulse[a] = work.impulse[i];
-            let d = p.point.value(&work.increment);
-            let c = p.point.value(&work.correction);
-            let v0 = p.point.value(&self.state.velocity);
-            let beam: f64 =
-                (0..2).map(|k| p.direction[k] * (2.0 * (d[k] + c[k]) / h - v0[k])).sum();
-            let speed = self.state.projectiles[i].speed
-                + h * dot(self.forcing.gravity, p.direction)
-                - work.impulse[i] / p.mass;
-            let row = &problem.delassus[a * n..(a + 1) * n];
-            let carried: f64 =
-                self.active.iter().zip(row).map(|(c, w)| w * work.impulse[c.projectile]).sum();
-            problem.free[a] = beam - speed - carried;
-            problem.bound[a] = contact.bound;
+        self.pose(work);
+        work.impulses.clear();
+        work.impulses.extend(work.rigid[..n].iter().flat_map(|c| c.impulse));
+        if self.law == ImpactLaw::Moreau {
+            self.expand(work)?;
+        } else {
+            work.impact.solve(&mut work.impulses)?;
+            work.impact_residual = relative_residual(work);
         }
-        problem.solve(&mut work.active_impulse)?;
-        for (a, contact) in self.active.iter().enumerate() {
-            let change = work.active_impulse[a] - work.impulse[contact.projectile];
-            work.impulse[contact.projectile] = work.active_impulse[a];
-            let (column, multiplier) = &work.contact_columns[a];
+        let h = self.integration.h;
+        for k in 0..2 * n {
+            let impulse = &mut work.rigid[k / 2].impulse[k % 2];
+            let change = work.impulses[k] - *impulse;
+            *impulse = work.impulses[k];
+            if change == 0.0 {
+                continue;
+            }
+            let (column, multiplier) = &work.contact_columns[k];
             for (target, c) in work.correction.iter_mut().zip(column) {
-                for i in 0..4 {
-                    target[i] += change / h * c[i];
-                }
+                (0..4).for_each(|i| target[i] += change / h * c[i]);
             }
             for (target, m) in work.multiplier.iter_mut().zip(multiplier) {
                 *target += change / h * m;
             }
         }
         Ok(())
+    }
+
+    /// Poses the problem of the impulses: operator, rates without impulses, conditions.
+    fn pose(&self, work: &mut Workspace) {
+        let (n, h) = (self.active.len(), self.integration.h);
+        let rate_per_force = 2.0 / (h * h); // for the midpoint rule: v1 = 2 d/h - v0, force L/h
+        let problem = &mut work.impact;
+        problem.resize(n);
+        let m = 2 * n;
+        let row_of = |contact: &RigidContact, k: usize| {
+            if k.is_multiple_of(2) { contact.normal } else { contact.tangent }
+        };
+        for a in 0..m {
+            let row = row_of(&work.rigid[a / 2], a);
+            let empty = row == Row::default();
+            for b in 0..m {
+                let other = row_of(&work.rigid[b / 2], b);
+                problem.delassus[a * m + b] = if empty || other == Row::default() {
+                    0.0
+                } else {
+                    rate_per_force * row.on(&work.contact_columns[b].0)
+                };
+            }
+            let carried: f64 = (0..m)
+                .map(|b| problem.delassus[a * m + b] * work.rigid[b / 2].impulse[b % 2])
+                .sum();
+            let moved = row.on(&work.increment) + row.on(&work.correction);
+            problem.free[a] = 2.0 * moved / h - row.on(&self.state.velocity) - carried;
+        }
+        for (a, contact) in self.active.iter().enumerate() {
+            let condition = &mut problem.contacts[a];
+            let (seen, rows) = (&self.state.pairs[contact.pair], &work.rigid[a]);
+            let law = self.rigid_law(contact.pair);
+            let before = rows.normal.on(&self.state.velocity);
+            condition.friction = law.map_or(0.0, |law| law.friction);
+            condition.bound = match contact.phase {
+                Phase::Impact { restitution, .. } => -restitution * before,
+                Phase::Resting { .. } => self.resting_bound(contact.pair, before, seen.gap),
+            };
+            let sliding = rows.tangent.on(&self.state.velocity);
+            condition.target = match contact.phase {
+                Phase::Impact { tangential, .. } => -tangential * sliding,
+                Phase::Resting { mean } => if mean { -sliding } else { 0.0 },
+            };
+        }
+    }
+
+    /// Least rate at the end of the step of a contact that stays closed.
+    ///
+    /// On its guide a projectile's gap is linear: the rate vanishes, or, where the contact happens to open as the step begins, its
+    /// mean, so that the impulse gives no energy. Elsewhere the mean rate is what closes the gap left over: it neither drifts nor
+    /// gives energy, however the normal turns.
+    fn resting_bound(&self, pair: usize, before: f64, gap: f64) -> f64 {
+        match self.model.pairs[pair].target {
+            Target::Guided { .. } => -before.max(0.0),
+            _ => -before - 2.0 * gap.max(0.0) / self.integration.h,
+        }
+    }
+
+    /// Moreau's law: the impulses of the plastic impact, times 1 + e with the least coefficient of all that strike.
+    fn expand(&self, work: &mut Workspace) -> Result<(), Failure> {
+        let each = self.active.iter().filter_map(|c| match c.phase {
+            Phase::Impact { restitution, .. } => Some(restitution),
+            Phase::Resting { .. } => None,
+        });
+        let e = each.fold(1.0, f64::min);
+        for condition in &mut work.impact.contacts {
+            condition.bound = 0.0;
+            condition.target = 0.0;
+        }
+        let scale = 1.0 + e;
+        work.impulses.iter_mut().for_each(|l| *l /= scale);
+        work.impact.solve(&mut work.impulses)?;
+        work.impact_residual = relative_residual(work);
+        work.impulses.iter_mut().for_each(|l| *l *= scale);
+        Ok(())
+    }
+}
+
+fn relative_residual(work: &Workspace) -> f64 {
+    let scale = work.impact.scale();
+    if scale > 0.0 { work.impact.residual(&work.impulses) / scale } else { 0.0 }
+}
+
+/// Adds `slope row (x) end - bend d(gradient)`.
+fn add_tangent(
+    tangent: &mut Tangent,
+    row: &Row,
+    end: &Row,
+    slope: f64,
+    bend: f64,
+    turning: impl Fn(&dyn Fn(usize) -> [f64; 4]) -> Row,
+) {
+    for (column, on_end) in end.iter() {
+        // The gradient's derivative, one degree of freedom after the other.
+        let unit = |k: usize| {
+            move |n: usize| {
+                let mut x = [0.0; 4];
+                if n == column {
+                    x[k] = 1.0;
+                }
+                x
+            }
+        };
+        let turned: [Row; 4] = std::array::from_fn(|k| turning(&unit(k)));
+        for (node, on_row) in row.iter() {
+            let mut block = ZERO;
+            for r in 0..4 {
+                for c in 0..4 {
+                    block[r][c] = slope * on_row[r] * on_end[c] - bend * turned[c].at(node)[r];
+                }
+            }
+            tangent.add_contact(node, column, &block);
+        }
     }
 }

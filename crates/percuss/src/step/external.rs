@@ -162,7 +162,6 @@ pub fn work(
     theta: f64,
     forcing: &Forcing,
     increment: &[[f64; 4]],
-    travel: &[f64],
 ) -> LoadWork {
     let mut sum = LoadWork::default();
     let add = |p: &MaterialPoint, force: [f64; 2], sum: &mut LoadWork| {
@@ -204,7 +203,7 @@ pub fn work(
         }
     }
     if forcing.gravity != [0.0; 2] {
-        add_gravity(model, state, h, forcing.gravity, increment, travel, &mut sum);
+        add_gravity(model, state, h, forcing.gravity, increment, &mut sum);
         for mass in &model.masses {
             let force = forcing.gravity.map(|g| mass.mass * g);
             add(&mass.point, force, &mut sum);
@@ -219,7 +218,6 @@ fn add_gravity(
     h: f64,
     gravity: [f64; 2],
     increment: &[[f64; 4]],
-    travel: &[f64],
     sum: &mut LoadWork,
 ) {
     for (span, k, a, _) in model.each_element() {
@@ -237,11 +235,11 @@ fn add_gravity(
             sum.add_nodal(model, state, increment, node, &force, h);
         }
     }
-    for (i, p) in model.projectiles.iter().enumerate() {
-        let along = p.mass * dot(gravity, p.direction);
-        sum.work += along * travel[i];
-        sum.impulse[0] += h * along * p.direction[0];
-        sum.impulse[1] += h * along * p.direction[1];
-        sum.angular_impulse += h * along * cross(p.position, p.direction);
+    for (i, body) in model.bodies.iter().enumerate() {
+        let force = gravity.map(|g| body.mass * g);
+        let node = model.body_node(i);
+        let (x, u, d) = (model.nodes[node].position, state.displacement[node], increment[node]);
+        let middle = [0, 1].map(|k| x[k] + u[k] + 0.5 * d[k]);
+        sum.add_force(force, middle, [d[0], d[1]], h);
     }
 }

@@ -6,6 +6,7 @@
 //! [`State`](crate::state::State).
 
 pub mod assemble;
+pub mod bodies;
 pub mod books;
 pub mod commit;
 pub mod connectors;
@@ -17,6 +18,7 @@ pub mod integration;
 pub mod masses;
 pub mod modal_damping;
 pub mod newton;
+pub mod satellites;
 pub mod tangent;
 pub mod watch;
 pub mod workspace;

@@ -10,21 +10,12 @@ use super::modal_damping::ModalDamping;
 use super::tangent::{Singular, project};
 use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
-use super::{assemble, connectors, external, masses};
+use super::contacts::ActiveContact;
+use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
-use crate::math::vec2::{dot, scale};
-use crate::model::Model;
-use crate::model::frozen::{Constraint, ConstraintKind, ContactLaw};
+use crate::model::frozen::{Constraint, ConstraintKind};
+use crate::model::{ImpactLaw, Model};
 use crate::state::State;
-
-/// A rigid contact that takes part in a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ActiveContact {
-    /// Index of the projectile.
-    pub projectile: usize,
-    /// Least gap rate at the end of the step, Newton's `-alpha z0` \[m/s\].
-    pub bound: f64,
-}
 
 /// A step to be solved: from `state`, by `integration`, with the `active` contacts.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +30,12 @@ pub struct StepProblem<'a> {
     pub forcing: &'a Forcing,
     /// Modal damping.
     pub damping: &'a ModalDamping,
-    /// Contacts that may carry an impulse.
+    /// Pairs near enough to touch.
+    pub near: &'a [usize],
+    /// Rigid contacts that may carry an impulse.
     pub active: &'a [ActiveContact],
+    /// What becomes of the velocities in an impact.
+    pub law: ImpactLaw,
     /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
     pub feedback: f64,
 }
@@ -68,6 +63,8 @@ pub enum Failure {
     Singular(Singular),
     /// The impact problem stalled.
     Impact,
+    /// Two things passed through each other unseen.
+    Passed,
 }
 
 impl From<Singular> for Failure {
@@ -145,7 +142,6 @@ impl StepProblem<'_> {
             rule.theta(),
             self.forcing,
             &work.increment,
-            &work.travel,
         );
         // Supports that move leave nothing unbalanced at the predictor.
         let moved = |(c, m): (&Constraint, &f64)| (m * self.forcing.increment(&c.drive)).abs();
@@ -183,21 +179,10 @@ impl StepProblem<'_> {
         for (i, acts) in self.forcing.constrained.iter().enumerate() {
             work.multiplier[i] = if *acts { state.multiplier[i] } else { 0.0 };
         }
-        for (i, p) in state.projectiles.iter().enumerate() {
-            work.travel[i] = self.integration.predict(p.speed, p.acceleration);
-        }
-        work.impulse.fill(0.0);
-        self.move_rigid(work);
-    }
-
-    /// Rigid projectiles move as gravity and their impulses say.
-    fn move_rigid(&self, work: &mut Workspace) {
-        let h = self.integration.h;
-        for (i, p) in self.model.projectiles.iter().enumerate() {
-            if matches!(p.law, ContactLaw::Unilateral { .. }) {
-                let change = h * dot(self.forcing.gravity, p.direction) - work.impulse[i] / p.mass;
-                work.travel[i] = h * (self.state.projectiles[i].speed + 0.5 * change);
-            }
+        work.rigid.clear();
+        for contact in self.active {
+            let found = self.rigid_contact(contact, &work.increment, [0.0; 2]);
+            work.rigid.push(found.unwrap_or_default());
         }
     }
 
@@ -217,6 +202,7 @@ impl StepProblem<'_> {
         }
         let (forcing, theta) = (self.forcing, rule.theta());
         external::apply::<TANGENT>(model, state, forcing, theta, increment, residual, tangent);
+        bodies::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         masses::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         connectors::apply::<TANGENT>(model, state, rule, forcing, increment, residual, tangent);
         self.damping.apply(increment, rule.h, residual);
@@ -230,16 +216,12 @@ impl StepProblem<'_> {
                 tangent.add_hessian(i, points, &k);
             }
         }
-        self.springs::<TANGENT>(work);
-        for contact in self.active {
-            let p = &self.model.projectiles[contact.projectile];
-            let force = work.impulse[contact.projectile] / self.integration.h;
-            p.point.spread(scale(-force, p.direction), &mut work.residual);
-        }
+        self.smooth_contacts::<TANGENT>(work);
+        self.rigid_contacts(work);
     }
 
     /// The step as constraints see it.
-    fn constraint_step<'b>(&'b self, increment: &'b [[f64; 4]]) -> ConstraintStep<'b> {
+    pub(super) fn constraint_step<'b>(&'b self, increment: &'b [[f64; 4]]) -> ConstraintStep<'b> {
         let start = &self.state.displacement;
         ConstraintStep { start, increment, forcing: self.forcing, share: 0.5 }
     }
@@ -249,35 +231,14 @@ impl StepProblem<'_> {
         let step = self.constraint_step(increment);
         let damping = Some((self.damping, self.integration.h));
         tangent.factor(self.model, &step, damping)?;
-        let (nodes, constraints) = (self.model.node_count(), self.model.constraints.len());
-        if work.contact_columns.len() < self.active.len() {
-            let empty = (vec![[0.0; 4]; nodes], vec![0.0; constraints]);
-            work.contact_columns.resize(self.active.len(), empty);
-        }
-        for (contact, (column, multiplier)) in self.active.iter().zip(&mut work.contact_columns) {
-            let p = &self.model.projectiles[contact.projectile];
-            column.fill([0.0; 4]);
-            multiplier.fill(0.0);
-            p.point.spread(p.direction, column);
-            let (model, step) = (self.model, self.constraint_step(&work.increment));
-            work.tangent.solve(model, &step, self.damping, column, multiplier, None);
-        }
+        self.contact_columns(work);
         Ok(())
     }
 
     /// One correction of the increment; returns the work of the unbalanced forces on it.
     fn correct(&self, work: &mut Workspace) -> Result<f64, Failure> {
-        let rule = &self.integration;
         for (c, r) in work.correction.iter_mut().zip(&work.residual) {
             *c = r.map(|x| -x);
-        }
-        for (i, p) in self.model.projectiles.iter().enumerate() {
-            let slope = work.spring_slope[i];
-            if slope != 0.0 {
-                let inertia = p.mass * rule.inertia_slope();
-                let force = -slope * work.projectile_residual[i] / (inertia + slope);
-                p.point.spread(scale(force, p.direction), &mut work.correction);
-            }
         }
         let Workspace { tangent, correction, multiplier, increment, .. } = work;
         let step = self.constraint_step(increment);
@@ -295,15 +256,6 @@ impl StepProblem<'_> {
                 correction_work += (c[i] * r[i]).abs();
             }
         }
-        for (i, p) in self.model.projectiles.iter().enumerate() {
-            if matches!(p.law, ContactLaw::Spring { .. }) {
-                let inertia = p.mass * rule.inertia_slope();
-                let (slope, r) = (work.spring_slope[i], work.projectile_residual[i]);
-                let moved = dot(p.direction, p.point.value(&work.correction));
-                work.travel[i] += (slope * moved - r) / (inertia + slope);
-            }
-        }
-        self.move_rigid(work);
         Ok(correction_work)
     }
 
@@ -319,9 +271,6 @@ impl StepProblem<'_> {
                 sum += (r[i] * d[i]).abs();
             }
         }
-        for (r, d) in work.projectile_residual.iter().zip(&work.travel) {
-            sum += (r * d).abs();
-        }
         sum
     }
 
@@ -331,10 +280,6 @@ impl StepProblem<'_> {
         for r in &work.correction {
             sum[0] += r[0];
             sum[1] += r[1];
-        }
-        for (p, r) in self.model.projectiles.iter().zip(&work.projectile_residual) {
-            sum[0] += p.direction[0] * r;
-            sum[1] += p.direction[1] * r;
         }
         self.integration.h * sum[0].hypot(sum[1])
     }

@@ -3,17 +3,28 @@
 
 use super::constraint::{self, ConstraintStep};
 use super::modal_damping::ModalDamping;
+use super::satellites::Satellites;
 use crate::linalg::block::{Block, ZERO, mul};
 use crate::linalg::chain::Chain;
 use crate::linalg::condensed::{BorderPattern, Condensed};
 use crate::linalg::dense::DenseLu;
 use crate::model::Model;
-use crate::model::frozen::{Connector, Constraint, ConstraintKind, MaterialPoint, NodeHold};
+use crate::model::frozen::{
+    BodyKind, Connector, Constraint, ConstraintKind, MaterialPoint, NodeHold,
+};
 
 /// The tangent, assembled or factored in place.
 #[derive(Clone, Debug)]
 pub struct Tangent {
     matrix: Condensed,
+    /// Whether the band links a node to the next one.
+    linked: Vec<bool>,
+    /// Couplings of contacts, as they come and go: (row node, column node, block).
+    contacts: Vec<(usize, usize, Block)>,
+    /// Bodies that touch one element only, eliminated first.
+    satellites: Satellites,
+    /// Number of couplings that are always there; those of contacts that no satellite took follow.
+    permanent: usize,
     /// Number of the first coupling of each connector.
     of_connector: Vec<usize>,
     /// Number of the first coupling of each constraint.
@@ -75,20 +86,23 @@ impl Tangent {
                 couplings.extend(pairs((&points[0], true), (&points[1], true)));
             }
         }
-        let pattern = |c: &Constraint| BorderPattern {
-            nodes: constraint::nodes(c),
-            permanent: c.until == f64::INFINITY,
-        };
-        let border: Vec<BorderPattern> = model.constraints.iter().map(pattern).collect();
         let mut linked = vec![true; model.node_count()];
         for span in &model.spans {
             linked[span.nodes.end - 1] = false;
         }
+        for body in 0..model.bodies.len() {
+            let next = model.bodies.get(body + 1).map(|b| b.kind);
+            linked[model.body_node(body)] = matches!(next, Some(BodyKind::Rear { .. }));
+        }
         Self {
-            matrix: Condensed::new(model.node_count(), |i| linked[i], &couplings, &border),
+            matrix: condensed(model, &linked, &couplings),
+            permanent: couplings.len(),
+            linked,
+            contacts: Vec::new(),
+            satellites: Satellites::default(),
             of_connector,
             of_constraint,
-            right: vec![0.0; border.len()],
+            right: vec![0.0; model.constraints.len()],
             low_rank: LowRank::default(),
         }
     }
@@ -100,6 +114,7 @@ impl Tangent {
 
     /// Clears what is not the band.
     pub fn clear_ties(&mut self) {
+        self.contacts.clear();
         for coupling in &mut self.matrix.couplings {
             coupling.2 = ZERO;
         }
@@ -157,6 +172,83 @@ impl Tangent {
         }
     }
 
+    /// Adds a block between two nodes that touch.
+    pub fn add_contact(&mut self, row: usize, column: usize, block: &Block) {
+        let chain = &mut self.matrix.chain;
+        let target = if row == column {
+            &mut chain.diag[row]
+        } else if column == row + 1 && self.linked[row] {
+            &mut chain.upper[row]
+        } else if row == column + 1 && self.linked[column] {
+            &mut chain.lower[column]
+        } else {
+            match self.contacts.iter().position(|c| c.0 == row && c.1 == column) {
+                Some(at) => &mut self.contacts[at].2,
+                None => {
+                    self.contacts.push((row, column, ZERO));
+                    let last = self.contacts.len() - 1;
+                    &mut self.contacts[last].2
+                }
+            }
+        };
+        for (t, v) in target.as_flattened_mut().iter_mut().zip(block.as_flattened()) {
+            *t += v;
+        }
+    }
+
+    /// Leaves the couplings of contacts to satellites and, those that no satellite took, to the condensed matrix.
+    fn place_contacts(&mut self, model: &Model) -> Result<(), Singular> {
+        self.satellites.clear();
+        if self.contacts.is_empty() {
+            return Ok(());
+        }
+        for (a, b, block) in &mut self.contacts {
+            project_coupling(model, *a, *b, block);
+        }
+        let first = model.beam_node_count();
+        let chain = &mut self.matrix.chain;
+        self.satellites
+            .eliminate(chain, &self.linked, first, &mut self.contacts)
+            .map_err(Singular::Node)?;
+        let known = |m: &Condensed, c: &(usize, usize, Block)| {
+            m.couplings.iter().position(|k| (k.0, k.1) == (c.0, c.1))
+        };
+        if self.contacts.iter().any(|c| known(&self.matrix, c).is_none()) {
+            self.widen(model);
+        }
+        for c in &self.contacts {
+            if let Some(at) = known(&self.matrix, c) {
+                let target = &mut self.matrix.couplings[at].2;
+                for (t, v) in target.as_flattened_mut().iter_mut().zip(c.2.as_flattened()) {
+                    *t += v;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A new order and pattern for contacts that tie nodes together; those of the last one are kept while they are few.
+    fn widen(&mut self, model: &Model) {
+        let old = &self.matrix.couplings;
+        let keep = if old.len() - self.permanent > 4 * self.contacts.len() + 16 {
+            self.permanent
+        } else {
+            old.len()
+        };
+        let mut places: Vec<(usize, usize)> = old[..keep].iter().map(|c| (c.0, c.1)).collect();
+        for (a, b, _) in &self.contacts {
+            if !places.contains(&(*a, *b)) {
+                places.push((*a, *b));
+            }
+        }
+        let mut wider = condensed(model, &self.linked, &places);
+        wider.chain = std::mem::take(&mut self.matrix.chain);
+        for (new, old) in wider.couplings.iter_mut().zip(&self.matrix.couplings[..self.permanent]) {
+            new.2 = old.2;
+        }
+        self.matrix = wider;
+    }
+
     /// Factors the assembled tangent with its held components; border columns are the constraint gradients where their forces
     /// act, rows those at the end of the step.
     ///
@@ -172,13 +264,9 @@ impl Tangent {
             hold_block(&mut self.matrix.chain, hold);
         }
         for (a, b, block) in &mut self.matrix.couplings {
-            if let Some(hold) = model.hold_at(*a) {
-                *block = mul(&projector(hold), block);
-            }
-            if let Some(hold) = model.hold_at(*b) {
-                *block = mul(block, &projector(hold));
-            }
+            project_coupling(model, *a, *b, block);
         }
+        self.place_contacts(model)?;
         for (i, c) in model.constraints.iter().enumerate() {
             let acts = step.forcing.constrained[i];
             self.matrix.corner[i] = if acts { 0.0 } else { 1.0 };
@@ -228,7 +316,9 @@ impl Tangent {
 
     fn solve_plain(&mut self, model: &Model, x: &mut [[f64; 4]], border: &mut [f64]) {
         project(model, x);
+        self.satellites.before(x);
         self.matrix.solve(x, border);
+        self.satellites.after(x);
         project(model, x);
     }
 
@@ -293,6 +383,32 @@ impl Tangent {
                 *target -= share * m;
             }
         }
+    }
+}
+
+/// The matrix with blocks beyond the band at the given places.
+fn condensed(model: &Model, linked: &[bool], couplings: &[(usize, usize)]) -> Condensed {
+    let pattern = |c: &Constraint| BorderPattern {
+        nodes: constraint::nodes(c),
+        permanent: c.until == f64::INFINITY,
+    };
+    let border: Vec<BorderPattern> = model.constraints.iter().map(pattern).collect();
+    let mut matrix = Condensed::new(model.node_count(), |i| linked[i], couplings, &border);
+    let alone = |b: &crate::model::frozen::Body| {
+        matches!(b.kind, BodyKind::Disc { .. } | BodyKind::Obstacle)
+    };
+    let first = model.bodies.iter().position(alone).unwrap_or(model.bodies.len());
+    matrix.chain.isolated = model.body_node(first);
+    matrix
+}
+
+/// Removes held components from a block between two nodes.
+fn project_coupling(model: &Model, a: usize, b: usize, block: &mut Block) {
+    if let Some(hold) = model.hold_at(a) {
+        *block = mul(&projector(hold), block);
+    }
+    if let Some(hold) = model.hold_at(b) {
+        *block = mul(block, &projector(hold));
     }
 }
 

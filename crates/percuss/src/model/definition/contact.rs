@@ -267,3 +267,10 @@ pub fn hunt_crossley(restitution: f64, velocity: f64) -> f64 {
     }
     0.5 * (low + high) / velocity
 }
+
+impl TouchLaw {
+    /// Whether a force of it depends on a rate.
+    pub(crate) fn dissipates(&self) -> bool {
+        matches!(self, Self::Smooth(law) if law.dissipation > 0.0)
+    }
+}

@@ -1,0 +1,209 @@
+//! A step tried: solved with the pairs that could touch, looked at for what passed through unseen, accepted.
+
+use super::simulation::Simulation;
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::Memory;
+use crate::contact::touch::Reach;
+use crate::math::vec2::norm;
+use crate::model::frozen::BodyKind;
+use crate::model::{ImpactLaw, TouchLaw};
+use crate::step::commit;
+use crate::step::contacts::ActiveContact;
+use crate::step::integration::Integration;
+use crate::step::newton::{Failure, StepProblem};
+
+/// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
+const BRIEF: f64 = 1e-3;
+/// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
+const AHEAD: f64 = 2.0;
+/// Looks along a path before a passage counts as found.
+const LOOKS: usize = 200;
+
+impl Simulation<'_> {
+    /// Solves a step of size `h` without accepting it.
+    pub(super) fn solve(
+        &mut self,
+        h: f64,
+        active: &[ActiveContact],
+        law: ImpactLaw,
+    ) -> Result<(), Failure> {
+        self.solver_steps += 1;
+        self.forcing.set(self.model, self.state.time, h, self.settings.step);
+        self.search.within(self.model, &self.state.velocity, AHEAD * h, &mut self.near);
+        let near = std::mem::take(&mut self.near);
+        self.look(&near);
+        self.near = near;
+        loop {
+            let problem = StepProblem {
+                model: self.model,
+                state: &self.state,
+                integration: Integration::new(self.settings.scheme, h),
+                forcing: &self.forcing,
+                damping: &self.damping,
+                near: &self.near,
+                active,
+                law,
+                feedback: (h / self.settings.step).min(1.0),
+            };
+            problem.solve(&mut self.work, &mut self.effort)?;
+            self.search.within(self.model, &self.work.increment, 1.0, &mut self.reached);
+            let reached = std::mem::take(&mut self.reached);
+            self.look(&reached);
+            self.reached = reached;
+            if self.near_enough(h) {
+                break;
+            }
+        }
+        self.smooth_passage()
+    }
+
+    /// Looks at pairs that still sleep, where the state stands.
+    fn look(&mut self, pairs: &[usize]) {
+        for i in pairs {
+            if self.search.awake().binary_search(i).is_err() {
+                self.state.see(self.model, *i);
+            }
+        }
+    }
+
+    /// Whether every smooth pair that came within reach was looked at; if not, they will be.
+    fn near_enough(&mut self, h: f64) -> bool {
+        let known = self.near.len();
+        for k in 0..self.reached.len() {
+            let i = self.reached[k];
+            if self.is_smooth(i) && !self.near[..known].contains(&i) && self.gap_next(h, i)[0] < 0.0
+            {
+                self.near.push(i);
+            }
+        }
+        self.near.sort_unstable();
+        self.near.len() == known
+    }
+
+    fn is_smooth(&self, i: usize) -> bool {
+        let contact = &self.model.contacts[self.model.pairs[i].contact];
+        matches!(contact.law, TouchLaw::Smooth(_))
+    }
+
+    /// Gap of pair `i` at the end of the step solved last, and its rate.
+    pub(super) fn gap_next(&self, h: f64, i: usize) -> [f64; 2] {
+        let (pair, d) = (&self.model.pairs[i], &self.work.increment);
+        let at = Configuration { start: &self.state.displacement, increment: d, share: 1.0 };
+        let memory = &self.state.pairs[i].memory;
+        let Some(touch) = pair.touch(self.model, &at, memory, Reach::All) else {
+            return [f64::INFINITY, 0.0];
+        };
+        let row = pair.normal_row(&touch, &at);
+        [touch.gap, 2.0 * row.on(d) / h - row.on(&self.state.velocity)]
+    }
+
+    /// Fails if a smooth pair has passed through unseen.
+    fn smooth_passage(&mut self) -> Result<(), Failure> {
+        let reached = std::mem::take(&mut self.reached);
+        let smooth: Vec<usize> = reached.iter().copied().filter(|i| self.is_smooth(*i)).collect();
+        self.reached = reached;
+        if self.first_passage(&smooth).is_some() { Err(Failure::Passed) } else { Ok(()) }
+    }
+
+    /// The share of the step solved last at which the first of the given open pairs is inside another, though at its end it is
+    /// outside again: one has passed through the other. What side it came from is remembered.
+    pub(super) fn first_passage(&mut self, pairs: &[usize]) -> Option<f64> {
+        let mut first: Option<f64> = None;
+        for &i in pairs {
+            if let Some((share, memory)) = self.passage(i) {
+                self.state.pairs[i].memory = memory;
+                first = Some(first.map_or(share, |f| f.min(share)));
+            }
+        }
+        first
+    }
+
+    /// Follows pair `i` along the straight path of the step, never further than it is apart.
+    fn passage(&self, i: usize) -> Option<(f64, Memory)> {
+        let (pair, d) = (&self.model.pairs[i], &self.work.increment);
+        let seen = &self.state.pairs[i];
+        if !pair.target.has_sides() || !(seen.gap > 0.0) {
+            return None;
+        }
+        let at = Configuration { start: &self.state.displacement, increment: d, share: 1.0 };
+        let way = self.search.way(&pair.movers);
+        let mut memory = seen.memory;
+        let last = pair.touch(self.model, &at, &memory, Reach::All)?;
+        // Outside at both ends, and not fast enough to have been inside.
+        if last.gap <= 0.0 || seen.gap + last.apart > way {
+            return None;
+        }
+        let floor = (1e-6 * way).max(1e-9 * seen.gap);
+        let (mut share, mut apart) = (0.0, seen.gap);
+        for _ in 0..LOOKS {
+            share += apart.max(floor) / way;
+            if share >= 1.0 {
+                return None;
+            }
+            let touch = pair.touch(self.model, &at.at(share), &memory, Reach::All)?;
+            if touch.gap < 0.0 {
+                return Some((share, memory));
+            }
+            (apart, memory) = (touch.apart, touch.memory);
+        }
+        None
+    }
+
+    /// Accepts the step solved last, with the contacts that took part in it, and measures the new state.
+    pub(super) fn accept(&mut self, h: f64, active: &[ActiveContact]) {
+        let integration = Integration::new(self.settings.scheme, h);
+        self.monitor.begin_step(self.model, &self.state, &self.work);
+        let brief = h < BRIEF * self.settings.step;
+        let before = brief.then(|| self.state.multiplier.clone());
+        let (state, forcing) = (&mut self.state, &self.forcing);
+        commit::commit(self.model, state, integration, forcing, &self.damping, &self.work);
+        if let Some(before) = before {
+            // Multipliers of an impact are impulses over its time: no prediction for what follows.
+            self.state.multiplier = before;
+        }
+        self.steer_obstacles();
+        self.search.moved(self.model, &self.work.increment);
+        self.search.see(self.model, &mut self.state);
+        let part = super::monitor::Part {
+            h,
+            brief,
+            active,
+            persistent: &self.persistent,
+            tamed: std::mem::take(&mut self.tamed),
+        };
+        self.monitor.end_step(self.model, &self.state, &self.work, &part);
+        self.gather_reactions(h, brief);
+        self.gather_impulses(h, active);
+        self.measure();
+    }
+
+    /// Obstacles have the velocities of their motions, whatever the rule makes of their increments.
+    pub(super) fn steer_obstacles(&mut self) {
+        let (time, step) = (self.state.time, 0.01 * self.settings.step);
+        for hold in self.model.holds.iter().rev() {
+            let Some(body) = hold.node.checked_sub(self.model.beam_node_count()) else { break };
+            if self.model.bodies[body].kind != BodyKind::Obstacle {
+                break;
+            }
+            let from = (time - step).max(0.0);
+            let rate = |motion: usize| {
+                let course = &self.model.motions[motion];
+                (course.value(time + step) - course.value(from)) / (time + step - from)
+            };
+            let mut velocity = [0.0; 4];
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let along: f64 = drive.iter().map(|(m, a)| a * rate(*m)).sum();
+                (0..4).for_each(|k| velocity[k] += along * normal[k]);
+            }
+            self.state.velocity[hold.node] = velocity;
+        }
+    }
+}
+
+/// Size of the structure \[m\].
+pub(super) fn size_of(model: &crate::model::Model) -> f64 {
+    let from = model.nodes.first().map_or([0.0; 2], |n| n.position);
+    let away = |x: [f64; 2]| norm([x[0] - from[0], x[1] - from[1]]);
+    let lengths = model.beams.iter().map(|b| b.length);
+    lengths.chain(model.nodes.iter().map(|n| away(n.position))).fold(0.0, f64::max)
+}

@@ -1,0 +1,221 @@
+//! The axis of a beam as contact sees it: elements in a row, and the point of them nearest to a place.
+
+use super::configuration::Configuration;
+use crate::element::beam::NodeFrame;
+use crate::math::hermite;
+use crate::math::vec2::{add, cross, dot, norm, scale, sub};
+
+/// An element of a beam's axis.
+#[derive(Clone, Copy, Debug)]
+pub struct AxisElement {
+    /// Node `a`; node `b` is the next one.
+    pub node: usize,
+    /// Length \[m\].
+    pub length: f64,
+    /// Arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Distance of either face from the axis \[m\].
+    pub half_depth: f64,
+}
+
+/// A point of an axis: the number of its element and the share of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AxisPoint {
+    /// Number of the element in the beam.
+    pub element: usize,
+    /// Share of the element, from 0 to 1.
+    pub xi: f64,
+}
+
+/// An element in a configuration: position and slope at both ends.
+#[derive(Clone, Copy)]
+pub struct Placed {
+    ends: [[f64; 4]; 2],
+    length: f64,
+}
+
+impl Placed {
+    /// Of an element.
+    pub fn new(element: &AxisElement, nodes: &[NodeFrame], at: &Configuration) -> Self {
+        let end = |n: usize| {
+            let (frame, u) = (&nodes[n], at.node(n));
+            let (x, g) = (frame.position, frame.tangent);
+            [x[0] + u[0], x[1] + u[1], g[0] + u[2], g[1] + u[3]]
+        };
+        Self { ends: [end(element.node), end(element.node + 1)], length: element.length }
+    }
+
+    fn combine(&self, n: &[f64; 4]) -> [f64; 2] {
+        let [a, b] = &self.ends;
+        [0, 1].map(|i| n[0] * a[i] + n[1] * a[2 + i] + n[2] * b[i] + n[3] * b[2 + i])
+    }
+
+    /// Position at a share of the element.
+    pub fn position(&self, xi: f64) -> [f64; 2] {
+        self.combine(&hermite::shape(xi, self.length))
+    }
+
+    /// Derivative with respect to arc length of the reference.
+    pub fn tangent(&self, xi: f64) -> [f64; 2] {
+        self.combine(&hermite::slope(xi, self.length))
+    }
+
+    /// Second derivative with respect to arc length of the reference.
+    pub fn bend(&self, xi: f64) -> [f64; 2] {
+        self.combine(&hermite::curvature(xi, self.length))
+    }
+
+    /// A bound from below of the distance of its points from `y`, and one from above of the nearest: its control points lie
+    /// about its middle.
+    fn bounds(&self, y: [f64; 2]) -> [f64; 2] {
+        let [a, b] = &self.ends;
+        let (xa, xb) = ([a[0], a[1]], [b[0], b[1]]);
+        let third = self.length / 3.0;
+        let inner = [
+            add(xa, scale(third, [a[2], a[3]])),
+            sub(xb, scale(third, [b[2], b[3]])),
+        ];
+        let middle = scale(0.5, add(xa, xb));
+        let reach = inner.iter().chain([&xa]).map(|x| norm(sub(*x, middle))).fold(0.0, f64::max);
+        let away = norm(sub(y, middle));
+        [away - reach, norm(sub(y, xa)).min(norm(sub(y, xb)))]
+    }
+
+    /// The share nearest to `y`, searched from `guess`; from several places if there is none.
+    fn nearest(&self, y: [f64; 2], guess: Option<f64>) -> f64 {
+        let Some(guess) = guess else {
+            let start = (0..=4).map(|k| 0.25 * f64::from(k)).min_by(|a, b| {
+                let away = |xi: f64| norm(sub(self.position(xi), y));
+                away(*a).total_cmp(&away(*b))
+            });
+            return self.descend(y, start.unwrap_or(0.5));
+        };
+        self.descend(y, guess)
+    }
+
+    /// Newton's iteration on the square of the distance, downhill, within the element.
+    fn descend(&self, y: [f64; 2], mut xi: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..50 {
+            let (e, t, c) = (sub(self.position(xi), y), self.tangent(xi), self.bend(xi));
+            let slope = dot(e, t) * self.length;
+            // Gauss-Newton where the square of the distance is not convex.
+            let (full, safe) = (dot(t, t) + dot(e, c), dot(t, t));
+            let bend = if full > 0.1 * safe { full } else { safe } * self.length * self.length;
+            if slope > 0.0 { high = xi } else { low = xi }
+            let mut next = xi - slope / bend;
+            if !(next >= low && next <= high) {
+                // Out of the bracket: to its end if that is the element's, else to its middle.
+                next = if next < low && low == 0.0 {
+                    0.0
+                } else if next > high && high == 1.0 {
+                    1.0
+                } else {
+                    0.5 * (low + high)
+                };
+            }
+            let step = (next - xi).abs();
+            xi = next;
+            if step <= 1e-15 {
+                break;
+            }
+        }
+        xi
+    }
+
+    /// How the distance from `y` changes along the axis: negative where it is nearer further on.
+    fn onward(&self, y: [f64; 2], xi: f64) -> f64 {
+        dot(sub(self.position(xi), y), self.tangent(xi))
+    }
+}
+
+/// The axis of a beam in a configuration.
+#[derive(Clone, Copy)]
+pub struct Axis<'a> {
+    pub nodes: &'a [NodeFrame],
+    pub elements: &'a [AxisElement],
+    /// Elements left out, for a beam against itself.
+    pub skip: [usize; 2],
+}
+
+impl Axis<'_> {
+    fn left_out(&self, k: usize) -> bool {
+        self.skip[0] <= k && k < self.skip[1]
+    }
+
+    fn placed(&self, k: usize, at: &Configuration) -> Placed {
+        Placed::new(&self.elements[k], self.nodes, at)
+    }
+
+    /// The point nearest to `y` of all; `None` if all elements are left out.
+    pub fn nearest(&self, y: [f64; 2], at: &Configuration) -> Option<AxisPoint> {
+        let each = (0..self.elements.len()).filter(|k| !self.left_out(*k));
+        let reach =
+            each.clone().map(|k| self.placed(k, at).bounds(y)[1]).fold(f64::INFINITY, f64::min);
+        let mut best = (f64::INFINITY, None);
+        for element in each {
+            let placed = self.placed(element, at);
+            if placed.bounds(y)[0] > reach.min(best.0) {
+                continue;
+            }
+            let xi = placed.nearest(y, None);
+            let away = norm(sub(placed.position(xi), y));
+            if away < best.0 {
+                best = (away, Some(AxisPoint { element, xi }));
+            }
+        }
+        best.1
+    }
+
+    /// The point nearest to `y` in the neighbourhood of another one: downhill along the axis.
+    pub fn near(&self, y: [f64; 2], at: &Configuration, from: AxisPoint) -> AxisPoint {
+        let (mut element, mut guess, mut way) = (from.element, from.xi, 0_i8);
+        loop {
+            let placed = self.placed(element, at);
+            let xi = placed.nearest(y, Some(guess));
+            let onward = placed.onward(y, xi);
+            let (next, start) = if xi == 1.0 && onward < 0.0 && way >= 0 {
+                way = 1;
+                (element + 1, 0.0)
+            } else if xi == 0.0 && onward > 0.0 && way <= 0 {
+                way = -1;
+                (element.wrapping_sub(1), 1.0)
+            } else {
+                return AxisPoint { element, xi };
+            };
+            if next >= self.elements.len() || self.left_out(next) {
+                return AxisPoint { element, xi };
+            }
+            // At a corner the next element may lead away again: then the corner is nearest.
+            let ahead = self.placed(next, at).onward(y, start);
+            if ahead * f64::from(way) >= 0.0 {
+                return AxisPoint { element, xi };
+            }
+            (element, guess) = (next, start);
+        }
+    }
+
+    /// Sign of the side on which `y` lies, seen along the axis at its nearest point; zero beyond an end.
+    pub fn side(&self, y: [f64; 2], at: &Configuration, point: AxisPoint) -> f64 {
+        let placed = self.placed(point.element, at);
+        let away = sub(y, placed.position(point.xi));
+        let mut tangent = placed.tangent(point.xi);
+        let onward = dot(away, tangent);
+        let beyond = |k: usize| k >= self.elements.len() || self.left_out(k);
+        let neighbour = if point.xi == 1.0 && onward > 0.0 {
+            Some((point.element + 1, 0.0))
+        } else if point.xi == 0.0 && onward < 0.0 {
+            Some((point.element.wrapping_sub(1), 1.0))
+        } else {
+            None
+        };
+        if let Some((k, xi)) = neighbour {
+            if beyond(k) {
+                return 0.0;
+            }
+            let other = self.placed(k, at).tangent(xi);
+            tangent = add(scale(1.0 / norm(tangent), tangent), scale(1.0 / norm(other), other));
+        }
+        if cross(tangent, away) < 0.0 { -1.0 } else { 1.0 }
+    }
+}

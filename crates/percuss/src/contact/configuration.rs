@@ -1,0 +1,35 @@
+//! A configuration within a step: its start and a share of its increment.
+
+/// Displacements `u + share d` of the nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Configuration<'a> {
+    /// Displacements at the start of the step.
+    pub start: &'a [[f64; 4]],
+    /// Their increments.
+    pub increment: &'a [[f64; 4]],
+    /// Share of the increment.
+    pub share: f64,
+}
+
+impl<'a> Configuration<'a> {
+    /// Displacements as they stand.
+    pub fn of(displacement: &'a [[f64; 4]]) -> Self {
+        Self { start: displacement, increment: &[], share: 0.0 }
+    }
+
+    /// The same step, seen at another share.
+    pub fn at(self, share: f64) -> Self {
+        Self { share, ..self }
+    }
+
+    /// Displacements of a node.
+    #[inline]
+    pub fn node(&self, n: usize) -> [f64; 4] {
+        let u = &self.start[n];
+        if self.share == 0.0 {
+            return *u;
+        }
+        let d = &self.increment[n];
+        std::array::from_fn(|i| u[i] + self.share * d[i])
+    }
+}

@@ -1,0 +1,70 @@
+//! Linear forms over the degrees of freedom of a few nodes: gradients of gaps, directions of contact forces.
+
+/// Most nodes of a row: two of a beam that touches, and those of three elements that the point of contact may cross in a step.
+const CAPACITY: usize = 8;
+
+/// A linear form over nodal values; the force it transmits acts along it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Row {
+    len: usize,
+    nodes: [usize; CAPACITY],
+    values: [[f64; 4]; CAPACITY],
+}
+
+impl Row {
+    /// Adds coefficients of a node.
+    pub fn add(&mut self, node: usize, coefficients: [f64; 4]) {
+        let at = match self.nodes[..self.len].iter().position(|n| *n == node) {
+            Some(at) => at,
+            None => {
+                self.nodes[self.len] = node;
+                self.len += 1;
+                self.len - 1
+            }
+        };
+        (0..4).for_each(|i| self.values[at][i] += coefficients[i]);
+    }
+
+    /// Its nodes with their coefficients.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, &[f64; 4])> {
+        self.nodes[..self.len].iter().copied().zip(&self.values[..self.len])
+    }
+
+    /// Coefficients of a node.
+    pub fn at(&self, node: usize) -> [f64; 4] {
+        self.iter().find(|(n, _)| *n == node).map_or([0.0; 4], |(_, c)| *c)
+    }
+
+    /// Whether another row knows the same nodes.
+    pub fn same_nodes(&self, other: &Self) -> bool {
+        self.len == other.len && self.iter().all(|(n, _)| other.nodes[..other.len].contains(&n))
+    }
+
+    /// Its nodes with their coefficients, to change.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = (usize, &mut [f64; 4])> {
+        self.nodes[..self.len].iter().copied().zip(&mut self.values[..self.len])
+    }
+
+    /// Its value on nodal values.
+    #[inline]
+    pub fn on(&self, nodal: &[[f64; 4]]) -> f64 {
+        self.iter().map(|(n, c)| product(c, &nodal[n])).sum()
+    }
+
+    /// Its value on the nodes for which `belongs` holds.
+    pub fn on_some(&self, nodal: &[[f64; 4]], belongs: impl Fn(usize) -> bool) -> f64 {
+        self.iter().filter(|(n, _)| belongs(*n)).map(|(n, c)| product(c, &nodal[n])).sum()
+    }
+
+    /// Adds `factor` times its coefficients to nodal values.
+    #[inline]
+    pub fn spread(&self, factor: f64, nodal: &mut [[f64; 4]]) {
+        for (n, c) in self.iter() {
+            (0..4).for_each(|i| nodal[n][i] += factor * c[i]);
+        }
+    }
+}
+
+fn product(a: &[f64; 4], b: &[f64; 4]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
+}

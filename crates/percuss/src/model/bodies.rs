@@ -1,0 +1,116 @@
+//! Rigid bodies: the masses of guided projectiles, discs, obstacles.
+
+use super::builder::{ModelBuilder, locate};
+use super::check;
+use super::connect::drive;
+use super::definition::*;
+use super::frozen::*;
+use super::time_function::Course;
+use crate::element::beam::NodeFrame;
+use crate::math::vec2::{norm, rot90, scale, sub};
+
+/// Adds the bodies behind the beams' nodes, with what guides and moves them.
+pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
+    for projectile in &builder.projectiles {
+        guided(projectile, model);
+    }
+    for disc in &builder.discs {
+        let own = 0.5 * disc.mass * disc.radius * disc.radius;
+        model.total_mass += disc.mass;
+        push(
+            model,
+            disc.position,
+            Body {
+                name: disc.name.clone(),
+                kind: BodyKind::Disc { radius: disc.radius },
+                mass: disc.mass,
+                // A point has no arm: any inertia will do.
+                inertia: disc.inertia.unwrap_or(if own > 0.0 { own } else { disc.mass }),
+                velocity: disc.velocity,
+                spin: disc.spin,
+            },
+        );
+    }
+    for item in &builder.obstacles {
+        obstacle(item, model);
+    }
+}
+
+fn push(model: &mut Model, position: [f64; 2], body: Body) -> usize {
+    model.nodes.push(NodeFrame { position, tangent: [0.0; 2] });
+    model.bodies.push(body);
+    model.nodes.len() - 1
+}
+
+fn guided(projectile: &Projectile, model: &mut Model) {
+    let point = locate(model, &projectile.strikes);
+    let line = check::line_of_flight(projectile).unwrap_or([f64::NAN; 2]);
+    let direction = scale(1.0 / norm(line), line);
+    let position = sub(point.position, scale(projectile.standoff, direction));
+    let front = Body {
+        name: projectile.name.clone(),
+        kind: BodyKind::Guided,
+        mass: projectile.mass,
+        inertia: projectile.mass,
+        velocity: projectile.velocity,
+        spin: 0.0,
+    };
+    let rear = projectile.rear.map(|rear| Body {
+        kind: BodyKind::Rear { direction, stiffness: rear.stiffness, damping: rear.damping },
+        mass: rear.mass,
+        inertia: rear.mass,
+        ..front.clone()
+    });
+    let has_rear = rear.is_some();
+    let body = model.bodies.len();
+    for body in [Some(front), rear].into_iter().flatten() {
+        model.total_mass += body.mass;
+        let node = push(model, position, body);
+        let across = rot90(direction);
+        let normals =
+            vec![[across[0], across[1], 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+        let drives = vec![Vec::new(); normals.len()];
+        model.holds.push(NodeHold { node, support: None, normals, drives });
+    }
+    if projectile.local_mass > 0.0 {
+        model.total_mass += projectile.local_mass;
+        let mass = projectile.local_mass;
+        model.masses.push(MassData { point: point.clone(), mass, rotary_inertia: 0.0 });
+    }
+    model.projectiles.push(ProjectileData { body, has_rear, direction, point });
+}
+
+fn obstacle(item: &Obstacle, model: &mut Model) {
+    let position = match &item.shape {
+        ObstacleShape::HalfPlane { point, .. } => *point,
+        ObstacleShape::Disc { centre, .. } => *centre,
+        ObstacleShape::Segment { ends: [a, b], .. } => [0, 1].map(|i| 0.5 * (a[i] + b[i])),
+        ObstacleShape::Clearance { at, .. } => locate(model, at).position,
+    };
+    let support = model.supports.len();
+    let node = push(
+        model,
+        position,
+        Body {
+            name: item.name.clone(),
+            kind: BodyKind::Obstacle,
+            mass: 0.0,
+            inertia: 0.0,
+            velocity: [0.0; 2],
+            spin: 0.0,
+        },
+    );
+    let motion = item.motion.as_ref().map(|motion| {
+        model.motions.push(Course::new(&motion.function));
+        model.motions.len() - 1
+    });
+    let along = |i: usize| {
+        let amplitude = item.motion.as_ref().map_or(0.0, |m| m.displacement[i]);
+        drive(motion, amplitude)
+    };
+    let normals = (0..4).map(|i| std::array::from_fn(|k| f64::from(u8::from(i == k)))).collect();
+    let drives = vec![along(0), along(1), Vec::new(), Vec::new()];
+    model.holds.push(NodeHold { node, support: Some(support), normals, drives });
+    let (name, until) = (item.name.clone(), f64::INFINITY);
+    model.supports.push(SupportData { name, point: None, until, motion });
+}

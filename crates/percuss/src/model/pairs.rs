@@ -1,0 +1,382 @@
+//! Contacts as pairs of something round and what it touches.
+
+use super::builder::{ModelBuilder, locate, point_at};
+use super::definition::*;
+use super::fault::Fault;
+use super::frozen::*;
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::{Centre, Hold, Memory, Pair, Target};
+use crate::contact::touch::{Reach, Touch};
+use crate::math::vec2::{add, norm, rot90, scale};
+
+/// Penetrations at the start below this share of the bodies' size are round-off.
+const TOUCHING: f64 = 1e-9;
+/// A beam touches itself no nearer along its axis than this, in elements and in half depths.
+const OWN_NEIGHBOURHOOD: [f64; 2] = [2.0, 8.0];
+
+/// Adds the contacts with their pairs.
+///
+/// # Errors
+/// A fault for each contact that starts with one thing inside the other.
+pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
+    for (i, projectile) in builder.projectiles.iter().enumerate() {
+        guided(i, projectile, model);
+    }
+    for contact in &builder.contacts {
+        let between = contact.between.map(|party| name(builder, party));
+        let first = model.pairs.len();
+        let mut pairs = Pairs { builder, model, contact: model.contacts.len(), found: Vec::new() };
+        pairs.between(contact);
+        let found = pairs.found;
+        model.pairs.extend(found);
+        let (name, law) = (contact.name.clone(), contact.law.clone());
+        let pairs = first..model.pairs.len();
+        model.contacts.push(ContactData { name, between, law, pairs });
+    }
+    let rest = vec![[0.0; 4]; model.nodes.len()];
+    let faults = model.overlaps(&rest);
+    if faults.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+fn guided(i: usize, projectile: &Projectile, model: &mut Model) {
+    let data = &model.projectiles[i];
+    let (point, body) = (&data.point, data.body);
+    let pair = Pair {
+        contact: i,
+        source: body_centre(model, body),
+        target: Target::Guided {
+            point: beam_centre(point),
+            normal: scale(-1.0, data.direction),
+            standoff: projectile.standoff,
+        },
+        reach: 0.0,
+        target_radius: 0.0,
+        skips_ends: false,
+        movers: [model.beams.len() + body, point.beam],
+        source_party: 1,
+        s: point.s,
+    };
+    let law = match &projectile.kind {
+        ProjectileKind::Elastic { law } => TouchLaw::Smooth(law.clone()),
+        ProjectileKind::Rigid { restitution } => {
+            TouchLaw::Rigid(RigidLaw::frictionless(*restitution))
+        }
+    };
+    let between = [point.label.clone(), projectile.name.clone()];
+    let pairs = model.pairs.len()..model.pairs.len() + 1;
+    model.pairs.push(pair);
+    model.contacts.push(ContactData { name: projectile.name.clone(), between, law, pairs });
+}
+
+fn name(builder: &ModelBuilder, party: Party) -> String {
+    match party {
+        Party::Disc(id) => builder.discs[id.0 as usize].name.clone(),
+        Party::Beam(id) => builder.beams[id.0 as usize].name.clone(),
+        Party::Obstacle(id) => builder.obstacles[id.0 as usize].name.clone(),
+    }
+}
+
+fn body_centre(model: &Model, body: usize) -> Centre {
+    let node = model.body_node(body);
+    let hold = Hold::Body { offset: [0.0; 2] };
+    Centre { position: model.nodes[node].position, node, hold }
+}
+
+fn beam_centre(point: &MaterialPoint) -> Centre {
+    let hold = Hold::Beam { shape: point.shape, slope: point.slope, tangent: point.tangent };
+    Centre { position: point.position, node: point.node, hold }
+}
+
+/// A shape that does not bend: its body, and what of it can be touched.
+#[derive(Clone, Copy)]
+enum Rigid {
+    Round { body: usize, radius: f64 },
+    Line { body: usize, normal: [f64; 2] },
+    Segment { body: usize, ends: [[f64; 2]; 2], radius: f64 },
+}
+
+struct Pairs<'a> {
+    builder: &'a ModelBuilder,
+    model: &'a Model,
+    contact: usize,
+    found: Vec<Pair>,
+}
+
+impl Pairs<'_> {
+    fn between(&mut self, contact: &Contact) {
+        let points = contact.points_per_element;
+        match contact.between {
+            [Party::Beam(a), Party::Beam(b)] if a == b => self.itself(a.0 as usize, points),
+            [Party::Beam(a), Party::Beam(b)] => {
+                let (a, b) = (a.0 as usize, b.0 as usize);
+                self.points_on_axis(a, b, points, 0, false);
+                // Ends of `b` are touched already, by being points of it or through the ends of `a`.
+                self.points_on_axis(b, a, points, 1, true);
+            }
+            [Party::Beam(beam), other] => self.beam_and_rigid(beam.0 as usize, 0, other, points),
+            [other, Party::Beam(beam)] => self.beam_and_rigid(beam.0 as usize, 1, other, points),
+            [a, b] => {
+                let (ours, theirs) = (self.shapes(a), self.shapes(b));
+                for x in &ours {
+                    for y in &theirs {
+                        match x {
+                            Rigid::Round { .. } => self.rigid_pair(x, y, 0),
+                            _ => self.rigid_pair(y, x, 1),
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// What of a disc or an obstacle can be touched.
+    fn shapes(&self, party: Party) -> Vec<Rigid> {
+        let discs = self.builder.discs.len();
+        let first = self.model.bodies.len() - self.builder.obstacles.len();
+        match party {
+            Party::Beam(_) => Vec::new(),
+            Party::Disc(id) => {
+                let body = first - discs + id.0 as usize;
+                vec![Rigid::Round { body, radius: self.builder.discs[id.0 as usize].radius }]
+            }
+            Party::Obstacle(id) => {
+                let body = first + id.0 as usize;
+                match &self.builder.obstacles[id.0 as usize].shape {
+                    ObstacleShape::HalfPlane { normal, .. } => {
+                        vec![Rigid::Line { body, normal: scale(1.0 / norm(*normal), *normal) }]
+                    }
+                    ObstacleShape::Disc { radius, .. } => {
+                        vec![Rigid::Round { body, radius: *radius }]
+                    }
+                    ObstacleShape::Segment { ends, thickness } => {
+                        vec![Rigid::Segment { body, ends: *ends, radius: 0.5 * thickness }]
+                    }
+                    ObstacleShape::Clearance { at, width, gap, sides } => {
+                        self.clearance(body, at, *width, *gap, *sides)
+                    }
+                }
+            }
+        }
+    }
+
+    fn clearance(
+        &self,
+        body: usize,
+        at: &PointRef,
+        width: f64,
+        gap: f64,
+        sides: Sides,
+    ) -> Vec<Rigid> {
+        let point = locate(self.model, at);
+        let away = gap + half_depth(self.model, &point);
+        let (along, across) = (scale(0.5 * width, point.tangent), rot90(point.tangent));
+        let segment = |side: f64| {
+            let middle = add(point.position, scale(side * away, across));
+            let ends = [-1.0, 1.0].map(|end| add(middle, scale(end, along)));
+            Rigid::Segment { body, ends, radius: 0.0 }
+        };
+        match sides {
+            Sides::Both => vec![segment(1.0), segment(-1.0)],
+            Sides::Left => vec![segment(1.0)],
+            Sides::Right => vec![segment(-1.0)],
+        }
+    }
+
+    fn offset_centre(&self, body: usize, place: [f64; 2]) -> Centre {
+        let centre = body_centre(self.model, body);
+        let offset = [0, 1].map(|i| place[i] - centre.position[i]);
+        Centre { position: place, hold: Hold::Body { offset }, ..centre }
+    }
+
+    fn target(&self, shape: &Rigid) -> (Target, f64, usize) {
+        match shape {
+            Rigid::Round { body, radius } => {
+                (Target::Round { centre: body_centre(self.model, *body) }, *radius, *body)
+            }
+            Rigid::Line { body, normal } => {
+                let point = body_centre(self.model, *body);
+                (Target::Line { point, normal: *normal }, 0.0, *body)
+            }
+            Rigid::Segment { body, ends, radius } => {
+                let ends = ends.map(|end| self.offset_centre(*body, end));
+                (Target::Segment { ends }, *radius, *body)
+            }
+        }
+    }
+
+    fn rigid_pair(&mut self, source: &Rigid, target: &Rigid, source_party: usize) {
+        let Rigid::Round { body, radius } = source else { return };
+        let (shape, target_radius, other) = self.target(target);
+        let beams = self.model.beams.len();
+        self.found.push(Pair {
+            contact: self.contact,
+            source: body_centre(self.model, *body),
+            target: shape,
+            reach: radius + target_radius,
+            target_radius,
+            skips_ends: false,
+            movers: [beams + body, beams + other],
+            source_party,
+            s: f64::NAN,
+        });
+    }
+
+    /// A beam and a disc or obstacle; `beam_party` tells which of the two the beam is.
+    fn beam_and_rigid(&mut self, beam: usize, beam_party: usize, other: Party, points: usize) {
+        let axis = Target::Axis { beam, skip: [0, 0] };
+        for shape in self.shapes(other) {
+            match &shape {
+                Rigid::Round { body, radius } => {
+                    let source = body_centre(self.model, *body);
+                    let pair = self.on_axis(source, *radius, *body, axis.clone(), beam);
+                    self.found.push(Pair { source_party: 1 - beam_party, ..pair });
+                }
+                Rigid::Line { .. } | Rigid::Segment { .. } => {
+                    let (target, target_radius, body) = self.target(&shape);
+                    for (point, half_depth) in self.beam_points(beam, points) {
+                        self.found.push(Pair {
+                            contact: self.contact,
+                            source: beam_centre(&point),
+                            target: target.clone(),
+                            reach: half_depth + target_radius,
+                            target_radius,
+                            skips_ends: false,
+                            movers: [beam, self.model.beams.len() + body],
+                            source_party: beam_party,
+                            s: point.s,
+                        });
+                    }
+                    if let Rigid::Segment { ends, radius, .. } = &shape {
+                        for end in ends {
+                            let source = self.offset_centre(body, *end);
+                            let pair = self.on_axis(source, *radius, body, axis.clone(), beam);
+                            // The ends of the beam are points of it.
+                            let source_party = 1 - beam_party;
+                            self.found.push(Pair { skips_ends: true, source_party, ..pair });
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn on_axis(
+        &self,
+        source: Centre,
+        radius: f64,
+        body: usize,
+        target: Target,
+        beam: usize,
+    ) -> Pair {
+        Pair {
+            contact: self.contact,
+            source,
+            target,
+            reach: radius,
+            target_radius: 0.0,
+            skips_ends: false,
+            movers: [self.model.beams.len() + body, beam],
+            source_party: 0,
+            s: f64::NAN,
+        }
+    }
+
+    /// Points of one beam against the axis of another.
+    fn points_on_axis(
+        &mut self,
+        from: usize,
+        onto: usize,
+        points: usize,
+        source_party: usize,
+        skips_ends: bool,
+    ) {
+        for (point, half_depth) in self.beam_points(from, points) {
+            self.found.push(Pair {
+                contact: self.contact,
+                source: beam_centre(&point),
+                target: Target::Axis { beam: onto, skip: [0, 0] },
+                reach: half_depth,
+                target_radius: 0.0,
+                skips_ends,
+                movers: [from, onto],
+                source_party,
+                s: point.s,
+            });
+        }
+    }
+
+    /// Points of a beam against its own axis, but for their neighbourhood.
+    fn itself(&mut self, beam: usize, points: usize) {
+        let axis = &self.model.beams[beam].axis;
+        let first = self.found.len();
+        self.points_on_axis(beam, beam, points, 0, true);
+        let deep = axis.iter().map(|e| e.half_depth).fold(0.0, f64::max);
+        let long = axis.iter().map(|e| e.length).fold(0.0, f64::max);
+        let apart = (OWN_NEIGHBOURHOOD[0] * long).max(OWN_NEIGHBOURHOOD[1] * deep);
+        for pair in &mut self.found[first..] {
+            let skip = [
+                axis.partition_point(|e| e.s + e.length <= pair.s - apart),
+                axis.partition_point(|e| e.s < pair.s + apart),
+            ];
+            pair.target = Target::Axis { beam, skip };
+        }
+    }
+
+    /// Points of a beam that can touch, with their half depths: evenly in each element, and its last end.
+    fn beam_points(&self, beam: usize, points: usize) -> Vec<(MaterialPoint, f64)> {
+        let data = &self.model.beams[beam];
+        let inner = data.axis.iter().flat_map(|e| {
+            let at = move |k: usize| e.s + e.length * k as f64 / points as f64;
+            (0..points).map(move |k| (at(k), e.half_depth))
+        });
+        let last = data.axis.last().map(|e| (data.length, e.half_depth));
+        inner.chain(last).map(|(s, half)| (point_at(self.model, beam, s), half)).collect()
+    }
+}
+
+/// Half depth at a point; zero where the section has none.
+fn half_depth(model: &Model, point: &MaterialPoint) -> f64 {
+    let axis = &model.beams[point.beam].axis;
+    let element = axis.iter().find(|e| e.node == point.node);
+    element.map_or(0.0, |e| e.half_depth)
+}
+
+impl Model {
+    /// A fault for each contact that has one thing inside the other in a configuration: how deep, where, and what would cure it.
+    pub(crate) fn overlaps(&self, displacement: &[[f64; 4]]) -> Vec<Fault> {
+        let at = Configuration::of(displacement);
+        let mut faults = Vec::new();
+        for contact in &self.contacts {
+            let depth = |pair: &Pair| {
+                let touch = pair.touch(self, &at, &Memory::default(), Reach::All)?;
+                (touch.gap < -TOUCHING * self.scale_of(pair)).then_some((touch, pair.source_party))
+            };
+            let worst = self.pairs[contact.pairs.clone()].iter().filter_map(depth);
+            if let Some((touch, party)) = worst.min_by(|a, b| a.0.gap.total_cmp(&b.0.gap)) {
+                faults.push(overlap(contact, &touch, party));
+            }
+        }
+        faults
+    }
+
+    fn scale_of(&self, pair: &Pair) -> f64 {
+        match &pair.target {
+            Target::Axis { beam, .. } => self.beams[*beam].length.max(pair.reach),
+            Target::Guided { .. } => f64::INFINITY, // its standoff is checked by itself
+            _ => pair.reach.max(1e-3),
+        }
+    }
+}
+
+fn overlap(contact: &ContactData, touch: &Touch, party: usize) -> Fault {
+    let depth = -touch.gap;
+    let [x, y] = touch.foot_place;
+    let shift = scale(depth, touch.normal);
+    let (inside, of) = (&contact.between[party], &contact.between[1 - party]);
+    let found = format!("`{inside}` starts {depth:.6} m inside `{of}`, at [{x:.6}, {y:.6}]");
+    let expected = format!(
+        "a start without penetration: move `{inside}` by [{:.6}, {:.6}] m, or `{of}` the other way",
+        shift[0], shift[1]
+    );
+    Fault::new(format!("contact.{}.between", contact.name), found, expected)
+}

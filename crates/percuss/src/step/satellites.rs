@@ -1,0 +1,127 @@
+//! Bodies that touch nothing but one element of a beam: eliminated onto its nodes before the band is factored, so that they cost
+//! next to nothing.
+
+use crate::linalg::block::{self, Block, ZERO, mul};
+use crate::linalg::chain::Chain;
+
+/// The bodies eliminated, with what is needed to solve for them.
+#[derive(Clone, Debug, Default)]
+pub struct Satellites {
+    bodies: Vec<Satellite>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Satellite {
+    body: usize,
+    nodes: [usize; 2],
+    count: usize,
+    /// `C K^-1` of each node's row: what the body's right side leaves there.
+    onto: [Block; 2],
+    /// `K^-1 D` of each node's column: what the node's value takes from the body's.
+    from: [Block; 2],
+}
+
+impl Satellites {
+    /// Forgets all.
+    pub fn clear(&mut self) {
+        self.bodies.clear();
+    }
+
+    /// Eliminates bodies (nodes from `first` on) whose couplings all lie with one element; takes their couplings out.
+    ///
+    /// # Errors
+    /// The node of a body whose block is singular.
+    pub fn eliminate(
+        &mut self,
+        chain: &mut Chain,
+        linked: &[bool],
+        first: usize,
+        couplings: &mut Vec<(usize, usize, Block)>,
+    ) -> Result<(), usize> {
+        for (a, b, _) in couplings.iter() {
+            let body = (*a).max(*b);
+            if body < first || self.bodies.iter().any(|s| s.body == body) {
+                continue;
+            }
+            if let Some(found) = satellite(body, linked, first, couplings) {
+                self.bodies.push(found);
+            }
+        }
+        for s in &mut self.bodies {
+            let inverse = block::inverse(&chain.diag[s.body]).ok_or(s.body)?;
+            let find = |row: usize, column: usize| {
+                let at = couplings.iter().find(|c| c.0 == row && c.1 == column);
+                at.map_or(ZERO, |c| c.2)
+            };
+            for i in 0..s.count {
+                s.onto[i] = mul(&find(s.nodes[i], s.body), &inverse);
+                s.from[i] = mul(&inverse, &find(s.body, s.nodes[i]));
+            }
+            for i in 0..s.count {
+                for j in 0..s.count {
+                    let target = match (i, j) {
+                        (0, 1) => &mut chain.upper[s.nodes[0]],
+                        (1, 0) => &mut chain.lower[s.nodes[0]],
+                        _ => &mut chain.diag[s.nodes[i]],
+                    };
+                    block::sub_mul(target, &s.onto[i], &find(s.body, s.nodes[j]));
+                }
+            }
+        }
+        couplings.retain(|c| !self.bodies.iter().any(|s| s.body == c.0 || s.body == c.1));
+        Ok(())
+    }
+
+    /// Takes the bodies' right sides to the nodes they touch.
+    pub fn before(&self, x: &mut [[f64; 4]]) {
+        for s in &self.bodies {
+            let own = x[s.body];
+            for i in 0..s.count {
+                let left = block::apply(&s.onto[i], &own);
+                (0..4).for_each(|k| x[s.nodes[i]][k] -= left[k]);
+            }
+        }
+    }
+
+    /// Takes what the nodes do from the bodies' solutions.
+    pub fn after(&self, x: &mut [[f64; 4]]) {
+        for s in &self.bodies {
+            for i in 0..s.count {
+                let left = block::apply(&s.from[i], &x[s.nodes[i]]);
+                (0..4).for_each(|k| x[s.body][k] -= left[k]);
+            }
+        }
+    }
+}
+
+/// The body as a satellite, if it is linked to nothing and touches no more than one element.
+fn satellite(
+    body: usize,
+    linked: &[bool],
+    first: usize,
+    couplings: &[(usize, usize, Block)],
+) -> Option<Satellite> {
+    if linked[body] || linked[body - 1] {
+        return None;
+    }
+    let (mut nodes, mut count) = ([usize::MAX; 2], 0);
+    for (a, b, _) in couplings.iter().filter(|c| c.0 == body || c.1 == body) {
+        let other = if *a == body { *b } else { *a };
+        if other >= first {
+            return None;
+        }
+        if !nodes[..count].contains(&other) {
+            if count == 2 {
+                return None;
+            }
+            nodes[count] = other;
+            count += 1;
+        }
+    }
+    nodes[..count].sort_unstable();
+    if count == 2 && !(nodes[1] == nodes[0] + 1 && linked[nodes[0]]) {
+        return None;
+    }
+    let blocks = [ZERO; 2];
+    Some(Satellite { body, nodes, count, onto: blocks, from: blocks })
+}
