@@ -14,7 +14,7 @@ use crate::math::roots;
 use crate::model::{ImpactLaw, RigidLaw, TouchLaw};
 use crate::record::Recorder;
 use crate::settings::ImpactResolution;
-use crate::step::contacts::{ActiveContact, Phase};
+use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::newton::Failure;
 
 /// Length of a pulse as a share of the step.
@@ -131,7 +131,7 @@ impl Simulation<'_> {
 
     /// Solves a step in which nothing strikes but `resting` contacts stay closed; friction on them never gives energy.
     fn solve_resting(&mut self, h: f64, resting: &mut [ActiveContact]) -> Result<(), Failure> {
-        self.solve(h, resting, ImpactLaw::Newton)?;
+        self.solve(h, resting, ImpulseLaw::Newton)?;
         let mut again = false;
         for (contact, found) in resting.iter_mut().zip(&self.work.rigid) {
             let work = found.impulse[1] * found.tangent.on(&self.work.increment) / h;
@@ -140,7 +140,7 @@ impl Simulation<'_> {
                 again = true;
             }
         }
-        if again { self.solve(h, resting, ImpactLaw::Newton) } else { Ok(()) }
+        if again { self.solve(h, resting, ImpulseLaw::Newton) } else { Ok(()) }
     }
 
     /// A step without impacts: of the given size, or up to the first instant of contact.
@@ -321,33 +321,39 @@ impl Simulation<'_> {
         ActiveContact { pair: i, phase: Phase::Impact { restitution, tangential } }
     }
 
-    /// Solves a step with impulses by the contacts' impact law, by Moreau's where Newton's would give energy; tells whether it
+    /// Solves a step with impulses by the contacts' impact law, by another one where that would give energy; tells whether it
     /// would have.
     fn solve_impact(&mut self, h: f64, active: &[ActiveContact]) -> Result<bool, Failure> {
         let moreau = |c: &ActiveContact| {
             self.rigid_law(c.pair).is_some_and(|law| law.impact == ImpactLaw::Moreau)
         };
-        if active.iter().any(moreau) {
-            return self.solve(h, active, ImpactLaw::Moreau).map(|()| false);
-        }
-        let newton = self.solve(h, active, ImpactLaw::Newton);
-        let gives = newton.is_ok() && {
-            let (mut gain, mut size) = (0.0, 0.0_f64);
-            for found in &self.work.rigid {
-                for (impulse, row) in found.impulse.iter().zip([&found.normal, &found.tangent]) {
-                    gain += impulse * row.on(&self.work.increment) / h;
-                    size += (impulse * row.on(&self.state.velocity)).abs();
-                }
-            }
-            gain > NO_GAIN * size
+        let laws: &[ImpulseLaw] = if active.iter().any(moreau) {
+            &[ImpulseLaw::Moreau, ImpulseLaw::Mean]
+        } else {
+            &[ImpulseLaw::Newton, ImpulseLaw::Moreau, ImpulseLaw::Mean]
         };
-        // Newton's law with friction may also have no solution; Moreau's always has one.
-        let none = newton == Err(Failure::Impact);
-        if gives || none {
-            self.solve(h, active, ImpactLaw::Moreau)?;
-            return Ok(true);
+        let mut outcome = Err(Failure::Impact);
+        for (k, law) in laws.iter().enumerate() {
+            outcome = self.solve(h, active, *law).map(|()| k > 0);
+            // With friction, a law may also have no solution.
+            let unsolved = outcome == Err(Failure::Impact);
+            if !unsolved && (outcome.is_err() || !self.impulses_give(h)) {
+                break;
+            }
         }
-        newton.map(|()| false)
+        outcome
+    }
+
+    /// Whether the impulses of the step solved last give energy.
+    fn impulses_give(&self, h: f64) -> bool {
+        let (mut gain, mut size) = (0.0, 0.0_f64);
+        for found in &self.work.rigid {
+            for (impulse, row) in found.impulse.iter().zip([&found.normal, &found.tangent]) {
+                gain += impulse * row.on(&self.work.increment) / h;
+                size += (impulse * row.on(&self.state.velocity)).abs();
+            }
+        }
+        gain > NO_GAIN * size
     }
 
     /// A step of the paper's: contacts closed at its start obey the impact law over the whole step.

@@ -6,14 +6,12 @@ use crate::contact::pair::Memory;
 use crate::contact::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::frozen::BodyKind;
-use crate::model::{ImpactLaw, TouchLaw};
+use crate::model::TouchLaw;
 use crate::step::commit;
-use crate::step::contacts::ActiveContact;
+use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw};
 use crate::step::integration::Integration;
 use crate::step::newton::{Failure, StepProblem};
 
-/// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
-const BRIEF: f64 = 1e-3;
 /// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
 const AHEAD: f64 = 2.0;
 /// Looks along a path before a passage counts as found.
@@ -25,7 +23,7 @@ impl Simulation<'_> {
         &mut self,
         h: f64,
         active: &[ActiveContact],
-        law: ImpactLaw,
+        law: ImpulseLaw,
     ) -> Result<(), Failure> {
         self.solver_steps += 1;
         self.forcing.set(self.model, self.state.time, h, self.settings.step);

@@ -11,6 +11,8 @@ use super::touch::{Reach, Touch};
 use crate::math::vec2::{add, cross, norm, rot90, scale, sub};
 use crate::model::Model;
 
+/// A miss below this share of the positions is round-off.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// A correction along a motion smaller than this share of the increment would be round-off.
 const NO_MOTION: f64 = 1e-14;
 
@@ -49,6 +51,11 @@ impl Pair {
         let straight = matches!(self.target, Target::Guided { .. } | Target::Line { .. });
         if projected && !straight {
             let miss = (last.gap - gap_0) - row.on(at.increment);
+            // A difference of gaps is known no better than the positions they are taken from.
+            let place = norm(middle.foot_place) + self.reach;
+            if miss.abs() <= ROUND_OFF * place {
+                return Some(StepGap { gap: last.gap, row, middle, middle_row, end_row });
+            }
             // The ends of the step may know other nodes.
             for (node, _) in end_row.iter() {
                 row.add(node, [0.0; 4]);

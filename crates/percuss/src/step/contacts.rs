@@ -10,7 +10,10 @@ use crate::contact::pair::Target;
 use crate::contact::row::Row;
 use crate::contact::touch::Reach;
 use crate::linalg::block::ZERO;
-use crate::model::{ContactForce, ImpactLaw, RigidLaw, SmoothLaw, TouchLaw};
+use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
+
+/// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
+pub const BRIEF: f64 = 1e-3;
 
 /// A rigid contact that takes part in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +36,17 @@ pub enum Phase {
     },
     /// It stays closed while it presses; friction acts against the sliding velocity at the end of the step, or against its mean.
     Resting { mean: bool },
+}
+
+/// How impulses follow from the velocities before and after.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImpulseLaw {
+    /// Newton's along the normal, Coulomb's along the tangent on what restitution leaves.
+    Newton,
+    /// Moreau's: impulses of the plastic impact, times 1 + e. In an instant it never gives energy.
+    Moreau,
+    /// Newton's along the normal, Coulomb's on the mean sliding velocity: never gives energy, whatever else acts in the step.
+    Mean,
 }
 
 /// A smooth contact in a step, as last evaluated.
@@ -206,7 +220,7 @@ impl StepProblem<'_> {
         self.pose(work);
         work.impulses.clear();
         work.impulses.extend(work.rigid[..n].iter().flat_map(|c| c.impulse));
-        if self.law == ImpactLaw::Moreau {
+        if self.law == ImpulseLaw::Moreau {
             self.expand(work)?;
         } else {
             work.impact.solve(&mut work.impulses)?;
@@ -265,11 +279,15 @@ impl StepProblem<'_> {
             let before = rows.normal.on(&self.state.velocity);
             condition.friction = law.map_or(0.0, |law| law.friction);
             condition.bound = match contact.phase {
-                Phase::Impact { restitution, .. } => -restitution * before,
+                // One that happens to open already is let go as it came: an impulse would give energy.
+                Phase::Impact { restitution, .. } => {
+                    -restitution * before.min(0.0) - before.max(0.0)
+                }
                 Phase::Resting { .. } => self.resting_bound(contact.pair, before, seen.gap),
             };
             let sliding = rows.tangent.on(&self.state.velocity);
             condition.target = match contact.phase {
+                _ if self.law == ImpulseLaw::Mean => -sliding,
                 Phase::Impact { tangential, .. } => -tangential * sliding,
                 Phase::Resting { mean } => if mean { -sliding } else { 0.0 },
             };
@@ -280,11 +298,13 @@ impl StepProblem<'_> {
     ///
     /// On its guide a projectile's gap is linear: the rate vanishes, or, where the contact happens to open as the step begins, its
     /// mean, so that the impulse gives no energy. Elsewhere the mean rate is what closes the gap left over: it neither drifts nor
-    /// gives energy, however the normal turns.
+    /// gives energy, however the normal turns. In steps as short as an impact a gap left over would be a velocity.
     fn resting_bound(&self, pair: usize, before: f64, gap: f64) -> f64 {
-        match self.model.pairs[pair].target {
-            Target::Guided { .. } => -before.max(0.0),
-            _ => -before - 2.0 * gap.max(0.0) / self.integration.h,
+        let guided = matches!(self.model.pairs[pair].target, Target::Guided { .. });
+        if guided || self.feedback < BRIEF {
+            -before.max(0.0)
+        } else {
+            -before - 2.0 * gap.max(0.0) / self.integration.h
         }
     }
 

@@ -10,11 +10,11 @@ use super::modal_damping::ModalDamping;
 use super::tangent::{Singular, project};
 use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
-use super::contacts::ActiveContact;
+use super::contacts::{ActiveContact, ImpulseLaw};
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
 use crate::model::frozen::{Constraint, ConstraintKind};
-use crate::model::{ImpactLaw, Model};
+use crate::model::Model;
 use crate::state::State;
 
 /// A step to be solved: from `state`, by `integration`, with the `active` contacts.
@@ -34,8 +34,8 @@ pub struct StepProblem<'a> {
     pub near: &'a [usize],
     /// Rigid contacts that may carry an impulse.
     pub active: &'a [ActiveContact],
-    /// What becomes of the velocities in an impact.
-    pub law: ImpactLaw,
+    /// How impulses follow from velocities.
+    pub law: ImpulseLaw,
     /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
     pub feedback: f64,
 }
@@ -127,7 +127,9 @@ impl StepProblem<'_> {
             watch.corrected(largest(&work.correction).1, reach, step, correction_work);
             renew = false;
         }
-        let (node, _) = largest(&work.residual);
+        // Unbalanced forces without reactions.
+        self.unbalanced_work(work);
+        let (node, _) = largest(&work.correction);
         Err(Failure::Diverged { residual: watch.unbalanced / watch.energy, node })
     }
 
