@@ -138,9 +138,7 @@ fn a_hundred_discs_and_twenty_stops_meet_their_conditions() {
     }
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     let model = b.build().unwrap();
-    let time = std::time::Instant::now();
-    let summary = simulate(&model, &Settings::new(0.2, 1e-3), &mut NoRecorder).unwrap();
-    println!("{:?} {} solver steps {:?}", summary.termination, summary.solver_steps, time.elapsed());
+    let summary = simulate(&model, &Settings::new(0.05, 1e-3), &mut NoRecorder).unwrap();
     assert!(matches!(summary.termination, Termination::Completed));
     assert!(summary.contact_residual_max < 1e-10, "{:e}", summary.contact_residual_max);
     assert!(summary.energy.residual_max < 1e-10, "{:e}", summary.energy.residual_max);

@@ -65,20 +65,17 @@ impl Placed {
         self.combine(&hermite::curvature(xi, self.length))
     }
 
-    /// A bound from below of the distance of its points from `y`, and one from above of the nearest: its control points lie
-    /// about its middle.
-    fn bounds(&self, y: [f64; 2]) -> [f64; 2] {
+    /// A bound from below of the distance of its points from `y`: its control points lie about its middle.
+    fn least_distance(&self, y: [f64; 2]) -> f64 {
         let [a, b] = &self.ends;
-        let (xa, xb) = ([a[0], a[1]], [b[0], b[1]]);
+        let half = [0.5 * (b[0] - a[0]), 0.5 * (b[1] - a[1])];
         let third = self.length / 3.0;
-        let inner = [
-            add(xa, scale(third, [a[2], a[3]])),
-            sub(xb, scale(third, [b[2], b[3]])),
-        ];
-        let middle = scale(0.5, add(xa, xb));
-        let reach = inner.iter().chain([&xa]).map(|x| norm(sub(*x, middle))).fold(0.0, f64::max);
-        let away = norm(sub(y, middle));
-        [away - reach, norm(sub(y, xa)).min(norm(sub(y, xb)))]
+        let middle = [a[0] + half[0], a[1] + half[1]];
+        // Inner control points, seen from the middle.
+        let p = [third * a[2] - half[0], third * a[3] - half[1]];
+        let q = [half[0] - third * b[2], half[1] - third * b[3]];
+        let reach = dot(half, half).max(dot(p, p)).max(dot(q, q)).sqrt();
+        norm(sub(y, middle)) - reach
     }
 
     /// The share nearest to `y`, searched from `guess`; from several places if there is none.
@@ -147,20 +144,24 @@ impl Axis<'_> {
         Placed::new(&self.elements[k], self.nodes, at)
     }
 
-    /// The point nearest to `y` of all; `None` if all elements are left out.
-    pub fn nearest(&self, y: [f64; 2], at: &Configuration) -> Option<AxisPoint> {
-        let each = (0..self.elements.len()).filter(|k| !self.left_out(*k));
-        let reach =
-            each.clone().map(|k| self.placed(k, at).bounds(y)[1]).fold(f64::INFINITY, f64::min);
+    /// The point nearest to `y` of all; `None` if all elements are left out. The search starts near `guess`.
+    pub fn nearest(&self, y: [f64; 2], at: &Configuration, guess: AxisPoint) -> Option<AxisPoint> {
         let mut best = (f64::INFINITY, None);
-        for element in each {
+        if guess.element < self.elements.len() && !self.left_out(guess.element) {
+            let near = self.near(y, at, guess);
+            let place = self.placed(near.element, at).position(near.xi);
+            best = (norm(sub(place, y)), Some(near));
+        }
+        let found = best.1.map(|p| p.element);
+        for element in (0..self.elements.len()).filter(|k| !self.left_out(*k)) {
             let placed = self.placed(element, at);
-            if placed.bounds(y)[0] > reach.min(best.0) {
+            if Some(element) == found || placed.least_distance(y) > best.0 {
                 continue;
             }
             let xi = placed.nearest(y, None);
             let away = norm(sub(placed.position(xi), y));
-            if away < best.0 {
+            // Of two as near, the one found first: at a node both elements say the same.
+            if away < best.0 * (1.0 - 1e-14) {
                 best = (away, Some(AxisPoint { element, xi }));
             }
         }

@@ -83,7 +83,7 @@ impl Pair {
                 let elements = &model.beams[*beam].axis;
                 let axis = Axis { nodes: &model.nodes, elements, skip: *skip };
                 let point = match reach {
-                    Reach::All => axis.nearest(y, at)?,
+                    Reach::All => axis.nearest(y, at, memory.near)?,
                     Reach::Near => axis.near(y, at, memory.near),
                 };
                 let mut touch = self.on_axis(&axis, point, y, at, memory);
