@@ -139,10 +139,12 @@ pub fn time_reversal() -> Vec<Check> {
             0.0,
             tolerance,
         );
-        let travel = state.projectiles[0].travel;
+        // Displacement and velocity of the projectile, behind those of the beam's nodes.
+        let node = state.displacement.len() - 1;
+        let travel = state.displacement[node][1];
         c.absolute(format!("{name}: travel of the projectile [m]"), travel, 0.0, tolerance);
         let (speed, initial) =
-            (state.projectiles[0].speed, if name == "elastic" { 20.0 } else { 40.0 });
+            (state.velocity[node][1].abs(), if name == "elastic" { 20.0 } else { 40.0 });
         c.relative(format!("{name}: speed of the projectile [m/s]"), speed, initial, tolerance);
     }
     c.into_vec()

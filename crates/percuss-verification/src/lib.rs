@@ -13,7 +13,9 @@ mod statics;
 mod stops;
 mod structure;
 mod structures;
+mod surface;
 mod vibration;
+mod waves;
 
 pub use check::{Check, Tolerance};
 
@@ -253,5 +255,41 @@ pub const CASES: &[Case] = &[
         title: "The same input twice",
         source: "identity",
         run: conservation::same_bits,
+    },
+    Case {
+        id: "bar-on-wall",
+        title: "D1, D4: a bar strikes a rigid wall with its end",
+        source: "exact waves; ANSYS VM265 (Carpenter, Taylor and Katona 1991); code_aster SDNV100",
+        run: waves::bar_on_a_wall,
+    },
+    Case {
+        id: "bar-on-bar",
+        title: "D7: a bar strikes another one end to end",
+        source: "exact waves; code_aster SDNL111",
+        run: waves::bar_on_a_bar,
+    },
+    Case {
+        id: "bouncing-bar",
+        title: "D8: a bar falls on a rigid floor and bounces",
+        source: "exact solution; Doyen, Ern and Piperno 2011",
+        run: waves::bouncing_bar,
+    },
+    Case {
+        id: "sphere-on-beam",
+        title: "E7: a sphere strikes a steel beam, Hertz contact",
+        source: "Timoshenko 1913; independent modal reference",
+        run: surface::sphere_on_a_beam,
+    },
+    Case {
+        id: "infinite-beam",
+        title: "E4, E9: a mass and spring on a long beam, before waves return",
+        source: "closed form with complex error functions",
+        run: surface::infinite_beam,
+    },
+    Case {
+        id: "oblique-throw",
+        title: "A disc slides along a free beam over element borders, step 1e-3 s",
+        source: "conservation laws",
+        run: surface::oblique_throw,
     },
 ];

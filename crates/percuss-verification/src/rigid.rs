@@ -27,12 +27,12 @@ pub fn first_impact() -> Vec<Check> {
         let name = |what: &str| format!("{n} elements, e = {e}: {what}");
         c.relative(name("time [s]"), or_nan(first.map(|i| i.time)), 5e-4, 1e-9);
         c.relative(name("impulse [N s]"), or_nan(first.map(|i| i.impulse)), impulse, 1e-8);
-        c.absolute(name("energy lost [J]"), or_nan(first.map(|i| i.energy_lost)), loss, 2e-3);
+        c.absolute(name("energy lost [J]"), or_nan(first.map(|i| i.energy.lost)), loss, 2e-3);
         if velocity.is_finite() && e == 1.0 {
             let end = summary.projectiles[0].velocity_final[1];
             c.absolute(name("velocity after [m/s]"), end, velocity, 1e-6);
         }
-        let kept = 1.0 - or_nan(first.map(|i| i.energy_lost)) / 80000.0;
+        let kept = 1.0 - or_nan(first.map(|i| i.energy.lost)) / 80000.0;
         let expected = 1.0 - loss / 80000.0;
         c.relative(name("energy kept"), kept, expected, 1e-7);
     }

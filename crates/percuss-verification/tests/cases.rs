@@ -64,4 +64,10 @@ cases! {
     rigid_motion = "rigid-motion",
     contact_point = "contact-point",
     same_bits = "same-bits",
+    bar_on_wall = "bar-on-wall",
+    bar_on_bar = "bar-on-bar",
+    bouncing_bar = "bouncing-bar",
+    sphere_on_beam = "sphere-on-beam",
+    infinite_beam = "infinite-beam",
+    oblique_throw = "oblique-throw",
 }

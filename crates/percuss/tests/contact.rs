@@ -72,18 +72,19 @@ fn a_disc_that_slides_over_element_borders_keeps_energy_and_momenta() {
 
 #[test]
 fn the_plain_midpoint_gradient_shows_its_error() {
-    let law = |force| {
-        TouchLaw::Smooth(SmoothLaw { force, ..SmoothLaw::elastic(linear(2e4)) })
-    };
-    let residual = |force| run(&thrown(0.05, [8.0, -4.0], law(force)), 0.3, 1e-3).energy.residual_max;
-    let (exact, plain) = (residual(ContactForce::Conserving), residual(ContactForce::PlainGradient));
+    let law = |force| TouchLaw::Smooth(SmoothLaw { force, ..SmoothLaw::elastic(linear(2e4)) });
+    let residual =
+        |force| run(&thrown(0.05, [8.0, -4.0], law(force)), 0.3, 1e-3).energy.residual_max;
+    let (exact, plain) =
+        (residual(ContactForce::Conserving), residual(ContactForce::PlainGradient));
     println!("{exact:e} {plain:e}");
     assert!(plain > 1e-6 && exact < 1e-12, "{exact:e} {plain:e}");
 }
 
 #[test]
 fn dissipation_takes_what_the_books_say() {
-    let law = SmoothLaw { dissipation: 0.1, ..SmoothLaw::elastic(Potential::Hertz { stiffness: 1e6 }) };
+    let law =
+        SmoothLaw { dissipation: 0.1, ..SmoothLaw::elastic(Potential::Hertz { stiffness: 1e6 }) };
     let summary = run(&thrown(0.05, [3.0, -4.0], TouchLaw::Smooth(law)), 0.2, 2e-4);
     books_close(&summary, 1e-11);
     assert!(summary.energy.loss_damping > 0.5);
@@ -171,5 +172,7 @@ fn a_disc_rolls_down_an_incline_without_slipping() {
     let v = summary.projectiles[0].velocity_final;
     let expected = 2.0 / 3.0 * 9.81 * slope.sin();
     assert!((v[0].hypot(v[1]) - expected).abs() < 1e-3 * expected, "{v:?} {expected}");
-    assert!((summary.projectiles[0].spin_final + expected / radius).abs() < 1e-2 * expected / radius);
+    assert!(
+        (summary.projectiles[0].spin_final + expected / radius).abs() < 1e-2 * expected / radius
+    );
 }

@@ -27,7 +27,13 @@ fn bar(b: &mut ModelBuilder, young: f64, depth: f64) -> (MaterialId, SectionId) 
     (material, section)
 }
 
-fn disc(b: &mut ModelBuilder, name: String, radius: f64, position: [f64; 2], velocity: [f64; 2]) -> DiscId {
+fn disc(
+    b: &mut ModelBuilder,
+    name: String,
+    radius: f64,
+    position: [f64; 2],
+    velocity: [f64; 2],
+) -> DiscId {
     let mass = 300.0 * radius * radius;
     b.disc(Disc { name, mass, inertia: None, radius, position, velocity, spin: 0.0 })
 }
@@ -57,15 +63,11 @@ fn friction_never_gives_energy_in_a_thousand_random_scenes() {
             let radius = r.between(0.05, 0.15);
             let along = 0.3 + 0.6 * k as f64 + r.between(0.0, 0.2);
             let away = radius + 0.051 + r.between(0.0, 0.05);
-            let place = [
-                along * tilt.cos() - away * tilt.sin(),
-                along * tilt.sin() + away * tilt.cos(),
-            ];
+            let place =
+                [along * tilt.cos() - away * tilt.sin(), along * tilt.sin() + away * tilt.cos()];
             let (along, down) = (r.between(-20.0, 20.0), r.between(-10.0, -1.0));
-            let velocity = [
-                along * tilt.cos() - down * tilt.sin(),
-                along * tilt.sin() + down * tilt.cos(),
-            ];
+            let velocity =
+                [along * tilt.cos() - down * tilt.sin(), along * tilt.sin() + down * tilt.cos()];
             let id = disc(&mut b, format!("d{k}"), radius, place, velocity);
             b_contact(&mut b, &mut r, format!("c{k}"), [Party::Disc(id), Party::Beam(girder)]);
             discs.push(id);
@@ -134,7 +136,11 @@ fn a_hundred_discs_and_twenty_stops_meet_their_conditions() {
         let shape = ObstacleShape::Disc { centre: [x, -0.1], radius: 0.05 };
         let stop = b.obstacle(Obstacle { name: format!("s{k}"), shape, motion: None });
         let law = TouchLaw::Rigid(RigidLaw { friction: 0.1, ..RigidLaw::frictionless(0.0) });
-        b.contact(Contact::new(format!("stop{k}"), [Party::Beam(girder), Party::Obstacle(stop)], law));
+        b.contact(Contact::new(
+            format!("stop{k}"),
+            [Party::Beam(girder), Party::Obstacle(stop)],
+            law,
+        ));
     }
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     let model = b.build().unwrap();

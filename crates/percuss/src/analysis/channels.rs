@@ -1,7 +1,7 @@
 //! The columns of the history and their values at a state.
 
-use super::section_forces::{self, Before};
 use super::contact_log;
+use super::section_forces::{self, Before};
 use crate::contact::configuration::Configuration;
 use crate::contact::pair::Target;
 use crate::contact::touch::Reach;
@@ -122,9 +122,10 @@ fn has_friction(contact: &ContactData) -> bool {
 
 /// Whether the place of a contact along a beam can change.
 fn slides(model: &Model, contact: &ContactData) -> bool {
-    model.pairs[contact.pairs.clone()]
-        .iter()
-        .any(|p| !matches!(p.target, Target::Guided { .. }) && p.movers.iter().any(|m| *m < model.beams.len()))
+    model.pairs[contact.pairs.clone()].iter().any(|p| {
+        !matches!(p.target, Target::Guided { .. })
+            && p.movers.iter().any(|m| *m < model.beams.len())
+    })
 }
 
 /// The nearest pair of a contact.

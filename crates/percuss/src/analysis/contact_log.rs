@@ -12,9 +12,7 @@ use crate::model::{Model, SmoothLaw, TouchLaw};
 use crate::state::{PairState, State};
 use crate::step::contacts::{Phase, SmoothContact};
 use crate::step::workspace::Workspace;
-use crate::summary::{
-    ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak,
-};
+use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak};
 
 /// The record of all contacts.
 #[derive(Clone, Debug)]
@@ -137,8 +135,7 @@ impl ContactLog {
             interval.peak_force = highest;
         }
         let closing = -contact.row.on(&work.increment);
-        let change =
-            law.potential.energy(-after.gap) - law.potential.energy(-before.gap);
+        let change = law.potential.energy(-after.gap) - law.potential.energy(-before.gap);
         add_energy(&mut interval.energy, model, pair, &contact.row, force, work);
         interval.energy.lost += contact.force.dissipated * closing;
         interval.energy.stored += change;
@@ -164,7 +161,11 @@ impl ContactLog {
         let i = contact.pair;
         let pair = &model.pairs[i];
         let ContactRecord::Nonsmooth {
-            impacts, impact_count, tamed_count, impulse_total, intervals,
+            impacts,
+            impact_count,
+            tamed_count,
+            impulse_total,
+            intervals,
         } = &mut self.records[pair.contact]
         else {
             return;
@@ -259,8 +260,7 @@ pub fn place(model: &Model, state: &State, i: usize) -> ContactPlace {
     let Some(touch) = pair.touch(model, &at, memory, Reach::Near) else {
         return ContactPlace::default();
     };
-    let position =
-        [0, 1].map(|i| touch.foot_place[i] + touch.radius * touch.normal[i]);
+    let position = [0, 1].map(|i| touch.foot_place[i] + touch.radius * touch.normal[i]);
     // Of two beams, the place on the first one.
     let on_source = pair.source_party == 0 && !pair.s.is_nan();
     let s = if on_source || touch.s.is_nan() { pair.s } else { touch.s };

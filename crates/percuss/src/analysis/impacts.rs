@@ -152,9 +152,8 @@ impl Simulation<'_> {
         advance.events_left -= usize::from(contact.is_some());
         self.located = contact.and_then(|instant| {
             let open = self.open_contacts();
-            open.into_iter().min_by(|a, b| {
-                self.gap_ahead(instant, *a).total_cmp(&self.gap_ahead(instant, *b))
-            })
+            open.into_iter()
+                .min_by(|a, b| self.gap_ahead(instant, *a).total_cmp(&self.gap_ahead(instant, *b)))
         });
         self.accept(done, &resting);
         self.release(&resting);
@@ -199,10 +198,8 @@ impl Simulation<'_> {
 
     /// Least gap ahead of the given contacts, and whether the one it belongs to approaches.
     fn nearest_ahead(&self, h: f64, open: &[usize]) -> (f64, bool) {
-        let nearest = open
-            .iter()
-            .map(|i| (self.gap_ahead(h, *i), *i))
-            .min_by(|a, b| a.0.total_cmp(&b.0));
+        let nearest =
+            open.iter().map(|i| (self.gap_ahead(h, *i), *i)).min_by(|a, b| a.0.total_cmp(&b.0));
         nearest.map_or((f64::INFINITY, false), |(ahead, i)| (ahead, self.gap_next(h, i)[1] < 0.0))
     }
 

@@ -96,7 +96,8 @@ impl Simulation<'_> {
         }
         mass.solve_linear(&structure, &mut force);
         // Bodies fall freely: nothing touches, and no spring is pressed.
-        let falling = |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
+        let falling =
+            |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
         force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
         for hold in model.holds.iter().filter(|h| h.node >= beams) {
             project_node(hold, &mut force[hold.node]);

@@ -99,7 +99,11 @@ impl Placed {
             // Gauss-Newton where the square of the distance is not convex.
             let (full, safe) = (dot(t, t) + dot(e, c), dot(t, t));
             let bend = if full > 0.1 * safe { full } else { safe } * self.length * self.length;
-            if slope > 0.0 { high = xi } else { low = xi }
+            if slope > 0.0 {
+                high = xi
+            } else {
+                low = xi
+            }
             let mut next = xi - slope / bend;
             if !(next >= low && next <= high) {
                 // Out of the bracket: to its end if that is the element's, else to its middle.

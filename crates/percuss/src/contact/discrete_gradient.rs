@@ -19,8 +19,8 @@ const NO_MOTION: f64 = 1e-14;
 /// A pair over a step.
 #[derive(Clone, Copy, Debug)]
 pub struct StepGap {
-    /// Gap at the end of the step \[m\].
-    pub gap: f64,
+    /// Gaps at start and end of the step \[m\].
+    pub gaps: [f64; 2],
     /// Form of the gap's change on the increment.
     pub row: Row,
     /// The pair in the middle of the step.
@@ -43,18 +43,25 @@ impl Pair {
     ) -> Option<StepGap> {
         let (mid, end) = (at.at(0.5), at.at(1.0));
         let middle = self.touch(model, &mid, memory, Reach::Near)?;
-        let last = self.touch(model, &end, &Memory { near: middle.memory.near, ..*memory }, Reach::Near)?;
+        let last =
+            self.touch(model, &end, &Memory { near: middle.memory.near, ..*memory }, Reach::Near)?;
         let middle_row = self.normal_row(&middle, &mid);
         let end_row = self.normal_row(&last, &end);
         let mut row = middle_row;
+        // A foot that leaves for an end, or comes from there, opens or closes the pair.
+        let finite = |gap: f64| if gap.is_finite() { gap } else { 0.0 };
+        if !gap_0.is_finite() && !last.gap.is_finite() {
+            return None;
+        }
+        let gaps = [finite(gap_0), finite(last.gap)];
         // A straight target that does not turn has a gap that is linear.
         let straight = matches!(self.target, Target::Guided { .. } | Target::Line { .. });
         if projected && !straight {
-            let miss = (last.gap - gap_0) - row.on(at.increment);
+            let miss = (gaps[1] - gaps[0]) - row.on(at.increment);
             // A difference of gaps is known no better than the positions they are taken from.
             let place = norm(middle.foot_place) + self.reach;
             if miss.abs() <= ROUND_OFF * place {
-                return Some(StepGap { gap: last.gap, row, middle, middle_row, end_row });
+                return Some(StepGap { gaps, row, middle, middle_row, end_row });
             }
             // The ends of the step may know other nodes.
             for (node, _) in end_row.iter() {
@@ -62,7 +69,7 @@ impl Pair {
             }
             correct(model, &mut row, at, miss);
         }
-        Some(StepGap { gap: last.gap, row, middle, middle_row, end_row })
+        Some(StepGap { gaps, row, middle, middle_row, end_row })
     }
 }
 
@@ -102,8 +109,7 @@ fn correct(model: &Model, row: &mut Row, at: &Configuration, miss: f64) {
         let d = &at.increment[n];
         let (x, g) = place(n);
         let own = sub(sub([d[0], d[1]], drift), scale(spin, rot90(sub(x, centre))));
-        let slope =
-            if n < beams { sub([d[2], d[3]], scale(spin, rot90(g))) } else { [0.0; 2] };
+        let slope = if n < beams { sub([d[2], d[3]], scale(spin, rot90(g))) } else { [0.0; 2] };
         [own[0], own[1], slope[0], slope[1]]
     };
     let weighed = |n: usize| {

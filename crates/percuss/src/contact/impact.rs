@@ -150,7 +150,11 @@ impl ImpactProblem {
     pub fn residual(&self, impulses: &[f64]) -> f64 {
         let miss = |row: usize| {
             let apart = (self.prox(row, impulses) - impulses[row]).abs() * self.diagonal(row);
-            if row.is_multiple_of(2) { apart.max(-impulses[row] * self.diagonal(row)) } else { apart }
+            if row.is_multiple_of(2) {
+                apart.max(-impulses[row] * self.diagonal(row))
+            } else {
+                apart
+            }
         };
         self.rows().map(miss).fold(0.0, f64::max)
     }
@@ -197,9 +201,8 @@ impl ImpactProblem {
     /// active set that takes in or leaves out one row at a time. It ends, however redundant the contacts are.
     fn solve_bounded(&self, direct: &mut Direct) -> bool {
         let rows: Vec<usize> = self.rows().filter(|r| self.diagonal(*r) > 0.0).collect();
-        let inside = |d: &Direct, r: usize| {
-            d.impulses[r] > d.limits[r][0] && d.impulses[r] < d.limits[r][1]
-        };
+        let inside =
+            |d: &Direct, r: usize| d.impulses[r] > d.limits[r][0] && d.impulses[r] < d.limits[r][1];
         direct.free = rows.iter().copied().filter(|r| inside(direct, *r)).collect();
         let tolerance = 0.01 * Self::ACCEPTED * self.scale();
         for _ in 0..8 * rows.len() + 8 {
@@ -336,15 +339,21 @@ mod tests {
 
     #[test]
     fn hundreds_of_redundant_contacts_with_friction_meet_their_conditions() {
-        for (n, rank, friction, seed) in
-            [(120, 60, 0.0, 1), (120, 300, 0.0, 2), (40, 160, 0.4, 3), (60, 240, 0.3, 4), (8, 12, 0.9, 5)]
-        {
+        for (n, rank, friction, seed) in [
+            (120, 60, 0.0, 1),
+            (120, 300, 0.0, 2),
+            (40, 160, 0.4, 3),
+            (60, 240, 0.3, 4),
+            (8, 12, 0.9, 5),
+        ] {
             let mut problem = random(n, rank, friction, seed);
             let mut impulses = vec![0.0; 2 * n];
             let solved = problem.solve(&mut impulses);
             let residual = problem.residual(&impulses) / problem.scale();
             assert!(solved.is_ok() && residual <= 1e-10, "{n} {rank} {friction}: {residual:e}");
-            assert!((0..n).all(|i| impulses[2 * i + 1].abs() <= friction * impulses[2 * i] + 1e-15));
+            assert!(
+                (0..n).all(|i| impulses[2 * i + 1].abs() <= friction * impulses[2 * i] + 1e-15)
+            );
         }
     }
 

@@ -194,8 +194,7 @@ mod tests {
             }
             for chi in [0.0, 0.3] {
                 for force in [ContactForce::Conserving, ContactForce::Midpoint] {
-                    let law =
-                        SmoothLaw { potential: law.clone(), dissipation: chi, force };
+                    let law = SmoothLaw { potential: law.clone(), dissipation: chi, force };
                     for (p0, p1) in STEPS {
                         let e = 1e-8;
                         if [p0, p1, 0.5 * (p0 + p1)].iter().any(|p| p.abs() < 2.0 * e) {
@@ -215,8 +214,7 @@ mod tests {
     #[test]
     fn dissipation_takes_and_never_pulls() {
         for potential in potentials() {
-            let law =
-                SmoothLaw { potential, dissipation: 2.0, force: ContactForce::Conserving };
+            let law = SmoothLaw { potential, dissipation: 2.0, force: ContactForce::Conserving };
             for (p0, p1) in STEPS {
                 let step = law.step_force(p0, p1, 0.01);
                 assert!(step.force >= 0.0 && step.dissipated * (p1 - p0) >= 0.0);
@@ -238,7 +236,8 @@ mod tests {
                 // Explicit midpoint steps of m p'' = -f (1 + chi p').
                 let (mut p, mut v, h) = (0.0, speed, 2e-8);
                 loop {
-                    let a = |p: f64, v: f64| -law.potential.force(p) * (1.0 + dissipation * v) / mass;
+                    let a =
+                        |p: f64, v: f64| -law.potential.force(p) * (1.0 + dissipation * v) / mass;
                     let (pm, vm) = (p + 0.5 * h * v, v + 0.5 * h * a(p, v));
                     (p, v) = (p + h * vm, v + h * a(pm, vm));
                     if p <= 0.0 {

@@ -42,7 +42,13 @@ impl Search {
     }
 
     /// Gathers the pairs that could touch if the nodes moved by `factor` times `nodal`.
-    pub fn within(&mut self, model: &Model, nodal: &[[f64; 4]], factor: f64, near: &mut Vec<usize>) {
+    pub fn within(
+        &mut self,
+        model: &Model,
+        nodal: &[[f64; 4]],
+        factor: f64,
+        near: &mut Vec<usize>,
+    ) {
         near.clear();
         if model.pairs.is_empty() {
             return;

@@ -120,8 +120,7 @@ impl Pair {
         let foot_place = centre.place(at);
         let away = sub(y, foot_place);
         let distance = norm(away);
-        let normal =
-            if distance > 0.0 { scale(sign / distance, away) } else { [0.0, 1.0] };
+        let normal = if distance > 0.0 { scale(sign / distance, away) } else { [0.0, 1.0] };
         Touch {
             gap: sign * distance - self.reach,
             apart: distance - self.reach,
@@ -286,7 +285,10 @@ impl Pair {
                     [f[0], f[1]]
                 };
                 let curvature = [0, 1].map(|half| {
-                    let (value, slope_of_value) = (on(shape[2 * half], slope[2 * half]), on(shape[2 * half + 1], slope[2 * half + 1]));
+                    let (value, slope_of_value) = (
+                        on(shape[2 * half], slope[2 * half]),
+                        on(shape[2 * half + 1], slope[2 * half + 1]),
+                    );
                     [value[0], value[1], slope_of_value[0], slope_of_value[1]]
                 });
                 row.add(touch.foot.node, curvature[0]);

@@ -105,7 +105,12 @@ fn hold(model: &mut Model, support: usize, node: usize, held: HeldDirection, mut
     normal[offset] = held.direction[0];
     normal[offset + 1] = held.direction[1];
     let index = model.holds.iter().position(|h| h.node == node).unwrap_or_else(|| {
-        model.holds.push(NodeHold { node, support: Some(support), normals: Vec::new(), drives: Vec::new() });
+        model.holds.push(NodeHold {
+            node,
+            support: Some(support),
+            normals: Vec::new(),
+            drives: Vec::new(),
+        });
         model.holds.len() - 1
     });
     let at = &mut model.holds[index];

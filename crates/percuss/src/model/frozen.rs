@@ -523,7 +523,10 @@ impl Model {
         self.spans.iter().any(|s| s.retardation > 0.0)
             || self.connectors.iter().any(|c| c.damping > 0.0)
             || self.contacts.iter().any(|c| c.law.dissipates())
-            || self.bodies.iter().any(|b| matches!(b.kind, BodyKind::Rear { damping, .. } if damping > 0.0))
+            || self
+                .bodies
+                .iter()
+                .any(|b| matches!(b.kind, BodyKind::Rear { damping, .. } if damping > 0.0))
             || !self.modal_damping.is_empty()
     }
 

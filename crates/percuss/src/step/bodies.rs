@@ -28,9 +28,8 @@ pub fn rear_spring(
     increment: &[[f64; 4]],
 ) -> Option<RearSpring> {
     let BodyKind::Rear { direction, stiffness, damping } = *kind else { return None };
-    let along = |x: &[[f64; 4]]| {
-        dot(direction, [x[node][0] - x[node - 1][0], x[node][1] - x[node - 1][1]])
-    };
+    let along =
+        |x: &[[f64; 4]]| dot(direction, [x[node][0] - x[node - 1][0], x[node][1] - x[node - 1][1]]);
     let (start, change) = (along(u), along(increment));
     let damper = damping * rule.rate(change, 0.0, 0.0);
     let force = stiffness * (start + rule.theta() * change) + damper;

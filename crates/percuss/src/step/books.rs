@@ -1,7 +1,7 @@
 //! Books of a solved step: what loads, supports, damping and impacts brought and took.
 
-use super::constraint::ConstraintStep;
 use super::bodies::rear_spring;
+use super::constraint::ConstraintStep;
 use super::external::{self, LoadWork};
 use super::forcing::Forcing;
 use super::integration::Integration;
@@ -27,8 +27,7 @@ pub fn book(
     damping: &ModalDamping,
     work: &Workspace,
 ) {
-    let done =
-        external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
+    let done = external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
     let books = &mut state.books;
     books.work_loads += done.work;
     books.impulse_loads = add(books.impulse_loads, done.impulse);
@@ -280,8 +279,7 @@ impl Entry<'_> {
     fn rear_masses(&mut self) {
         for (i, body) in self.model.bodies.iter().enumerate() {
             let (node, u) = (self.model.body_node(i), &self.state.displacement);
-            if let Some(spring) =
-                rear_spring(&body.kind, node, self.rule, u, &self.work.increment)
+            if let Some(spring) = rear_spring(&body.kind, node, self.rule, u, &self.work.increment)
             {
                 self.state.books.loss_damping += spring.damper * spring.change;
             }

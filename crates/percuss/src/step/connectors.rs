@@ -77,7 +77,9 @@ impl Connector {
     pub fn potential(&self, q: f64) -> f64 {
         match self.law {
             ConnectorLaw::Linear { stiffness, rest } => 0.5 * stiffness * (q - rest) * (q - rest),
-            ConnectorLaw::OneSided { stiffness, gap } => Potential::Linear { stiffness }.energy(q - gap),
+            ConnectorLaw::OneSided { stiffness, gap } => {
+                Potential::Linear { stiffness }.energy(q - gap)
+            }
         }
     }
 

@@ -134,7 +134,7 @@ impl StepProblem<'_> {
             let force = law.potential.collocated(p, p, 1.0);
             (StepForce { slope: 0.5 * force.slope, ..force }, step.middle_row)
         } else {
-            (law.step_force(-seen.gap, -step.gap, rule.h), step.row)
+            (law.step_force(-step.gaps[0], -step.gaps[1], rule.h), step.row)
         };
         if TANGENT && force.force > 0.0 {
             // Where the foot crosses into another element the gradients know other nodes; those of the middle will do.
@@ -184,8 +184,7 @@ impl StepProblem<'_> {
             }
         };
         let frictional = self.rigid_law(contact.pair).is_some_and(|law| law.friction > 0.0);
-        let tangent =
-            if frictional { pair.tangent_row(&touch, &mid) } else { Row::default() };
+        let tangent = if frictional { pair.tangent_row(&touch, &mid) } else { Row::default() };
         Some(RigidContact { normal, tangent, impulse })
     }
 
@@ -289,7 +288,13 @@ impl StepProblem<'_> {
             condition.target = match contact.phase {
                 _ if self.law == ImpulseLaw::Mean => -sliding,
                 Phase::Impact { tangential, .. } => -tangential * sliding,
-                Phase::Resting { mean } => if mean { -sliding } else { 0.0 },
+                Phase::Resting { mean } => {
+                    if mean {
+                        -sliding
+                    } else {
+                        0.0
+                    }
+                }
             };
         }
     }

@@ -4,17 +4,17 @@
 //! always those of the current increment, so the result does not depend on how often the tangent was renewed.
 
 use super::constraint::ConstraintStep;
+use super::contacts::{ActiveContact, ImpulseLaw};
 use super::forcing::Forcing;
 use super::integration::Integration;
 use super::modal_damping::ModalDamping;
 use super::tangent::{Singular, project};
 use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
-use super::contacts::{ActiveContact, ImpulseLaw};
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
-use crate::model::frozen::{Constraint, ConstraintKind};
 use crate::model::Model;
+use crate::model::frozen::{Constraint, ConstraintKind};
 use crate::state::State;
 
 /// A step to be solved: from `state`, by `integration`, with the `active` contacts.
