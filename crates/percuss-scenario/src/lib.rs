@@ -23,6 +23,7 @@ pub mod content;
 mod csv;
 mod diagnostic;
 mod format;
+mod layout;
 mod measure;
 mod name;
 mod node;

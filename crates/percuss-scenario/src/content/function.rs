@@ -8,7 +8,7 @@ use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
 use crate::suggest;
-use crate::table::{Braces, Choice, missing};
+use crate::table::Braces;
 use crate::write::{self, Writer};
 
 kinds! {
@@ -81,8 +81,8 @@ fn settle_course(course: &mut Course, body: &Body<'_>, reader: &mut Reader<'_>) 
                 reader.misplaced(&given.path, given.span, found, "`file`, or `times` and `values`");
             }
             (None, None) if !reader.excuses(body, "file") => {
-                let expected = "`times` and `values`, or `file`".into();
-                missing(body, key, format!("no `{key}`"), expected, reader);
+                let expected = "`times` and `values`, or `file`";
+                reader.missing(body, key, format!("no `{key}`"), expected);
             }
             _ => {}
         }
@@ -97,12 +97,12 @@ impl FunctionText {
     fn word(node: &Node<'_>, word: &str, reader: &mut Reader<'_>) -> Option<Function> {
         let kinds = Function::kinds();
         let known = kinds.variants.iter().find(|v| v.word == word);
-        if known.is_some_and(|v| v.keys.is_empty()) {
+        if known.is_some_and(|v| v.layout.keys.is_empty()) {
             return Some(Function::Constant);
         }
         let expected = match known {
             Some(variant) => {
-                let keys = variant.keys.iter().filter(|k| k.required);
+                let keys = variant.layout.keys.iter().filter(|k| k.required);
                 let keys: String = keys.map(|k| format!(", {} = ...", k.name)).collect();
                 format!("a table {{ kind = \"{word}\"{keys} }}")
             }
