@@ -166,27 +166,23 @@ impl Layout {
             if names.contains(&key) {
                 continue;
             }
-            let path = join(&body.path, key);
-            let mut refused = active.iter().flat_map(|layout| &layout.refused);
-            if let Some((_, instead)) = refused.find(|(name, _)| *name == key) {
-                reader.misplaced(&path, span, format!("`{key}`"), *instead);
-                continue;
-            }
-            match self.elsewhere(key, body) {
+            let (found, expected) = match self.elsewhere(key, body) {
                 Some(Elsewhere { kinds: Kinds { tag, .. }, owner, chosen: Some(chosen) }) => {
-                    let found = format!("`{key}`, which belongs to {tag} = \"{}\"", owner.word);
                     let expected = format!("{} for {tag} = \"{}\"", expected(""), chosen.word);
-                    reader.misplaced(&path, span, found, expected);
+                    (format!("`{key}`, which belongs to {tag} = \"{}\"", owner.word), expected)
                 }
-                Some(_) => {} // may belong: the kind is not known
+                Some(_) => continue, // may belong: the kind is not known
                 None => {
                     if let Some(meant) = suggest::nearest(key, names.iter().copied()) {
                         reader.excused.insert((join(&body.path, meant), body.span.start));
                     }
-                    let found = format!("the unknown key `{key}`");
-                    reader.misplaced(&path, span, found, expected(key));
+                    (format!("the unknown key `{key}`"), expected(key))
                 }
-            }
+            };
+            let mut refused = active.iter().flat_map(|layout| &layout.refused);
+            let instead = refused.find(|(name, _)| *name == key).map(|(_, instead)| *instead);
+            let expected = instead.map_or(expected, str::to_string);
+            reader.misplaced(&join(&body.path, key), span, found, expected);
         }
     }
 }

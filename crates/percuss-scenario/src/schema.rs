@@ -81,7 +81,7 @@ impl Object {
         let mut out = self.clone();
         out.about = format!("{} {}", self.about, other.about).trim().to_string();
         out.properties.extend(other.properties.clone());
-        out.required.splice(0..0, other.required.iter().copied());
+        out.required.extend(&other.required);
         out
     }
 
