@@ -20,7 +20,7 @@ pub(super) fn centre(
     let mut fault = |key: &str, found: String, expected: &str| {
         faults.push(Fault::new(format!("projectile.{name}.{key}"), found, expected));
     };
-    let Some(line) = line_of_flight(projectile, &mut fault) else { return None };
+    let line = line_of_flight(projectile, &mut fault)?;
     if standoff < 0.0 {
         let found = format!("a projectile that starts {} m inside the beam", -standoff);
         fault("standoff", found, "a standoff of zero or above");

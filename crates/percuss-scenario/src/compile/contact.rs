@@ -139,7 +139,7 @@ fn untouched(content: &Content, faults: &mut Vec<Fault>) {
     let touched: Vec<&Party> = between.chain(struck.flat_map(|strikes| &strikes.parties)).collect();
     for Named { name, .. } in &content.obstacle {
         let this = |party: &&Party| party.kind == PartyKind::Obstacle && party.name == *name;
-        if !touched.iter().any(|party| this(party)) {
+        if !touched.iter().any(this) {
             let expected = "a table [contact.NAME] with it, or a projectile that strikes it";
             let fault = Fault::new(format!("obstacle.{name}"), "nothing that touches it", expected);
             faults.push(fault);
