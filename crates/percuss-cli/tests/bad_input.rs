@@ -188,3 +188,67 @@ fn the_command_line_itself_is_checked() {
     desk.percuss(&["new", "elastik"]).ends_with(2).tells("'elastic'");
     desk.percuss(&["verify", "rigid-rot"]).ends_with(2).tells("'rigid-rod'");
 }
+
+/// The elastic example with its projectile free; `keys` stand below.
+fn free(keys: &str) -> String {
+    let end = "[time]";
+    let text = ELASTIC.replace("standoff = \"0.2 m\"\n", "contact = \"surface\"\n");
+    text.replacen(end, &format!("{keys}\n{end}"), 1)
+}
+
+#[test]
+fn what_belongs_to_a_free_projectile_says_so() {
+    let old = "standoff = \"2 cm\"";
+    for bad in ["radius = \"5 cm\"", "position = [1, 1]", "friction = 0.3", "spin = 2"] {
+        let key = bad.split(' ').next().expect("a key");
+        let found = format!("hammer.{key}: found `{key}`, which belongs to contact = \"surface\"");
+        let text = RIGID.replacen(old, &format!("{old}\n{bad}"), 1);
+        let desk = Desk::empty();
+        desk.put("bad.toml", text);
+        desk.percuss(&["check", "bad.toml"]).ends_with(2).tells("bad.toml:31:1: ").tells(&found);
+    }
+}
+
+#[test]
+fn an_elastic_projectile_takes_a_rebound_for_a_restitution() {
+    let old = "standoff = \"0.2 m\"";
+    let desk = Desk::empty();
+    desk.put("bad.toml", ELASTIC.replacen(old, &format!("{old}\nrestitution = 0.5"), 1));
+    let run = desk.percuss(&["run", "bad.toml"]);
+    run.ends_with(2).tells("bad.toml:34:1: projectile.mass.restitution: found `restitution`");
+    run.tells("expected `rebound = { restitution = ..., velocity = ... }`");
+    let rebound = "rebound = { restitution = 1.5, velocity = 2 }";
+    desk.put("bad.toml", ELASTIC.replacen(old, &format!("{old}\n{rebound}"), 1));
+    let run = desk.percuss(&["run", "bad.toml"]);
+    run.ends_with(2).tells("bad.toml:34:27: projectile.mass.rebound.restitution: found 1.5");
+}
+
+#[test]
+fn a_free_projectile_begins_somewhere_and_strikes_what_there_is() {
+    let text = free("").replacen("\"girder.mid\"", "\"girder\"", 1);
+    let desk = Desk::empty();
+    desk.put("bad.toml", text);
+    desk.percuss(&["run", "bad.toml"]).ends_with(2).tells("found no `position`");
+    let unknown = free("").replacen("\"girder.mid\"", "[\"girder.mid\", \"flor\"]", 1);
+    desk.put("bad.toml", unknown + "[obstacle.floor]\nkind = \"half-plane\"\npoint = [0, -1]\n");
+    let run = desk.percuss(&["run", "bad.toml"]);
+    run.ends_with(2)
+        .tells("unknown beam, obstacle or projectile \"flor\"")
+        .tells("did you mean `floor`?");
+    run.tells("obstacle.floor.normal: found no `normal`");
+    assert_eq!(run.stderr.lines().count(), 2, "{}", run.stderr);
+}
+
+#[test]
+fn an_obstacle_stands_for_something_to_touch() {
+    let wall = "[obstacle.wall]\nkind = \"wall\"\nends = [[0, 2], [3, 2]]\n";
+    let desk = Desk::empty();
+    desk.put("bad.toml", format!("{ELASTIC}\n{wall}"));
+    desk.percuss(&["run", "bad.toml"])
+        .ends_with(2)
+        .tells("obstacle.wall: found nothing that touches it");
+    let contact = "[contact.c]\nbetween = [\"mass\", \"wall\"]\nstiffness = 1\n";
+    desk.put("bad.toml", format!("{ELASTIC}\n{wall}{contact}"));
+    let run = desk.percuss(&["run", "bad.toml"]);
+    run.ends_with(2).tells("contact.c.between: found the projectile \"mass\", which is guided");
+}

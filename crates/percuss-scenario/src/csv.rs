@@ -1,10 +1,12 @@
-//! Values from a CSV file with two columns: points of a centre line, or a function of time.
+//! Values from a CSV file with two columns: points of a centre line, a function of time, a contact law.
+
+use std::marker::PhantomData;
 
 use serde_json::{Value as Json, json};
 
 use crate::format::{Format, Inline, List};
 use crate::measure::Length;
-use crate::node::{Node, Reader, count};
+use crate::node::{Body, Node, Reader, count};
 use crate::quantity::Vector;
 
 /// Two numbers and the line they stand on.
@@ -116,17 +118,41 @@ impl Inline for Points {
     }
 }
 
-/// Times and values from a file; they are written out as lists, never as a file again.
+/// What the columns of a file hold.
+pub(crate) trait Columns {
+    /// Both.
+    const BOTH: &'static str;
+    /// The first, whose values increase, and its unit.
+    const FIRST: (&'static str, &'static str);
+}
+
+/// A function of time.
 pub(crate) struct Pulse;
 
-impl Format for Pulse {
+impl Columns for Pulse {
+    const BOTH: &'static str = "time (s) and value";
+    const FIRST: (&'static str, &'static str) = ("times", "s");
+}
+
+/// A contact law.
+pub(crate) struct Characteristic;
+
+impl Columns for Characteristic {
+    const BOTH: &'static str = "penetration (m) and force (N)";
+    const FIRST: (&'static str, &'static str) = ("penetrations", "m");
+}
+
+/// Two columns from a file; they are written out as lists, never as a file again.
+pub(crate) struct File<C>(PhantomData<C>);
+
+impl<C: Columns> Format for File<C> {
     type Value = [Vec<f64>; 2];
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
         if node.value.as_str().is_none() {
             reader.wrong(node, node.found(), Self::expected());
         }
-        let rows = load(node, "time (s) and value", reader)?;
+        let rows = load(node, C::BOTH, reader)?;
         let name = node.value.as_str().unwrap_or_default();
         if rows.len() < 2 {
             let found = format!("{name:?} with {}", count(rows.len(), "row"));
@@ -135,8 +161,12 @@ impl Format for Pulse {
         }
         let fallen = rows.windows(2).find(|pair| pair[1].1[0] <= pair[0].1[0]);
         if let Some([(_, before), (line, after)]) = fallen {
-            let found = format!("{} s after {} s in line {line} of {name:?}", after[0], before[0]);
-            reader.wrong(node, found, "times that increase from row to row");
+            let (what, unit) = C::FIRST;
+            let found = format!(
+                "{} {unit} after {} {unit} in line {line} of {name:?}",
+                after[0], before[0]
+            );
+            reader.wrong(node, found, format!("{what} that increase from row to row"));
             return None;
         }
         Some([0, 1].map(|column| rows.iter().map(|row| row.1[column]).collect()))
@@ -147,7 +177,7 @@ impl Format for Pulse {
     }
 
     fn expected() -> String {
-        "the path of a CSV file with two columns, time (s) and value".into()
+        format!("the path of a CSV file with two columns, {}", C::BOTH)
     }
 
     fn schema() -> Json {
@@ -155,8 +185,35 @@ impl Format for Pulse {
     }
 }
 
-impl Inline for Pulse {
+impl<C: Columns> Inline for File<C> {
     fn text(_: &Self::Value) -> Option<String> {
         None
+    }
+}
+
+/// Rows come from the key `file` or from two lists, not from both; those of a file move into the lists.
+pub(crate) fn settle(
+    file: &mut Option<[Vec<f64>; 2]>,
+    lists: [(&str, &mut Option<Vec<f64>>); 2],
+    body: &Body<'_>,
+    reader: &mut Reader<'_>,
+) {
+    let node = body.get("file");
+    let both = format!("`{}` and `{}`", lists[0].0, lists[1].0);
+    let mut columns = file.take().into_iter().flatten();
+    for (key, list) in lists {
+        if let Some(column) = columns.next() {
+            *list = Some(column);
+        }
+        match (&node, body.get(key)) {
+            (Some(_), Some(given)) => {
+                let found = format!("`{key}` besides `file`");
+                reader.misplaced(&given.path, given.span, found, format!("`file`, or {both}"));
+            }
+            (None, None) if !reader.excuses(body, "file") => {
+                reader.missing(body, key, format!("no `{key}`"), format!("{both}, or `file`"));
+            }
+            _ => {}
+        }
     }
 }

@@ -13,9 +13,9 @@ macro_rules! read_key {
 /// Describes one key.
 macro_rules! describe_key {
     (@of [$($doc:literal)*] $key:ident, $format:ty, $required:literal, $default:expr) => {
-        crate::table::Key {
+        crate::layout::Key {
             name: stringify!($key),
-            about: crate::table::about(&[$($doc),*]),
+            about: crate::layout::about(&[$($doc),*]),
             schema: <$format as crate::format::Format>::schema,
             required: $required,
             default: $default,
@@ -32,8 +32,28 @@ macro_rules! describe_key {
     };
 }
 
-/// A table: `key: Type as Format`, `= default` where it may be left out, `with` the part that
-/// depends on its kind, `either` keys of which one set must be there, `then` a function that sees the whole table once it has been read.
+/// Describes keys and parts that stand together.
+macro_rules! layout {
+    (
+        [$($doc:literal)*]
+        $([$($key_doc:literal)*] $key:ident: $format:ty $(= $default:expr)?;)*
+        $(with [$($part_doc:literal)*] $part:ty;)*
+    ) => {
+        crate::layout::Layout {
+            about: crate::layout::about(&[$($doc),*]),
+            keys: vec![$(describe_key!([$($key_doc)*] $key, $format $(, $default)?)),*],
+            ..crate::layout::Layout::default()
+        }
+        $(.with(
+            crate::layout::about(&[$($part_doc),*]),
+            <$part as crate::table::Part>::layout(),
+        ))*
+    };
+}
+
+/// A table, or keys that stand together in several of them: `key: Type as Format`, `= default` where it may be left out, `with`
+/// parts whose keys stand beside them, `either` keys of which one set must be there, `not` keys that people look for in vain
+/// with what stands here instead, `then` a function that sees the whole table once it has been read.
 macro_rules! table {
     (
         $(#[doc = $doc:literal])*
@@ -43,47 +63,38 @@ macro_rules! table {
                 $key:ident: $type:ty as $format:ty $(= $default:expr)?
             ),* $(,)?
         }
-        $(with {
-            $(#[doc = $choice_doc:literal])*
-            $choice:ident: $choice_type:ty
-        })?
+        $(with {$(
+            $(#[doc = $part_doc:literal])*
+            $part:ident: $part_type:ty
+        ),+ $(,)?})?
         $(either $($($needed:ident)&+)|+)?
+        $(not { $($refused:ident: $instead:expr),+ $(,)? })?
         $(then $settle:path)?
     ) => {
         $(#[doc = $doc])*
         #[derive(Clone, Debug, PartialEq)]
         pub struct $table {
             $($(#[doc = $key_doc])* pub $key: $type,)*
-            $($(#[doc = $choice_doc])* pub $choice: $choice_type,)?
+            $($($(#[doc = $part_doc])* pub $part: $part_type,)+)?
         }
 
-        impl crate::table::Table for $table {
-            fn about() -> String {
-                crate::table::about(&[$($doc),*])
-            }
-
-            fn keys() -> Vec<crate::table::Key> {
-                vec![$(describe_key!([$($key_doc)*] $key, $format $(, $default)?)),*]
-            }
-
-            fn either() -> Vec<Vec<&'static str>> {
-                vec![$($(vec![$(stringify!($needed)),+]),+)?]
-            }
-
-            fn kinds() -> Option<crate::table::Kinds> {
-                $(return Some(crate::table::Kinds {
-                    about: crate::table::about(&[$($choice_doc),*]),
-                    ..<$choice_type as crate::table::Choice>::kinds()
-                });)?
-                #[allow(unreachable_code)]
-                None
+        impl crate::table::Part for $table {
+            fn layout() -> crate::layout::Layout {
+                let layout = layout! {
+                    [$($doc)*]
+                    $([$($key_doc)*] $key: $format $(= $default)?;)*
+                    $($(with [$($part_doc)*] $part_type;)+)?
+                };
+                layout
+                    .either(vec![$($(vec![$(stringify!($needed)),+]),+)?])
+                    .not(vec![$($((stringify!($refused), $instead)),+)?])
             }
 
             fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
                 $(let $key = read_key!(body, reader, $key, $format $(, $default)?);)*
-                $(let $choice = <$choice_type as crate::table::Choice>::read(body, reader)?;)?
+                $($(let $part = <$part_type as crate::table::Part>::read(body, reader);)+)?
                 #[allow(unused_mut)]
-                let mut table = Self { $($key,)* $($choice,)? };
+                let mut table = Self { $($key,)* $($($part: $part?,)+)? };
                 $($settle(&mut table, body, reader);)?
                 Some(table)
             }
@@ -91,19 +102,20 @@ macro_rules! table {
             fn placeholder() -> Self {
                 Self {
                     $($key: <$format as crate::format::Format>::placeholder(),)*
-                    $($choice: <$choice_type as crate::table::Choice>::placeholder(),)?
+                    $($($part: <$part_type as crate::table::Part>::placeholder(),)+)?
                 }
             }
 
             fn write(&self, out: &mut Writer) {
                 $(<$format as crate::format::Written>::write(&self.$key, stringify!($key), out);)*
-                $(crate::table::Choice::write(&self.$choice, out);)?
+                $($(crate::table::Part::write(&self.$part, out);)+)?
             }
         }
     };
 }
 
-/// The kinds of a table: `Variant = "word" { keys }`, by the key `tag`.
+/// The kinds of a table: `Variant = "word" { keys } with { parts }`, by the key `tag`; `or` another part that comes in more
+/// kinds by the same key.
 macro_rules! kinds {
     (
         $(#[doc = $doc:literal])*
@@ -115,41 +127,70 @@ macro_rules! kinds {
                         $(#[doc = $key_doc:literal])*
                         $key:ident: $type:ty as $format:ty $(= $default:expr)?
                     ),* $(,)?
-                })?
+                } $(with {$(
+                    $(#[doc = $part_doc:literal])*
+                    $part:ident: $part_type:ty
+                ),+ $(,)?})?)?
             ),* $(,)?
         }
+        $(or {
+            $(#[doc = $other_doc:literal])*
+            $other:ident: $other_type:ty
+        })?
     ) => {
         $(#[doc = $doc])*
         #[derive(Clone, Debug, PartialEq)]
         pub enum $choice {
             $(
                 $(#[doc = $variant_doc])*
-                $variant $({ $($(#[doc = $key_doc])* $key: $type),* })?
-            ),*
+                $variant $({
+                    $($(#[doc = $key_doc])* $key: $type,)*
+                    $($($(#[doc = $part_doc])* $part: $part_type,)+)?
+                })?,
+            )*
+            $($(#[doc = $other_doc])* $other($other_type),)?
         }
 
-        impl crate::table::Choice for $choice {
-            fn kinds() -> crate::table::Kinds {
-                crate::table::Kinds {
+        impl $choice {
+            pub(crate) fn kinds() -> crate::layout::Kinds {
+                let mut variants = vec![$(crate::layout::Variant {
+                    word: $word,
+                    layout: layout! {
+                        [$($variant_doc)*]
+                        $($([$($key_doc)*] $key: $format $(= $default)?;)*
+                        $($(with [$($part_doc)*] $part_type;)+)?)?
+                    },
+                }),*];
+                let others: Vec<crate::layout::Layout> =
+                    vec![$(<$other_type as crate::table::Part>::layout())?];
+                variants.extend(others.into_iter().flat_map(crate::layout::Layout::distributed));
+                crate::layout::Kinds {
                     tag: $tag,
                     about: String::new(),
                     default: [None, $(Some($default_word))?].into_iter().flatten().next(),
-                    variants: vec![$(crate::table::Variant {
-                        word: $word,
-                        about: crate::table::about(&[$($variant_doc),*]),
-                        keys: vec![$($(
-                            describe_key!([$($key_doc)*] $key, $format $(, $default)?)
-                        ),*)?],
-                    }),*],
+                    variants,
+                }
+            }
+        }
+
+        impl crate::table::Part for $choice {
+            fn layout() -> crate::layout::Layout {
+                crate::layout::Layout {
+                    about: crate::layout::about(&[$($doc),*]),
+                    choices: vec![Self::kinds()],
+                    ..crate::layout::Layout::default()
                 }
             }
 
             fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
-                let kinds = <Self as crate::table::Choice>::kinds();
-                match crate::table::kind(body, &kinds, reader)?.word {
-                    $($word => Some(Self::$variant $({
-                        $($key: read_key!(body, reader, $key, $format $(, $default)?)),*
-                    })?),)*
+                match Self::kinds().read(body, reader)?.word {
+                    $($word => {
+                        $($(let $key = read_key!(body, reader, $key, $format $(, $default)?);)*
+                        $($(let $part = <$part_type as crate::table::Part>::read(body, reader);)+)?)?
+                        Some(Self::$variant $({ $($key,)* $($($part: $part?,)+)? })?)
+                    })*
+                    $(_ => <$other_type as crate::table::Part>::read(body, reader).map(Self::$other),)?
+                    #[allow(unreachable_patterns)]
                     _ => None,
                 }
             }
@@ -157,18 +198,21 @@ macro_rules! kinds {
             #[allow(unreachable_code)]
             fn placeholder() -> Self {
                 $(return Self::$variant $({
-                    $($key: <$format as crate::format::Format>::placeholder()),*
+                    $($key: <$format as crate::format::Format>::placeholder(),)*
+                    $($($part: <$part_type as crate::table::Part>::placeholder(),)+)?
                 })?;)*
             }
 
             fn write(&self, out: &mut Writer) {
                 match self {
-                    $(Self::$variant $({ $($key),* })? => {
+                    $(Self::$variant $({ $($key,)* $($($part,)+)? })? => {
                         out.line($tag, &crate::write::text($word), "");
                         $($(<$format as crate::format::Written>::write(
                             $key, stringify!($key), out
-                        );)*)?
+                        );)*
+                        $($(crate::table::Part::write($part, out);)+)?)?
                     })*
+                    $(Self::$other(part) => crate::table::Part::write(part, out),)?
                 }
             }
         }

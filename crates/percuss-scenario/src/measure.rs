@@ -25,7 +25,8 @@ macro_rules! measures {
             pub(crate) struct $name;
 
             impl Measure for $name {
-                const DIMENSION: Dimension = Dimension::new($m, $kg, $s);
+                const DIMENSION: Dimension =
+                    Dimension::halves($m as f64, $kg as f64, $s as f64);
                 const NAME: &'static str = $about;
                 const UNIT: &'static str = $unit;
                 const EXAMPLE: &'static str = $example;
@@ -34,7 +35,7 @@ macro_rules! measures {
         )*
 
         const KNOWN: &[(Dimension, &str, &str)] =
-            &[$((Dimension::new($m, $kg, $s), $about, $unit),)*];
+            &[$(($name::DIMENSION, $about, $unit),)*];
     };
 }
 
@@ -52,6 +53,8 @@ measures! {
     Force = (1, 1, -2) "a force", "N", "\"5 kN\"";
     Moment = (2, 1, -2) "a moment", "N*m", "\"80 N*m\"";
     Stiffness = (0, 1, -2) "a stiffness", "N/m", "\"7.5e5 N/m\"";
+    HertzStiffness = (-0.5, 1, -2) "a Hertz stiffness", "N/m^1.5", "\"5e8 N/m^1.5\"";
+    Dissipation = (-1, 0, 1) "a dissipation factor", "s/m", "\"0.2 s/m\"";
     Angle = (0, 0, 0) "an angle", "rad", "\"30 deg\"";
     Frequency = (0, 0, -1) "a frequency", "Hz", "\"50 Hz\"", not ["rpm", "rad", "deg", "°"];
     Spin = (0, 0, -1) "an angular velocity", "rad/s", "\"90 deg/s\"", not ["Hz"];

@@ -132,7 +132,7 @@ pub(crate) struct Reader<'s> {
 impl<'s> Reader<'s> {
     pub fn new(text: &'s str, root: &Body<'s>, folder: &Path) -> Self {
         let mut names = BTreeMap::new();
-        for kind in ["material", "section", "beam"] {
+        for kind in ["material", "section", "beam", "obstacle", "projectile"] {
             let table = root.get(kind).as_ref().and_then(Body::of);
             let keys = table.map(|t| t.keys()).unwrap_or_default();
             names.insert(kind, keys.into_iter().map(|(name, _)| name).collect());
@@ -140,7 +140,7 @@ impl<'s> Reader<'s> {
         Self { text, names, folder: folder.into(), ..Self::default() }
     }
 
-    /// Names under `material`, `section` or `beam`.
+    /// Names under a kind of table that others refer to.
     pub fn names(&self, kind: &str) -> &[&'s str] {
         self.names.get(kind).map_or(&[], Vec::as_slice)
     }
@@ -158,6 +158,21 @@ impl<'s> Reader<'s> {
         expected: impl Into<String>,
     ) {
         self.add(About::Value, &node.path, node.span.clone(), found.into(), expected.into());
+    }
+
+    /// A key that is not there; nothing is said of it where it stands misspelt.
+    pub fn missing(
+        &mut self,
+        body: &Body<'_>,
+        key: &str,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        let path = join(&body.path, key);
+        self.tainted.insert(path.clone());
+        if !self.excuses(body, key) {
+            self.misplaced(&path, body.span.clone(), found, expected);
+        }
     }
 
     /// A fault of a key or name.

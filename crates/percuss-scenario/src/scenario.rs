@@ -12,7 +12,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::node::{About, Body, Raw, Reader};
 use crate::source::{Places, Source};
 use crate::syntax;
-use crate::table::{self, Table};
+use crate::table::{self, Part};
 use crate::write::Writer;
 
 /// A scenario without reading faults, with every default filled in.

@@ -3,7 +3,8 @@
 use serde_json::{Map, Value as Json, json};
 
 use crate::content::Content;
-use crate::table::{Key, Table};
+use crate::layout::{Key, Kinds, Layout, Variant};
+use crate::table::Part;
 
 /// JSON Schema of the scenario file, for completion in editors.
 pub fn schema() -> Json {
@@ -14,55 +15,93 @@ pub fn schema() -> Json {
 }
 
 /// Schema of a table; one that comes in kinds is one of several objects.
-pub(crate) fn of_table<T: Table>() -> Json {
-    let Some(kinds) = T::kinds() else {
-        let mut object = object(&T::about(), T::keys());
-        let either: Vec<Json> =
-            T::either().into_iter().map(|keys| json!({ "required": keys })).collect();
-        if !either.is_empty() {
-            object["anyOf"] = json!(either);
-        }
-        return object;
-    };
-    let common = T::keys;
-    let variants = kinds.variants.into_iter().map(|variant| {
-        let keys = common().into_iter().chain(variant.keys);
-        let mut object = object(&variant.about, keys.collect());
-        object["properties"][kinds.tag] =
-            json!({ "const": variant.word, "description": kinds.about });
-        if kinds.default != Some(variant.word)
-            && let Some(required) = object["required"].as_array_mut()
-        {
-            required.insert(0, json!(kinds.tag));
-        }
-        object
-    });
-    json!({ "description": T::about(), "oneOf": variants.collect::<Vec<_>>() })
+pub(crate) fn of_table<T: Part>() -> Json {
+    let mut layout = T::layout();
+    if !layout.choices.is_empty() {
+        let about = std::mem::take(&mut layout.about);
+        let objects = alternatives(&layout).into_iter().map(Object::finish);
+        return json!({ "description": about, "oneOf": objects.collect::<Vec<_>>() });
+    }
+    let either: Vec<Json> = layout.either.iter().map(|keys| json!({ "required": keys })).collect();
+    let mut object = Object::of(&layout).finish();
+    if !either.is_empty() {
+        object["anyOf"] = json!(either);
+    }
+    object
 }
 
 /// Schema of tables with the user's names.
-pub(crate) fn of_collection<T: Table>() -> Json {
+pub(crate) fn of_collection<T: Part>() -> Json {
     json!({ "type": "object", "additionalProperties": of_table::<T>() })
 }
 
-fn object(about: &str, keys: Vec<Key>) -> Json {
-    let required: Vec<&str> = keys.iter().filter(|k| k.required).map(|k| k.name).collect();
-    let required = json!(required);
-    let properties: Map<String, Json> =
-        keys.into_iter().map(|key| (key.name.to_string(), property(key))).collect();
-    json!({
-        "type": "object",
-        "description": about,
-        "properties": properties,
-        "required": required,
-        "additionalProperties": false,
-    })
+/// A table in the making, of one kind.
+#[derive(Clone)]
+struct Object {
+    about: String,
+    properties: Map<String, Json>,
+    required: Vec<&'static str>,
 }
 
-fn property(key: Key) -> Json {
+/// Every combination of kinds.
+fn alternatives(layout: &Layout) -> Vec<Object> {
+    let mut all = vec![Object::of(layout)];
+    for kinds in &layout.choices {
+        let of_kind = |variant: &Variant| {
+            let mut inner = alternatives(&variant.layout);
+            inner.iter_mut().for_each(|object| object.tag(kinds, variant.word));
+            inner
+        };
+        let inner: Vec<Object> = kinds.variants.iter().flat_map(of_kind).collect();
+        all = all.iter().flat_map(|outer| inner.iter().map(|i| outer.joined(i))).collect();
+    }
+    all
+}
+
+impl Object {
+    fn of(layout: &Layout) -> Self {
+        Self {
+            about: layout.about.clone(),
+            required: layout.keys.iter().filter(|k| k.required).map(|k| k.name).collect(),
+            properties: layout.keys.iter().map(|k| (k.name.into(), property(k))).collect(),
+        }
+    }
+
+    /// Adds the key that says of which kind it is.
+    fn tag(&mut self, kinds: &Kinds, word: &str) {
+        let schema = json!({ "const": word, "description": kinds.about });
+        self.properties.insert(kinds.tag.into(), schema);
+        if kinds.default != Some(word) {
+            self.required.insert(0, kinds.tag);
+        }
+    }
+
+    /// Both in one.
+    fn joined(&self, other: &Self) -> Self {
+        let mut out = self.clone();
+        out.about = format!("{} {}", self.about, other.about).trim().to_string();
+        out.properties.extend(other.properties.clone());
+        out.required.extend(&other.required);
+        out
+    }
+
+    fn finish(self) -> Json {
+        json!({
+            "type": "object",
+            "description": self.about,
+            "properties": self.properties,
+            "required": self.required,
+            "additionalProperties": false,
+        })
+    }
+}
+
+fn property(key: &Key) -> Json {
     let mut schema = (key.schema)();
-    schema["description"] = json!(key.about);
-    if let Some(default) = key.default.and_then(|text| text.parse::<toml_edit::Value>().ok()) {
+    schema["description"] = json!(&key.about);
+    if let Some(default) =
+        key.default.as_ref().and_then(|text| text.parse::<toml_edit::Value>().ok())
+    {
         schema["default"] = to_json(&default);
     }
     schema

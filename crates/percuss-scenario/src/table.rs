@@ -5,63 +5,45 @@ use std::marker::PhantomData;
 use serde_json::Value as Json;
 
 use crate::format::{Format, Inline, Written};
+use crate::layout::{Key, Layout};
 use crate::node::{Body, Node, Reader};
 use crate::schema;
 use crate::source::join;
-use crate::suggest;
 use crate::write::Writer;
 
-/// A key of a table.
-pub(crate) struct Key {
-    pub name: &'static str,
-    pub about: String,
-    /// Its JSON Schema; made only when asked for, for tables are described whenever one is read.
-    pub schema: fn() -> Json,
-    /// Whether it must be there.
-    pub required: bool,
-    /// Its default as TOML, if it has one that can be written.
-    pub default: Option<String>,
-}
-
-/// One of the kinds a table can be of.
-pub(crate) struct Variant {
-    pub word: &'static str,
-    pub about: String,
-    pub keys: Vec<Key>,
-}
-
-/// The key that says of which kind a table is, and the kinds.
-pub(crate) struct Kinds {
-    pub tag: &'static str,
-    pub about: String,
-    pub default: Option<&'static str>,
-    pub variants: Vec<Variant>,
-}
-
-/// A table of the format.
-pub(crate) trait Table: Sized {
-    fn about() -> String;
-    fn keys() -> Vec<Key>;
-    fn kinds() -> Option<Kinds>;
-    /// Sets of keys that may be left out, of which one set must be there.
-    fn either() -> Vec<Vec<&'static str>>;
+/// A table of the format, or a part of one: keys that stand together in several tables, or a choice of kinds.
+pub(crate) trait Part: Sized {
+    /// What may stand in it.
+    fn layout() -> Layout;
     /// Reads every key; `None` only if its kind is not known.
     fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self>;
+    /// One of harmless values.
     fn placeholder() -> Self;
+    /// Writes every key.
     fn write(&self, out: &mut Writer);
 }
 
-/// The part of a table that depends on its kind.
-pub(crate) trait Choice: Sized {
-    fn kinds() -> Kinds;
-    fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self>;
-    fn placeholder() -> Self;
-    fn write(&self, out: &mut Writer);
-}
+/// A part whose keys may all be left out.
+impl<P: Part> Part for Option<P> {
+    fn layout() -> Layout {
+        let layout = P::layout();
+        Layout { keys: layout.keys.into_iter().map(Key::optional).collect(), ..layout }
+    }
 
-/// Joins the lines of a doc comment.
-pub(crate) fn about(lines: &[&str]) -> String {
-    lines.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" ").trim().to_string()
+    fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
+        let given = P::layout().keys.iter().any(|key| body.get(key.name).is_some());
+        if given { P::read(body, reader).map(Some) } else { Some(None) }
+    }
+
+    fn placeholder() -> Self {
+        None
+    }
+
+    fn write(&self, out: &mut Writer) {
+        if let Some(part) = self {
+            part.write(out);
+        }
+    }
 }
 
 /// Reads a key that must be there.
@@ -70,7 +52,7 @@ pub(crate) fn required<F: Format>(body: &Body<'_>, key: &str, reader: &mut Reade
         Some(node) => F::read(&node, reader),
         None => {
             let (found, expected) = F::missing(key);
-            missing(body, key, found, expected, reader);
+            reader.missing(body, key, found, expected);
             None
         }
     };
@@ -78,21 +60,6 @@ pub(crate) fn required<F: Format>(body: &Body<'_>, key: &str, reader: &mut Reade
         reader.tainted.insert(join(&body.path, key));
         F::placeholder()
     })
-}
-
-/// A key that is not there; nothing is said of it where it stands misspelt.
-pub(crate) fn missing(
-    body: &Body<'_>,
-    key: &str,
-    found: String,
-    expected: String,
-    reader: &mut Reader<'_>,
-) {
-    let path = join(&body.path, key);
-    reader.tainted.insert(path.clone());
-    if !reader.excuses(body, key) {
-        reader.misplaced(&path, body.span.clone(), found, expected);
-    }
 }
 
 /// Reads a key that has a default.
@@ -109,84 +76,24 @@ pub(crate) fn optional<F: Format>(
     })
 }
 
-/// The word that says of which kind a table is.
-pub(crate) fn kind<'k>(
-    body: &Body<'_>,
-    kinds: &'k Kinds,
-    reader: &mut Reader<'_>,
-) -> Option<&'k Variant> {
-    let words = || kinds.variants.iter().map(|v| v.word);
-    let Some(node) = body.get(kinds.tag) else {
-        if kinds.default.is_none() {
-            let found = format!("no `{}`", kinds.tag);
-            missing(body, kinds.tag, found, suggest::one_of("", words()), reader);
-        }
-        return kinds.variants.iter().find(|v| Some(v.word) == kinds.default);
-    };
-    let word = node.value.as_str();
-    let chosen = kinds.variants.iter().find(|v| Some(v.word) == word);
-    if chosen.is_none() {
-        reader.wrong(&node, node.found(), suggest::one_of(word.unwrap_or(""), words()));
-    }
-    chosen
-}
-
 /// Reads a table: keys that do not belong, then the keys that do.
-pub(crate) fn read<T: Table>(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<T> {
-    let (keys, kinds) = (T::keys(), T::kinds());
-    // The fault of an unknown kind is reported once, by the reader of the kind itself.
-    let chosen = kinds.as_ref().and_then(|k| {
-        let word = body.get(k.tag);
-        let word = word.as_ref().map_or(k.default, |node| node.value.as_str());
-        k.variants.iter().find(|v| Some(v.word) == word)
-    });
-    for (key, span) in body.keys() {
-        let common = keys.iter().any(|k| k.name == key);
-        let of = |v: &Variant| v.keys.iter().any(|k| k.name == key);
-        if common || kinds.as_ref().is_some_and(|k| k.tag == key) || chosen.is_some_and(of) {
-            continue;
-        }
-        let owner = kinds.iter().flat_map(|k| &k.variants).find(|v| of(v));
-        let path = join(&body.path, key);
-        match (owner, chosen, &kinds) {
-            (Some(owner), Some(chosen), Some(kinds)) => {
-                let found = format!("`{key}`, which belongs to {} = \"{}\"", kinds.tag, owner.word);
-                let expected = expected_keys("", &keys, Some(kinds), &chosen.keys);
-                let expected = format!("{expected} for {} = \"{}\"", kinds.tag, chosen.word);
-                reader.misplaced(&path, span, found, expected);
-            }
-            (Some(_), None, _) => {} // may belong: the kind is not known
-            _ => {
-                let own = chosen.map_or(&[][..], |v| &v.keys);
-                if let Some(meant) = suggest::nearest(key, names(&keys, kinds.as_ref(), own)) {
-                    reader.excused.insert((join(&body.path, meant), body.span.start));
-                }
-                let expected = expected_keys(key, &keys, kinds.as_ref(), own);
-                reader.misplaced(&path, span, format!("the unknown key `{key}`"), expected);
-            }
-        }
-    }
+pub(crate) fn read<T: Part>(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<T> {
+    T::layout().check_keys(body, reader);
     T::read(body, reader)
 }
 
-fn expected_keys(key: &str, common: &[Key], kinds: Option<&Kinds>, own: &[Key]) -> String {
-    let names: Vec<_> = names(common, kinds, own).collect();
-    suggest::one_of(key, names.into_iter())
-}
-
-fn names<'k>(
-    common: &'k [Key],
-    kinds: Option<&Kinds>,
-    own: &'k [Key],
-) -> impl Iterator<Item = &'static str> + 'k {
-    let tag = kinds.map(|k| k.tag);
-    common.iter().chain(own).map(|k| k.name).chain(tag)
+/// Tells of the second of two keys that exclude each other; whether both are there.
+pub(crate) fn exclude(body: &Body<'_>, keys: [&str; 2], reader: &mut Reader<'_>) -> bool {
+    let [Some(_), Some(second)] = keys.map(|key| body.get(key)) else { return false };
+    let found = format!("`{}` besides `{}`", keys[1], keys[0]);
+    reader.misplaced(&second.path, second.span.clone(), found, "one of the two");
+    true
 }
 
 /// A table that stands once: `[time]`.
 pub(crate) struct Single<T>(PhantomData<T>);
 
-impl<T: Table> Format for Single<T> {
+impl<T: Part> Format for Single<T> {
     type Value = T;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<T> {
@@ -202,7 +109,7 @@ impl<T: Table> Format for Single<T> {
     }
 
     fn expected() -> String {
-        let keys = T::keys();
+        let keys = T::layout().keys;
         let names = keys.iter().filter(|k| k.required).map(|k| format!("`{}`", k.name));
         format!("a table with {}", names.collect::<Vec<_>>().join(" and "))
     }
@@ -216,7 +123,7 @@ impl<T: Table> Format for Single<T> {
     }
 }
 
-impl<T: Table> Written for Single<T> {
+impl<T: Part> Written for Single<T> {
     fn write(value: &T, key: &str, out: &mut Writer) {
         out.header(key, None);
         value.write(out);
@@ -230,7 +137,7 @@ impl<T: Table> Written for Single<T> {
 /// A table in braces behind an equals sign, or under a header of its own.
 pub(crate) struct Braces<T>(PhantomData<T>);
 
-impl<T: Table> Format for Braces<T> {
+impl<T: Part> Format for Braces<T> {
     type Value = T;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<T> {
@@ -246,9 +153,9 @@ impl<T: Table> Format for Braces<T> {
     }
 
     fn expected() -> String {
-        let keys = T::keys();
+        let Layout { keys, choices, .. } = T::layout();
         let names = keys.iter().filter(|k| k.required).map(|k| k.name);
-        let names: Vec<String> = names.chain(T::kinds().map(|k| k.tag)).map(assigned).collect();
+        let names: Vec<String> = names.chain(choices.iter().map(|k| k.tag)).map(assigned).collect();
         match names.is_empty() {
             true => format!("a table in braces, such as {{ {} }}", assigned(keys[0].name)),
             false => format!("a table {{ {} }}", names.join(", ")),
@@ -264,7 +171,7 @@ fn assigned(key: &str) -> String {
     format!("{key} = ...")
 }
 
-impl<T: Table> Inline for Braces<T> {
+impl<T: Part> Inline for Braces<T> {
     fn text(value: &T) -> Option<String> {
         let mut out = Writer::inline();
         value.write(&mut out);
@@ -284,7 +191,7 @@ pub struct Named<T> {
 /// Tables with names: `[beam.girder]`, in the order of the file.
 pub(crate) struct Collection<T>(PhantomData<T>);
 
-impl<T: Table> Format for Collection<T> {
+impl<T: Part> Format for Collection<T> {
     type Value = Vec<Named<T>>;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
@@ -307,8 +214,9 @@ impl<T: Table> Format for Collection<T> {
                 let found = format!("the name {name:?}");
                 reader.misplaced(&node.path, span, found, "a name of letters, digits, `_` and `-`");
             }
-            if let Some(table) = Single::<T>::read(&node, reader) {
-                all.push(Named { name: name.to_string(), table });
+            match Single::<T>::read(&node, reader) {
+                Some(table) => all.push(Named { name: name.to_string(), table }),
+                None => _ = reader.tainted.insert(node.path),
             }
         }
         Some(all)
@@ -331,7 +239,7 @@ impl<T: Table> Format for Collection<T> {
     }
 }
 
-impl<T: Table> Written for Collection<T> {
+impl<T: Part> Written for Collection<T> {
     fn write(value: &Self::Value, key: &str, out: &mut Writer) {
         for one in value {
             out.header(key, Some(&one.name));

@@ -54,5 +54,10 @@ pub fn templates() -> &'static [Template] {
             summary: "a ball bounces on a fixed beam until it rests",
             text: include_str!("../templates/bouncing-ball.toml"),
         },
+        Template {
+            name: "surface",
+            summary: "a puck is thrown obliquely at a free beam and slides along it",
+            text: include_str!("../templates/surface.toml"),
+        },
     ]
 }

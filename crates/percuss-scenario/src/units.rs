@@ -1,6 +1,6 @@
 //! Quantities with units: `"8330 cm^4"`, `"7.5e5 N/m"`, `"36 km/h"`.
 //!
-//! Units combine by blanks, `*`, `.`, `·` and `/`, take exponents (`m^2`, `m²`, `m2`, `s^-1`), SI
+//! Units combine by blanks, `*`, `.`, `·` and `/`, take exponents (`m^2`, `m²`, `m2`, `s^-1`, `m^1.5`), SI
 //! prefixes and brackets. Powers of ten move into the exponent of the number before it is parsed, so
 //! `"20 cm"` has the very bits of `0.2`.
 
@@ -11,32 +11,51 @@ use std::ops::Range;
 
 use known::{Unit, meant, symbol};
 
-/// Exponents of metre, kilogram and second.
+/// Exponents of metre, kilogram and second, which may be halves: Hertz stiffness is in N/m^1.5.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dimension {
-    /// Exponent of the metre.
-    pub metre: i32,
-    /// Exponent of the kilogram.
-    pub kilogram: i32,
-    /// Exponent of the second.
-    pub second: i32,
+    /// Twice the exponents.
+    doubled: [i32; 3],
 }
 
 impl Dimension {
     /// A dimension from its three exponents.
     pub const fn new(metre: i32, kilogram: i32, second: i32) -> Self {
-        Self { metre, kilogram, second }
+        Self { doubled: [2 * metre, 2 * kilogram, 2 * second] }
+    }
+
+    /// A dimension from three exponents that may be halves.
+    pub const fn halves(metre: f64, kilogram: f64, second: f64) -> Self {
+        Self { doubled: [(2.0 * metre) as i32, (2.0 * kilogram) as i32, (2.0 * second) as i32] }
+    }
+
+    /// Dimension of a product.
+    fn times(self, other: Self) -> Self {
+        let sum = |i: usize| self.doubled[i].saturating_add(other.doubled[i]);
+        Self { doubled: [0, 1, 2].map(sum) }
+    }
+
+    /// Dimension of the reciprocal.
+    fn inverse(self) -> Self {
+        Self { doubled: self.doubled.map(i32::saturating_neg) }
+    }
+
+    /// Dimension of the square root; `None` where an exponent would be a quarter.
+    fn root(self) -> Option<Self> {
+        let whole = self.doubled.iter().all(|n| n % 2 == 0);
+        whole.then_some(Self { doubled: self.doubled.map(|n| n / 2) })
     }
 }
 
 impl fmt::Display for Dimension {
     /// Writes the coherent SI unit, for instance `kg*m/s^2`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let bases = [("kg", self.kilogram), ("m", self.metre), ("s", self.second)];
+        let [metre, kilogram, second] = self.doubled;
+        let bases = [("kg", kilogram), ("m", metre), ("s", second)];
         let side = |above: bool| -> Vec<String> {
-            let one = |&(name, n): &(&str, i32)| match n.abs() {
-                1 => name.to_string(),
-                n => format!("{name}^{n}"),
+            let one = |&(name, doubled): &(&str, i32)| match doubled.abs() {
+                2 => name.to_string(),
+                n => format!("{name}^{}", f64::from(n) / 2.0),
             };
             bases.iter().filter(|b| b.1 != 0 && (b.1 > 0) == above).map(one).collect()
         };
@@ -261,9 +280,20 @@ impl Cursor<'_> {
             }
             symbol(name).ok_or_else(|| unknown(name, from..self.at))?
         };
-        Ok(unit.power(self.exponent()?))
+        let from = self.at;
+        let doubled = self.exponent()?;
+        let root = if doubled % 2 == 0 { None } else { Some(unit.root()) };
+        match root {
+            None => Ok(unit.power(doubled / 2)),
+            Some(Some(root)) => Ok(root.power(doubled)),
+            Some(None) => {
+                let found = format!("`{}` of a square root", &self.text[from..self.at]);
+                Err(fault(from..self.at, found, "whole exponents and halves"))
+            }
+        }
     }
 
+    /// Twice the exponent.
     fn exponent(&mut self) -> Result<i32, UnitFault> {
         let from = self.at;
         let written = self.eat(|c| c == '^').is_some();
@@ -276,16 +306,26 @@ impl Cursor<'_> {
             }
         }
         if text.is_empty() && !written {
-            return Ok(1);
+            return Ok(2);
         }
+        let half = i32::from(written && self.half());
         let closed = !bracket || self.eat(|c| c == ')').is_some();
+        let sign = if text.starts_with('-') { -1 } else { 1 };
         match text.parse::<i32>() {
-            Ok(n) if n.abs() <= EXPONENT && closed => Ok(n),
+            Ok(n) if n.abs() <= EXPONENT && closed => Ok(2 * n + sign * half),
             _ => {
                 let found = format!("the exponent `{}`", &self.text[from..self.at]);
                 Err(fault(from..self.at, found, format!("a whole number up to {EXPONENT}")))
             }
         }
+    }
+
+    /// `.5` at the end of a number.
+    fn half(&mut self) -> bool {
+        let rest = self.text[self.at..].strip_prefix(".5");
+        let ends = rest.is_some_and(|r| !r.starts_with(|c: char| c.is_ascii_digit()));
+        self.at += if ends { 2 } else { 0 };
+        ends
     }
 }
 

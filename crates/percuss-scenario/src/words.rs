@@ -2,12 +2,14 @@
 
 use std::marker::PhantomData;
 
-use percuss::{Component, ContactForce, Curve, RotaryInertia, Start, StrainMeasure};
+use percuss::{
+    Component, ContactForce, Curve, ImpactLaw, RotaryInertia, Sides, Start, StrainMeasure,
+};
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
 use crate::format::{Format, Inline};
-use crate::measure::{LineInertia, Time};
+use crate::measure::{Length, LineInertia, Measure, Time};
 use crate::node::{Node, Reader};
 use crate::quantity::Quantity;
 use crate::suggest;
@@ -19,8 +21,6 @@ pub(crate) trait Words {
     type Value: Copy + PartialEq + 'static;
     /// Words, what they mean and what they are about.
     const WORDS: &'static [(&'static str, Self::Value, &'static str)];
-    /// Words known but not available, with what to say of them.
-    const REFUSED: &'static [(&'static str, &'static str)] = &[];
 }
 
 /// One word out of a few.
@@ -35,10 +35,6 @@ impl<W: Words> Format for Word<W> {
             reader.wrong(node, node.found(), suggest::one_of("", words));
             return None;
         };
-        if let Some(refused) = W::REFUSED.iter().find(|r| r.0 == text) {
-            reader.wrong(node, format!("\"{text}\", {}", refused.1), suggest::one_of("", words));
-            return None;
-        }
         let found = W::WORDS.iter().find(|w| w.0 == text).map(|w| w.1);
         if found.is_none() {
             reader.wrong(node, node.found(), suggest::one_of(text, words));
@@ -100,34 +96,43 @@ impl Words for Started {
     ];
 }
 
-/// Evaluation of an elastic projectile's force.
+/// Evaluation of an elastic contact force.
 pub(crate) struct Force;
 
 impl Words for Force {
     type Value = ContactForce;
     const WORDS: &'static [(&'static str, ContactForce, &'static str)] = &[
         ("conserving", ContactForce::Conserving, "conserves energy, opening and closing included"),
+        (
+            "plain-gradient",
+            ContactForce::PlainGradient,
+            "along the gradient in the middle of the step: errs where the point of contact moves",
+        ),
         ("midpoint", ContactForce::Midpoint, "the paper's"),
     ];
 }
 
-/// Where a projectile touches a beam.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Contact {
-    /// At a fixed material point.
-    #[default]
-    Point,
+/// What becomes of the velocities in an impact.
+pub(crate) struct Impact;
+
+impl Words for Impact {
+    type Value = ImpactLaw;
+    const WORDS: &'static [(&'static str, ImpactLaw, &'static str)] = &[
+        ("newton", ImpactLaw::Newton, "Newton's; Moreau's where it would give energy"),
+        ("moreau", ImpactLaw::Moreau, "Moreau's: the impulses of the plastic impact, times 1 + e"),
+    ];
 }
 
-/// Where a projectile touches.
-pub(crate) struct Touch;
+/// Sides of a beam.
+pub(crate) struct SidesOf;
 
-impl Words for Touch {
-    type Value = Contact;
-    const WORDS: &'static [(&'static str, Contact, &'static str)] =
-        &[("point", Contact::Point, "a fixed material point of the beam")];
-    const REFUSED: &'static [(&'static str, &'static str)] =
-        &[("surface", "which is not available in this version")];
+impl Words for SidesOf {
+    type Value = Sides;
+    const WORDS: &'static [(&'static str, Sides, &'static str)] = &[
+        ("both", Sides::Both, "left and right"),
+        ("left", Sides::Left, "seen along the beam, where the tangent turned by +90 deg points"),
+        ("right", Sides::Right, "seen along the beam"),
+    ];
 }
 
 /// A component that a support holds: a word, or 1 and 2 for the displacements.
@@ -230,18 +235,40 @@ impl Inline for Rotary {
     }
 }
 
+/// A quantity that may be without end, and the word for that.
+pub(crate) trait Endless {
+    /// The quantity.
+    type Measure: Measure;
+    /// The word.
+    const WORD: &'static str;
+}
+
 /// A time, or `"forever"`.
 pub(crate) struct Until;
 
-const FOREVER: &str = "forever";
+impl Endless for Until {
+    type Measure = Time;
+    const WORD: &'static str = "forever";
+}
 
-impl Format for Until {
+/// A radius of curvature, or `"flat"`.
+pub(crate) struct Curvature;
+
+impl Endless for Curvature {
+    type Measure = Length;
+    const WORD: &'static str = "flat";
+}
+
+/// A quantity, or the word for one without end.
+pub(crate) struct OrEndless<E>(PhantomData<E>);
+
+impl<E: Endless> Format for OrEndless<E> {
     type Value = f64;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<f64> {
         match node.value.as_str() {
-            Some(FOREVER) => Some(f64::INFINITY),
-            _ => Quantity::<Time>::read(node, reader),
+            Some(word) if word == E::WORD => Some(f64::INFINITY),
+            _ => Quantity::<E::Measure>::read(node, reader),
         }
     }
 
@@ -250,19 +277,19 @@ impl Format for Until {
     }
 
     fn expected() -> String {
-        format!("\"{FOREVER}\" or {}", Quantity::<Time>::expected())
+        format!("\"{}\" or {}", E::WORD, Quantity::<E::Measure>::expected())
     }
 
     fn schema() -> Json {
-        Quantity::<Time>::schema()
+        Quantity::<E::Measure>::schema()
     }
 }
 
-impl Inline for Until {
+impl<E: Endless> Inline for OrEndless<E> {
     fn text(value: &f64) -> Option<String> {
         match value.is_finite() {
             true => Some(write::number(*value)),
-            false => Some(write::text(FOREVER)),
+            false => Some(write::text(E::WORD)),
         }
     }
 }

@@ -37,6 +37,20 @@ fn files_it_names_are_written_out() {
         "between = [\"bent@2m\", [-1, 0.5]]",
         "until = { point = \"arch.mid\", component = 2, value = -0.1 }",
         "modes = 6",
+        "rear = { mass = 3, stiffness = 2e6, damping = 10 }",
+        "rebound = { restitution = 0.7, velocity = 2 }",
+        "hertz_stiffness = 5e8  # N/m^1.5",
+        "strikes = [\"rail.mid\", \"floor\"]",
+        "position = [1, 0.5]  # m",
+        "impact_law = \"moreau\"",
+        "motion = { displacement = [0, 0.005], \
+         function = { kind = \"harmonic\", frequency = 20, phase = 0 } }",
+        "sides = \"left\"",
+        "hertz = { young = [2.1e11, 7e10], poisson = [0.3, 0.33], \
+         radius = [0.03, \"flat\"] }",
+        "penetrations = [0, 0.001, 0.005]  # m",
+        "forces = [0, 2000, 2500]  # N",
+        "points_per_element = 2",
     ] {
         assert!(written.lines().any(|l| l == line), "`{line}` is not in\n{written}");
     }
@@ -110,10 +124,38 @@ fn faults_of_the_core_land_on_their_lines() {
         ("spring.stay", "between"),
         ("mass.bob", "at"),
         ("damping", "modal"),
+        ("projectile.marble", "radius"),
+        ("projectile.puck", "friction"),
+        ("obstacle.bracket", "gap"),
+        ("contact.arch-fence", "between"),
     ] {
         let fault = percuss::Fault::new(format!("{table}.{key}"), "this", "that");
         let all = scenario.diagnostics(vec![fault]);
         assert_eq!(all.all()[0].line, line_of(table, key), "{all}");
+    }
+}
+
+#[test]
+fn faults_of_discs_contacts_and_laws_land_on_the_keys_of_the_file() {
+    let scenario = everything();
+    for (path, key) in [
+        ("disc.marble.radius", "projectile.marble.radius"),
+        ("disc.puck.position", "projectile.puck.position"),
+        ("contact.puck-marble.friction", "projectile.puck.friction"),
+        ("contact.marble-rail.between", "projectile.marble.strikes"),
+        ("contact.marble-floor.stiffness", "projectile.marble.hertz_stiffness"),
+        ("contact.marble-floor.dissipation", "projectile.marble.rebound"),
+        ("projectile.ball.dissipation", "projectile.ball.dissipation"),
+        ("contact.arch-fence.restitution", "contact.arch-fence.restitution"),
+        ("contact.rail-post.stiffness", "contact.rail-post.stiffness"),
+        ("contact.rail-bracket.stiffness", "contact.rail-bracket.hertz"),
+        ("contact.frame-rail.penetration", "contact.frame-rail.penetrations"),
+        ("contact.frame-rail.force", "contact.frame-rail.forces"),
+        ("contact.marble-floor", "projectile.marble"),
+    ] {
+        let all = scenario.diagnostics(vec![percuss::Fault::new(path, "this", "that")]);
+        assert_eq!(all.all()[0].path, key);
+        assert!(all.all()[0].line > 1, "{all}");
     }
 }
 

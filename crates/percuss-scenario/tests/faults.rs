@@ -1,5 +1,6 @@
 //! Every fault of a file: its place, what was found, what would be right.
 
+use percuss_scenario::content::Touch;
 use percuss_scenario::{Diagnostics, read};
 
 const ELASTIC: &str = include_str!("files/elastic.toml");
@@ -69,18 +70,19 @@ fn an_unknown_key_comes_with_a_suggestion() {
         "standoff =",
         "stand_off =",
         "33:1: projectile.mass.stand_off: found the unknown key `stand_off`, expected one of \
-         `mass`, `velocity`, `direction`, `strikes`, `standoff`, `contact`, `stiffness`, `force`, \
-         `kind` (did you mean `standoff`?)",
+         `mass`, `velocity`, `direction`, `dissipation`, `rebound`, `force`, `stiffness`, \
+         `strikes`, `standoff`, `rear`, `local_mass`, `kind`, `contact`, `law` \
+         (did you mean `standoff`?)",
     );
     assert!(one(ELASTIC, "title", "titel").contains("(did you mean `title`?)"));
 }
 
 #[test]
 fn a_key_of_another_kind_says_so() {
-    let text = one(ELASTIC, "standoff =", "restitution = 1.0\nstandoff =");
+    let text = one(RIGID, "standoff =", "stiffness = 1.0\nstandoff =");
     assert!(text.starts_with(
-        "f.toml:33:1: projectile.mass.restitution: found `restitution`, which belongs to \
-         kind = \"rigid\", expected one of"
+        "f.toml:30:1: projectile.hammer.stiffness: found `stiffness`, which belongs to \
+         kind = \"elastic\", expected one of"
     ));
     let text = one(ELASTIC, "step =", "closed_tolerance = 1e-9\nstep =");
     assert!(text.contains("which belongs to impacts = \"time-stepping\""), "{text}");
@@ -159,7 +161,10 @@ fn points_on_beams_are_read_in_every_form() {
     let label = |point: &str| -> String {
         let text = ELASTIC.replacen("strikes = \"girder.mid\"", &format!("strikes = {point:?}"), 1);
         let scenario = read(&text, "f.toml").unwrap_or_else(|e| panic!("{e}"));
-        let point = &scenario.content().projectile[0].table.strikes;
+        let Touch::Point { strikes: point, .. } = &scenario.content().projectile[0].table.contact
+        else {
+            panic!("{text}");
+        };
         format!("{} {:?}", point.label, point.along)
     };
     assert_eq!(label("girder.start"), "girder.start Fraction(0.0)");
@@ -179,12 +184,6 @@ fn points_on_beams_are_read_in_every_form() {
         let text = one(ELASTIC, "\"girder.mid\"", &format!("{point:?}"));
         assert!(text.contains(part), "{text}");
     }
-}
-
-#[test]
-fn contact_with_a_surface_is_said_to_be_missing() {
-    let text = one(ELASTIC, "standoff =", "contact = \"surface\"\nstandoff =");
-    assert!(text.contains("found \"surface\", which is not available in this version"), "{text}");
 }
 
 #[test]

@@ -33,9 +33,22 @@ fn required_keys_and_defaults_are_those_of_the_reader() {
     assert_eq!(section["properties"]["rotary_inertia"]["default"], serde_json::json!(true));
     assert_eq!(section["additionalProperties"], serde_json::json!(false));
     let projectile = &schema["properties"]["projectile"]["additionalProperties"]["oneOf"];
-    let kinds: Vec<_> =
-        projectile.as_array().unwrap().iter().map(|k| &k["properties"]["kind"]["const"]).collect();
-    assert_eq!(kinds, ["elastic", "rigid"]);
+    let words = |tag: &str| -> Vec<&str> {
+        let kinds = projectile.as_array().unwrap().iter();
+        kinds.map(|k| k["properties"][tag]["const"].as_str().unwrap_or("-")).collect()
+    };
+    // An elastic one by its law, and every one by where it touches.
+    let [e, r, p, s] = ["elastic", "rigid", "point", "surface"];
+    assert_eq!(words("kind"), [e, e, e, e, e, e, r, r]);
+    assert_eq!(words("contact"), [p, s, p, s, p, s, p, s]);
+    assert_eq!(words("law"), ["linear", "linear", "hertz", "hertz", "table", "table", "-", "-"]);
+    let (point, surface) = (&projectile[6], &projectile[7]);
+    assert_eq!(
+        point["required"],
+        serde_json::json!(["mass", "velocity", "kind", "restitution", "strikes"])
+    );
+    assert!(point["properties"].get("friction").is_none());
+    assert!(surface["properties"].get("friction").is_some());
 }
 
 #[test]

@@ -80,6 +80,16 @@ fn dimensions_print_as_coherent_units() {
 }
 
 #[test]
+fn exponents_may_be_halves() {
+    for text in ["5e8 N/m^1.5", "5e8 N m^-1.5", "5e8 N/(m m^0.5)", "5e8 (N^2/m^3)^0.5"] {
+        assert_eq!((value(text), dimension(text)), (5e8, "kg/(m^0.5*s^2)".into()), "{text}");
+    }
+    let relative = value("1 N/mm^1.5") / 10f64.powf(4.5) - 1.0;
+    assert!(relative.abs() < 1e-15, "{relative:e}");
+    assert_eq!(value("2 cm^0.5 cm^1.5"), 2.0 * value("1 cm^2"));
+}
+
+#[test]
 fn unknown_units_are_marked_and_come_with_a_suggestion() {
     for (text, token, near) in [
         ("5 Kg", "Kg", "`kg`"),
@@ -125,7 +135,9 @@ fn texts_that_are_no_quantities_say_why() {
         ("5 m)", "no unit to its left"),
         ("5 m^99", "exponent"),
         ("5 m^", "exponent"),
-        ("5 m^1.5", "no unit before it"),
+        ("5 m^1.25", "no unit before it"),
+        ("5 (m^0.5)^0.5", "of a square root"),
+        ("5 m^13.5", "exponent"),
         ("5 12/s", "second number"),
         ("5 3", "no unit before it"),
         ("5 m ((((((((((m", "too many brackets"),

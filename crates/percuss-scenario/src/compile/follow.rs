@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use percuss::Fault;
 
-use crate::content::{Anchor, Beam, Content, LoadKind, Shape};
+use crate::content::{
+    Anchor, Beam, Content, LoadKind, ObstacleKind, Party, PartyKind, Shape, Touch,
+};
 use crate::table::Named;
 
 /// Beams of at most so many elements are enough to find the faults that do not depend on the mesh.
@@ -50,13 +52,20 @@ fn follows(fault: &str, tainted: &str) -> bool {
     if within(fault, tainted) || fault.contains('.') && within(tainted, fault) {
         return true;
     }
-    if key == "scheme" && bad_table.starts_with("projectile") {
-        return true;
+    let (bad_kind, bad_key) = (tainted.split('.').next().unwrap_or_default(), split(tainted).1);
+    let unread = bad_table == bad_kind || matches!(bad_key, "strikes" | "between");
+    match (bad_kind, table, key) {
+        ("projectile" | "contact", _, "scheme") => return true,
+        ("projectile" | "contact", "obstacle", _) if unread => return true, // what touches it
+        _ => {}
     }
     let related: &[&str] = match key {
         "end" | "step" => &["end", "step"],
         "from" | "until" => &["from", "until"],
         "velocity" | "direction" => &["velocity", "direction"],
+        "position" => &["velocity", "direction", "strikes", "standoff", "radius"],
+        "penetrations" | "forces" => &["penetrations", "forces", "file"],
+        "hertz_stiffness" => &["hertz"],
         "points" | "curve" => &["points", "curve"],
         "elements" | "element_length" => {
             &["points", "curve", "changes", "elements", "element_length"]
@@ -98,15 +107,21 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
                 LoadKind::Point { at, .. } => Some(at),
                 LoadKind::Gravity { .. } | LoadKind::Distributed { .. } => None,
             });
-            support.into_iter().chain(mass).chain(load).map(|p| p.beam.as_str()).collect()
+            let obstacle = table(&content.obstacle, "obstacle", owner);
+            let obstacle = obstacle.and_then(|o| match &o.kind {
+                ObstacleKind::Clearance { at, .. } => Some(at),
+                _ => None,
+            });
+            let all = support.into_iter().chain(mass).chain(load).chain(obstacle);
+            all.map(|p| p.beam.as_str()).collect()
         }
         "stretch" => match table(&content.load, "load", owner).map(|l| &l.kind) {
             Some(LoadKind::Distributed { on, .. }) => vec![on],
             _ => Vec::new(),
         },
-        "strikes" => {
+        "strikes" | "position" => {
             let projectile = table(&content.projectile, "projectile", owner);
-            projectile.map(|p| p.strikes.beam.as_str()).into_iter().collect()
+            projectile.map(|p| struck(&p.contact)).unwrap_or_default()
         }
         "between" => {
             let joint = table(&content.joint, "joint", owner).into_iter();
@@ -115,7 +130,9 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
                 Anchor::Point(point) => Some(point),
                 Anchor::Ground(_) => None,
             });
-            joint.flat_map(|j| &j.between).chain(ends).map(|p| p.beam.as_str()).collect()
+            let points = joint.flat_map(|j| &j.between).chain(ends).map(|p| p.beam.as_str());
+            let contact = table(&content.contact, "contact", owner).into_iter();
+            points.chain(contact.flat_map(|c| &c.between).filter_map(beam)).collect()
         }
         "points" if path == "record.points" => {
             content.record.points.iter().map(|p| p.beam.as_str()).collect()
@@ -125,4 +142,19 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
         }
         _ => Vec::new(),
     }
+}
+
+/// The beams that a projectile strikes by name.
+fn struck(contact: &Touch) -> Vec<&str> {
+    match contact {
+        Touch::Point { strikes, .. } => vec![&strikes.beam],
+        Touch::Surface { strikes, .. } => {
+            let point = strikes.iter().filter_map(|s| s.point.as_ref()).map(|p| p.beam.as_str());
+            point.chain(strikes.iter().flat_map(|s| &s.parties).filter_map(beam)).collect()
+        }
+    }
+}
+
+fn beam(party: &Party) -> Option<&str> {
+    (party.kind == PartyKind::Beam).then_some(party.name.as_str())
 }

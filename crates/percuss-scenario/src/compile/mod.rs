@@ -1,8 +1,13 @@
 //! From a scenario to the model: definitions in, faults mapped back to the lines of the file.
 
+mod aim;
+mod beams;
 mod build;
+mod contact;
 mod follow;
 mod function;
+mod law;
+mod locate;
 mod section;
 #[cfg(test)]
 mod tests;
@@ -11,7 +16,9 @@ use std::collections::BTreeSet;
 
 use percuss::{Fault, ImpactResolution, Model, ModelBuilder, PathEnd, PathSettings, Settings};
 
-use crate::content::{self, Content, Impacts, ProjectileKind, Reach};
+use locate::in_file_words;
+
+use crate::content::{self, Content, Impacts, Law, ProjectileKind, Reach};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::scenario::Scenario;
 use crate::source::{Places, Source};
@@ -61,7 +68,8 @@ impl Scenario {
 
     /// Faults found later, by an analysis, at their places in the file.
     pub fn diagnostics(&self, faults: Vec<Fault>) -> Diagnostics {
-        let all = faults.into_iter().map(|f| locate(f, &self.source, &self.places));
+        let faults = faults.into_iter().map(|fault| in_file_words(&self.content, fault));
+        let all = faults.map(|f| locate(f, &self.source, &self.places));
         Diagnostics::new((*self.source).clone(), all.collect())
     }
 }
@@ -120,7 +128,8 @@ fn settings_alone(content: &Content, settings: &Settings) -> Vec<Fault> {
     let section = builder.section(percuss::Section::new("s", 1.0, 1.0));
     let points = [[0.0, 0.0], [1.0, 0.0]];
     let beam = builder.beam(percuss::Beam::new("b", &points, 1, material, section));
-    if content.projectile.iter().any(|p| matches!(p.table.kind, ProjectileKind::Rigid { .. })) {
+    let struck = content.projectile.iter().any(is_rigid);
+    if struck || content.contact.iter().any(|c| matches!(c.table.law, Law::Rigid { .. })) {
         let kind = percuss::ProjectileKind::Rigid { restitution: 1.0 };
         let along = percuss::Along::Fraction(0.5);
         let strikes = percuss::PointRef { label: String::new(), beam, along };
@@ -134,21 +143,23 @@ fn comparison_faults(content: &Content) -> Vec<Fault> {
     let Some(list) = &content.report.restitution else { return Vec::new() };
     let fault =
         |found: String, expected: &str| vec![Fault::new("report.restitution", found, expected)];
-    let rigid =
-        |p: &Named<content::Projectile>| matches!(p.table.kind, ProjectileKind::Rigid { .. });
     if list.is_empty() {
         return fault("an empty list".into(), "coefficients from 0 to 1");
     }
     if let Some(bad) = list.iter().find(|e| !(0.0..=1.0).contains(*e)) {
         return fault(bad.to_string(), "coefficients from 0 to 1");
     }
-    if !content.projectile.iter().any(rigid) {
+    if !content.projectile.iter().any(is_rigid) {
         return fault(
             "coefficients without a rigid projectile".into(),
             "a projectile of kind \"rigid\"",
         );
     }
     Vec::new()
+}
+
+fn is_rigid(projectile: &Named<content::Projectile>) -> bool {
+    matches!(projectile.table.kind, ProjectileKind::Rigid { .. })
 }
 
 /// How far an equilibrium path is followed.
@@ -191,20 +202,8 @@ fn build(content: &Content) -> Result<Model, Vec<Fault>> {
         Ok(model) if faults.is_empty() => Ok(model),
         Ok(_) => Err(faults),
         Err(found) => {
-            faults.extend(found.into_iter().map(|fault| at_path(content, fault)));
+            faults.extend(found.into_iter().map(|fault| in_file_words(content, fault)));
             Err(faults)
         }
-    }
-}
-
-/// The point at which a path ends is recorded as others are; its fault belongs to the path.
-fn at_path(content: &Content, fault: Fault) -> Fault {
-    let Some(Reach { point, .. }) = &content.path.until else { return fault };
-    let recorded = content.record.points.iter().any(|p| p.label == point.label);
-    let about =
-        fault.path == "record.points" && fault.found.starts_with(&format!("{} ", point.label));
-    match about && !recorded {
-        true => Fault { path: "path.until.point".into(), ..fault },
-        false => fault,
     }
 }

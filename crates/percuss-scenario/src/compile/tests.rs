@@ -42,6 +42,35 @@ fn definitions_are_those_of_the_file() {
         "Table { times: [0.0, 0.002, 0.004], values: [0.0, 1.0, 0.5], smooth: false }",
         "InitialMotion { velocity: [10.0, 0.0], spin: 6.283185307179585, about: [1.0, 0.2] }",
         "modal_damping: [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]",
+        "Elastic { law: SmoothLaw { potential: Linear { stiffness: 1000000.0 }, dissipation: 0.1, \
+         force: Midpoint } }, mass: 1.0",
+        "rear: Some(RearMass { mass: 3.0, stiffness: 2000000.0, damping: 10.0 }), local_mass: 0.05",
+        "Disc { name: \"marble\", mass: 0.03, inertia: Some(2e-6), radius: 0.012, position: [1.4999999",
+        "velocity: [0.0, -3.0], spin: 1.5707963267948966 }",
+        "Disc { name: \"puck\", mass: 0.2, inertia: None, radius: 0.04, position: [1.0, 0.5], \
+         velocity: [1.0, 0.0], spin: 0.0 }",
+        "shape: HalfPlane { point: [0.0, -1.0], normal: [0.0, 1.0] }, \
+         motion: Some(Motion { displacement: [0.0, 0.005], rotation: 0.0, \
+         function: Harmonic { frequency: 20.0, phase: 0.0 } })",
+        "shape: Segment { ends: [[6.0, 0.0], [6.0, 2.0]], thickness: 0.1 }, motion: None",
+        "shape: Disc { centre: [2.0, -0.5], radius: 0.2 }",
+        "Clearance { at: PointRef { label: \"rail@0.25\", beam: BeamId(2), along: Fraction(0.25) }, \
+         width: 0.06, gap: 0.0003, sides: Left }",
+        "Contact { name: \"marble-rail\", between: [Disc(DiscId(0)), Beam(BeamId(2))], \
+         law: Smooth(SmoothLaw { potential: Hertz { stiffness: 500000000.0 }, dissipation: 0.31",
+        "force: PlainGradient }), points_per_element: 2 }, Contact { name: \"marble-floor\", \
+         between: [Disc(DiscId(0)), Obstacle(ObstacleId(0))]",
+        "Contact { name: \"puck-marble\", between: [Disc(DiscId(1)), Disc(DiscId(0))], \
+         law: Rigid(RigidLaw { restitution: 0.8, tangential_restitution: 0.1, friction: 0.3, \
+         impact: Moreau })",
+        "Contact { name: \"arch-fence\", between: [Beam(BeamId(1)), Obstacle(ObstacleId(1))], \
+         law: Rigid(RigidLaw { restitution: 0.5, tangential_restitution: 0.0, friction: 0.2, \
+         impact: Newton }), points_per_element: 3 }",
+        "Table { penetration: [0.0, 0.001], force: [0.0, 2000.0] }, dissipation: 0.0, \
+         force: Conserving",
+        "Contact { name: \"arch-itself\", between: [Beam(BeamId(1)), Beam(BeamId(1))], \
+         law: Smooth(SmoothLaw { potential: Table { penetration: [0.0, 0.001, 0.005], \
+         force: [0.0, 2000.0, 2500.0] }",
     ] {
         assert!(text.contains(part), "`{part}` is not in\n{text}");
     }
@@ -55,4 +84,49 @@ fn a_hinge_without_stiffness_is_a_hinge() {
     let scenario = crate::read(&text, path).unwrap_or_else(|e| panic!("{e}"));
     let builder = build::definitions(scenario.content()).0;
     assert!(format!("{builder:?}").contains("kind: Hinge"));
+}
+
+#[test]
+fn a_projectile_flies_at_a_point_from_the_standoff_of_its_surface() {
+    let text = |beam: &str, projectile: &str| {
+        format!(
+            "[material.m]\npreset = \"steel\"\n[section.s]\nshape = \"rectangle\"\nwidth = 1\n\
+             depth = 0.2\n[section.t]\nshape = \"tapered\"\nstations = [0, 1]\n\
+             sections = [\"s\", \"u\"]\n[section.u]\nshape = \"circle\"\ndiameter = 0.4\n\
+             [section.bare]\narea = 1\ninertia = 1\n[beam.b]\nmaterial = \"m\"\nelements = 4\n{beam}\n\
+             [projectile.p]\nkind = \"rigid\"\nrestitution = 1\nmass = 1\ncontact = \"surface\"\n\
+             {projectile}\n[time]\nend = 1\nstep = 1\n"
+        )
+    };
+    let straight = "points = [[0, 0], [4, 0]]\nsection =";
+    let at = |section: &str, projectile: &str| {
+        let text = text(&format!("{straight} {section}"), projectile);
+        let scenario = crate::read(&text, "f").unwrap_or_else(|e| panic!("{e}"));
+        let (builder, faults) = build::definitions(scenario.content());
+        assert_eq!(faults, []);
+        let text = format!("{builder:?}");
+        let position = text.split("radius: ").nth(1).and_then(|t| t.split("position: [").nth(1));
+        let numbers = position.and_then(|t| t.split(']').next()).unwrap().to_string();
+        let numbers: Vec<f64> = numbers.split(", ").map(|n| n.parse().unwrap()).collect();
+        [numbers[0], numbers[1]]
+    };
+    let near = |a: [f64; 2], b: [f64; 2]| {
+        assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 1e-12, "{a:?} {b:?}");
+    };
+    let down = "velocity = [0, -2]\nradius = 0.05\nstandoff = 0.3\nstrikes =";
+    near(at("\"s\"", &format!("{down} \"b.mid\"")), [2.0, 0.45]);
+    near(at("\"t\"", &format!("{down} \"b.mid\"")), [2.0, 0.5]);
+    near(at("\"bare\"", &format!("{down} \"b@1m\"")), [1.0, 0.35]);
+    let changed = "\"s\"\nchanges = [{ at = 0.5, section = \"u\" }]";
+    near(at(changed, &format!("{down} \"b@0.4\"")), [1.6, 0.45]);
+    near(at(changed, &format!("{down} \"b.mid\"")), [2.0, 0.55]);
+    // At 45 degrees the surfaces are `standoff` away from each other along the line of flight.
+    let oblique = "velocity = [1, -1]\nradius = 0.1\nstandoff = 1\nstrikes = \"b.mid\"";
+    let way = (1.0 + 0.2 * 2f64.sqrt()) / 2f64.sqrt();
+    near(at("\"s\"", oblique), [2.0 - way, way]);
+    let at_rest = "velocity = [0, 0]\ndirection = [0, 3]\nstrikes = \"b.mid\"";
+    near(at("\"s\"", at_rest), [2.0, -0.1]);
+    // Beyond its ends a beam is round.
+    let head_on = "velocity = [-3, 0]\nradius = 0.05\nstandoff = 0.5\nstrikes = \"b.end\"";
+    near(at("\"s\"", head_on), [4.65, 0.0]);
 }

@@ -9,7 +9,7 @@ use crate::measure::{self, Ratio};
 use crate::node::{Body, Node, Reader};
 use crate::point::{Point, PointText};
 use crate::quantity::{Quantity, Vector};
-use crate::table::Braces;
+use crate::table::{Braces, exclude};
 use crate::words::{Started, Word};
 use crate::write::Writer;
 
@@ -220,13 +220,8 @@ impl Default for Path {
 }
 
 fn settle_path(path: &mut Path, body: &Body<'_>, reader: &mut Reader<'_>) {
-    match (body.get("factor"), body.get("until")) {
-        (Some(_), Some(until)) => {
-            let found = "`until` besides `factor`";
-            reader.misplaced(&until.path, until.span.clone(), found, "one of the two");
-        }
-        (None, None) => path.factor = Some(1.0),
-        _ => {}
+    if !exclude(body, ["factor", "until"], reader) && body.get("until").is_none() {
+        path.factor.get_or_insert(1.0);
     }
 }
 

@@ -2,13 +2,13 @@
 
 use serde_json::{Value as Json, json};
 
-use crate::csv::Pulse;
+use crate::csv::{self, File, Pulse};
 use crate::format::{Flag, Format, Inline, List, Maybe};
 use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
 use crate::suggest;
-use crate::table::{Braces, Choice, missing};
+use crate::table::Braces;
 use crate::write::{self, Writer};
 
 kinds! {
@@ -50,7 +50,7 @@ kinds! {
             /// Values there.
             values: Option<Vec<f64>> as Maybe<List<Quantity<measure::Ratio>>> = None,
             /// Instead of both: path of a CSV file with two columns, time (s) and value.
-            file: Option<[Vec<f64>; 2]> as Maybe<Pulse> = None,
+            file: Option<[Vec<f64>; 2]> as Maybe<File<Pulse>> = None,
             /// A natural cubic spline through the values instead of straight lines.
             smooth: bool as Flag = false,
         },
@@ -67,25 +67,9 @@ table! {
     then settle_course
 }
 
-/// A table's rows come from the file or from the text, not from both; those of a file move into the text.
 fn settle_course(course: &mut Course, body: &Body<'_>, reader: &mut Reader<'_>) {
-    let Function::Table { times, values, file, .. } = &mut course.kind else { return };
-    let node = body.get("file");
-    if let Some([file_times, file_values]) = file.take() {
-        (*times, *values) = (Some(file_times), Some(file_values));
-    }
-    for key in ["times", "values"] {
-        match (&node, body.get(key)) {
-            (Some(_), Some(given)) => {
-                let found = format!("`{key}` besides `file`");
-                reader.misplaced(&given.path, given.span, found, "`file`, or `times` and `values`");
-            }
-            (None, None) if !reader.excuses(body, "file") => {
-                let expected = "`times` and `values`, or `file`".into();
-                missing(body, key, format!("no `{key}`"), expected, reader);
-            }
-            _ => {}
-        }
+    if let Function::Table { times, values, file, .. } = &mut course.kind {
+        csv::settle(file, [("times", times), ("values", values)], body, reader);
     }
 }
 
@@ -97,12 +81,12 @@ impl FunctionText {
     fn word(node: &Node<'_>, word: &str, reader: &mut Reader<'_>) -> Option<Function> {
         let kinds = Function::kinds();
         let known = kinds.variants.iter().find(|v| v.word == word);
-        if known.is_some_and(|v| v.keys.is_empty()) {
+        if known.is_some_and(|v| v.layout.keys.is_empty()) {
             return Some(Function::Constant);
         }
         let expected = match known {
             Some(variant) => {
-                let keys = variant.keys.iter().filter(|k| k.required);
+                let keys = variant.layout.keys.iter().filter(|k| k.required);
                 let keys: String = keys.map(|k| format!(", {} = ...", k.name)).collect();
                 format!("a table {{ kind = \"{word}\"{keys} }}")
             }

@@ -1,6 +1,6 @@
-//! What acts on beams: projectiles and loads.
+//! Loads.
 
-use percuss::{Along, ContactForce};
+use percuss::Along;
 
 use super::function::{Function, FunctionText};
 use crate::format::{Flag, Maybe, Pair};
@@ -9,48 +9,8 @@ use crate::name::{BeamName, NameOf};
 use crate::node::{Body, Reader};
 use crate::point::{Place, Point, PointText};
 use crate::quantity::{Quantity, Vector};
-use crate::words::{Contact, Force, Touch, Until, Word};
+use crate::words::{OrEndless, Until};
 use crate::write::Writer;
-
-kinds! {
-    /// What strikes.
-    pub enum ProjectileKind by "kind" {
-        /// A mass behind a massless spring.
-        Elastic = "elastic" {
-            /// Stiffness of the spring (N/m).
-            stiffness: f64 as Quantity<measure::Stiffness>,
-            /// How the contact force is evaluated over a step.
-            force: ContactForce as Word<Force> = ContactForce::Conserving,
-        },
-        /// A rigid mass under Newton's impact law.
-        Rigid = "rigid" {
-            /// Coefficient of restitution, from 0 to 1.
-            restitution: f64 as Quantity<measure::Ratio>,
-        },
-    }
-}
-
-table! {
-    /// A projectile: it moves along a fixed line of flight and strikes a point of a beam.
-    pub struct Projectile {
-        /// Mass (kg).
-        mass: f64 as Quantity<measure::Mass>,
-        /// Initial velocity (m/s).
-        velocity: [f64; 2] as Vector<measure::Velocity>,
-        /// Line of flight towards the beam; needed only where the velocity is zero.
-        direction: Option<[f64; 2]> as Maybe<Vector<measure::Ratio>> = None,
-        /// The point struck.
-        strikes: Point as PointText,
-        /// Initial distance from the beam along the line of flight (m).
-        standoff: f64 as Quantity<measure::Length> = 0.0,
-        /// Where it touches the beam.
-        contact: Contact as Word<Touch> = Contact::Point,
-    }
-    with {
-        /// What strikes.
-        kind: ProjectileKind
-    }
-}
 
 kinds! {
     /// What a load applies.
@@ -94,7 +54,7 @@ table! {
         /// Acts from this time on (s).
         from: f64 as Quantity<measure::Time> = 0.0,
         /// Acts until this time (s), or "forever".
-        until: f64 as Until = f64::INFINITY,
+        until: f64 as OrEndless<Until> = f64::INFINITY,
         /// Its course, whose time counts from `from`: "constant" or a table { kind = ... }.
         function: Function as FunctionText = Function::Constant,
     }

@@ -3,19 +3,26 @@
 //! The doc comment of a key is also its description in the JSON Schema.
 
 mod analysis;
+mod contact;
 mod function;
+mod law;
 mod load;
+mod projectile;
 mod section;
 mod structure;
 mod support;
 
 pub use analysis::*;
+pub use contact::*;
 pub use function::*;
+pub use law::*;
 pub use load::*;
+pub use projectile::*;
 pub use section::*;
 pub use structure::*;
 pub use support::*;
 
+pub use crate::party::{Party, PartyKind, Strikes};
 pub use crate::point::Anchor;
 pub use crate::preset::Preset;
 
@@ -45,6 +52,10 @@ table! {
         mass: Vec<Named<PointMass>> as Collection<PointMass> = Vec::new(),
         /// Projectiles, by name.
         projectile: Vec<Named<Projectile>> as Collection<Projectile> = Vec::new(),
+        /// Obstacles, by name.
+        obstacle: Vec<Named<Obstacle>> as Collection<Obstacle> = Vec::new(),
+        /// Contacts between beams, obstacles and free projectiles, by name.
+        contact: Vec<Named<Contact>> as Collection<Contact> = Vec::new(),
         /// Loads, by name.
         load: Vec<Named<Load>> as Collection<Load> = Vec::new(),
         /// Rigid motion in which all beams and point masses start.

@@ -10,7 +10,7 @@ use crate::node::{Body, Reader};
 use crate::point::Place;
 use crate::preset::{Preset, Presets};
 use crate::quantity::Quantity;
-use crate::table::{Braces, missing};
+use crate::table::{Braces, exclude};
 use crate::words::{Curved, Strain, Word};
 use crate::write::Writer;
 
@@ -45,7 +45,7 @@ fn settle_material(material: &mut Material, body: &Body<'_>, reader: &mut Reader
         let unknown_preset = body.get("preset").is_some();
         if body.get(key).is_none() && !unknown_preset {
             let expected = format!("{expected}, or a `preset`");
-            missing(body, key, format!("no `{key}`"), expected, reader);
+            reader.missing(body, key, format!("no `{key}`"), expected);
         }
     };
     want("young", Quantity::<measure::Pressure>::expected());
@@ -78,20 +78,11 @@ table! {
 
 /// Number of elements or their length, one of the two.
 fn settle_beam(_: &mut Beam, body: &Body<'_>, reader: &mut Reader<'_>) {
-    match (body.get("elements"), body.get("element_length")) {
-        (None, None) => {
-            let excused = |key| reader.excuses(body, key);
-            if excused("elements") || excused("element_length") {
-                return;
-            }
-            let expected = "`elements`, such as 6, or `element_length`, such as \"0.1 m\"".into();
-            missing(body, "elements", "no number of elements".into(), expected, reader);
-        }
-        (Some(_), Some(length)) => {
-            let found = "`element_length` besides `elements`";
-            reader.misplaced(&length.path, length.span.clone(), found, "one of the two");
-        }
-        _ => {}
+    let keys = ["elements", "element_length"];
+    exclude(body, keys, reader);
+    if !keys.iter().any(|key| body.get(key).is_some() || reader.excuses(body, key)) {
+        let expected = "`elements`, such as 6, or `element_length`, such as \"0.1 m\"";
+        reader.missing(body, "elements", "no number of elements", expected);
     }
 }
 

@@ -9,7 +9,7 @@ use crate::node::{Body, Reader};
 use crate::point::{Anchor, AnchorText, Point, PointText};
 use crate::quantity::{Quantity, Vector};
 use crate::table::Braces;
-use crate::words::{Held, Until};
+use crate::words::{Held, OrEndless, Until};
 use crate::write::Writer;
 
 kinds! {
@@ -62,7 +62,7 @@ table! {
         /// The point held.
         at: Point as PointText,
         /// Holds until this time (s), or "forever".
-        until: f64 as Until = f64::INFINITY,
+        until: f64 as OrEndless<Until> = f64::INFINITY,
         /// Prescribed motion of what is held; at rest if none is given.
         motion: Option<Motion> as Maybe<Braces<Motion>> = None,
     }

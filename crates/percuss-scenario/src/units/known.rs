@@ -22,13 +22,8 @@ impl Unit {
 
     /// Product of two units.
     pub fn times(self, other: Self) -> Self {
-        let (a, b) = (self.dimension, other.dimension);
         Self {
-            dimension: Dimension::new(
-                a.metre.saturating_add(b.metre),
-                a.kilogram.saturating_add(b.kilogram),
-                a.second.saturating_add(b.second),
-            ),
+            dimension: self.dimension.times(other.dimension),
             power10: self.power10.saturating_add(other.power10),
             numerator: self.numerator * other.numerator,
             denominator: self.denominator * other.denominator,
@@ -44,13 +39,23 @@ impl Unit {
         if n >= 0 {
             return out;
         }
-        let d = out.dimension;
         Self {
-            dimension: Dimension::new(-d.metre, -d.kilogram, -d.second),
-            power10: -out.power10,
+            dimension: out.dimension.inverse(),
+            power10: out.power10.saturating_neg(),
             numerator: out.denominator,
             denominator: out.numerator,
         }
+    }
+
+    /// Square root of a unit; `None` for the root of a root.
+    pub fn root(self) -> Option<Self> {
+        let odd = if self.power10 % 2 == 0 { 1.0 } else { f64::sqrt(10.0) };
+        Some(Self {
+            dimension: self.dimension.root()?,
+            power10: self.power10.div_euclid(2),
+            numerator: self.numerator.sqrt() * odd,
+            denominator: self.denominator.sqrt(),
+        })
     }
 }
 

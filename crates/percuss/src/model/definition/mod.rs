@@ -4,6 +4,7 @@
 
 mod beam;
 mod contact;
+mod line_point;
 mod load;
 mod material;
 mod projectile;
@@ -12,6 +13,7 @@ mod support;
 
 pub use beam::*;
 pub use contact::*;
+pub use line_point::*;
 pub use load::*;
 pub use material::*;
 pub use projectile::*;

@@ -1,0 +1,266 @@
+//! Free projectiles, obstacles, and what can touch what.
+
+use std::collections::{BTreeMap, HashMap};
+
+use percuss::{DiscId, Fault, ModelBuilder, ObstacleId, ObstacleShape, TouchLaw};
+
+use super::aim;
+use super::beams::Beams;
+use super::function::function;
+use super::law;
+use crate::content::{
+    Content, Law, ObstacleKind, Party, PartyKind, Projectile, ProjectileKind, Strikes, Touch,
+};
+use crate::table::Named;
+
+/// Found and expected.
+type Clash = (String, String);
+
+/// Adds free projectiles, obstacles and contacts.
+pub(super) fn add(
+    content: &Content,
+    beams: &Beams<'_>,
+    builder: &mut ModelBuilder,
+    faults: &mut Vec<Fault>,
+) {
+    let discs = discs(content, beams, builder, faults);
+    let obstacles = obstacles(content, beams, builder, faults);
+    let parties = Parties { content, beams, discs, obstacles };
+    let mut contacts = Contacts { builder, faults, pairs: HashMap::new(), names: HashMap::new() };
+    for Named { name, table } in &content.projectile {
+        contacts.of_projectile(name, table, &parties);
+    }
+    for Named { name, table } in &content.contact {
+        let path = format!("contact.{name}");
+        let law = match &table.law {
+            Law::Rigid { restitution, sliding } => {
+                TouchLaw::Rigid(law::rigid(*restitution, sliding))
+            }
+            Law::Smooth(law) => TouchLaw::Smooth(law::smooth(&path, law, contacts.faults)),
+        };
+        let between = match parties.pair(&table.between) {
+            Ok(Some(between)) => between,
+            Ok(None) => continue,
+            Err((found, expected)) => {
+                contacts.faults.push(Fault::new(format!("{path}.between"), found, expected));
+                continue;
+            }
+        };
+        let points_per_element = table.points_per_element;
+        let contact = percuss::Contact { name: name.clone(), between, law, points_per_element };
+        contacts.add(contact, &path, "between", &table.between);
+    }
+    untouched(content, faults);
+}
+
+/// Adds the free projectiles.
+fn discs<'c>(
+    content: &'c Content,
+    beams: &Beams<'_>,
+    builder: &mut ModelBuilder,
+    faults: &mut Vec<Fault>,
+) -> BTreeMap<&'c str, DiscId> {
+    let mut ids = BTreeMap::new();
+    for Named { name, table } in &content.projectile {
+        let Touch::Surface { strikes, standoff, position, radius, inertia, spin, .. } =
+            &table.contact
+        else {
+            continue;
+        };
+        let point = strikes.as_ref().and_then(|strikes| strikes.point.as_ref());
+        if let Some(point) = point {
+            builder.record_point(beams.point(point));
+        }
+        let aimed = point.and_then(|point| beams.surface(point)).and_then(|surface| {
+            aim::centre(name, table, [*radius, standoff.unwrap_or(0.0)], surface, faults)
+        });
+        let disc = percuss::Disc {
+            name: name.clone(),
+            mass: table.mass,
+            inertia: *inertia,
+            radius: *radius,
+            // One that could not be read is told of already.
+            position: position.or(aimed).unwrap_or_default(),
+            velocity: table.velocity,
+            spin: *spin,
+        };
+        ids.insert(name.as_str(), builder.disc(disc));
+    }
+    ids
+}
+
+/// Adds the obstacles.
+fn obstacles<'c>(
+    content: &'c Content,
+    beams: &Beams<'_>,
+    builder: &mut ModelBuilder,
+    faults: &mut Vec<Fault>,
+) -> BTreeMap<&'c str, ObstacleId> {
+    let mut ids = BTreeMap::new();
+    for Named { name, table } in &content.obstacle {
+        let shape = match &table.kind {
+            ObstacleKind::HalfPlane { point, normal } => {
+                ObstacleShape::HalfPlane { point: *point, normal: *normal }
+            }
+            ObstacleKind::Wall { ends, thickness } => {
+                ObstacleShape::Segment { ends: *ends, thickness: *thickness }
+            }
+            ObstacleKind::Disc { centre, radius } => {
+                ObstacleShape::Disc { centre: *centre, radius: *radius }
+            }
+            ObstacleKind::Clearance { at, width, gap, sides } => {
+                let (at, width, gap, sides) = (beams.point(at), *width, *gap, *sides);
+                ObstacleShape::Clearance { at, width, gap, sides }
+            }
+        };
+        let motion = table.motion.as_ref().map(|motion| percuss::Motion {
+            displacement: motion.displacement,
+            rotation: 0.0,
+            function: function(
+                &format!("obstacle.{name}.motion.function"),
+                &motion.function,
+                faults,
+            ),
+        });
+        let obstacle = percuss::Obstacle { name: name.clone(), shape, motion };
+        ids.insert(name.as_str(), builder.obstacle(obstacle));
+    }
+    ids
+}
+
+/// An obstacle that nothing can touch.
+fn untouched(content: &Content, faults: &mut Vec<Fault>) {
+    let between = content.contact.iter().flat_map(|contact| &contact.table.between);
+    let struck =
+        content.projectile.iter().filter_map(|projectile| match &projectile.table.contact {
+            Touch::Surface { strikes, .. } => strikes.as_ref(),
+            Touch::Point { .. } => None,
+        });
+    let touched: Vec<&Party> = between.chain(struck.flat_map(|strikes| &strikes.parties)).collect();
+    for Named { name, .. } in &content.obstacle {
+        let this = |party: &&Party| party.kind == PartyKind::Obstacle && party.name == *name;
+        if !touched.iter().any(this) {
+            let expected = "a table [contact.NAME] with it, or a projectile that strikes it";
+            let fault = Fault::new(format!("obstacle.{name}"), "nothing that touches it", expected);
+            faults.push(fault);
+        }
+    }
+}
+
+/// Everything that can touch, by name.
+struct Parties<'c> {
+    content: &'c Content,
+    beams: &'c Beams<'c>,
+    discs: BTreeMap<&'c str, DiscId>,
+    obstacles: BTreeMap<&'c str, ObstacleId>,
+}
+
+impl Parties<'_> {
+    /// A party; `None` for one that could not be read.
+    fn one(&self, party: &Party) -> Result<Option<percuss::Party>, Clash> {
+        let name = party.name.as_str();
+        Ok(match party.kind {
+            PartyKind::Beam => self.beams.known(name).map(percuss::Party::Beam),
+            PartyKind::Obstacle => self.obstacles.get(name).copied().map(percuss::Party::Obstacle),
+            PartyKind::Projectile => match self.discs.get(name) {
+                None if self.content.projectile.iter().any(|p| p.name == name) => {
+                    let found = format!("the projectile {name:?}, which is guided to a point");
+                    return Err((found, "a projectile with contact = \"surface\"".into()));
+                }
+                disc => disc.copied().map(percuss::Party::Disc),
+            },
+        })
+    }
+
+    /// Two that can touch; `None` where one could not be read.
+    fn pair(&self, between: &[Party; 2]) -> Result<Option<[percuss::Party; 2]>, Clash> {
+        use percuss::Party::{Disc, Obstacle};
+        let (first, second) = (self.one(&between[0])?, self.one(&between[1])?);
+        match (first, second) {
+            (Some(Obstacle(_)), Some(Obstacle(_))) => {
+                Err(("two obstacles".into(), "a beam or a projectile among the two".into()))
+            }
+            (Some(Disc(a)), Some(Disc(b))) if a == b => {
+                let found = format!("the projectile {:?} and itself", between[0].name);
+                Err((found, "two different things".into()))
+            }
+            _ => Ok(first.zip(second).map(|(first, second)| [first, second])),
+        }
+    }
+
+    /// What a free projectile strikes.
+    fn struck(&self, strikes: Option<&Strikes>) -> Vec<Party> {
+        let beam = |name: &str| Party { kind: PartyKind::Beam, name: name.into() };
+        match strikes {
+            None => self.content.beam.iter().map(|named| beam(&named.name)).collect(),
+            Some(Strikes { point, parties }) => {
+                let aimed = point.iter().map(|point| beam(&point.beam));
+                aimed.chain(parties.iter().cloned()).collect()
+            }
+        }
+    }
+}
+
+/// Contacts made, each pair once and each name once.
+struct Contacts<'b> {
+    builder: &'b mut ModelBuilder,
+    faults: &'b mut Vec<Fault>,
+    /// Headers of the tables they come from.
+    pairs: HashMap<[percuss::Party; 2], String>,
+    names: HashMap<String, String>,
+}
+
+impl Contacts<'_> {
+    /// Those that a free projectile makes: named like it where there is one, else with what is struck behind a dash.
+    fn of_projectile(&mut self, name: &str, table: &Projectile, parties: &Parties<'_>) {
+        let Touch::Surface { strikes, sliding, .. } = &table.contact else { return };
+        let path = format!("projectile.{name}");
+        let law = match &table.kind {
+            ProjectileKind::Elastic { law } => {
+                TouchLaw::Smooth(law::smooth(&path, law, self.faults))
+            }
+            ProjectileKind::Rigid { restitution } => {
+                let sliding = sliding.clone().unwrap_or_default();
+                TouchLaw::Rigid(law::rigid(*restitution, &sliding))
+            }
+        };
+        let own = Party { kind: PartyKind::Projectile, name: name.into() };
+        let struck = parties.struck(strikes.as_ref());
+        for party in &struck {
+            let between = [own.clone(), party.clone()];
+            match parties.pair(&between) {
+                Ok(None) => {}
+                Ok(Some(pair)) => {
+                    let name = match struck.len() {
+                        1 => name.to_string(),
+                        _ => format!("{name}-{}", party.name),
+                    };
+                    let contact = percuss::Contact::new(name, pair, law.clone());
+                    self.add(contact, &path, "strikes", &between);
+                }
+                Err((found, expected)) => {
+                    self.faults.push(Fault::new(format!("{path}.strikes"), found, expected));
+                }
+            }
+        }
+    }
+
+    /// Adds one made by the table at `path`, whose parties stand behind `key`.
+    fn add(&mut self, contact: percuss::Contact, path: &str, key: &str, between: &[Party; 2]) {
+        let [a, b] = contact.between;
+        let pair = self.pairs.get(&[a, b]).or_else(|| self.pairs.get(&[b, a]));
+        let name = self.names.get(&contact.name);
+        if let Some(table) = pair {
+            let [a, b] = between;
+            let found = format!("{} and {}, which touch by [{table}] already", a.name, b.name);
+            self.faults.push(Fault::new(format!("{path}.{key}"), found, "each pair once"));
+        } else if let Some(table) = name {
+            let found = format!("`{}`, the name of a contact that [{table}] makes", contact.name);
+            self.faults.push(Fault::new(path, found, "another name"));
+        } else {
+            self.pairs.insert(contact.between, path.into());
+            self.names.insert(contact.name.clone(), path.into());
+            self.builder.contact(contact);
+        }
+    }
+}

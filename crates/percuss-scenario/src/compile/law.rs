@@ -1,0 +1,82 @@
+//! Contact laws from what leads to them.
+
+use percuss::{Fault, HertzBody, RigidLaw, SmoothLaw, hunt_crossley};
+
+use crate::content::{HertzBodies, Potential, Rebound, Sliding, Smooth};
+
+/// The smooth law of the table at `path`; after a fault a harmless one.
+pub(super) fn smooth(path: &str, law: &Smooth, faults: &mut Vec<Fault>) -> SmoothLaw {
+    let mut fault = |key: &str, found: String, expected: &str| {
+        faults.push(Fault::new(format!("{path}.{key}"), found, expected));
+    };
+    let potential = potential(&law.potential, &mut fault);
+    let dissipation = match &law.rebound {
+        Some(rebound) => dissipation(rebound, &mut fault),
+        None => law.dissipation.unwrap_or(0.0),
+    };
+    SmoothLaw { potential, dissipation, force: law.force }
+}
+
+/// The rigid law of a coefficient of restitution and what stands beside it.
+pub(super) fn rigid(restitution: f64, sliding: &Sliding) -> RigidLaw {
+    let Sliding { friction, tangential_restitution, impact_law } = *sliding;
+    RigidLaw { restitution, tangential_restitution, friction, impact: impact_law }
+}
+
+fn potential(
+    potential: &Potential,
+    fault: &mut impl FnMut(&str, String, &str),
+) -> percuss::Potential {
+    match potential {
+        Potential::Linear { stiffness } => percuss::Potential::Linear { stiffness: *stiffness },
+        Potential::Hertz { hertz: Some(bodies), .. } => hertz(bodies, fault),
+        Potential::Hertz { hertz_stiffness, .. } => {
+            // Values that could not be read are told of already.
+            percuss::Potential::Hertz { stiffness: hertz_stiffness.unwrap_or(1.0) }
+        }
+        Potential::Table { penetrations: Some(penetrations), forces: Some(forces), .. } => {
+            let (penetration, force) = (penetrations.clone(), forces.clone());
+            percuss::Potential::Table { penetration, force }
+        }
+        Potential::Table { .. } => percuss::Potential::Linear { stiffness: 1.0 },
+    }
+}
+
+fn hertz(bodies: &HertzBodies, fault: &mut impl FnMut(&str, String, &str)) -> percuss::Potential {
+    let HertzBodies { young, poisson, radius } = bodies;
+    let mut sound = true;
+    let mut check = |key: &str, bad: Option<&f64>, unit: &str, expected: &str| {
+        if let Some(bad) = bad {
+            fault(&format!("hertz.{key}"), format!("{bad}{unit}"), expected);
+            sound = false;
+        }
+    };
+    let positive = |values: &'_ [f64; 2]| values.iter().find(|v| **v <= 0.0).copied();
+    check("young", positive(young).as_ref(), " Pa", "Young's moduli above zero");
+    let range = |v: &&f64| !(-1.0 < **v && **v <= 0.5);
+    check("poisson", poisson.iter().find(range), "", "Poisson's ratios above -1, up to 0.5");
+    check("radius", positive(radius).as_ref(), " m", "radii above zero, or \"flat\"");
+    if sound && radius.iter().all(|r| r.is_infinite()) {
+        fault("hertz.radius", "two flat faces".into(), "at least one that is curved");
+        sound = false;
+    }
+    if !sound {
+        return percuss::Potential::Hertz { stiffness: 1.0 };
+    }
+    let body = |i: usize| HertzBody { young: young[i], poisson: poisson[i], radius: radius[i] };
+    percuss::Potential::hertz([body(0), body(1)])
+}
+
+/// Hunt and Crossley's factor from what it shall lead to.
+fn dissipation(rebound: &Rebound, fault: &mut impl FnMut(&str, String, &str)) -> f64 {
+    let Rebound { restitution, velocity } = *rebound;
+    let sound = [0.0 < restitution && restitution <= 1.0, velocity > 0.0];
+    if !sound[0] {
+        let expected = "a coefficient above 0, up to 1";
+        fault("rebound.restitution", restitution.to_string(), expected);
+    }
+    if !sound[1] {
+        fault("rebound.velocity", format!("{velocity} m/s"), "a velocity above zero");
+    }
+    if sound == [true; 2] { hunt_crossley(restitution, velocity) } else { 0.0 }
+}

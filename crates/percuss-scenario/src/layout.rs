@@ -1,0 +1,188 @@
+//! What may stand in a table: keys, and choices of kinds that bring more of them.
+
+use serde_json::Value as Json;
+
+use crate::node::{Body, Reader};
+use crate::source::join;
+use crate::suggest;
+
+/// A key of a table.
+#[derive(Clone)]
+pub(crate) struct Key {
+    pub name: &'static str,
+    pub about: String,
+    /// Its JSON Schema; made only when asked for, for tables are described whenever one is read.
+    pub schema: fn() -> Json,
+    /// Whether it must be there.
+    pub required: bool,
+    /// Its default as TOML, if it has one that can be written.
+    pub default: Option<String>,
+}
+
+/// One of the kinds a table can be of.
+#[derive(Clone)]
+pub(crate) struct Variant {
+    pub word: &'static str,
+    /// What it brings.
+    pub layout: Layout,
+}
+
+/// The key that says of which kind a table is, and the kinds.
+#[derive(Clone)]
+pub(crate) struct Kinds {
+    pub tag: &'static str,
+    pub about: String,
+    pub default: Option<&'static str>,
+    pub variants: Vec<Variant>,
+}
+
+/// What may stand in a table, or comes into it with one of its kinds.
+#[derive(Clone, Default)]
+pub(crate) struct Layout {
+    pub about: String,
+    pub keys: Vec<Key>,
+    /// Sets of keys that may be left out, of which one set must be there; of tables without kinds.
+    pub either: Vec<Vec<&'static str>>,
+    /// Keys that people look for here in vain, and what stands here instead.
+    pub refused: Vec<(&'static str, &'static str)>,
+    pub choices: Vec<Kinds>,
+}
+
+/// A key that stands in another kind than the one chosen.
+struct Elsewhere<'l> {
+    kinds: &'l Kinds,
+    owner: &'l Variant,
+    /// `None` where the kind is not known.
+    chosen: Option<&'l Variant>,
+}
+
+/// Joins the lines of a doc comment.
+pub(crate) fn about(lines: &[&str]) -> String {
+    lines.iter().map(|l| l.trim()).collect::<Vec<_>>().join(" ").trim().to_string()
+}
+
+impl Key {
+    /// The same key, which may be left out.
+    pub fn optional(self) -> Self {
+        Self { required: false, default: None, ..self }
+    }
+}
+
+impl Kinds {
+    /// The kind of a table; nothing is said of one that is not known.
+    fn chosen(&self, body: &Body<'_>) -> Option<&Variant> {
+        let node = body.get(self.tag);
+        let word = node.as_ref().map_or(self.default, |node| node.value.as_str());
+        self.variants.iter().find(|v| Some(v.word) == word)
+    }
+
+    /// The kind of a table, with a fault where it is not known.
+    pub fn read(&self, body: &Body<'_>, reader: &mut Reader<'_>) -> Option<&Variant> {
+        let words = || self.variants.iter().map(|v| v.word);
+        let chosen = self.chosen(body);
+        match body.get(self.tag) {
+            Some(node) if chosen.is_none() => {
+                let word = node.value.as_str().unwrap_or("");
+                reader.wrong(&node, node.found(), suggest::one_of(word, words()));
+            }
+            None if chosen.is_none() => {
+                let found = format!("no `{}`", self.tag);
+                reader.missing(body, self.tag, found, suggest::one_of("", words()));
+            }
+            _ => {}
+        }
+        chosen
+    }
+}
+
+impl Layout {
+    /// With the keys and choices of a part of the table; `about` is said of its choice.
+    pub fn with(mut self, about: String, part: Self) -> Self {
+        self.keys.extend(part.keys);
+        self.refused.extend(part.refused);
+        for mut kinds in part.choices {
+            if kinds.about.is_empty() {
+                kinds.about.clone_from(&about);
+            }
+            self.choices.push(kinds);
+        }
+        self
+    }
+
+    /// With sets of keys of which one must be there.
+    pub fn either(self, either: Vec<Vec<&'static str>>) -> Self {
+        Self { either, ..self }
+    }
+
+    /// With keys that people look for in vain.
+    pub fn not(mut self, refused: Vec<(&'static str, &'static str)>) -> Self {
+        self.refused.extend(refused);
+        self
+    }
+
+    /// The kinds of its choices, each with what stands beside them.
+    pub fn distributed(self) -> Vec<Variant> {
+        let Self { keys, refused, choices, .. } = self;
+        let beside = Self { keys, refused, ..Self::default() };
+        let with = |Variant { word, layout }| {
+            let layout = layout.with(String::new(), beside.clone());
+            Variant { word, layout }
+        };
+        choices.into_iter().flat_map(|kinds| kinds.variants).map(with).collect()
+    }
+
+    /// All layouts that count in a table: this one, and those of the kinds chosen.
+    fn active(&self, body: &Body<'_>) -> Vec<&Self> {
+        let chosen = self.choices.iter().filter_map(|kinds| kinds.chosen(body));
+        [self].into_iter().chain(chosen.flat_map(|v| v.layout.active(body))).collect()
+    }
+
+    /// Whether it knows a key, in whatever kind.
+    fn knows(&self, key: &str) -> bool {
+        let within = |kinds: &Kinds| {
+            kinds.tag == key || kinds.variants.iter().any(|variant| variant.layout.knows(key))
+        };
+        self.keys.iter().any(|k| k.name == key) || self.choices.iter().any(within)
+    }
+
+    fn elsewhere(&self, key: &str, body: &Body<'_>) -> Option<Elsewhere<'_>> {
+        self.choices.iter().find_map(|kinds| {
+            let chosen = kinds.chosen(body);
+            kinds.variants.iter().find_map(|owner| match chosen {
+                Some(chosen) if chosen.word == owner.word => owner.layout.elsewhere(key, body),
+                _ => owner.layout.knows(key).then_some(Elsewhere { kinds, owner, chosen }),
+            })
+        })
+    }
+
+    /// Tells of every key of a table that does not belong there.
+    pub fn check_keys(&self, body: &Body<'_>, reader: &mut Reader<'_>) {
+        let active = self.active(body);
+        let keys = active.iter().flat_map(|layout| &layout.keys).map(|key| key.name);
+        let tags = active.iter().flat_map(|layout| &layout.choices).map(|kinds| kinds.tag);
+        let names: Vec<&str> = keys.chain(tags).collect();
+        let expected = |key: &str| suggest::one_of(key, names.iter().copied());
+        for (key, span) in body.keys() {
+            if names.contains(&key) {
+                continue;
+            }
+            let (found, expected) = match self.elsewhere(key, body) {
+                Some(Elsewhere { kinds: Kinds { tag, .. }, owner, chosen: Some(chosen) }) => {
+                    let expected = format!("{} for {tag} = \"{}\"", expected(""), chosen.word);
+                    (format!("`{key}`, which belongs to {tag} = \"{}\"", owner.word), expected)
+                }
+                Some(_) => continue, // may belong: the kind is not known
+                None => {
+                    if let Some(meant) = suggest::nearest(key, names.iter().copied()) {
+                        reader.excused.insert((join(&body.path, meant), body.span.start));
+                    }
+                    (format!("the unknown key `{key}`"), expected(key))
+                }
+            };
+            let mut refused = active.iter().flat_map(|layout| &layout.refused);
+            let instead = refused.find(|(name, _)| *name == key).map(|(_, instead)| *instead);
+            let expected = instead.map_or(expected, str::to_string);
+            reader.misplaced(&join(&body.path, key), span, found, expected);
+        }
+    }
+}
