@@ -176,3 +176,225 @@ fn a_disc_rolls_down_an_incline_without_slipping() {
         (summary.projectiles[0].spin_final + expected / radius).abs() < 1e-2 * expected / radius
     );
 }
+
+/// Faults as `path: found; expected`.
+fn faults(b: &ModelBuilder) -> Vec<String> {
+    match b.build() {
+        Ok(_) => Vec::new(),
+        Err(faults) => faults.iter().map(ToString::to_string).collect(),
+    }
+}
+
+#[test]
+fn a_start_inside_is_refused_with_depth_place_and_cure() {
+    let law = || TouchLaw::Rigid(RigidLaw::frictionless(0.5));
+    let mut b = thrown(0.05, [0.0, -1.0], law());
+    let disc = b.disc(Disc {
+        name: "deep".into(),
+        mass: 1.0,
+        inertia: None,
+        radius: 0.1,
+        position: [2.0, 0.12],
+        velocity: [0.0; 2],
+        spin: 0.0,
+    });
+    let floor = b.obstacle(Obstacle {
+        name: "floor".into(),
+        shape: ObstacleShape::HalfPlane { point: [0.0, 0.05], normal: [0.0, 2.0] },
+        motion: None,
+    });
+    b.contact(Contact::new("floor", [Party::Disc(disc), Party::Obstacle(floor)], law()));
+    let girder = BeamIds::first(&b);
+    b.contact(Contact::new("deep", [Party::Disc(disc), Party::Beam(girder)], law()));
+    let found = faults(&b);
+    assert_eq!(found.len(), 2, "{found:#?}");
+    assert!(found[0].contains("`deep` starts 0.030000 m inside `floor`, at [2.000000, 0.050000]"));
+    assert!(found[1].contains("`deep` starts 0.030000 m inside `girder`, at [2.000000, 0.000000]"));
+    assert!(found[1].contains("move `deep` by [0.000000, 0.030000] m"), "{}", found[1]);
+}
+
+/// The first beam of a builder, which the helper above adds.
+struct BeamIds;
+
+impl BeamIds {
+    fn first(b: &ModelBuilder) -> BeamId {
+        // Ids count from zero in the order of definition.
+        let mut again = ModelBuilder::new();
+        let (material, section) = plank(&mut again);
+        let id = again.beam(beam("any", [0.0, 0.0], [1.0, 0.0], 1, material, section));
+        let _ = b;
+        id
+    }
+}
+
+#[test]
+fn contradictory_laws_are_faults() {
+    let mut b = thrown(
+        -0.05,
+        [0.0, -1.0],
+        TouchLaw::Rigid(RigidLaw {
+            friction: -0.1,
+            tangential_restitution: 0.5,
+            ..RigidLaw::frictionless(1.5)
+        }),
+    );
+    b.obstacle(Obstacle {
+        name: "lonely".into(),
+        shape: ObstacleShape::Segment { ends: [[1.0, 1.0]; 2], thickness: -1.0 },
+        motion: None,
+    });
+    let found = faults(&b).join("\n");
+    for path in [
+        "disc.ball.radius",
+        "obstacle.lonely.ends",
+        "obstacle.lonely.thickness",
+        "obstacle.lonely: found nothing touches it",
+        "contact.throw.restitution",
+        "contact.throw.friction",
+    ] {
+        assert!(found.contains(path), "{path} is missing in\n{found}");
+    }
+}
+
+#[test]
+fn a_moving_wall_does_its_work_on_the_books() {
+    // A wall that comes at 2 m/s throws a disc at rest off at 4 m/s, and works 8 J on a mass of 1 kg.
+    for law in [
+        TouchLaw::Rigid(RigidLaw::frictionless(1.0)),
+        TouchLaw::Smooth(SmoothLaw::elastic(linear(1e6))),
+    ] {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        b.beam(beam("aside", [50.0, 50.0], [53.0, 50.0], 1, material, section));
+        let wall = b.obstacle(Obstacle {
+            name: "wall".into(),
+            shape: ObstacleShape::Segment { ends: [[0.0, -1.0], [0.0, 1.0]], thickness: 0.02 },
+            motion: Some(Motion {
+                displacement: [2.0, 0.0],
+                rotation: 0.0,
+                function: TimeFunction::Table {
+                    times: vec![0.0, 1.0],
+                    values: vec![0.0, 1.0],
+                    smooth: false,
+                },
+            }),
+        });
+        let disc = b.disc(Disc {
+            name: "ball".into(),
+            mass: 1.0,
+            inertia: None,
+            radius: 0.1,
+            position: [0.2, 0.3],
+            velocity: [0.0; 2],
+            spin: 0.0,
+        });
+        b.contact(Contact::new("throw", [Party::Disc(disc), Party::Obstacle(wall)], law));
+        let summary = run(&b, 0.2, 1e-4);
+        books_close(&summary, 1e-11);
+        let v = summary.projectiles[0].velocity_final;
+        assert!((v[0] - 4.0).abs() < 1e-6 && v[1].abs() < 1e-12, "{v:?}");
+        assert!((summary.energy.work_supports - 8.0).abs() < 1e-5);
+        // The reaction of the wall on what it struck.
+        assert_eq!(summary.supports[0].name, "wall");
+    }
+}
+
+#[test]
+fn a_beam_that_is_folded_onto_itself_stops_at_its_own_face() {
+    // A hairpin whose arms swing together: each arm stops the other.
+    let closest = |touches: bool| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("soft", 2e8, 1e3));
+        let section =
+            b.section(Section { depth: Some(0.02), ..Section::new("wire", 4e-4, 1.3e-8) });
+        let points = [[0.0, 0.1], [1.0, 0.1], [1.0, -0.1], [0.0, -0.1]];
+        let pin = b.beam(Beam::new("pin", &points, 8, material, section));
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(1e5)));
+        if touches {
+            b.contact(Contact::new("self", [Party::Beam(pin), Party::Beam(pin)], law));
+        }
+        let model = b.build().unwrap();
+        let mut simulation = Simulation::new(&model, &Settings::new(0.2, 1e-4)).unwrap();
+        simulation.set_velocities(|_, x| [0.0, -4.0 * x[1].signum() * (1.0 - x[0])]);
+        let mut least = f64::INFINITY;
+        while simulation.state().step < simulation.step_count() {
+            simulation.advance(&mut NoRecorder).unwrap();
+            let last = simulation.state().displacement.len() - 1;
+            let u = &simulation.state().displacement;
+            least = least.min(0.2 + u[0][1] - u[last][1]);
+        }
+        let summary = simulation.run(&mut NoRecorder);
+        books_close(&summary, 1e-10);
+        least
+    };
+    let (free, stopped) = (closest(false), closest(true));
+    assert!(free < -0.05 && stopped > 0.0, "{free} {stopped}");
+}
+
+#[test]
+fn two_masses_strike_one_after_the_other() {
+    // A stiff spring between the masses: together they are the single mass of the paper's example.
+    let rebound = |mass: f64, rear: Option<RearMass>| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+        let mid = common::at("mid", girder, 0.5);
+        let kind = ProjectileKind::spring(7.5e5);
+        b.projectile(Projectile { rear, ..Projectile::new("mass", kind, mass, [0.0, 20.0], mid) });
+        let summary = run(&b, 0.15, 1e-4);
+        books_close(&summary, 1e-11);
+        assert!(summary.momentum.linear_residual_max < 1e-12);
+        summary.projectiles[0].clone()
+    };
+    let single = rebound(500.0, None);
+    let stiff = RearMass { mass: 400.0, stiffness: 1e9, damping: 0.0 };
+    let double = rebound(100.0, Some(stiff));
+    let ratio = double.momentum_transferred / single.momentum_transferred;
+    assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
+    let damped = RearMass { mass: 400.0, stiffness: 5e5, damping: 2e3 };
+    let soft = rebound(100.0, Some(damped));
+    assert!((soft.momentum_transferred / single.momentum_transferred - 1.0).abs() > 1e-2);
+}
+
+#[test]
+fn wild_steps_of_a_wall_and_clearances_keep_their_books() {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("tube", 2e11, 7.8e3));
+    let section = b.section(Section::tube("tube", 0.02, 0.002));
+    let tube = b.beam(beam("tube", [0.0, 0.0], [1.5, 0.0], 15, material, section));
+    b.support(Support::new("left", common::at("left", tube, 0.0), SupportKind::Clamp));
+    b.support(Support::new("right", common::at("right", tube, 1.0), SupportKind::Clamp));
+    for (k, law) in [
+        TouchLaw::Rigid(RigidLaw { friction: 0.2, ..RigidLaw::frictionless(0.7) }),
+        TouchLaw::Smooth(SmoothLaw {
+            dissipation: 0.5,
+            ..SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 })
+        }),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let at = common::at("baffle", tube, 0.4 + 0.2 * k as f64);
+        let shape = ObstacleShape::Clearance { at, width: 0.03, gap: 4e-4, sides: Sides::Both };
+        let function = TimeFunction::Harmonic { frequency: 30.0, phase: 0.0 };
+        let motion = Motion { displacement: [0.0, 2e-4], rotation: 0.0, function };
+        let plate = b.obstacle(Obstacle { name: format!("b{k}"), shape, motion: Some(motion) });
+        let between = [Party::Beam(tube), Party::Obstacle(plate)];
+        b.contact(Contact { points_per_element: 4, ..Contact::new(format!("c{k}"), between, law) });
+    }
+    let kind = LoadKind::Distributed {
+        beam: tube,
+        stretch: [Along::Fraction(0.0), Along::Fraction(1.0)],
+        force: [[0.0, 60.0]; 2],
+        follower: false,
+    };
+    let function = TimeFunction::Harmonic { frequency: 40.0, phase: 0.0 };
+    b.load(Load { function, ..Load::new("flow", kind) });
+    let summary = run(&b, 0.2, 2e-4);
+    books_close(&summary, 1e-10);
+    let impacts = match &summary.contacts[0].record {
+        ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
+        ContactRecord::Smooth { .. } => 0,
+    };
+    assert!(impacts > 3 && !intervals(&summary, 1).is_empty(), "{impacts}");
+}

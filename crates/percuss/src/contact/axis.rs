@@ -200,6 +200,13 @@ impl Axis<'_> {
         }
     }
 
+    /// Whether a point is where the elements left out begin, which is no end.
+    pub fn is_border(&self, point: AxisPoint) -> bool {
+        let k = point.element;
+        (point.xi == 1.0 && k + 1 < self.elements.len() && self.left_out(k + 1))
+            || (point.xi == 0.0 && k > 0 && self.left_out(k - 1))
+    }
+
     /// Sign of the side on which `y` lies, seen along the axis at its nearest point; zero beyond an end.
     pub fn side(&self, y: [f64; 2], at: &Configuration, point: AxisPoint) -> f64 {
         let placed = self.placed(point.element, at);

@@ -87,7 +87,7 @@ impl Pair {
                     Reach::Near => axis.near(y, at, memory.near),
                 };
                 let mut touch = self.on_axis(&axis, point, y, at, memory);
-                if touch.memory.side == 0.0 && self.skips_ends {
+                if touch.memory.side == 0.0 && (self.skips_ends || axis.is_border(point)) {
                     touch.gap = f64::INFINITY;
                 }
                 Some(touch)

@@ -319,6 +319,8 @@ impl Pairs<'_> {
                 axis.partition_point(|e| e.s < pair.s + apart),
             ];
             pair.target = Target::Axis { beam, skip };
+            // Of two ends that touch, one is the source.
+            pair.skips_ends = pair.s > 0.5 * self.model.beams[beam].length;
         }
     }
 

@@ -66,7 +66,8 @@ pub fn apply<const TANGENT: bool>(
                 let mass = *masses.get(k).unwrap_or(&body.mass);
                 diagonal[k][k] = if still { 1.0 } else { mass * slope };
             }
-            tangent.chain_mut().diag[node] = diagonal;
+            let chain = tangent.chain_mut();
+            (chain.diag[node], chain.upper[node], chain.lower[node]) = (diagonal, ZERO, ZERO);
         }
         if let Some(spring) = rear_spring(&body.kind, node, rule, &state.displacement, increment) {
             add_spring::<TANGENT>(&body.kind, node, rule, &spring, residual, tangent);

@@ -4,6 +4,7 @@ use super::super::builder::ModelBuilder;
 use super::super::definition::*;
 use super::super::time_function::TimeFunction;
 use super::beams::{arc, check_along, check_point};
+use super::contacts::check_smooth;
 use super::{Faults, quantity};
 use crate::math::vec2::{cross, dot, norm};
 
@@ -43,9 +44,7 @@ pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, ou
     check_point(model, &projectile.strikes, path("strikes"), out);
     match &projectile.kind {
         ProjectileKind::Elastic { law } => {
-            if let Potential::Linear { stiffness } = law.potential {
-                out.positive(path("stiffness"), stiffness, "a stiffness", "N/m");
-            }
+            check_smooth(law, &path, out);
         }
         ProjectileKind::Rigid { restitution } => {
             if !(0.0..=1.0).contains(restitution) {
@@ -53,6 +52,12 @@ pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, ou
                 out.add(path("restitution"), found, "a coefficient from 0 to 1");
             }
         }
+    }
+    out.not_negative(path("local_mass"), projectile.local_mass, "a mass", "kg");
+    if let Some(rear) = &projectile.rear {
+        out.positive(path("rear.mass"), rear.mass, "a mass", "kg");
+        out.positive(path("rear.stiffness"), rear.stiffness, "a stiffness", "N/m");
+        out.not_negative(path("rear.damping"), rear.damping, "a damping", "N s/m");
     }
     if !(projectile.standoff >= 0.0 && projectile.standoff.is_finite()) {
         let found = if projectile.standoff < 0.0 {

@@ -2,6 +2,7 @@
 
 mod actions;
 mod beams;
+mod contacts;
 mod supports;
 
 use super::builder::ModelBuilder;
@@ -9,6 +10,7 @@ use super::definition::*;
 use super::fault::Fault;
 use actions::{check_load, check_projectile};
 use beams::{check_beam, check_point, check_stations};
+use contacts::{check_contact, check_disc, check_obstacle};
 use supports::{check_joint, check_spring, check_support};
 
 pub(super) use actions::line_of_flight;
@@ -88,6 +90,15 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     for projectile in &model.projectiles {
         check_projectile(model, projectile, &mut out);
     }
+    for disc in &model.discs {
+        check_disc(disc, &mut out);
+    }
+    for obstacle in &model.obstacles {
+        check_obstacle(model, obstacle, &mut out);
+    }
+    for contact in &model.contacts {
+        check_contact(model, contact, &mut out);
+    }
     for load in &model.loads {
         check_load(model, load, &mut out);
     }
@@ -133,7 +144,28 @@ fn names(model: &ModelBuilder, out: &mut Faults) {
     each("beam", model.beams.iter().map(|x| &x.name), out);
     each("support", model.supports.iter().map(|x| &x.name), out);
     each("joint", model.joints.iter().map(|x| &x.name), out);
+    // Discs are projectiles too, and results of contacts and obstacles stand beside those of projectiles and supports.
+    fn apart<'a>(
+        kind: &str,
+        names: impl Iterator<Item = &'a String>,
+        other: &str,
+        taken: impl Iterator<Item = &'a String> + Clone,
+        out: &mut Faults,
+    ) {
+        for name in names.filter(|name| taken.clone().any(|t| t == *name)) {
+            let found = format!("the name of a {other}");
+            out.add(format!("{kind}.{name}"), found, "a name of its own");
+        }
+    }
     each("projectile", model.projectiles.iter().map(|x| &x.name), out);
+    each("disc", model.discs.iter().map(|x| &x.name), out);
+    each("obstacle", model.obstacles.iter().map(|x| &x.name), out);
+    each("contact", model.contacts.iter().map(|x| &x.name), out);
+    let guided = || model.projectiles.iter().map(|x| &x.name);
+    apart("disc", model.discs.iter().map(|x| &x.name), "projectile", guided(), out);
+    apart("contact", model.contacts.iter().map(|x| &x.name), "guided projectile", guided(), out);
+    let supports = model.supports.iter().map(|x| &x.name);
+    apart("obstacle", model.obstacles.iter().map(|x| &x.name), "support", supports, out);
     each("load", model.loads.iter().map(|x| &x.name), out);
     each("spring", model.springs.iter().map(|x| &x.name), out);
     each("mass", model.masses.iter().map(|x| &x.name), out);

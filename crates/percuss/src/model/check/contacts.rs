@@ -1,0 +1,161 @@
+//! Faults of discs, obstacles and contacts, and of contact laws.
+
+use super::super::builder::ModelBuilder;
+use super::super::definition::*;
+use super::actions::check_function;
+use super::beams::check_point;
+use super::{Faults, quantity};
+use crate::math::vec2::norm;
+
+pub(super) fn check_disc(disc: &Disc, out: &mut Faults) {
+    let path = |field: &str| format!("disc.{}.{field}", disc.name);
+    out.positive(path("mass"), disc.mass, "a mass", "kg");
+    out.not_negative(path("radius"), disc.radius, "a radius", "m");
+    if let Some(inertia) = disc.inertia {
+        out.positive(path("inertia"), inertia, "a moment of inertia", "kg*m^2");
+    }
+    out.finite(path("position"), &disc.position, "m");
+    out.finite(path("velocity"), &disc.velocity, "m/s");
+    out.finite(path("spin"), &[disc.spin], "rad/s");
+}
+
+pub(super) fn check_obstacle(model: &ModelBuilder, obstacle: &Obstacle, out: &mut Faults) {
+    let path = |field: &str| format!("obstacle.{}.{field}", obstacle.name);
+    match &obstacle.shape {
+        ObstacleShape::HalfPlane { point, normal } => {
+            out.finite(path("point"), point, "m");
+            if !(norm(*normal) > 0.0 && norm(*normal).is_finite()) {
+                let found = format!("[{}, {}]", normal[0], normal[1]);
+                out.add(path("normal"), found, "a direction out of the obstacle");
+            }
+        }
+        ObstacleShape::Disc { centre, radius } => {
+            out.finite(path("centre"), centre, "m");
+            out.positive(path("radius"), *radius, "a radius", "m");
+        }
+        ObstacleShape::Segment { ends, thickness } => {
+            out.finite(path("ends"), ends.as_flattened(), "m");
+            out.not_negative(path("thickness"), *thickness, "a thickness", "m");
+            if ends[0] == ends[1] {
+                out.add(path("ends"), "two ends at the same place", "ends that are apart");
+            }
+        }
+        ObstacleShape::Clearance { at, width, gap, .. } => {
+            check_point(model, at, path("at"), out);
+            out.positive(path("width"), *width, "a width", "m");
+            out.not_negative(path("gap"), *gap, "a gap", "m");
+        }
+    }
+    if let Some(motion) = &obstacle.motion {
+        out.finite(path("motion.displacement"), &motion.displacement, "m");
+        check_function(&motion.function, path("motion.function"), out);
+        if motion.rotation != 0.0 {
+            let found = quantity(motion.rotation, "rad");
+            out.add(path("motion.rotation"), found, "no rotation: obstacles do not turn");
+        }
+    }
+    let touched = |c: &Contact| {
+        c.between.iter().any(|party| match party {
+            Party::Obstacle(id) => {
+                model.obstacles.get(id.0 as usize).is_some_and(|o| o.name == obstacle.name)
+            }
+            _ => false,
+        })
+    };
+    if !model.contacts.iter().any(touched) {
+        let path = format!("obstacle.{}", obstacle.name);
+        out.add(path, "nothing touches it", "a contact between it and a beam or a projectile");
+    }
+}
+
+pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut Faults) {
+    let path = |field: &str| format!("contact.{}.{field}", contact.name);
+    for party in contact.between {
+        let known = match party {
+            Party::Disc(id) => (id.0 as usize) < model.discs.len(),
+            Party::Beam(id) => (id.0 as usize) < model.beams.len(),
+            Party::Obstacle(id) => (id.0 as usize) < model.obstacles.len(),
+        };
+        if !known {
+            let expected = "beams, discs and obstacles of this model";
+            out.add(path("between"), "something unknown", expected);
+        }
+    }
+    match contact.between {
+        [Party::Obstacle(_), Party::Obstacle(_)] => {
+            let expected = "a beam or a projectile, and what it touches";
+            out.add(path("between"), "two obstacles, which do not move each other", expected);
+        }
+        [Party::Disc(a), Party::Disc(b)] if a == b => {
+            out.add(path("between"), "a disc and itself", "two different things");
+        }
+        _ => {}
+    }
+    if !(1..=100).contains(&contact.points_per_element) {
+        let found = contact.points_per_element.to_string();
+        out.add(path("points_per_element"), found, "from 1 to 100 points");
+    }
+    match &contact.law {
+        TouchLaw::Smooth(law) => check_smooth(law, &path, out),
+        TouchLaw::Rigid(law) => check_rigid(law, &path, out),
+    }
+}
+
+pub(super) fn check_smooth(law: &SmoothLaw, path: &impl Fn(&str) -> String, out: &mut Faults) {
+    match &law.potential {
+        Potential::Linear { stiffness } => {
+            out.positive(path("stiffness"), *stiffness, "a stiffness", "N/m");
+        }
+        Potential::Hertz { stiffness } => {
+            out.positive(path("stiffness"), *stiffness, "a Hertz stiffness", "N/m^1.5");
+        }
+        Potential::Table { penetration, force } => check_table(penetration, force, path, out),
+    }
+    out.not_negative(path("dissipation"), law.dissipation, "a factor", "s/m");
+    if law.dissipation > 0.0 && law.force == ContactForce::Midpoint {
+        let found = "dissipation with the force in the middle of the step";
+        out.add(path("force"), found, "a conserving force: its books close");
+    }
+}
+
+fn check_table(
+    penetration: &[f64],
+    force: &[f64],
+    path: &impl Fn(&str) -> String,
+    out: &mut Faults,
+) {
+    if penetration.len() != force.len() || penetration.len() < 2 {
+        let found = format!("{} penetrations and {} forces", penetration.len(), force.len());
+        let expected = "at least two penetrations, and as many forces";
+        return out.add(path("penetration"), found, expected);
+    }
+    out.finite(path("penetration"), penetration, "m");
+    out.finite(path("force"), force, "N");
+    if penetration[0] != 0.0 || force[0] != 0.0 {
+        let found = format!("a start at {} m and {} N", penetration[0], force[0]);
+        out.add(path("penetration"), found, "a start at 0 m and 0 N");
+    }
+    if let Some(w) = penetration.windows(2).find(|w| w[1] <= w[0]) {
+        let found = format!("{} m after {} m", w[1], w[0]);
+        out.add(path("penetration"), found, "penetrations that increase");
+    }
+    if let Some(w) = force.windows(2).find(|w| w[1] < w[0]) {
+        let found = format!("{} N after {} N", w[1], w[0]);
+        out.add(path("force"), found, "forces that never fall");
+    }
+}
+
+fn check_rigid(law: &RigidLaw, path: &impl Fn(&str) -> String, out: &mut Faults) {
+    let coefficients =
+        [("restitution", law.restitution), ("tangential_restitution", law.tangential_restitution)];
+    for (field, value) in coefficients {
+        if !(0.0..=1.0).contains(&value) {
+            out.add(path(field), quantity(value, ""), "a coefficient from 0 to 1");
+        }
+    }
+    out.not_negative(path("friction"), law.friction, "a coefficient of friction", "");
+    if law.tangential_restitution > 0.0 && law.friction == 0.0 {
+        let found = "tangential restitution without friction";
+        out.add(path("tangential_restitution"), found, "friction that can carry it");
+    }
+}
