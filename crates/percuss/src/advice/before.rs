@@ -18,6 +18,8 @@ const STEPS: [f64; 2] = [20.0, 8.0];
 const ELEMENTS: [f64; 2] = [4.0, 2.0];
 /// A contact so many times stiffer than Hertz' is worth a word.
 const STIFF: f64 = 3.0;
+/// Waves that come back within this share of a contact come back several times: the span answers as a whole.
+const WAVES: f64 = 1.0 / 3.0;
 /// Poisson's ratio for Hertz' contact; beams have none.
 const POISSON: f64 = 0.3;
 
@@ -80,10 +82,7 @@ impl Desk<'_> {
         let blow = rigid_blow(self.case.law, beams.point_mass, speed);
         let tangent = beams.place.tangent();
         let lengthwise = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > 0.1);
-        vec![
-            blow.map(|blow| self.duration(blow.duration)),
-            self.transit(&beams.place, lengthwise),
-        ]
+        vec![blow.map(|blow| self.duration(blow.duration)), self.transit(&beams.place, lengthwise)]
     }
 
     fn touch(&self, struck: &Struck<'_>, contact: Option<f64>) -> Option<Advice> {
@@ -179,7 +178,7 @@ impl Desk<'_> {
             }
         };
         let text = format!(
-            "one step is {} of the {} that a longitudinal wave takes through the shortest element: {rest}",
+            "one step is {} times the {} that a longitudinal wave takes through the shortest element: {rest}",
             digits(ratio),
             quantity(transit, "s"),
         );
@@ -212,11 +211,8 @@ impl Desk<'_> {
     fn stiffness(&self, struck: &Struck<'_>) -> Option<Advice> {
         let half_depth = struck.place.half_depth();
         let radius = struck.radius.or((half_depth > 0.0).then_some(half_depth))?;
-        let flat = HertzBody {
-            young: struck.place.young(),
-            poisson: POISSON,
-            radius: f64::INFINITY,
-        };
+        let flat =
+            HertzBody { young: struck.place.young(), poisson: POISSON, radius: f64::INFINITY };
         let ball = HertzBody { young: f64::INFINITY, poisson: POISSON, radius };
         let Potential::Hertz { stiffness: constant } = Potential::hertz([ball, flat]) else {
             return None;
@@ -248,7 +244,10 @@ impl Desk<'_> {
                 ),
             )
         } else {
-            (Verdict::Fine, format!("the contact has {} of the stiffness of {ball}", digits(ratio)))
+            (
+                Verdict::Fine,
+                format!("the contact has {} times the stiffness of {ball}", digits(ratio)),
+            )
         };
         Some(self.finding(Topic::Stiffness, [value, reference], "N/m", verdict, text))
     }
@@ -265,7 +264,7 @@ impl Desk<'_> {
                  contact of {lasts} is over: as on a beam without end"
             );
             (Verdict::Fine, text)
-        } else if back < 0.25 * contact {
+        } else if back < WAVES * contact {
             let text = format!(
                 "bending waves come back from the nearest end or support after {time}, many times \
                  in the contact of {lasts}: the whole span takes part in it"
@@ -301,13 +300,16 @@ impl Desk<'_> {
     }
 }
 
-/// How long the first contact lasts \[s\]: as on a beam without end where nothing comes back within it, else at least as long as
-/// against the mass of the beam as a whole.
+/// How long the first contact lasts \[s\]: as on a beam without end where nothing comes back within it; as on one mass and one spring
+/// where a known span swings with it; else at least as long as against the mass of the beam as a whole.
 fn duration(struck: &Struck<'_>, law: &TouchLaw) -> Option<f64> {
     let infinite = struck.infinite_beam(law, struck.speed).and_then(|blow| blow.duration);
     let (section, free) = (struck.place.section(), struck.place.free_distance());
     if let Some(contact) = infinite.filter(|t| section.return_time(free, *t) >= *t) {
         return Some(contact);
+    }
+    if let Some((blow, _)) = struck.two_masses(law, struck.speed) {
+        return Some(blow.duration);
     }
     let mass = reduced_mass([struck.mass, struck.beam_mass()]);
     rigid_blow(law, mass, struck.speed).map(|blow| blow.duration)

@@ -1,7 +1,8 @@
 //! A contact as hand formulas see it: what meets what, how fast, under which law.
 
 use super::formulas::{
-    Blow, InfiniteBeam, InfiniteBeamBlow, hertz_blow, linear_blow, reduced_mass, table_blow,
+    Blow, InfiniteBeam, InfiniteBeamBlow, Span, TwoMassBlow, TwoMasses, hertz_blow, linear_blow,
+    reduced_mass, table_blow,
 };
 use super::structure::{BeamPlace, first_hit, gravity, nearest};
 use crate::contact::pair::Target;
@@ -150,11 +151,7 @@ fn is_disc(body: &Body) -> bool {
     matches!(body.kind, BodyKind::Disc { .. })
 }
 
-fn bodies<'a>(
-    model: &Model,
-    two: [(usize, &Body); 2],
-    target: &Target,
-) -> Option<Meeting<'a>> {
+fn bodies<'a>(model: &Model, two: [(usize, &Body); 2], target: &Target) -> Option<Meeting<'a>> {
     let masses = two.map(|(_, body)| if is_disc(body) { body.mass } else { f64::INFINITY });
     let moves = |(k, body): (usize, &Body)| {
         // An obstacle that is moved as prescribed is no rigid wall at rest.
@@ -239,6 +236,27 @@ impl Struck<'_> {
         span.or_else(|| self.place.free_mass()).unwrap_or_else(|| self.place.mass())
     }
 
+    /// The span of the struck point, where hand formulas know it and the blow of a single mass goes across it.
+    pub fn span(&self) -> Option<Span> {
+        self.place.span().filter(|_| self.across() > 0.999 && self.rear.is_none())
+    }
+
+    /// The blow on a known span of one mass and one spring, where it lasts long enough, and the span.
+    pub fn two_masses(&self, law: &TouchLaw, speed: f64) -> Option<(TwoMassBlow, Span)> {
+        let (span, stiffness) = (self.span()?, linear_stiffness(law)?);
+        // The duration does not depend on the speed.
+        let unit = TwoMasses::on(&span, self.mass, stiffness).blow(1.0);
+        if unit.duration < SHORTEST * span.period() {
+            return None;
+        }
+        let blow = TwoMassBlow {
+            peak_force: speed * unit.peak_force,
+            deflection: speed * unit.deflection,
+            ..unit
+        };
+        Some((blow, span))
+    }
+
     /// The wave-controlled impact, where it is one: a single mass behind a linear spring without losses, across a beam that is
     /// uniform and carries nothing at the place.
     pub fn infinite_beam(&self, law: &TouchLaw, speed: f64) -> Option<InfiniteBeamBlow> {
@@ -256,6 +274,9 @@ impl Struck<'_> {
         Some(beam.blow(self.mass, stiffness, speed))
     }
 }
+
+/// Contacts shorter than this share of the lowest mode's period are no case for one mass and one spring.
+const SHORTEST: f64 = 0.25;
 
 /// Stiffness of a linear spring without losses.
 pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {

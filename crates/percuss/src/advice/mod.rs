@@ -8,6 +8,8 @@ mod before;
 mod case;
 pub mod formulas;
 mod structure;
+#[cfg(test)]
+mod tests;
 mod words;
 
 use crate::model::Model;

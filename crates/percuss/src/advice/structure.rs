@@ -1,7 +1,7 @@
 //! What hand formulas need to know of a beam: its constants, its ends, what disturbs it.
 
-use crate::element::beam::ElementTable;
 use super::formulas::{Span, SpanKind, UniformBeam, free_bar_mass};
+use crate::element::beam::ElementTable;
 use crate::math::vec2::{cross, dot, rot90, sub};
 use crate::model::Model;
 use crate::model::frozen::{BeamData, Coordinate, LoadAction, MaterialPoint, Place};

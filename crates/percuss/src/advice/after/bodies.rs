@@ -13,7 +13,9 @@ const SHORTEST: f64 = 0.5;
 /// Adds that a smooth law has no losses.
 fn lossless(desk: &Desk<'_>, assumptions: Assumptions) -> Assumptions {
     match desk.case.law {
-        TouchLaw::Smooth(law) => assumptions.and("no losses in the contact", law.dissipation == 0.0),
+        TouchLaw::Smooth(law) => {
+            assumptions.and("no losses in the contact", law.dissipation == 0.0)
+        }
         TouchLaw::Rigid(_) => assumptions,
     }
 }
@@ -37,7 +39,8 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     if share < SHORTEST || struck.rear.is_some() {
         return Vec::new();
     }
-    let longer = format!("the contact lasts longer than the lowest mode: {} periods", digits(share));
+    let longer =
+        format!("the contact lasts longer than the lowest mode: {} periods", digits(share));
     let formula = Formula {
         name: "two free rigid bodies",
         source: "conservation of momentum and energy, with the reduced mass",
@@ -103,7 +106,8 @@ pub fn rigid_target(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let formula = Formula {
         name: "rigid target",
         source: "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24): a bound",
-        assumptions: lossless(desk, desk.undisturbed()).and("a target that does not give way", false),
+        assumptions: lossless(desk, desk.undisturbed())
+            .and("a target that does not give way", false),
     };
     desk.rows(&formula, desk.force_and_duration(blow.peak_force, blow.duration))
 }
@@ -113,7 +117,7 @@ pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
     if !two.simple {
         return Vec::new();
     }
-    let alone = Assumptions::default().and("the two touch nothing else meanwhile", desk.is_alone());
+    let alone = Assumptions::default().and("neither has touched anything else", desk.is_alone());
     if let Some(restitution) = desk.restitution() {
         let formula = Formula {
             name: "two rigid bodies",

@@ -23,7 +23,8 @@ pub fn comparisons(
 ) -> Vec<Comparison> {
     let Some(touch) = Touch::first(&contact.record) else { return Vec::new() };
     let Some(case) = case::read(model, index, Some(touch.place())) else { return Vec::new() };
-    let desk = Desk { model, run, contact, case: &case, touch, speed: touch.approach() };
+    let speed = touch.approach();
+    let desk = Desk { model, run, index, contact, case: &case, touch, speed };
     if !(desk.speed > 0.0) {
         return Vec::new();
     }
@@ -94,6 +95,8 @@ impl<'a> Touch<'a> {
 pub(super) struct Desk<'a> {
     pub model: &'a Model,
     pub run: &'a RunSummary,
+    /// Number of the contact.
+    pub index: usize,
     pub contact: &'a ContactSummary,
     pub case: &'a Case<'a>,
     pub touch: Touch<'a>,
@@ -136,7 +139,8 @@ impl Assumptions {
 impl Desk<'_> {
     /// One row a quantity that both sides know.
     pub fn rows(&self, formula: &Formula, quantities: Vec<Quantity>) -> Vec<Comparison> {
-        let known = |q: &Quantity| q.by_hand.is_finite() && q.by_hand != 0.0 && q.simulated.is_finite();
+        let known =
+            |q: &Quantity| q.by_hand.is_finite() && q.by_hand != 0.0 && q.simulated.is_finite();
         let row = |q: Quantity| Comparison {
             contact: self.contact.name.clone(),
             formula: formula.name,
@@ -172,21 +176,33 @@ impl Desk<'_> {
         let (_, loads) = gravity(self.model);
         let motion = &self.model.initial_motion;
         let moves = motion.spin != 0.0 || self.model.supports.iter().any(|s| s.motion.is_some());
-        let others = self.run.contacts.iter().filter(|c| c.name != self.contact.name);
-        let starts = others.filter_map(|c| Touch::first(&c.record)).map(|touch| touch.time());
+        let starts = self.others().filter_map(Touch::first).map(|touch| touch.time());
         let earlier = starts.into_iter().any(|time| time < self.touch.time());
-        let damped = self.model.has_viscous_parts()
-            || self.model.spans.iter().any(|span| span.is_damped());
+        let damped =
+            self.model.has_viscous_parts() || self.model.spans.iter().any(|span| span.is_damped());
         Assumptions::default()
             .and("nothing moves or loads the beam before the touch", !(loads || moves || earlier))
             .and("no damping", !damped)
     }
 
-    /// Whether no other contact was closed while the first touch lasted.
+    /// The other contacts of what meets here; beams may be joined, so that all of them count as one.
+    fn others(&self) -> impl Iterator<Item = &ContactRecord> {
+        let parties = |k: usize| -> Vec<usize> {
+            let pairs = &self.model.pairs[self.model.contacts[k].pairs.clone()];
+            let beams = self.model.beams.len();
+            let movers = pairs.iter().take(1).flat_map(|pair| pair.movers);
+            movers.map(|m| if m < beams { 0 } else { m }).collect()
+        };
+        let own = parties(self.index);
+        let shares = move |k: &usize| parties(*k).iter().any(|party| own.contains(party));
+        let all = (0..self.run.contacts.len()).filter(|k| *k != self.index);
+        all.filter(shares).map(|k| &self.run.contacts[k].record)
+    }
+
+    /// Whether no other contact of the two was closed before the first touch ended.
     pub fn is_alone(&self) -> bool {
         let ended = self.interval().map_or(self.touch.time(), |i| i.end);
-        let others = self.run.contacts.iter().filter(|c| c.name != self.contact.name);
-        others.filter_map(|c| Touch::first(&c.record)).all(|touch| touch.time() > ended)
+        self.others().filter_map(Touch::first).all(|touch| touch.time() > ended)
     }
 
     /// Acceleration of gravity along a direction \[m/s^2\].

@@ -2,42 +2,45 @@
 
 use super::super::Comparison;
 use super::super::case::{Struck, linear_stiffness};
-use super::super::formulas::{Span, TwoMasses, impact_factor as factor};
+use super::super::formulas::impact_factor as factor;
 use super::super::words::digits;
 use super::{Assumptions, Desk, Formula, Quantity, against};
 
-/// Contacts shorter than this share of the lowest mode's period are no case for one mass and one spring.
-const SHORTEST: f64 = 0.25;
 /// Deflections below this share of the radius of gyration (or of the span, where its ends can slide) are small.
 const SMALL: f64 = 0.3;
 const SMALL_SLIDING: f64 = 0.05;
-/// A weight below this share of the largest force is negligible.
+/// A weight below this share of the largest force is negligible; above the second it governs.
 const LIGHT: f64 = 0.02;
-
-/// The span of a struck point, where hand formulas know it and the blow goes across it.
-fn known(struck: &Struck<'_>) -> Option<Span> {
-    struck.place.span().filter(|_| struck.across() > 0.999 && struck.rear.is_none())
-}
+const HEAVY: f64 = 0.2;
 
 /// Adds that deflections must be small for the span's stiffness to be what it is.
 fn small(assumptions: Assumptions, struck: &Struck<'_>, deflection: f64) -> Assumptions {
     let section = struck.place.section();
     let (limit, what) = if struck.place.is_held_lengthwise() {
         let gyration = (section.bending / section.axial).sqrt();
-        (SMALL * gyration, "deflection so small that ends that cannot slide do not stiffen the span")
+        (
+            SMALL * gyration,
+            "deflection so small that ends that cannot slide do not stiffen the span",
+        )
     } else {
         (SMALL_SLIDING * struck.place.beam.length, "deflection small against the span")
     };
     assumptions.and(format!("{what}: {}", against(deflection, limit, "m")), deflection < limit)
 }
 
-fn weightless(desk: &Desk<'_>, struck: &Struck<'_>, assumptions: Assumptions, force: f64) -> Assumptions {
+fn weightless(
+    desk: &Desk<'_>,
+    struck: &Struck<'_>,
+    assumptions: Assumptions,
+    force: f64,
+) -> Assumptions {
     let weight = (struck.mass * desk.gravity_along(struck.direction)).abs();
     let share = weight / force;
     if weight == 0.0 {
         return assumptions;
     }
-    assumptions.and(format!("weight negligible: {} % of the force", digits(100.0 * share)), share < LIGHT)
+    assumptions
+        .and(format!("weight negligible: {} % of the force", digits(100.0 * share)), share < LIGHT)
 }
 
 fn deflection(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
@@ -56,20 +59,14 @@ fn moment(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
 
 /// Projectile, contact spring, reduced mass and stiffness of the span.
 pub fn two_masses(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
-    let (Some(span), Some(stiffness)) = (known(struck), linear_stiffness(desk.case.law)) else {
+    let Some((blow, span)) = struck.two_masses(desk.case.law, desk.speed) else {
         return Vec::new();
     };
-    let blow = TwoMasses::on(&span, struck.mass, stiffness).blow(desk.speed);
     let share = blow.duration / span.period();
-    if share < SHORTEST {
-        return Vec::new();
-    }
-    let assumptions = desk
-        .undisturbed()
-        .and(
-            format!("the contact lasts longer than the lowest mode: {} periods", digits(share)),
-            share >= 1.0,
-        );
+    let assumptions = desk.undisturbed().and(
+        format!("the contact lasts longer than the lowest mode: {} periods", digits(share)),
+        share >= 1.0,
+    );
     let assumptions = small(assumptions, struck, blow.deflection);
     let formula = Formula {
         name: "two masses and two springs",
@@ -83,22 +80,31 @@ pub fn two_masses(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
 
 /// A mass that strikes and stays.
 pub fn cox(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
-    let (Some(span), Some(0.0)) = (known(struck), desk.restitution()) else { return Vec::new() };
+    let (Some(span), Some(0.0)) = (struck.span(), desk.restitution()) else { return Vec::new() };
     let cox = span.cox(struck.mass, desk.speed);
-    let stays = stays(desk, struck);
-    let assumptions =
-        small(desk.undisturbed().and(STAYS, stays), struck, cox.deflection);
     let force = span.stiffness() * cox.deflection;
-    let formula = Formula {
+    let weight = struck.mass * desk.gravity_along(struck.direction).abs();
+    if weight > HEAVY * force {
+        return Vec::new(); // a case for the impact factor
+    }
+    let formula = |assumptions| Formula {
         name: "Cox",
-        source: "Cox 1849: momentum of mass and reduced span, then their energy; higher modes left out",
-        assumptions: weightless(desk, struck, assumptions, force),
+        source: "Cox 1849: momentum of mass and reduced span, then their energy",
+        assumptions,
     };
-    let quantities =
-        vec![deflection(desk, struck, cox.deflection), moment(desk, struck, cox.moment)];
-    desk.rows(&formula, quantities)
+    let assumptions = || {
+        let stays = desk.undisturbed().and(STAYS, stays(desk, struck));
+        weightless(desk, struck, small(stays, struck, cox.deflection), force)
+    };
+    let mut all =
+        desk.rows(&formula(assumptions()), vec![deflection(desk, struck, cox.deflection)]);
+    let bent = assumptions().and(STATIC_SHAPE, false);
+    all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, cox.moment)]));
+    all
 }
 
+/// No span is bent so while waves of the blow run through it.
+const STATIC_SHAPE: &str = "bent as by a static force: waves of the blow add to the moment";
 const STAYS: &str = "the mass stays on the beam until it is bent most";
 
 /// Whether the contact is closed when the deflection is largest.
@@ -110,7 +116,7 @@ fn stays(desk: &Desk<'_>, struck: &Struck<'_>) -> bool {
 /// A weight that falls on a span, with and without the span's mass.
 pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let pull = desk.gravity_along(struck.direction);
-    let Some(span) = known(struck) else { return Vec::new() };
+    let Some(span) = struck.span() else { return Vec::new() };
     let spring = linear_stiffness(desk.case.law);
     let plastic = desk.restitution() == Some(0.0);
     let [across, along] = struck.gravity_shares();
@@ -124,20 +130,25 @@ pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let sag = span.sag(span.mass * pull);
     let row = |name, source, height: f64, light: bool| {
         let by_hand = weight / own * factor(height, weight / series);
-        let mut assumptions = desk
-            .undisturbed()
-            .and(STAYS, stays(desk, struck))
-            .and(format!("own weight of the span small: sag {}", against(sag, by_hand, "m")), sag < SMALL_SLIDING * by_hand);
-        if light {
-            let share = format!("span light: its reduced mass is {} of the falling one", digits(ratio));
-            assumptions = assumptions.and(share, ratio < LIGHT);
+        if sag > HEAVY * by_hand {
+            return Vec::new(); // the span's own weight governs
         }
-        let formula = Formula { name, source, assumptions: small(assumptions, struck, by_hand) };
-        let quantities = vec![
-            deflection(desk, struck, by_hand),
-            moment(desk, struck, span.moment(own * by_hand)),
-        ];
-        desk.rows(&formula, quantities)
+        let assumptions = || {
+            let sags = format!("own weight of the span small: sag {}", against(sag, by_hand, "m"));
+            let all = desk
+                .undisturbed()
+                .and(STAYS, stays(desk, struck))
+                .and(sags, sag < SMALL_SLIDING * by_hand);
+            let share =
+                format!("span light: its reduced mass is {} of the falling one", digits(ratio));
+            small(if light { all.and(share, ratio < LIGHT) } else { all }, struck, by_hand)
+        };
+        let formula = |assumptions| Formula { name, source, assumptions };
+        let bent = assumptions().and(STATIC_SHAPE, false);
+        let mut all = desk.rows(&formula(assumptions()), vec![deflection(desk, struck, by_hand)]);
+        let by_hand = span.moment(own * by_hand);
+        all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, by_hand)]));
+        all
     };
     let plain = "1 + sqrt(1 + 2 h/d), d the static deflection: all energy bends the span";
     let reduced = "the same with the height over 1 + m/M, m the span's reduced mass (Cox 1849)";

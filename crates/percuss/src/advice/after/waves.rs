@@ -35,7 +35,10 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
             back >= lasts,
         )
         .and(
-            format!("rotary inertia negligible: {} % of the shortest waves'", digits(100.0 * rotary)),
+            format!(
+                "rotary inertia negligible: {} % of the shortest waves'",
+                digits(100.0 * rotary)
+            ),
             rotary < ROTARY,
         )
         .and(format!("small slopes: up to {}", digits(slope)), slope < SMALL);
@@ -44,7 +47,8 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
         source: "closed form for a mass behind a linear spring on a Bernoulli beam without end",
         assumptions,
     };
-    let mut quantities = desk.force_and_duration(blow.peak_force, blow.duration.unwrap_or(f64::NAN));
+    let mut quantities =
+        desk.force_and_duration(blow.peak_force, blow.duration.unwrap_or(f64::NAN));
     if !undisturbed {
         quantities.truncate(1);
     }
