@@ -16,8 +16,8 @@ use percuss_output::{
 };
 use serde_json::Value;
 
-use crate::arguments::Run;
 use crate::advisor;
+use crate::arguments::Run;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::progress::Progress;

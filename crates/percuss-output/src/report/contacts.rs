@@ -71,7 +71,8 @@ pub(super) fn between(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
         let contact = &summary["contact"][name];
         all.extend(curve(canvas, name, GAP, contact));
         all.extend(curve(canvas, name, FORCE, contact));
-        if contact["impacts"].is_array() {
+        let some = |key: &str| contact[key].as_array().is_some_and(|list| !list.is_empty());
+        if contact["impacts"].is_array() && (some("impacts") || some("intervals")) {
             let figure = impact::impulses(canvas, &format!("impulse-{name}"), name, contact);
             all.push(Entry::Ready(figure));
         }

@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
+use super::figure::largest;
 use super::html::{Cell, escape, table_of_cells};
-use super::quantity::{number, quantity};
+use super::quantity::{Scale, number, quantity};
 
 /// Rows shown; all of them are in `impacts.csv`.
 const LISTED: usize = 40;
@@ -33,15 +34,17 @@ pub(super) fn render(summary: &Value) -> String {
     let kept = entries.len();
     entries.truncate(LISTED);
     let columns = columns(&entries, contacts.len() > 1);
-    let header: Vec<&str> = columns.iter().map(|c| c.header).collect();
     let row = |(k, entry): (usize, &Entry<'_>)| {
-        let cells = columns.iter().map(|c| (c.cell)(entry));
+        let cells = columns.iter().map(|column| column.cell(entry));
         std::iter::once(Cell::Text((k + 1).to_string())).chain(cells).collect()
     };
     let rows: Vec<Vec<Cell>> = entries.iter().enumerate().map(row).collect();
+    let header: Vec<&str> =
+        std::iter::once("").chain(columns.iter().map(|c| c.header.as_str())).collect();
     let mut out = format!("<h2>Impact log</h2>\n{}", legend(&entries));
-    let header: Vec<&str> = std::iter::once("").chain(header).collect();
+    out += "<div class=\"log\">\n";
     out += &table_of_cells(&caption(contacts), &header, &rows);
+    out += "</div>\n";
     out + &more(total, kept, rows.len())
 }
 
@@ -57,6 +60,13 @@ fn entries<'a>(name: &'a str, contact: &'a Value) -> Vec<Entry<'a>> {
     let impacts = list(contact, "impacts").iter().filter_map(|v| entry(v, "time"));
     let intervals = list(contact, "intervals").iter().filter_map(|v| entry(v, "start"));
     impacts.chain(intervals).collect()
+}
+
+/// A value with its unit, three significant digits.
+fn brief(value: f64, unit: &str) -> String {
+    let power = 10_f64.powf(2.0 - value.abs().log10().floor());
+    let rounded = (value * power).round() / power;
+    quantity(Some(if rounded.is_finite() { rounded } else { value }), unit)
 }
 
 /// Impacts and intervals of a contact, kept in the summary or not.
@@ -89,37 +99,84 @@ fn more(total: usize, kept: usize, shown: usize) -> String {
     format!("<p class=\"more\">{where_}</p>\n")
 }
 
-/// A column and what stands in it.
+/// A column.
 struct Column {
-    header: &'static str,
-    cell: fn(&Entry<'_>) -> Cell,
+    header: String,
+    content: Content,
+}
+
+/// What stands in a column.
+enum Content {
+    /// Numbers on one scale, so that they compare.
+    Number {
+        value: fn(&Entry<'_>) -> Option<f64>,
+        factor: f64,
+    },
+    Other(fn(&Entry<'_>) -> Cell),
+}
+
+impl Column {
+    fn other(header: &str, cell: fn(&Entry<'_>) -> Cell) -> Self {
+        Self { header: header.to_owned(), content: Content::Other(cell) }
+    }
+
+    /// Numbers with the unit in the header; nothing where no row has one.
+    fn number(
+        entries: &[Entry<'_>],
+        header: &str,
+        unit: &str,
+        value: fn(&Entry<'_>) -> Option<f64>,
+    ) -> Option<Self> {
+        let values: Vec<f64> = entries.iter().filter_map(value).collect();
+        let scale = Scale::new(largest(&values), unit);
+        let unit = if scale.unit.is_empty() { String::new() } else { format!(" [{}]", scale.unit) };
+        let header = format!("{header}{unit}").replace(' ', "\u{a0}");
+        let content = Content::Number { value, factor: scale.factor };
+        (!values.is_empty()).then_some(Self { header, content })
+    }
+
+    fn cell(&self, entry: &Entry<'_>) -> Cell {
+        match &self.content {
+            Content::Number { value, factor } => {
+                // Instants may lie close together.
+                let text = if self.header.starts_with("time") { number } else { significant };
+                let shown = value(entry).map(|v| text(v * factor));
+                Cell::Text(shown.unwrap_or("\u{2013}".to_owned()))
+            }
+            Content::Other(cell) => cell(entry),
+        }
+    }
+}
+
+/// Five significant digits.
+fn significant(value: f64) -> String {
+    let power = 10_f64.powf(4.0 - value.abs().log10().floor());
+    let rounded = (value * power).round() / power;
+    number(if rounded.is_finite() { rounded } else { value })
 }
 
 /// The columns that have something to say.
 fn columns(entries: &[Entry<'_>], several: bool) -> Vec<Column> {
     let any = |has: &dyn Fn(&Value) -> bool| entries.iter().any(|e| has(e.value));
-    let column = |header, cell| Some(Column { header, cell });
+    let elsewhere = |v: &Value| v["place"]["s"].is_null() && v["place"]["position"][0].is_number();
     let slides = |v: &Value| v["tangential_impulse"].as_f64().is_some_and(|t| t != 0.0);
+    let numbers = |header: &str, unit: &str, value| Column::number(entries, header, unit, value);
     let all = [
-        several.then_some(Column { header: "contact", cell: contact }),
-        column("time", |e| cell(Some(e.start), "s")),
-        column("lasts", lasts).filter(|_| any(&|v| v["start"].is_number())),
-        column("place", place).filter(|_| any(&|v| v["place"]["position"][0].is_number())),
-        column("impulse", |e| cell(e.value["impulse"].as_f64(), "N*s")),
-        column("of friction", |e| cell(e.value["tangential_impulse"].as_f64(), "N*s"))
+        several.then(|| Column::other("contact", contact)),
+        numbers("time", "s", |e| Some(e.start)),
+        any(&|v| v["start"].is_number()).then(|| Column::other("lasts", lasts)),
+        numbers("arc length", "m", |e| e.value["place"]["s"].as_f64()),
+        any(&elsewhere).then(|| Column::other("place", place)),
+        numbers("impulse", "N*s", |e| e.value["impulse"].as_f64()),
+        numbers("of friction", "N*s", |e| e.value["tangential_impulse"].as_f64())
             .filter(|_| any(&slides)),
-        column("peak force", |e| cell(e.value["peak_force"]["value"].as_f64(), "N"))
-            .filter(|_| any(&|v| v["peak_force"].is_object())),
-        column("approach", |e| cell(e.value["approach_velocity"].as_f64(), "m/s")),
-        column("separation", |e| cell(e.value["separation_velocity"].as_f64(), "m/s")),
-        column("restitution", restitution),
-        column("energy passed on", energy).filter(|_| any(&|v| v["energy"].is_object())),
+        numbers("peak force", "N", |e| e.value["peak_force"]["value"].as_f64()),
+        numbers("approach", "m/s", |e| e.value["approach_velocity"].as_f64()),
+        numbers("separation", "m/s", |e| e.value["separation_velocity"].as_f64()),
+        Some(Column::other("restitution", restitution)),
+        any(&|v| v["energy"].is_object()).then(|| Column::other("energy passed on", energy)),
     ];
     all.into_iter().flatten().collect()
-}
-
-fn cell(value: Option<f64>, unit: &str) -> Cell {
-    Cell::Text(quantity(value, unit))
 }
 
 fn contact(entry: &Entry<'_>) -> Cell {
@@ -129,18 +186,18 @@ fn contact(entry: &Entry<'_>) -> Cell {
 fn lasts(entry: &Entry<'_>) -> Cell {
     let (start, end) = (entry.value["start"].as_f64(), entry.value["end"].as_f64());
     match (start, end) {
-        (None, _) => Cell::Text("an instant".to_owned()),
+        (None, _) => Cell::Text("instant".to_owned()),
         (Some(_), None) => Cell::Text("still closed".to_owned()),
-        (Some(start), Some(end)) => cell(Some(end - start), "s"),
+        (Some(start), Some(end)) => Cell::Text(brief(end - start, "s")),
     }
 }
 
+/// The position of what touches on no beam.
 fn place(entry: &Entry<'_>) -> Cell {
     let place = &entry.value["place"];
-    let position = |k: usize| place["position"][k].as_f64().map(number);
+    let position = |k: usize| place["position"][k].as_f64().map(significant);
     Cell::Text(match (place["s"].as_f64(), position(0), position(1)) {
-        (Some(s), ..) => format!("s = {}\u{a0}m", number(s)),
-        (None, Some(x), Some(y)) => format!("({x}, {y})\u{a0}m"),
+        (None, Some(x), Some(y)) => format!("({x},\u{a0}{y})\u{a0}m"),
         _ => "\u{2013}".to_owned(),
     })
 }
@@ -150,7 +207,7 @@ fn restitution(entry: &Entry<'_>) -> Cell {
     // The round-off of a plastic impact is nothing worth reading.
     let text = value.map_or("\u{2013}".to_owned(), |e| match e.abs() < 1e-11 {
         true => "0".to_owned(),
-        false => number(e),
+        false => significant(e),
     });
     let mark = if entry.value["tamed"] == true { "*" } else { "" };
     Cell::Text(format!("{text}{mark}"))
@@ -185,7 +242,7 @@ fn energy(entry: &Entry<'_>) -> Cell {
         let share = value / sum;
         let _ = write!(pieces, "<i class=\"{class}\" style=\"width:{:.2}%\"></i>", 100.0 * share);
         if share >= NAMED {
-            named.push(format!("{}\u{a0}{label}", quantity(Some(value), "J")));
+            named.push(format!("{}\u{a0}{label}", brief(value, "J")));
         }
     }
     let words = escape(&named.join(", "));

@@ -94,7 +94,7 @@ fn departure(projectile: &Value) -> Vec<Vec<String>> {
     let mut rows = vec![
         row("velocity at the end", format!("({}, {}) m/s", component(0), component(1))),
         row(
-            "momentum given away, along the line of flight",
+            "momentum given away, along the initial motion",
             quantity(projectile["momentum_transferred"].as_f64(), "kg*m/s"),
         ),
         row("kinetic energy given away", quantity(projectile["energy_transferred"].as_f64(), "J")),

@@ -187,14 +187,15 @@ fn struck_by_disc(
         _ => middle.s,
     };
     let place = BeamPlace::new(model, beam, s);
+    // The force of the contact acts across the beam, however obliquely the disc flies.
     let across = rot90(place.tangent());
-    let direction = if speed > 0.0 { scale(1.0 / speed, relative) } else { across };
-    // The way of the centre until the disc touches the face of a straight beam.
+    let towards = dot(relative, across);
+    let direction = scale(1.0_f64.copysign(towards), across);
     let half_depth = if place.half_depth().is_nan() { 0.0 } else { place.half_depth() };
-    let steep = dot(direction, across).abs();
-    let gap = seen
-        .filter(|_| steep > 0.1)
-        .map(|[_, way]| (way * speed - (radius + half_depth) / steep).max(0.0));
+    let steep = towards.abs() > 1e-3 * speed && speed > 0.0;
+    let gap = seen.filter(|_| steep);
+    let gap = gap.map(|[_, time]| (time * towards.abs() - radius - half_depth).max(0.0));
+    let speed = towards.abs();
     let radius = (radius > 0.0).then_some(radius);
     let mass = body.mass;
     Some(Meeting::Struck(Struck { mass, rear: None, radius, direction, speed, gap, place }))

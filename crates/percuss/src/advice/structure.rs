@@ -242,24 +242,24 @@ fn coordinate_points(coordinate: &Coordinate) -> impl Iterator<Item = &MaterialP
     points.into_iter().flatten()
 }
 
-/// Where a ray from `from` along `direction` first meets the polygon of a beam's nodes: arc length and way to it, both \[m\].
+/// Where and when what flies from `from` with `velocity` first meets the polygon of a beam's nodes: arc length \[m\] and time \[s\].
 pub fn first_hit(
     model: &Model,
     beam: &BeamData,
     from: [f64; 2],
-    direction: [f64; 2],
+    velocity: [f64; 2],
 ) -> Option<[f64; 2]> {
     let mut best: Option<[f64; 2]> = None;
     for span in beam.spans.clone().map(|i| &model.spans[i]) {
         for k in 0..span.elements.len() {
             let [a, b] = [k, k + 1].map(|k| model.nodes[span.nodes.start + k].position);
             let (side, to) = (sub(b, a), sub(a, from));
-            let turn = cross(direction, side);
-            let (way, share) = (cross(to, side) / turn, cross(to, direction) / turn);
-            let meets = way >= 0.0 && (-SAME..=1.0 + SAME).contains(&share);
-            if meets && best.is_none_or(|[_, least]| way < least) {
+            let turn = cross(velocity, side);
+            let (time, share) = (cross(to, side) / turn, cross(to, velocity) / turn);
+            let meets = time >= 0.0 && (-SAME..=1.0 + SAME).contains(&share);
+            if meets && best.is_none_or(|[_, least]| time < least) {
                 let s = span.stations[k] + share * (span.stations[k + 1] - span.stations[k]);
-                best = Some([s.clamp(0.0, beam.length), way]);
+                best = Some([s.clamp(0.0, beam.length), time]);
             }
         }
     }

@@ -39,7 +39,12 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
         rows.extend(labels.zip(lines));
     }
     let by_hand = ["by hand".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
-    rows.extend(by_hand.zip(listed(&ended.comparisons, ended.comparisons.len(), HANDED, comparison)));
+    rows.extend(by_hand.zip(listed(
+        &ended.comparisons,
+        ended.comparisons.len(),
+        HANDED,
+        comparison,
+    )));
     rows.push(("results".into(), out.display().to_string()));
     let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
     let title = ended.value["title"].as_str().filter(|title| !title.is_empty());
