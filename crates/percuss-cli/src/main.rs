@@ -1,5 +1,6 @@
 //! The `percuss` command: simulates impact on geometrically exact beams from scenario files.
 
+mod advisor;
 mod arguments;
 mod commands;
 mod effective_mass;

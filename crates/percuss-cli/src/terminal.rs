@@ -21,6 +21,11 @@ pub fn warning(text: &str) {
     tell(&format!("{} {text}", painted("warning:", "1;33")));
 }
 
+/// Tells what is worth knowing.
+pub fn note(text: &str) {
+    tell(&format!("{} {text}", painted("note:", "1;36")));
+}
+
 /// Writes to standard output. A reader that has seen enough (`| head`) is no error.
 ///
 /// # Errors

@@ -28,6 +28,7 @@ impl Results {
                 "history.units.json",
                 "comparison.csv",
                 "envelopes.csv",
+                "impacts.csv",
                 "report.html",
                 "figures",
                 "fields",

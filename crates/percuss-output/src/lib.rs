@@ -11,6 +11,7 @@ mod envelopes;
 mod error;
 mod files;
 mod history;
+mod impacts;
 mod modes;
 mod path;
 pub mod report;
@@ -25,6 +26,7 @@ pub use history::{
     Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,
     read as read_history,
 };
+pub use impacts::write_impacts;
 pub use modes::{ModesInfo, modes_value, write_modes};
 pub use path::{path_value, write_path};
 pub use summary::{RunInfo, read_summary, summary_value, write_summary};

@@ -24,7 +24,14 @@ fn rigid() -> Result<ReportData, RecorderError> {
         ComparisonSeries::from_history("restitution 1", &history).into_iter().collect();
     let run = synthetic::summary("hammer", synthetic::impacts(250));
     let settings = Settings::new(0.02, 1e-5);
-    let info = RunInfo { title: "Hammer", settings: &settings, wall_seconds: 0.1 };
+    let (advice, comparisons) = (synthetic::advice("hammer"), synthetic::comparisons("hammer"));
+    let info = RunInfo {
+        title: "Hammer",
+        settings: &settings,
+        wall_seconds: 0.1,
+        advice: &advice,
+        comparisons: &comparisons,
+    };
     let summary = summary_value(&run, info);
     let envelopes = vec![envelope("girder", 1.0)];
     let scenario = "[beam]\n".to_owned();
@@ -81,7 +88,7 @@ fn a_rigid_run_has_the_figures_of_the_paper() -> Outcome {
     assert_eq!(stems["shape"], "stem");
     let column = stems["y"].as_u64().ok_or("no column")? as usize;
     assert_eq!(index["columns"][column], json!([4, 250]), "the summary's impacts, nothing else");
-    assert!(page.contains("and 50 more"), "250 impacts, 200 listed");
+    assert!(page.contains("and 210 more, in impacts.csv"), "250 impacts, 40 listed");
     assert!(page.contains("Mind the mesh"), "91.2 kg against 17.3 kg");
     Ok(())
 }
@@ -118,6 +125,13 @@ fn text_of_users_stays_text() -> Outcome {
         ("section_forces", "girder"),
     ] {
         data.summary[part] = json!({ evil: data.summary[part][name].clone() });
+    }
+    data.summary["contact"][evil]["between"] = json!([evil, evil]);
+    for key in ["contact", "topic", "verdict", "unit", "text"] {
+        data.summary["advice"][0][key] = json!(evil);
+    }
+    for key in ["contact", "formula", "source", "quantity", "unit", "holds_if"] {
+        data.summary["hand_formulas"][0][key] = json!(evil);
     }
     data.envelopes = vec![envelope(evil, 1.0), envelope(evil, 2.0), envelope("c", 3.0)];
     data.scenario = evil.to_owned();
@@ -301,6 +315,85 @@ fn what_is_left_out_and_why_is_said() -> Outcome {
     data.scenario = "[projectile.hammer]\nforce = \"midpoint\"\n".to_owned();
     assert!(page(&data)?.contains("the midpoint force does not conserve energy"));
     assert!(page(&data)?.contains("Section forces</caption>"));
+    Ok(())
+}
+
+#[test]
+fn the_log_names_times_places_and_where_the_energy_went() -> Outcome {
+    let mut data = rigid()?;
+    let contact = &mut data.summary["contact"]["hammer"];
+    contact["impacts"] = json!([contact["impacts"][0]]);
+    contact["impact_count"] = json!(1);
+    contact["impacts"][0]["energy"] = json!({ "given": [600.0, -1000.0], "lost": 400.0 });
+    contact["impacts"][0]["tamed"] = json!(true);
+    contact["impacts"][0]["tangential_impulse"] = json!(-12.5);
+    contact["intervals"] = json!([{ "start": 0.0001, "end": null, "impulse": 3.0 }]);
+    let page = page(&data)?;
+    let log = page.split_once("<h2>Impact log</h2>").ok_or("no log")?.1;
+    let log = log.split_once("</section>").ok_or("no end")?.0;
+    let first = log.find("still closed").ok_or("no interval")?;
+    let second = log.find("<td>instant</td>").ok_or("no impact")?;
+    assert!(first < second, "in the order of time");
+    for text in [
+        "arc\u{a0}length\u{a0}[m]",
+        "of\u{a0}friction",
+        "600\u{a0}J\u{a0}girder.mid",
+        "400\u{a0}J\u{a0}lost",
+    ] {
+        assert!(log.contains(text), "no {text} in {log}");
+    }
+    assert!(log.contains("class=\"first\" style=\"width:60.00%\""), "{log}");
+    assert!(log.contains("1*</td>") && log.contains("Moreau"), "tamed impacts are marked");
+    assert!(!log.contains("peak\u{a0}force"), "nothing here has a force");
+    Ok(())
+}
+
+#[test]
+fn findings_and_hand_formulas_stand_in_the_report() -> Outcome {
+    let page = page(&rigid()?)?;
+    for text in [
+        "<h2>Advisor</h2>",
+        "<span class=\"verdict mark\">warning</span>",
+        "hammer: two masses and two springs</caption>",
+        "<td>256.57\u{a0}kN</td><td>337.785\u{a0}kN</td><td>+31.7\u{a0}%</td>",
+        "<li class=\"unmet\">small slopes: up to 0.3 (not met)</li>",
+    ] {
+        assert!(page.contains(text), "no {text}");
+    }
+    Ok(())
+}
+
+/// A disc and a wall beside the projectile: gap, place and impulses of the contact, motion of the disc.
+#[test]
+fn contacts_between_free_things_have_their_figures() -> Outcome {
+    let mut data = rigid()?;
+    let mut contact = data.summary["contact"]["hammer"].clone();
+    contact["between"] = json!(["girder", "ball"]);
+    contact["impacts"][0]["tangential_impulse"] = json!(7.0);
+    data.summary["contact"]["drop"] = contact;
+    let history = memory(&mut data);
+    let copy = history.column("contact.hammer.gap").ok_or("no gap")?.to_vec();
+    for name in ["contact.drop.gap", "contact.drop.impulse", "contact.drop.place"] {
+        let unit = "m".to_owned();
+        history.channels.push(Channel { name: name.to_owned(), unit, ..Channel::default() });
+        history.columns.push(copy.clone());
+    }
+    for what in ["position_1", "position_2", "velocity_1", "velocity_2", "angle", "spin"] {
+        let name = format!("projectile.ball.{what}");
+        history.channels.push(Channel { name, ..Channel::default() });
+        history.columns.push(copy.clone());
+    }
+    let page = page(&data)?;
+    let ids = figure_ids(&page)?;
+    for id in ["gap-drop", "place-drop", "impulse-drop", "position-ball", "spin-ball"] {
+        assert!(ids.iter().any(|i| i == id), "no {id} in {ids:?}");
+    }
+    assert!(!ids.iter().any(|i| i == "displacement-ball"), "a disc has no line of flight");
+    assert!(page.contains("Contact drop: girder and ball"));
+    let index = index(&page)?;
+    let figures = index["figures"].as_array().ok_or("no figures")?;
+    let impulse = figures.iter().find(|f| f["id"] == "impulse-drop").ok_or("no figure")?;
+    assert_eq!(impulse["tables"][0]["series"][1]["label"], "of friction");
     Ok(())
 }
 

@@ -4,7 +4,7 @@ mod synthetic;
 
 use std::error::Error;
 
-use percuss::{ImpactResolution, Scheme, Settings, Termination};
+use percuss::{EffectiveMass, ImpactResolution, Scheme, Settings, Termination};
 use percuss_output::{RunInfo, read_summary, summary_value, write_summary};
 use serde_json::{Value, json};
 
@@ -14,7 +14,16 @@ fn value(run: &percuss::RunSummary) -> Value {
         impacts: ImpactResolution::TimeStepping { closed_tolerance: 1e-9 },
         ..Settings::new(0.15, 1e-4)
     };
-    summary_value(run, RunInfo { title: "A title", settings: &settings, wall_seconds: 0.5 })
+    let name = &run.contacts[0].name;
+    let (advice, comparisons) = (synthetic::advice(name), synthetic::comparisons(name));
+    let info = RunInfo {
+        title: "A title",
+        settings: &settings,
+        wall_seconds: 0.5,
+        advice: &advice,
+        comparisons: &comparisons,
+    };
+    summary_value(run, info)
 }
 
 #[test]
@@ -40,6 +49,17 @@ fn the_documented_fields_are_there() {
         "/contact/mass/peak_force/time",
         "/contact/mass/intervals/0/start",
         "/contact/mass/intervals/0/impulse",
+        "/contact/mass/intervals/0/peak_force/value",
+        "/contact/mass/intervals/0/approach_velocity",
+        "/contact/mass/intervals/0/place/s",
+        "/contact/mass/intervals/0/place/position/1",
+        "/contact/mass/intervals/0/energy/given/1",
+        "/contact/mass/intervals/0/energy/lost",
+        "/contact_residual_max",
+        "/projectile/mass/spin_final",
+        "/advice/1/value",
+        "/hand_formulas/0/by_hand",
+        "/hand_formulas/0/difference_percent",
         "/point/girder.mid/displacement_max/component_1/value",
         "/point/girder.mid/displacement_max/component_2/time",
         "/energy/loss_damping",
@@ -67,9 +87,16 @@ fn the_documented_fields_are_there() {
     assert!(girder["stress"]["min"]["value"].is_null(), "no depth, no stress");
 
     let rigid = value(&synthetic::summary("hammer", synthetic::impacts(2)));
-    for key in ["time", "impulse", "approach_velocity", "separation_velocity"] {
-        assert!(rigid["contact"]["hammer"]["impacts"][1][key].is_f64(), "{key}");
+    let impact = &rigid["contact"]["hammer"]["impacts"][1];
+    for key in ["time", "impulse", "tangential_impulse", "approach_velocity", "restitution"] {
+        assert!(impact[key].is_f64(), "{key}");
     }
+    assert_eq!(impact["energy"]["given"], json!([79_000.0, -79_000.0]));
+    assert_eq!(impact["tamed"], false);
+    assert!(impact.get("peak_force").is_none(), "an impact has no force");
+    assert_eq!(rigid["contact"]["hammer"]["between"], json!(["girder.mid", "hammer"]));
+    assert_eq!(rigid["contact"]["hammer"]["tamed_count"], 0);
+    assert_eq!(rigid["advice"][1]["verdict"], "warning");
     assert_eq!(rigid["contact"]["hammer"]["impact_count"], 2);
     assert_eq!(rigid["settings"]["scheme"], "generalized-alpha");
     assert_eq!(rigid["settings"]["spectral_radius"], 0.8);
@@ -80,13 +107,22 @@ fn the_documented_fields_are_there() {
 fn what_is_not_a_number_is_null() {
     let mut run = synthetic::summary("mass", synthetic::smooth());
     run.energy.residual_max = f64::NAN;
-    run.contacts[0].effective_mass.on_mesh = f64::INFINITY;
+    run.contacts[0].effective_mass = Some(EffectiveMass { on_mesh: f64::INFINITY, limit: 1.0 });
     run.termination = Termination::Interrupted { time: 0.1 };
     let value = value(&run);
     assert!(value["energy"]["residual_max"].is_null());
     assert!(value["contact"]["mass"]["effective_mass"].is_null());
     assert!(value["contact"]["mass"]["intervals"][0]["end"].is_null());
+    assert!(value["contact"]["mass"]["intervals"][0]["restitution"].is_null());
     assert_eq!(value["status"], "interrupted");
+}
+
+#[test]
+fn a_contact_between_free_things_has_no_effective_mass() {
+    let mut run = synthetic::summary("mass", synthetic::smooth());
+    run.contacts[0].effective_mass = None;
+    let value = value(&run);
+    assert!(value["contact"]["mass"].get("effective_mass").is_none());
 }
 
 #[test]

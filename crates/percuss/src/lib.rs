@@ -7,6 +7,7 @@
 //! Conventions: primes are derivatives with respect to arc length of the reference, J turns by +90 degrees,
 //! `a x b = a1 b2 - a2 b1`, `g = x'`, `p = x''`. A node's degrees of freedom are (u1, u2, u1', u2').
 
+mod advice;
 mod analysis;
 mod contact;
 mod element;
@@ -22,6 +23,7 @@ mod state;
 mod step;
 mod summary;
 
+pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
 pub use analysis::{
     BucklingMode, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,
     equilibrium_in, equilibrium_path, mechanisms, modes_about, natural_frequencies, simulate,

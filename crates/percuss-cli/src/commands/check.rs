@@ -1,26 +1,25 @@
 //! `percuss check`.
 
-use percuss::Simulation;
+use percuss::{EffectiveMass, Simulation, Topic, advise};
 
 use crate::arguments::Check;
 use crate::number::count;
 use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
-use crate::{effective_mass, terminal};
+use crate::{advisor, effective_mass, terminal};
 
 /// Says what is wrong with a scenario, or what is in it.
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     terminal::print(&format!("{}: sound: {}\n", arguments.file.display(), contents(&ready)))?;
-    let model = &ready.compiled.model;
-    for ((name, rigid), mass) in model.projectile_names().zip(model.effective_masses()) {
-        if rigid {
-            terminal::tell(&format!("projectile `{name}`: {}", effective_mass::line(&mass)));
-            if let Some(text) = effective_mass::warning(name, &mass) {
-                terminal::warning(&text);
-            }
-        }
+    let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
+    let advice = advise(model, settings);
+    for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {
+        let mass = EffectiveMass { on_mesh: one.value, limit: one.reference };
+        let line = effective_mass::line(&mass);
+        terminal::tell(&format!("projectile `{}`: {line}", one.contact));
     }
+    advisor::tell(&advice);
     Ok(Status::Done)
 }
 

@@ -8,14 +8,15 @@ mod recorder;
 use std::path::Path;
 use std::time::Instant;
 
-use percuss::{RunSummary, Simulation, Termination};
+use percuss::{RunSummary, Simulation, Termination, advise, compare};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
     HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_envelopes,
-    write_summary,
+    write_impacts, write_summary,
 };
 use serde_json::Value;
 
+use crate::advisor;
 use crate::arguments::Run;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
@@ -29,6 +30,7 @@ use recorder::{EnergySeries, RunRecorder};
 struct Ended {
     summary: RunSummary,
     value: Value,
+    comparisons: Vec<percuss::Comparison>,
     energy: EnergySeries,
 }
 
@@ -57,6 +59,10 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
 
     let simulation = Simulation::new(&compiled.model, &compiled.settings)
         .map_err(|faults| ready.refuse(faults, &arguments.set))?;
+    let advice = advise(&compiled.model, &compiled.settings);
+    if !arguments.quiet {
+        advisor::tell(&advice);
+    }
     let (steps, end) = (simulation.step_count(), compiled.settings.end);
     let progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
     let history = HistoryWriter::new(dir, arguments.history.into(), text);
@@ -74,11 +80,19 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
         return Err(Failure::System(error.to_string()));
     }
     history.finish()?;
-    let info = RunInfo { title: &compiled.title, settings: &compiled.settings, wall_seconds };
+    let comparisons = compare(&compiled.model, &summary);
+    let info = RunInfo {
+        title: &compiled.title,
+        settings: &compiled.settings,
+        wall_seconds,
+        advice: &advice,
+        comparisons: &comparisons,
+    };
     let value = summary_value(&summary, info);
     write_summary(dir, &value)?;
     write_envelopes(dir, &summary.section_forces)?;
-    Ok(Ended { summary, value, energy: energy.unwrap_or_default() })
+    write_impacts(dir, &summary.contacts)?;
+    Ok(Ended { summary, value, comparisons, energy: energy.unwrap_or_default() })
 }
 
 /// Writes the report and, before it, the comparison that belongs into it.

@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use super::ReportData;
+use super::contacts;
 use super::decimate;
 use super::draft::{self, Curve, Draft, Entry, Omit};
 use super::envelopes;
@@ -29,12 +30,14 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     let sample = sample(history)?;
     let time_scale = Scale::new(largest(&sample[time]), "s");
     let canvas = Canvas { history, sample: &sample, time_scale, bins: bins(history) };
-    let projectiles = names(history, "projectile.", ".position_1");
+    let projectiles = contacts::guided(history);
     let mut entries = Vec::new();
     for name in &projectiles {
         let several = projectiles.len() > 1;
         entries.extend(impact::figures(&canvas, &data.summary, name, several));
     }
+    entries.extend(contacts::discs(&canvas));
+    entries.extend(contacts::between(&canvas, &data.summary));
     entries.push(energy(&canvas, data));
     entries.extend(momentum(&canvas));
     entries.extend(restitution(&canvas, data).map(Entry::Ready));
@@ -118,9 +121,9 @@ pub(super) fn names(history: &HistorySource, prefix: &str, suffix: &str) -> Vec<
 
 /// As many bins as keep the page small whatever the number of figures.
 fn bins(history: &HistorySource) -> usize {
-    let projectiles = names(history, "projectile.", ".position_1").len();
+    let projectiles = contacts::guided(history).len();
     let points = names(history, "point.", ".displacement_1").len().min(POINTS_SHOWN);
-    let together = structure::values_per_bin(history);
+    let together = structure::values_per_bin(history) + contacts::values_per_bin(history);
     let values_per_bin = 250 + 70 * projectiles + 20 * points + together;
     (VALUES_PER_PAGE / values_per_bin).clamp(150, 4000)
 }

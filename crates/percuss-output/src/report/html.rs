@@ -23,8 +23,29 @@ pub(super) fn json(value: &serde_json::Value) -> String {
     value.to_string().replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
 }
 
+/// What stands in a cell.
+#[derive(Clone, Debug)]
+pub(crate) enum Cell {
+    /// Text, escaped where it is written.
+    Text(String),
+    /// Markup of our own, in which all of the users' text is escaped.
+    Markup(String),
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
 /// A table: header cells, then rows; all cells are escaped here. The first column heads its row.
 pub(crate) fn table(caption: &str, header: &[&str], rows: &[Vec<String>]) -> String {
+    let cells = |row: &Vec<String>| row.iter().cloned().map(Cell::Text).collect();
+    table_of_cells(caption, header, &rows.iter().map(cells).collect::<Vec<_>>())
+}
+
+/// The same with cells of markup among them.
+pub(crate) fn table_of_cells(caption: &str, header: &[&str], rows: &[Vec<Cell>]) -> String {
     let mut out = format!("<div class=\"table\"><table><caption>{}</caption>\n", escape(caption));
     if !header.is_empty() {
         out.push_str("<thead><tr>");
@@ -37,9 +58,13 @@ pub(crate) fn table(caption: &str, header: &[&str], rows: &[Vec<String>]) -> Str
     for row in rows {
         out.push_str("<tr>");
         for (k, cell) in row.iter().enumerate() {
+            let content = match cell {
+                Cell::Text(text) => escape(text),
+                Cell::Markup(markup) => markup.clone(),
+            };
             let _ = match k {
-                0 => write!(out, "<th scope=\"row\">{}</th>", escape(cell)),
-                _ => write!(out, "<td>{}</td>", escape(cell)),
+                0 => write!(out, "<th scope=\"row\">{content}</th>"),
+                _ => write!(out, "<td>{content}</td>"),
             };
         }
         out.push_str("</tr>\n");

@@ -29,7 +29,10 @@ pub(super) fn figures(
         let curves = vec![Curve::new("contact force", 2, force)];
         Entry::Draft(Draft { figure, unit: "N", curves, omit: Omit::Nothing, floor: 0.0 })
     }));
-    all.extend(impulse.then(|| Entry::Ready(impulses(&frame, contact))));
+    all.extend(impulse.then(|| {
+        let id = if several { format!("impulse-{name}") } else { "impulse".to_owned() };
+        Entry::Ready(impulses(canvas, &id, if several { name } else { "" }, contact))
+    }));
     all.push(velocity(&frame, &flight, impulse));
     all
 }
@@ -178,9 +181,8 @@ fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
     Entry::Draft(Draft { figure, unit: "m/s", curves, omit: Omit::Nothing, floor: 0.0 })
 }
 
-/// Impulses of impacts as stems, intervals of closed contact as bands.
-fn impulses(frame: &Frame<'_>, contact: &Value) -> Figure {
-    let canvas = frame.canvas;
+/// Impulses of impacts as stems, intervals of closed contact as bands; `name` stands in the title unless it is empty.
+pub(super) fn impulses(canvas: &Canvas<'_>, id: &str, name: &str, contact: &Value) -> Figure {
     let empty = Vec::new();
     let list = |key: &str| contact[key].as_array().unwrap_or(&empty);
     let (impacts, intervals) = (list("impacts"), list("intervals"));
@@ -202,10 +204,12 @@ fn impulses(frame: &Frame<'_>, contact: &Value) -> Figure {
         y: scaled(y, scale.factor),
     };
     let times = column(impacts, "time");
-    let mut tables = vec![Table {
-        x: scaled(times, canvas.time_scale.factor),
-        series: vec![series("impulse of an impact".to_owned(), 2, Shape::Stem, stems)],
-    }];
+    let friction = column(impacts, "tangential_impulse");
+    let mut drawn = vec![series("impulse of an impact".to_owned(), 2, Shape::Stem, stems)];
+    if largest(&friction) > 0.0 {
+        drawn.push(series("of friction".to_owned(), 1, Shape::Stem, friction));
+    }
+    let mut tables = vec![Table { x: scaled(times, canvas.time_scale.factor), series: drawn }];
     if !intervals.is_empty() {
         let last = canvas.history.position("time").and_then(|k| canvas.sample[k].last().copied());
         let ends = |interval: &Value| {
@@ -219,7 +223,9 @@ fn impulses(frame: &Frame<'_>, contact: &Value) -> Figure {
         let series = vec![series(label, 3, Shape::Band, y)];
         tables.insert(0, Table { x: scaled(x, canvas.time_scale.factor), series });
     }
-    let mut figure = frame.figure("impulse", "Impulses", "impulse");
+    let title = if name.is_empty() { "Impulses".to_owned() } else { format!("Impulses, {name}") };
+    let mut figure = Figure::new(Section::Impact, id, &title, canvas.time_axis(), "impulse");
+    figure.picture = true;
     figure.y.unit = scale.unit.clone();
     figure.tables = tables;
     let count = contact["impact_count"].as_u64().map_or(impacts.len(), |n| n as usize);

@@ -1,6 +1,8 @@
 //! The report of a run: one page and its pictures, made from the files of the run alone.
 
+mod advice;
 mod audit;
+mod contacts;
 mod dashes;
 pub(crate) mod decimate;
 mod draft;
@@ -10,6 +12,7 @@ pub(crate) mod figure;
 mod figures;
 pub(crate) mod html;
 mod impact;
+mod log;
 pub(crate) mod page;
 mod payload;
 pub(crate) mod pictures;

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::ReportData;
 use super::figure::{Abscissa, Figure, Section};
 use super::html::{self, escape};
-use super::{audit, payload, results};
+use super::{advice, audit, log, payload, results};
 
 const TEMPLATE: &str = include_str!("../../../../web/report.html");
 pub(crate) const STYLE: &str = include_str!("../../../../web/report.css");
@@ -29,6 +29,9 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "results" => results::render(summary),
             "decimation" => decimation(data, figures),
             "impact" => section(figures, Section::Impact, "Impact"),
+            "log" => log::render(summary),
+            "hand_formulas" => advice::hand_formulas(summary),
+            "advice" => advice::findings(summary),
             "books" => section(figures, Section::Books, "Energy and momentum"),
             "supports" => section(figures, Section::Supports, "Reactions"),
             "forces" => section(figures, Section::Forces, "Section forces"),

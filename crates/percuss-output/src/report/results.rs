@@ -18,8 +18,6 @@ pub(super) fn render(summary: &Value) -> String {
     for (name, contact) in contacts {
         out.push_str(&contact_table(name, contact, projectiles.get(name)));
         out.push_str(&mass_warning(contact));
-        out.push_str(&impacts(name, contact));
-        out.push_str(&intervals(name, contact));
     }
     for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
         out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile)));
@@ -55,34 +53,54 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> Str
         let force = quantity(peak["value"].as_f64(), "N");
         let time = quantity(peak["time"].as_f64(), "s");
         row("peak contact force", format!("{force} at {time}"));
+        let intervals = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
+        let impulse = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
+        row("times closed", intervals.len().to_string());
+        row("impulse handed over", quantity(Some(impulse), "N*s"));
     }
     if let Some(count) = contact["impact_count"].as_u64() {
         row("impacts", count.to_string());
         row("impulse handed over", quantity(contact["impulse_total"].as_f64(), "N*s"));
+    }
+    if let Some(tamed) = contact["tamed_count"].as_u64().filter(|n| *n > 0) {
+        row("impacts under Moreau's law instead of Newton's", tamed.to_string());
+    }
+    if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
         row(
             "effective mass of the struck point",
             quantity(contact["effective_mass"].as_f64(), "kg"),
         );
         row("its limit on a fine mesh", quantity(contact["effective_mass_limit"].as_f64(), "kg"));
     }
-    if let Some(projectile) = projectile {
-        rows.extend(departure(projectile));
-    }
-    table(&format!("Projectile {name}"), &[], &rows)
+    let title = match projectile {
+        Some(projectile) => {
+            rows.extend(departure(projectile));
+            format!("Projectile {name}")
+        }
+        None => {
+            let party = |k: usize| contact["between"][k].as_str().unwrap_or("?");
+            format!("Contact {name}: {} and {}", party(0), party(1))
+        }
+    };
+    table(&title, &[], &rows)
 }
 
 fn departure(projectile: &Value) -> Vec<Vec<String>> {
     let velocity = &projectile["velocity_final"];
     let component = |k: usize| velocity[k].as_f64().map_or("\u{2013}".to_owned(), number);
     let row = |label: &str, value: String| vec![label.to_owned(), value];
-    vec![
+    let spin = projectile["spin_final"].as_f64().filter(|spin| *spin != 0.0);
+    let spin = spin.map(|spin| row("spin at the end", quantity(Some(spin), "rad/s")));
+    let mut rows = vec![
         row("velocity at the end", format!("({}, {}) m/s", component(0), component(1))),
         row(
-            "momentum given away, along the line of flight",
+            "momentum given away, along the initial motion",
             quantity(projectile["momentum_transferred"].as_f64(), "kg*m/s"),
         ),
         row("kinetic energy given away", quantity(projectile["energy_transferred"].as_f64(), "J")),
-    ]
+    ];
+    rows.extend(spin);
+    rows
 }
 
 /// The warning that a rigid impact's impulse belongs to the mesh, where it does.
@@ -105,44 +123,6 @@ fn mass_warning(contact: &Value) -> String {
         "<p class=\"warning\" role=\"note\"><strong>Mind the mesh.</strong> {}</p>\n",
         escape(&text)
     )
-}
-
-fn impacts(name: &str, contact: &Value) -> String {
-    let Some(list) = contact["impacts"].as_array().filter(|l| !l.is_empty()) else {
-        return String::new();
-    };
-    let total = contact["impact_count"].as_u64().map_or(list.len(), |n| n as usize);
-    let header = ["", "time", "impulse", "approach", "separation", "energy lost"];
-    listing(&format!("Impacts of {name}"), &header, list, total, |k, impact| {
-        let value = |key: &str, unit: &str| quantity(impact[key].as_f64(), unit);
-        vec![
-            k.to_string(),
-            value("time", "s"),
-            value("impulse", "N*s"),
-            value("approach_velocity", "m/s"),
-            value("separation_velocity", "m/s"),
-            value("energy_lost", "J"),
-        ]
-    })
-}
-
-fn intervals(name: &str, contact: &Value) -> String {
-    let Some(list) = contact["intervals"].as_array().filter(|l| !l.is_empty()) else {
-        return String::new();
-    };
-    let header = ["", "from", "to", "duration", "impulse"];
-    listing(&format!("Contact intervals of {name}"), &header, list, list.len(), |k, interval| {
-        let (start, end) = (interval["start"].as_f64(), interval["end"].as_f64());
-        let duration = start.zip(end).map(|(start, end)| end - start);
-        let end = if end.is_some() { quantity(end, "s") } else { "still closed".to_owned() };
-        vec![
-            k.to_string(),
-            quantity(start, "s"),
-            end,
-            quantity(duration, "s"),
-            quantity(interval["impulse"].as_f64(), "N*s"),
-        ]
-    })
 }
 
 fn points(summary: &Value) -> String {

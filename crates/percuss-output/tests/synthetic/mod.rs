@@ -5,10 +5,10 @@
 use std::f64::consts::PI;
 
 use percuss::{
-    AuditSummary, Channel, ContactInterval, ContactRecord, ContactSummary, EffectiveMass,
-    EnergySummary, Envelope, Impact, MomentumSummary, Peak, PointSummary, ProjectileSummary, Range,
-    Recorder, RecorderError, RunSummary, SectionForceSummary, SectionPeak, SectionRange,
-    SupportSummary, Termination,
+    Advice, AuditSummary, Channel, Comparison, ContactInterval, ContactPlace, ContactRecord,
+    ContactSummary, EffectiveMass, EnergySplit, EnergySummary, Envelope, Impact, MomentumSummary,
+    Peak, PointSummary, ProjectileSummary, Range, Recorder, RecorderError, RunSummary,
+    SectionForceSummary, SectionPeak, SectionRange, SupportSummary, Termination, Topic, Verdict,
 };
 
 const MASS: f64 = 500.0;
@@ -267,14 +267,17 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
         projectiles: vec![ProjectileSummary {
             name: projectile.to_owned(),
             velocity_final: [0.0, -19.10077444],
+            spin_final: 0.0,
             momentum_transferred: 19550.3,
             energy_transferred: 8790.1,
         }],
         contacts: vec![ContactSummary {
             name: projectile.to_owned(),
-            effective_mass: EffectiveMass { on_mesh: 91.2, limit: 17.3 },
+            between: ["girder.mid".to_owned(), projectile.to_owned()],
+            effective_mass: Some(EffectiveMass { on_mesh: 91.2, limit: 17.3 }),
             record,
         }],
+        contact_residual_max: 2e-16,
         points: vec![PointSummary {
             name: "girder.mid".to_owned(),
             displacement_max: [
@@ -328,11 +331,27 @@ pub fn section_forces(name: &str, size: f64) -> SectionForceSummary {
     }
 }
 
+/// Where the girder is struck.
+pub fn place() -> ContactPlace {
+    ContactPlace { s: 1.5, position: [1.5, 0.0] }
+}
+
 /// One contact, still closed at the end.
 pub fn smooth() -> ContactRecord {
+    let peak_force = Peak { value: 337_784.605, time: 0.0664362 };
     ContactRecord::Smooth {
-        peak_force: Peak { value: 337_784.605, time: 0.0664362 },
-        intervals: vec![ContactInterval { start: 0.01, end: f64::NAN, impulse: 19_550.4 }],
+        peak_force,
+        intervals: vec![ContactInterval {
+            start: 0.01,
+            end: f64::NAN,
+            impulse: 19_550.4,
+            peak_force,
+            approach_velocity: 20.0,
+            separation_velocity: f64::NAN,
+            place: place(),
+            place_end: place(),
+            energy: EnergySplit { given: [8000.0, -8800.0], lost: 50.0, stored: 750.0 },
+        }],
     }
 }
 
@@ -341,14 +360,62 @@ pub fn impacts(count: usize) -> ContactRecord {
     let impact = |k: usize| Impact {
         time: 0.0005 + 1e-5 * k as f64,
         impulse: 3814.98,
+        tangential_impulse: 0.0,
         approach_velocity: 40.0,
         separation_velocity: 40.0,
-        energy_lost: 0.0,
+        place: place(),
+        energy: EnergySplit { given: [79_000.0, -79_000.0], lost: 0.0, stored: 0.0 },
+        tamed: false,
     };
     ContactRecord::Nonsmooth {
         impacts: (0..count).map(impact).collect(),
         impact_count: count,
+        tamed_count: 0,
         impulse_total: 3814.98 * count as f64,
         intervals: Vec::new(),
     }
+}
+
+/// What the advisor might say.
+pub fn advice(contact: &str) -> Vec<Advice> {
+    let finding = |topic, value, reference, unit, verdict, text: &str| Advice {
+        contact: contact.to_owned(),
+        topic,
+        value,
+        reference,
+        unit,
+        verdict,
+        text: text.to_owned(),
+    };
+    vec![
+        finding(Topic::Touch, 0.01, 0.15, "s", Verdict::Fine, "the first touch comes at 10 ms"),
+        finding(
+            Topic::EffectiveMass,
+            91.2,
+            17.3,
+            "kg",
+            Verdict::Warning,
+            "the struck point answers a blow with 91.2 kg on this mesh, with 17.3 kg on ever finer \
+             ones: take the impulse as that of this mesh, or give the contact a compliance",
+        ),
+    ]
+}
+
+/// What hand formulas might say.
+pub fn comparisons(contact: &str) -> Vec<Comparison> {
+    let row = |quantity, unit, by_hand: f64, simulated: f64| Comparison {
+        contact: contact.to_owned(),
+        formula: "two masses and two springs",
+        source: "Shivakumar, Elber and Illg 1985, with the span's reduced mass",
+        quantity,
+        unit,
+        by_hand,
+        simulated,
+        difference_percent: 100.0 * (simulated - by_hand) / by_hand,
+        holds_if: "no damping (met); small slopes: up to 0.3 (not met)".to_owned(),
+    };
+    vec![
+        row("largest contact force", "N", 256_570.0, 337_784.605),
+        row("impulse of the first impact", "N s", 20_100.0, 19_550.4),
+    ]
 }

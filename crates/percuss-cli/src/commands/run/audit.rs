@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use percuss::{ContactInterval, ContactRecord, ContactSummary, Impact, RunSummary, Termination};
+use percuss::{
+    Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, RunSummary, Termination,
+};
 use serde_json::Value;
 
 use super::Ended;
@@ -10,8 +12,9 @@ use crate::effective_mass;
 use crate::number::{count, number, small};
 use crate::terminal::painted;
 
-/// Impacts and intervals listed for a contact.
+/// Impacts and intervals listed for a contact, and results beside hand formulas.
 const LISTED: usize = 3;
+const HANDED: usize = 6;
 /// Terms of the balance below this share of the largest energy in play are nothing but rounding.
 const ROUNDING: f64 = 1e-13;
 
@@ -35,6 +38,13 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
         let labels = [label].into_iter().chain(std::iter::repeat(String::new()));
         rows.extend(labels.zip(lines));
     }
+    let by_hand = ["by hand".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
+    rows.extend(by_hand.zip(listed(
+        &ended.comparisons,
+        ended.comparisons.len(),
+        HANDED,
+        comparison,
+    )));
     rows.push(("results".into(), out.display().to_string()));
     let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
     let title = ended.value["title"].as_str().filter(|title| !title.is_empty());
@@ -45,14 +55,18 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     text
 }
 
+/// A violation of the contact conditions beyond this, relative to the largest velocity, is worth a warning.
+const CONDITIONS: f64 = 1e-8;
 /// Residuals beyond this are worth a warning whatever the scheme.
 const BOOKS_OPEN: f64 = 1e-8;
 
 /// What deserves attention.
 pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
-    let rigid = |c: &&ContactSummary| matches!(c.record, ContactRecord::Nonsmooth { .. });
-    let warn = |c: &ContactSummary| effective_mass::warning(&c.name, &c.effective_mass);
-    let mut all: Vec<String> = run.contacts.iter().filter(rigid).filter_map(warn).collect();
+    let mut all = Vec::new();
+    if run.contact_residual_max > CONDITIONS {
+        let size = small(run.contact_residual_max);
+        all.push(format!("contacts violate their conditions by {size} of the largest velocity"));
+    }
     let residuals = [
         ("energy", run.energy.residual_max),
         ("linear momentum", run.momentum.linear_residual_max),
@@ -121,24 +135,34 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
                 let (value, time) = (number(peak_force.value), number(peak_force.time));
                 lines.push(format!("peak force {value} N at {time} s"));
             }
-            lines.extend(listed(intervals, intervals.len(), interval));
+            lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             lines
         }
-        ContactRecord::Nonsmooth { impacts, impact_count, impulse_total, intervals } => {
+        ContactRecord::Nonsmooth {
+            impacts,
+            impact_count,
+            tamed_count,
+            impulse_total,
+            intervals,
+        } => {
             let counted = count(*impact_count, "impact");
             let mut lines =
                 vec![format!("{counted}, impulse {} N s in all", number(*impulse_total))];
-            lines.extend(listed(impacts, *impact_count, impact));
-            lines.extend(listed(intervals, intervals.len(), interval));
-            lines.push(effective_mass::line(&contact.effective_mass));
+            lines.extend(listed(impacts, *impact_count, LISTED, impact));
+            lines.extend(listed(intervals, intervals.len(), LISTED, interval));
+            if *tamed_count > 0 {
+                let law = "under Moreau's law, where Newton's would have given energy";
+                lines.push(format!("{} {law}", count(*tamed_count, "impact")));
+            }
+            lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
             lines
         }
     }
 }
 
 /// The first few of `count` items, and how many more there are.
-fn listed<T>(items: &[T], count: usize, line: fn(&T) -> String) -> Vec<String> {
-    let mut lines: Vec<String> = items.iter().take(LISTED).map(line).collect();
+fn listed<T>(items: &[T], count: usize, most: usize, line: fn(&T) -> String) -> Vec<String> {
+    let mut lines: Vec<String> = items.iter().take(most).map(line).collect();
     if count > lines.len() {
         lines.push(format!("and {} more", count - lines.len()));
     }
@@ -158,11 +182,34 @@ fn impact(impact: &Impact) -> String {
     // The round-off of a plastic impact is no velocity worth reading.
     let round_off = impact.separation_velocity.abs() <= 1e-12 * impact.approach_velocity;
     let separation = if round_off { 0.0 } else { impact.separation_velocity };
+    let friction = match impact.tangential_impulse {
+        0.0 => String::new(),
+        impulse => format!(", of friction {} N s", number(impulse)),
+    };
     format!(
-        "at {} s: impulse {} N s, approach {} m/s, separation {} m/s",
+        "at {} s: impulse {} N s{friction}, approach {} m/s, separation {} m/s",
         number(impact.time),
         number(impact.impulse),
         number(impact.approach_velocity),
         number(separation)
+    )
+}
+
+/// A result beside a hand formula, and whether the formula's assumptions are met.
+fn comparison(one: &Comparison) -> String {
+    let unmet = one.holds_if.matches("(not met)").count();
+    let met = match unmet {
+        0 => String::new(),
+        _ => format!("; {} not met", count(unmet, "assumption")),
+    };
+    let unit = if one.unit == "1" { String::new() } else { format!(" {}", one.unit) };
+    let sign = if one.difference_percent >= 0.0 { "+" } else { "" };
+    let digits = if one.difference_percent.abs() < 0.01 { 0.0 } else { one.difference_percent };
+    format!(
+        "{}, {}: {}{unit}, simulated {}{unit} ({sign}{digits:.2} %{met})",
+        one.formula,
+        one.quantity,
+        number(one.by_hand),
+        number(one.simulated),
     )
 }

@@ -1,16 +1,21 @@
 //! `summary.json`: what a run amounts to.
 
+mod advice;
+mod contact;
+
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, Impact, ImpactResolution, Peak, PointSummary,
-    ProjectileSummary, Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange,
-    Settings, Start, SupportSummary, Termination,
+    Advice, Comparison, ImpactResolution, Peak, PointSummary, ProjectileSummary, Range, RunSummary,
+    Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start, SupportSummary,
+    Termination,
 };
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;
 use crate::files;
+
+pub(crate) use contact::restitution;
 
 const SUMMARY: &str = "summary.json";
 
@@ -23,6 +28,10 @@ pub struct RunInfo<'a> {
     pub settings: &'a Settings,
     /// Time the run took \[s\].
     pub wall_seconds: f64,
+    /// What the advisor said before it.
+    pub advice: &'a [Advice],
+    /// Its results beside hand formulas.
+    pub comparisons: &'a [Comparison],
 }
 
 /// The content of `summary.json`; NaN and infinities become `null`.
@@ -61,10 +70,13 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
             "membrane_drift_max": run.audit.membrane_drift_max,
         },
         "projectile": named(&run.projectiles, |p| &p.name, projectile),
-        "contact": named(&run.contacts, |c| &c.name, contact),
+        "contact": named(&run.contacts, |c| &c.name, contact::value),
+        "contact_residual_max": run.contact_residual_max,
         "point": named(&run.points, |p| &p.name, point),
         "support": named(&run.supports, |s| &s.name, support),
         "section_forces": named(&run.section_forces, |b| &b.name, section_forces),
+        "advice": info.advice.iter().map(advice::finding).collect::<Vec<_>>(),
+        "hand_formulas": info.comparisons.iter().map(advice::comparison).collect::<Vec<_>>(),
     });
     if let Termination::Failed(error) = &run.termination {
         summary["error"] = Value::from(error.to_string());
@@ -147,29 +159,10 @@ fn named<T>(items: &[T], name: fn(&T) -> &String, value: fn(&T) -> Value) -> Val
 fn projectile(projectile: &ProjectileSummary) -> Value {
     json!({
         "velocity_final": projectile.velocity_final,
+        "spin_final": projectile.spin_final,
         "momentum_transferred": projectile.momentum_transferred,
         "energy_transferred": projectile.energy_transferred,
     })
-}
-
-fn contact(contact: &ContactSummary) -> Value {
-    let mut value = json!({
-        "effective_mass": contact.effective_mass.on_mesh,
-        "effective_mass_limit": contact.effective_mass.limit,
-    });
-    match &contact.record {
-        ContactRecord::Smooth { peak_force, intervals } => {
-            value["peak_force"] = peak(peak_force);
-            value["intervals"] = intervals.iter().map(interval).collect();
-        }
-        ContactRecord::Nonsmooth { impacts, impact_count, impulse_total, intervals } => {
-            value["impacts"] = impacts.iter().map(impact).collect();
-            value["impact_count"] = Value::from(*impact_count);
-            value["impulse_total"] = Value::from(*impulse_total);
-            value["intervals"] = intervals.iter().map(interval).collect();
-        }
-    }
-    value
 }
 
 fn point(point: &PointSummary) -> Value {
@@ -210,18 +203,4 @@ fn place(peak: &SectionPeak) -> Value {
 
 fn peak(peak: &Peak) -> Value {
     json!({ "value": peak.value, "time": peak.time })
-}
-
-fn interval(interval: &ContactInterval) -> Value {
-    json!({ "start": interval.start, "end": interval.end, "impulse": interval.impulse })
-}
-
-fn impact(impact: &Impact) -> Value {
-    json!({
-        "time": impact.time,
-        "impulse": impact.impulse,
-        "approach_velocity": impact.approach_velocity,
-        "separation_velocity": impact.separation_velocity,
-        "energy_lost": impact.energy_lost,
-    })
 }

@@ -1,0 +1,109 @@
+//! `impacts.csv`: the impact log, one row an impact or an interval of closed contact, in the order of time.
+//!
+//! Forces and impulses have columns of their own: an impact has no force, and none is made up from its impulse. Fields that do
+//! not apply are empty. Always CSV: it holds names, and it is small beside any history.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use percuss::{ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact};
+
+use crate::csv_text;
+use crate::error::Error;
+use crate::files;
+use crate::summary::restitution;
+
+const IMPACTS: &str = "impacts.csv";
+const HEADER: &str = "contact,first,second,kind,start_s,end_s,impulse_N_s,friction_impulse_N_s,\
+     force_peak_N,force_peak_time_s,approach_m_per_s,separation_m_per_s,restitution,place_m,x_m,y_m,\
+     given_to_first_J,given_to_second_J,lost_J,stored_J,tamed";
+
+/// A row before it is written; NaN where something does not apply.
+struct Row<'a> {
+    contact: &'a ContactSummary,
+    kind: &'static str,
+    start: f64,
+    /// Numbers between `start_s` and the places.
+    numbers: [f64; 8],
+    place: ContactPlace,
+    energy: EnergySplit,
+    tamed: Option<bool>,
+}
+
+/// Writes `impacts.csv` into `dir`.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_impacts(dir: impl AsRef<Path>, contacts: &[ContactSummary]) -> Result<(), Error> {
+    let mut rows: Vec<Row<'_>> = contacts.iter().flat_map(rows).collect();
+    rows.sort_by(|a, b| a.start.total_cmp(&b.start)); // stable: of one instant in the contacts' order
+    let mut text = format!("{HEADER}\n");
+    rows.iter().for_each(|row| row.write(&mut text));
+    files::write(&dir.as_ref().join(IMPACTS), text.as_bytes())
+}
+
+fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
+    let (impacts, intervals): (&[Impact], &[ContactInterval]) = match &contact.record {
+        ContactRecord::Smooth { intervals, .. } => (&[], intervals),
+        ContactRecord::Nonsmooth { impacts, intervals, .. } => (impacts, intervals),
+    };
+    let impact = |i: &Impact| Row {
+        contact,
+        kind: "impact",
+        start: i.time,
+        numbers: [
+            f64::NAN,
+            i.impulse,
+            i.tangential_impulse,
+            f64::NAN,
+            f64::NAN,
+            i.approach_velocity,
+            i.separation_velocity,
+            restitution(i.approach_velocity, i.separation_velocity),
+        ],
+        place: i.place,
+        energy: i.energy,
+        tamed: Some(i.tamed),
+    };
+    let interval = |i: &ContactInterval| Row {
+        contact,
+        kind: "interval",
+        start: i.start,
+        numbers: [
+            i.end,
+            i.impulse,
+            f64::NAN,
+            i.peak_force.value,
+            i.peak_force.time,
+            i.approach_velocity,
+            i.separation_velocity,
+            restitution(i.approach_velocity, i.separation_velocity),
+        ],
+        place: i.place,
+        energy: i.energy,
+        tamed: None,
+    };
+    impacts.iter().map(impact).chain(intervals.iter().map(interval)).collect()
+}
+
+impl Row<'_> {
+    fn write(&self, text: &mut String) {
+        let [first, second] = &self.contact.between;
+        for name in [&self.contact.name, first, second] {
+            text.push_str(&csv_text::quote(name));
+            text.push(',');
+        }
+        text.push_str(self.kind);
+        let [x, y] = self.place.position;
+        let [to_first, to_second] = self.energy.given;
+        let behind =
+            [self.place.s, x, y, to_first, to_second, self.energy.lost, self.energy.stored];
+        let mut buffer = zmij::Buffer::new();
+        for value in [self.start].into_iter().chain(self.numbers).chain(behind) {
+            let number = if value.is_nan() { "" } else { buffer.format(value) };
+            let _ = write!(text, ",{number}"); // a String never fails
+        }
+        let tamed = self.tamed.map_or("", |tamed| if tamed { "true" } else { "false" });
+        let _ = writeln!(text, ",{tamed}");
+    }
+}

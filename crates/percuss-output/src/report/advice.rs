@@ -1,0 +1,126 @@
+//! The advisor's findings, and the results beside hand formulas.
+
+use serde_json::Value;
+
+use super::html::{Cell, escape, table, table_of_cells};
+use super::quantity::{number, quantity};
+
+/// Findings and formulas shown; all of them are in `summary.json`.
+const LISTED: usize = 60;
+
+/// What the advisor said before the run.
+pub(super) fn findings(summary: &Value) -> String {
+    let list = summary["advice"].as_array().map_or(&[][..], Vec::as_slice);
+    if list.is_empty() {
+        return String::new();
+    }
+    let text = |entry: &Value, key: &str| entry[key].as_str().unwrap_or_default().to_owned();
+    let row = |entry: &Value| -> Vec<Cell> {
+        let verdict = text(entry, "verdict");
+        let class = if verdict == "fine" { "verdict" } else { "verdict mark" };
+        let badge = format!("<span class=\"{class}\">{}</span>", escape(&verdict));
+        let value = |key: &str| quantity(entry[key].as_f64(), &unit(entry));
+        vec![
+            Cell::Text(text(entry, "contact")),
+            Cell::Text(text(entry, "topic")),
+            Cell::Markup(badge),
+            Cell::Text(value("value")),
+            Cell::Text(value("reference")),
+            Cell::Text(text(entry, "text")),
+        ]
+    };
+    let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(row).collect();
+    let header = ["contact", "topic", "", "found", "against", "what it means"];
+    let caption = "Before the run, by hand calculation from the model alone";
+    let mut out = "<h2>Advisor</h2>\n<div class=\"prose\">\n".to_owned();
+    out += &table_of_cells(caption, &header, &rows);
+    out += "</div>\n";
+    out + &more(list.len(), rows.len())
+}
+
+/// Results beside hand formulas: one table a formula, its assumptions below.
+pub(super) fn hand_formulas(summary: &Value) -> String {
+    let list = summary["hand_formulas"].as_array().map_or(&[][..], Vec::as_slice);
+    if list.is_empty() {
+        return String::new();
+    }
+    let shown = &list[..list.len().min(LISTED)];
+    let mut out =
+        "<h2>Hand formulas beside the simulation</h2>\n<div class=\"tables\">\n".to_owned();
+    let same = |a: &Value, b: &Value| {
+        ["contact", "formula", "holds_if"].iter().all(|key| a[*key] == b[*key])
+    };
+    for group in shown.chunk_by(same) {
+        out += &formula(group);
+    }
+    out += "</div>\n";
+    out + &more(list.len(), shown.len())
+}
+
+fn more(total: usize, shown: usize) -> String {
+    match total - shown {
+        0 => String::new(),
+        left => format!("<p class=\"more\">and {left} more, in summary.json</p>\n"),
+    }
+}
+
+/// The unit as channels spell it.
+fn unit(entry: &Value) -> String {
+    entry["unit"].as_str().unwrap_or_default().replace(' ', "*")
+}
+
+fn formula(group: &[Value]) -> String {
+    let first = &group[0];
+    let text = |key: &str| first[key].as_str().unwrap_or_default();
+    let row = |entry: &Value| {
+        let value = |key: &str| quantity(entry[key].as_f64(), &unit(entry));
+        vec![
+            entry["quantity"].as_str().unwrap_or_default().to_owned(),
+            value("by_hand"),
+            value("simulated"),
+            percent(entry["difference_percent"].as_f64()),
+        ]
+    };
+    let rows: Vec<Vec<String>> = group.iter().map(row).collect();
+    let caption = format!("{}: {}", text("contact"), text("formula"));
+    let header = ["", "by hand", "simulated", "difference"];
+    let assumption = |text: &str| {
+        let class = if text.ends_with("(not met)") { " class=\"unmet\"" } else { "" };
+        format!("<li{class}>{}</li>", escape(text))
+    };
+    let assumptions: String =
+        text("holds_if").split("; ").filter(|t| !t.is_empty()).map(assumption).collect();
+    format!(
+        "<div class=\"formula\">\n{}<p class=\"note\">{}. It assumes:</p>\n<ul>{assumptions}</ul>\n</div>\n",
+        table(&caption, &header, &rows),
+        escape(text("source")),
+    )
+}
+
+/// A difference, signed, three significant digits.
+fn percent(value: Option<f64>) -> String {
+    let Some(value) = value.filter(|v| v.is_finite()) else { return "\u{2013}".to_owned() };
+    if value.abs() < 5e-4 {
+        return "0\u{a0}%".to_owned();
+    }
+    let digits = (2.0 - value.abs().log10().floor()).clamp(0.0, 3.0);
+    let rounded = (value * 10_f64.powf(digits)).round() / 10_f64.powf(digits);
+    let sign = if value > 0.0 { "+" } else { "\u{2212}" };
+    format!("{sign}{}\u{a0}%", number(rounded.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn differences_keep_their_sign_and_three_digits() {
+        let shown = |x| percent(Some(x)).replace('\u{a0}', " ");
+        assert_eq!(shown(31.6539), "+31.7 %");
+        assert_eq!(shown(-1.0567), "\u{2212}1.06 %");
+        assert_eq!(shown(1e-6), "0 %");
+        assert_eq!(shown(0.0123), "+0.012 %");
+        assert_eq!(shown(4054.0), "+4054 %");
+        assert_eq!(percent(None), "\u{2013}");
+    }
+}

@@ -1,0 +1,108 @@
+//! Figures of contacts between things that are not guided, and of discs.
+
+use serde_json::Value;
+
+use super::draft::{Curve, Draft, Entry, Omit};
+use super::figure::Section;
+use super::figures::{Canvas, names};
+use super::impact;
+use crate::history::HistorySource;
+
+/// Contacts, and discs, that get figures.
+const SHOWN: usize = 12;
+
+/// Names of guided projectiles: they do not turn.
+pub(super) fn guided(history: &HistorySource) -> Vec<String> {
+    let turns = |name: &String| history.position(&format!("projectile.{name}.angle")).is_some();
+    let mut all = names(history, "projectile.", ".position_1");
+    all.retain(|name| !turns(name));
+    all
+}
+
+/// Names of contacts that are not those of guided projectiles.
+fn pairs(history: &HistorySource) -> Vec<String> {
+    let guided = guided(history);
+    let mut all = names(history, "contact.", ".gap");
+    all.retain(|name| !guided.contains(name));
+    all
+}
+
+/// Values on the page per bin that [`discs`] and [`between`] may need.
+pub(super) fn values_per_bin(history: &HistorySource) -> usize {
+    let discs = names(history, "projectile.", ".angle").len().min(SHOWN);
+    // Two figures of two curves and one of one; three of one.
+    70 * discs + 40 * pairs(history).len().min(SHOWN)
+}
+
+/// Position, velocity and spin of discs.
+pub(super) fn discs(canvas: &Canvas<'_>) -> Vec<Entry> {
+    let mut all = Vec::new();
+    for name in names(canvas.history, "projectile.", ".angle").iter().take(SHOWN) {
+        let both = |what: &str| -> Vec<Curve> {
+            let curve = |i: usize| {
+                let channel = format!("projectile.{name}.{what}_{i}");
+                Some(Curve::new(format!("along e{i}"), i, canvas.history.position(&channel)?))
+            };
+            (1..=2).filter_map(curve).collect()
+        };
+        let spin = canvas.history.position(&format!("projectile.{name}.spin"));
+        let spin = spin.map(|channel| Curve::new("spin", 4, channel));
+        let figures = [
+            ("position", "Position", "position", "m", both("position")),
+            ("velocity", "Velocity", "velocity", "m/s", both("velocity")),
+            ("spin", "Spin", "angular velocity", "rad/s", spin.into_iter().collect()),
+        ];
+        for (id, title, label, unit, curves) in figures {
+            let (id, title) = (format!("{id}-{name}"), format!("{title} of {name}"));
+            let mut draft = canvas.over_time((&id, &title, label), Section::Impact, unit, curves);
+            draft.figure.picture = true;
+            draft.omit = if unit == "rad/s" { Omit::Zeros } else { Omit::Nothing };
+            all.push(Entry::Draft(draft));
+        }
+    }
+    all
+}
+
+/// Gap, force or impulses, and place of contacts between two things.
+pub(super) fn between(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
+    let mut all = Vec::new();
+    let found = pairs(canvas.history);
+    for name in found.iter().take(SHOWN) {
+        let contact = &summary["contact"][name];
+        all.extend(curve(canvas, name, GAP, contact));
+        all.extend(curve(canvas, name, FORCE, contact));
+        let some = |key: &str| contact[key].as_array().is_some_and(|list| !list.is_empty());
+        if contact["impacts"].is_array() && (some("impacts") || some("intervals")) {
+            let figure = impact::impulses(canvas, &format!("impulse-{name}"), name, contact);
+            all.push(Entry::Ready(figure));
+        }
+        all.extend(curve(canvas, name, PLACE, contact));
+    }
+    if let Some(Entry::Draft(first)) = all.first_mut().filter(|_| found.len() > SHOWN) {
+        first.figure.note += &format!(" Shown are the first {SHOWN} of {} contacts.", found.len());
+    }
+    all
+}
+
+/// A quantity of a contact: channel, title, label, unit, style.
+type Quantity = (&'static str, &'static str, &'static str, &'static str, usize);
+
+const GAP: Quantity = ("gap", "Gap", "gap", "m", 5);
+const FORCE: Quantity = ("force", "Contact force", "contact force", "N", 2);
+const PLACE: Quantity =
+    ("place", "Place of contact", "arc length where the two are nearest", "m", 6);
+
+fn curve(canvas: &Canvas<'_>, name: &str, quantity: Quantity, contact: &Value) -> Option<Entry> {
+    let (channel, title, label, unit, style) = quantity;
+    let position = canvas.history.position(&format!("contact.{name}.{channel}"))?;
+    let (id, title) = (format!("{channel}-{name}"), format!("{title}, {name}"));
+    let curves = vec![Curve::new(label, style, position)];
+    let mut draft = canvas.over_time((&id, &title, label), Section::Impact, unit, curves);
+    draft.figure.picture = true;
+    draft.omit = Omit::Nothing;
+    let party = |k: usize| contact["between"][k].as_str();
+    if let (GAP, Some(first), Some(second)) = (quantity, party(0), party(1)) {
+        draft.figure.note = format!("Between {first} and {second}, where they are nearest.");
+    }
+    Some(Entry::Draft(Draft { floor: 0.0, ..draft }))
+}

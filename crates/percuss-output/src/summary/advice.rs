@@ -1,0 +1,32 @@
+//! The advisor's findings and the hand formulas in `summary.json`.
+
+use percuss::{Advice, Comparison};
+use serde_json::{Value, json};
+
+/// A finding before the run.
+pub(super) fn finding(advice: &Advice) -> Value {
+    json!({
+        "contact": advice.contact,
+        "topic": advice.topic.name(),
+        "verdict": advice.verdict.name(),
+        "value": advice.value,
+        "reference": advice.reference,
+        "unit": advice.unit,
+        "text": advice.text,
+    })
+}
+
+/// A result beside a hand formula.
+pub(super) fn comparison(comparison: &Comparison) -> Value {
+    json!({
+        "contact": comparison.contact,
+        "formula": comparison.formula,
+        "source": comparison.source,
+        "quantity": comparison.quantity,
+        "unit": comparison.unit,
+        "by_hand": comparison.by_hand,
+        "simulated": comparison.simulated,
+        "difference_percent": comparison.difference_percent,
+        "holds_if": comparison.holds_if,
+    })
+}

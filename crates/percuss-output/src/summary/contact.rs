@@ -1,0 +1,83 @@
+//! Contacts in `summary.json`.
+
+use percuss::{
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact, Peak,
+};
+use serde_json::{Value, json};
+
+use super::peak;
+
+/// What happened between two things that can touch.
+pub(super) fn value(contact: &ContactSummary) -> Value {
+    let mut value = json!({ "between": contact.between });
+    if let Some(mass) = contact.effective_mass {
+        value["effective_mass"] = Value::from(mass.on_mesh);
+        value["effective_mass_limit"] = Value::from(mass.limit);
+    }
+    match &contact.record {
+        ContactRecord::Smooth { peak_force, intervals } => {
+            value["peak_force"] = peak(peak_force);
+            value["intervals"] = intervals.iter().map(interval).collect();
+        }
+        ContactRecord::Nonsmooth {
+            impacts,
+            impact_count,
+            tamed_count,
+            impulse_total,
+            intervals,
+        } => {
+            value["impacts"] = impacts.iter().map(impact).collect();
+            value["impact_count"] = Value::from(*impact_count);
+            value["tamed_count"] = Value::from(*tamed_count);
+            value["impulse_total"] = Value::from(*impulse_total);
+            value["intervals"] = intervals.iter().map(interval).collect();
+        }
+    }
+    value
+}
+
+fn interval(interval: &ContactInterval) -> Value {
+    let mut value = json!({
+        "start": interval.start,
+        "end": interval.end,
+        "impulse": interval.impulse,
+        "approach_velocity": interval.approach_velocity,
+        "separation_velocity": interval.separation_velocity,
+        "restitution": restitution(interval.approach_velocity, interval.separation_velocity),
+        "place": place(&interval.place),
+        "place_end": place(&interval.place_end),
+        "energy": energy(&interval.energy),
+    });
+    // Persistent contact of rigid bodies has no force but means over steps.
+    if interval.peak_force != Peak::default() && !interval.peak_force.value.is_nan() {
+        value["peak_force"] = peak(&interval.peak_force);
+    }
+    value
+}
+
+fn impact(impact: &Impact) -> Value {
+    json!({
+        "time": impact.time,
+        "impulse": impact.impulse,
+        "tangential_impulse": impact.tangential_impulse,
+        "approach_velocity": impact.approach_velocity,
+        "separation_velocity": impact.separation_velocity,
+        "restitution": restitution(impact.approach_velocity, impact.separation_velocity),
+        "place": place(&impact.place),
+        "energy": energy(&impact.energy),
+        "tamed": impact.tamed,
+    })
+}
+
+/// Apparent coefficient of restitution: separation over approach; NaN where nothing approached.
+pub(crate) fn restitution(approach: f64, separation: f64) -> f64 {
+    if approach > 0.0 { separation / approach } else { f64::NAN }
+}
+
+fn place(place: &ContactPlace) -> Value {
+    json!({ "s": place.s, "position": place.position })
+}
+
+fn energy(split: &EnergySplit) -> Value {
+    json!({ "given": split.given, "lost": split.lost, "stored": split.stored })
+}

@@ -1,0 +1,104 @@
+//! `impacts.csv`.
+
+mod synthetic;
+
+use std::error::Error;
+
+use percuss::{ContactInterval, ContactRecord, ContactSummary, EnergySplit, Peak};
+use percuss_output::write_impacts;
+
+fn contact(name: &str, record: ContactRecord) -> ContactSummary {
+    let between = ["girder".to_owned(), format!("{name}, the \"second\"")];
+    ContactSummary { name: name.to_owned(), between, effective_mass: None, record }
+}
+
+/// The file, as one map of column to field a row.
+fn written(contacts: &[ContactSummary]) -> Result<Vec<Vec<(String, String)>>, Box<dyn Error>> {
+    let dir = tempfile::tempdir()?;
+    write_impacts(dir.path(), contacts)?;
+    let text = std::fs::read_to_string(dir.path().join("impacts.csv"))?;
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().ok_or("no header")?.split(',').collect();
+    let row = |line: &str| {
+        // Names with commas come quoted; here only the second party's is.
+        let (before, quoted) = line.split_once('"').unwrap_or((line, ""));
+        let (name, after) = quoted.rsplit_once('"').unwrap_or(("", ""));
+        let mut fields: Vec<String> = before.split(',').map(str::to_owned).collect();
+        fields.pop();
+        fields.push(name.to_owned());
+        fields.extend(after.split(',').skip(1).map(str::to_owned));
+        assert_eq!(fields.len(), header.len(), "{line}");
+        header.iter().map(|h| (*h).to_owned()).zip(fields).collect()
+    };
+    Ok(lines.map(row).collect())
+}
+
+fn field<'a>(row: &'a [(String, String)], column: &str) -> &'a str {
+    row.iter().find(|(name, _)| name == column).map_or("no such column", |(_, value)| value)
+}
+
+#[test]
+fn forces_and_impulses_never_share_a_column() -> Result<(), Box<dyn Error>> {
+    let contacts = [contact("mass", synthetic::smooth()), contact("hammer", synthetic::impacts(3))];
+    let rows = written(&contacts)?;
+    assert_eq!(rows.len(), 4);
+    for row in &rows {
+        let (force, impulse) = (field(row, "force_peak_N"), field(row, "impulse_N_s"));
+        assert!(impulse.parse::<f64>().is_ok());
+        match field(row, "kind") {
+            "impact" => assert_eq!(force, "", "no force is made up from an impulse"),
+            _ => assert!((force.parse::<f64>()? / 337_784.605 - 1.0).abs() < 1e-12),
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn rows_come_in_the_order_of_time_and_say_where_and_with_what_energies()
+-> Result<(), Box<dyn Error>> {
+    let contacts = [contact("mass", synthetic::smooth()), contact("hammer", synthetic::impacts(2))];
+    let rows = written(&contacts)?;
+    let times: Vec<f64> = rows.iter().filter_map(|r| field(r, "start_s").parse().ok()).collect();
+    assert_eq!(times.len(), 3);
+    assert!(times.is_sorted());
+    let last = &rows[2];
+    assert_eq!(field(last, "second"), "mass, the \"\"second\"\"");
+    assert_eq!(field(last, "end_s"), "", "still closed");
+    assert_eq!(field(last, "separation_m_per_s"), "");
+    for (column, value) in
+        [("place_m", 1.5), ("x_m", 1.5), ("given_to_first_J", 8000.0), ("lost_J", 50.0)]
+    {
+        assert_eq!(field(last, column).parse::<f64>()?, value, "{column}");
+    }
+    assert_eq!(field(&rows[0], "restitution").parse::<f64>()?, 1.0);
+    assert_eq!(field(&rows[0], "tamed"), "false");
+    Ok(())
+}
+
+/// Persistent contact of rigid bodies has an impulse and no force.
+#[test]
+fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
+    let interval = ContactInterval {
+        start: 0.1,
+        end: 0.2,
+        impulse: 3.0,
+        peak_force: Peak::default(),
+        approach_velocity: 0.0,
+        separation_velocity: 0.0,
+        place: Default::default(),
+        place_end: Default::default(),
+        energy: EnergySplit::default(),
+    };
+    let record = ContactRecord::Nonsmooth {
+        impacts: Vec::new(),
+        impact_count: 0,
+        tamed_count: 0,
+        impulse_total: 3.0,
+        intervals: vec![interval],
+    };
+    let rows = written(&[contact("rest", record)])?;
+    for column in ["force_peak_N", "force_peak_time_s", "restitution", "place_m", "x_m", "tamed"] {
+        assert_eq!(field(&rows[0], column), "", "{column}");
+    }
+    Ok(())
+}

@@ -1,0 +1,136 @@
+//! Formulas of bodies that move as one piece while they touch.
+
+use super::super::Comparison;
+use super::super::case::{Bodies, Struck, rigid_blow};
+use super::super::formulas::{Span, SpanKind, reduced_mass};
+use super::super::words::{digits, quantity};
+use super::{Assumptions, Desk, Formula, Quantity, Touch};
+use crate::model::TouchLaw;
+
+/// Contacts shorter than this share of a free beam's lowest period are no blow of a rigid piece.
+const SHORTEST: f64 = 0.5;
+
+/// Adds that a smooth law has no losses.
+fn lossless(desk: &Desk<'_>, assumptions: Assumptions) -> Assumptions {
+    match desk.case.law {
+        TouchLaw::Smooth(law) => {
+            assumptions.and("no losses in the contact", law.dissipation == 0.0)
+        }
+        TouchLaw::Rigid(_) => assumptions,
+    }
+}
+
+/// A projectile and a free beam, both rigid.
+pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let Some(beam) = struck.place.free_mass().filter(|_| struck.across() > 0.999) else {
+        return Vec::new();
+    };
+    let mass = reduced_mass([struck.mass, beam]);
+    let Some(blow) = rigid_blow(desk.case.law, mass, desk.speed) else { return Vec::new() };
+    let section = struck.place.section();
+    // A free beam has the frequencies of a clamped one.
+    let like = Span {
+        kind: SpanKind::Clamped,
+        length: struck.place.beam.length,
+        bending: section.bending,
+        mass: section.mass,
+    };
+    let share = blow.duration / like.period();
+    if share < SHORTEST || struck.rear.is_some() {
+        return Vec::new();
+    }
+    let longer =
+        format!("the contact lasts longer than the lowest mode: {} periods", digits(share));
+    let formula = Formula {
+        name: "two free rigid bodies",
+        source: "conservation of momentum and energy, with the reduced mass",
+        assumptions: lossless(desk, desk.undisturbed().and(longer, share >= 1.0)),
+    };
+    let mut quantities = desk.force_and_duration(blow.peak_force, blow.duration);
+    if let Some(simulated) = desk.release_velocity(struck) {
+        quantities.push(Quantity {
+            name: "velocity of the projectile, after over before",
+            unit: "1",
+            by_hand: 1.0 - 2.0 * mass / struck.mass,
+            simulated: simulated / struck.speed,
+        });
+    }
+    desk.rows(&formula, quantities)
+}
+
+/// The impulse of a rigid projectile on a point of known effective mass.
+pub fn impulse_of_struck(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let (Some(mass), Some(restitution), Touch::Impact(_)) =
+        (desk.contact.effective_mass, desk.restitution(), desk.touch)
+    else {
+        return Vec::new();
+    };
+    let on_limit = reduced_mass([struck.mass, mass.limit]);
+    let limit = (1.0 + restitution) * on_limit * desk.speed;
+    let mesh = format!(
+        "an effective mass that is not of this mesh alone: on ever finer ones the impulse is {}",
+        quantity(limit, "N s")
+    );
+    let formula = Formula {
+        name: "effective mass of the struck point",
+        source: "Newton's impact law with 1/(1/M + n M^-1 n)",
+        assumptions: desk.undisturbed().and(mesh, !mass.depends_on_mesh()),
+    };
+    newton(desk, &formula, reduced_mass([struck.mass, mass.on_mesh]), restitution)
+}
+
+/// Impulse and loss of a first impact under Newton's law.
+fn newton(desk: &Desk<'_>, formula: &Formula, mass: f64, restitution: f64) -> Vec<Comparison> {
+    let Touch::Impact(impact) = desk.touch else { return Vec::new() };
+    let loss = 0.5 * (1.0 - restitution * restitution) * mass * desk.speed * desk.speed;
+    let quantities = vec![
+        Quantity {
+            name: "impulse of the first impact",
+            unit: "N s",
+            by_hand: (1.0 + restitution) * mass * desk.speed,
+            simulated: impact.impulse,
+        },
+        Quantity {
+            name: "energy lost in the first impact",
+            unit: "J",
+            by_hand: loss,
+            simulated: impact.energy.lost,
+        },
+    ];
+    desk.rows(formula, quantities)
+}
+
+/// A smooth blow on a beam that no other formula knows: an upper bound of the force, a lower one of the duration.
+pub fn rigid_target(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let Some(blow) = rigid_blow(desk.case.law, struck.mass, desk.speed) else { return Vec::new() };
+    let formula = Formula {
+        name: "rigid target",
+        source: "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24): a bound",
+        assumptions: lossless(desk, desk.undisturbed())
+            .and("a target that does not give way", false),
+    };
+    desk.rows(&formula, desk.force_and_duration(blow.peak_force, blow.duration))
+}
+
+/// Two discs, or a disc and an obstacle at rest.
+pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
+    if !two.simple {
+        return Vec::new();
+    }
+    let alone = Assumptions::default().and("neither has touched anything else", desk.is_alone());
+    if let Some(restitution) = desk.restitution() {
+        let formula = Formula {
+            name: "two rigid bodies",
+            source: "Newton's impact law with the reduced mass",
+            assumptions: alone,
+        };
+        return newton(desk, &formula, two.mass, restitution);
+    }
+    let Some(blow) = rigid_blow(desk.case.law, two.mass, desk.speed) else { return Vec::new() };
+    let formula = Formula {
+        name: "two rigid bodies",
+        source: "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24)",
+        assumptions: lossless(desk, alone),
+    };
+    desk.rows(&formula, desk.force_and_duration(blow.peak_force, blow.duration))
+}

@@ -1,0 +1,278 @@
+//! Results of a run beside hand formulas.
+
+mod bodies;
+mod span;
+mod waves;
+
+use super::Comparison;
+use super::case::{self, Case, Meeting, Struck};
+use super::structure::gravity;
+use super::words::quantity;
+use crate::math::vec2::dot;
+use crate::model::{Model, TouchLaw};
+use crate::summary::{
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, RunSummary,
+};
+
+/// What hand formulas say about the first touch of a contact.
+pub fn comparisons(
+    model: &Model,
+    run: &RunSummary,
+    index: usize,
+    contact: &ContactSummary,
+) -> Vec<Comparison> {
+    let Some(touch) = Touch::first(&contact.record) else { return Vec::new() };
+    let Some(case) = case::read(model, index, Some(touch.place())) else { return Vec::new() };
+    let speed = touch.approach();
+    let desk = Desk { model, run, index, contact, case: &case, touch, speed };
+    if !(desk.speed > 0.0) {
+        return Vec::new();
+    }
+    match &case.meeting {
+        Meeting::Struck(struck) => {
+            let mut all = waves::infinite_beam(&desk, struck);
+            all.extend(span::two_masses(&desk, struck));
+            all.extend(span::cox(&desk, struck));
+            all.extend(span::impact_factor(&desk, struck));
+            all.extend(bodies::free_beam(&desk, struck));
+            all.extend(bodies::impulse_of_struck(&desk, struck));
+            if all.is_empty() {
+                all.extend(bodies::rigid_target(&desk, struck));
+            }
+            all
+        }
+        Meeting::Bodies(two) => bodies::two_bodies(&desk, two),
+        Meeting::Beams(beams) => waves::bar_on_wall(&desk, beams),
+    }
+}
+
+/// The first touch of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Touch<'a> {
+    Interval(&'a ContactInterval),
+    Impact(&'a Impact),
+}
+
+impl<'a> Touch<'a> {
+    fn first(record: &'a ContactRecord) -> Option<Self> {
+        match record {
+            ContactRecord::Smooth { intervals, .. } => intervals.first().map(Self::Interval),
+            ContactRecord::Nonsmooth { impacts, intervals, .. } => {
+                match (impacts.first(), intervals.first()) {
+                    (Some(impact), Some(interval)) if interval.start < impact.time => {
+                        Some(Self::Interval(interval))
+                    }
+                    (Some(impact), _) => Some(Self::Impact(impact)),
+                    (None, interval) => interval.map(Self::Interval),
+                }
+            }
+        }
+    }
+
+    fn place(&self) -> ContactPlace {
+        match self {
+            Self::Interval(interval) => interval.place,
+            Self::Impact(impact) => impact.place,
+        }
+    }
+
+    fn approach(&self) -> f64 {
+        match self {
+            Self::Interval(interval) => interval.approach_velocity,
+            Self::Impact(impact) => impact.approach_velocity,
+        }
+    }
+
+    fn time(&self) -> f64 {
+        match self {
+            Self::Interval(interval) => interval.start,
+            Self::Impact(impact) => impact.time,
+        }
+    }
+}
+
+/// A contact, what became of it, and the hand formulas' view of it.
+pub(super) struct Desk<'a> {
+    pub model: &'a Model,
+    pub run: &'a RunSummary,
+    /// Number of the contact.
+    pub index: usize,
+    pub contact: &'a ContactSummary,
+    pub case: &'a Case<'a>,
+    pub touch: Touch<'a>,
+    /// Speed of approach at the first touch \[m/s\].
+    pub speed: f64,
+}
+
+/// A formula with its source and its assumptions.
+pub(super) struct Formula {
+    pub name: &'static str,
+    pub source: &'static str,
+    pub assumptions: Assumptions,
+}
+
+/// A quantity under comparison.
+pub(super) struct Quantity {
+    pub name: &'static str,
+    pub unit: &'static str,
+    pub by_hand: f64,
+    pub simulated: f64,
+}
+
+/// Assumptions, and whether each is met.
+#[derive(Default)]
+pub(super) struct Assumptions(Vec<String>);
+
+impl Assumptions {
+    /// Adds one.
+    pub fn and(mut self, what: impl Into<String>, met: bool) -> Self {
+        let verdict = if met { "met" } else { "not met" };
+        self.0.push(format!("{} ({verdict})", what.into()));
+        self
+    }
+
+    fn text(&self) -> String {
+        self.0.join("; ")
+    }
+}
+
+impl Desk<'_> {
+    /// One row a quantity that both sides know.
+    pub fn rows(&self, formula: &Formula, quantities: Vec<Quantity>) -> Vec<Comparison> {
+        let known =
+            |q: &Quantity| q.by_hand.is_finite() && q.by_hand != 0.0 && q.simulated.is_finite();
+        let row = |q: Quantity| Comparison {
+            contact: self.contact.name.clone(),
+            formula: formula.name,
+            source: formula.source,
+            quantity: q.name,
+            unit: q.unit,
+            by_hand: q.by_hand,
+            simulated: q.simulated,
+            difference_percent: 100.0 * (q.simulated - q.by_hand) / q.by_hand,
+            holds_if: formula.assumptions.text(),
+        };
+        quantities.into_iter().filter(known).map(row).collect()
+    }
+
+    /// The interval of the first touch under a smooth law.
+    pub fn interval(&self) -> Option<&ContactInterval> {
+        match self.touch {
+            Touch::Interval(interval) => Some(interval),
+            Touch::Impact(_) => None,
+        }
+    }
+
+    /// The closed intervals.
+    pub fn intervals(&self) -> &[ContactInterval] {
+        match &self.contact.record {
+            ContactRecord::Smooth { intervals, .. }
+            | ContactRecord::Nonsmooth { intervals, .. } => intervals,
+        }
+    }
+
+    /// Assumptions common to all formulas of a beam at rest: nothing but this contact acts.
+    pub fn undisturbed(&self) -> Assumptions {
+        let (_, loads) = gravity(self.model);
+        let motion = &self.model.initial_motion;
+        let moves = motion.spin != 0.0 || self.model.supports.iter().any(|s| s.motion.is_some());
+        let starts = self.others().filter_map(Touch::first).map(|touch| touch.time());
+        let earlier = starts.into_iter().any(|time| time < self.touch.time());
+        let damped =
+            self.model.has_viscous_parts() || self.model.spans.iter().any(|span| span.is_damped());
+        Assumptions::default()
+            .and("nothing moves or loads the beam before the touch", !(loads || moves || earlier))
+            .and("no damping", !damped)
+    }
+
+    /// The other contacts of what meets here; beams may be joined, so that all of them count as one.
+    fn others(&self) -> impl Iterator<Item = &ContactRecord> {
+        let parties = |k: usize| -> Vec<usize> {
+            let pairs = &self.model.pairs[self.model.contacts[k].pairs.clone()];
+            let beams = self.model.beams.len();
+            let movers = pairs.iter().take(1).flat_map(|pair| pair.movers);
+            movers.map(|m| if m < beams { 0 } else { m }).collect()
+        };
+        let own = parties(self.index);
+        let shares = move |k: &usize| parties(*k).iter().any(|party| own.contains(party));
+        let all = (0..self.run.contacts.len()).filter(|k| *k != self.index);
+        all.filter(shares).map(|k| &self.run.contacts[k].record)
+    }
+
+    /// Whether no other contact of the two was closed before the first touch ended.
+    pub fn is_alone(&self) -> bool {
+        let ended = self.interval().map_or(self.touch.time(), |i| i.end);
+        self.others().filter_map(Touch::first).all(|touch| touch.time() > ended)
+    }
+
+    /// Acceleration of gravity along a direction \[m/s^2\].
+    pub fn gravity_along(&self, direction: [f64; 2]) -> f64 {
+        dot(gravity(self.model).0, direction)
+    }
+
+    /// Largest deflection of the struck point in the direction of the blow, and its time, if the point is recorded and went
+    /// farthest that way.
+    pub fn deflection(&self, struck: &Struck<'_>) -> Option<[f64; 2]> {
+        self.case.guided?;
+        let label = &self.contact.between[0];
+        let point = self.run.points.iter().find(|p| p.name == *label)?;
+        let direction = struck.direction;
+        let i = usize::from(direction[1].abs() > direction[0].abs());
+        let peak = point.displacement_max[i];
+        let value = peak.value / direction[i];
+        (value > 0.0).then_some([value, peak.time])
+    }
+
+    /// Largest bending moment in the struck beam \[N m\].
+    pub fn moment(&self, struck: &Struck<'_>) -> f64 {
+        let name = &struck.place.beam.name;
+        let forces = self.run.section_forces.iter().find(|f| f.name == *name);
+        forces.map_or(f64::NAN, |f| f.moment.largest().value.abs())
+    }
+
+    /// Velocity of a guided projectile at the end, along its line of flight \[m/s\].
+    pub fn final_velocity(&self, struck: &Struck<'_>) -> Option<f64> {
+        self.case.guided?;
+        let projectile = self.run.projectiles.iter().find(|p| p.name == self.contact.name)?;
+        Some(dot(projectile.velocity_final, struck.direction))
+    }
+
+    /// Velocity of the projectile at release, where the first contact is the only one, has ended, and nothing acts afterwards.
+    pub fn release_velocity(&self, struck: &Struck<'_>) -> Option<f64> {
+        let only = self.intervals().len() == 1 && self.intervals()[0].end.is_finite();
+        let free = self.gravity_along(struck.direction) == 0.0 && struck.rear.is_none();
+        self.final_velocity(struck).filter(|_| only && free)
+    }
+
+    /// Coefficient of restitution of a set-valued law.
+    pub fn restitution(&self) -> Option<f64> {
+        match self.case.law {
+            TouchLaw::Rigid(law) => Some(law.restitution),
+            TouchLaw::Smooth(_) => None,
+        }
+    }
+
+    /// The rows every smooth contact has: largest force, duration.
+    pub fn force_and_duration(&self, force: f64, duration: f64) -> Vec<Quantity> {
+        let Some(interval) = self.interval() else { return Vec::new() };
+        vec![
+            Quantity {
+                name: "largest contact force",
+                unit: "N",
+                by_hand: force,
+                simulated: interval.peak_force.value,
+            },
+            Quantity {
+                name: "contact duration",
+                unit: "s",
+                by_hand: duration,
+                simulated: interval.end - interval.start,
+            },
+        ]
+    }
+}
+
+/// `a` against `b` in words.
+pub(super) fn against(a: f64, b: f64, unit: &str) -> String {
+    format!("{} against {}", quantity(a, unit), quantity(b, unit))
+}

@@ -1,0 +1,158 @@
+//! Formulas that make one spring and one mass of a span.
+
+use super::super::Comparison;
+use super::super::case::{Struck, linear_stiffness};
+use super::super::formulas::impact_factor as factor;
+use super::super::words::digits;
+use super::{Assumptions, Desk, Formula, Quantity, against};
+
+/// Deflections below this share of the radius of gyration (or of the span, where its ends can slide) are small.
+const SMALL: f64 = 0.3;
+const SMALL_SLIDING: f64 = 0.05;
+/// A weight below this share of the largest force is negligible; above the second it governs.
+const LIGHT: f64 = 0.02;
+const HEAVY: f64 = 0.2;
+
+/// Adds that deflections must be small for the span's stiffness to be what it is.
+fn small(assumptions: Assumptions, struck: &Struck<'_>, deflection: f64) -> Assumptions {
+    let section = struck.place.section();
+    let (limit, what) = if struck.place.is_held_lengthwise() {
+        let gyration = (section.bending / section.axial).sqrt();
+        (
+            SMALL * gyration,
+            "deflection so small that ends that cannot slide do not stiffen the span",
+        )
+    } else {
+        (SMALL_SLIDING * struck.place.beam.length, "deflection small against the span")
+    };
+    assumptions.and(format!("{what}: {}", against(deflection, limit, "m")), deflection < limit)
+}
+
+fn weightless(
+    desk: &Desk<'_>,
+    struck: &Struck<'_>,
+    assumptions: Assumptions,
+    force: f64,
+) -> Assumptions {
+    let weight = (struck.mass * desk.gravity_along(struck.direction)).abs();
+    let share = weight / force;
+    if weight == 0.0 {
+        return assumptions;
+    }
+    assumptions
+        .and(format!("weight negligible: {} % of the force", digits(100.0 * share)), share < LIGHT)
+}
+
+fn deflection(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
+    Quantity {
+        name: "largest deflection of the struck point",
+        unit: "m",
+        by_hand,
+        simulated: desk.deflection(struck).map_or(f64::NAN, |[value, _]| value),
+    }
+}
+
+fn moment(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
+    let simulated = desk.moment(struck);
+    Quantity { name: "largest bending moment", unit: "N m", by_hand, simulated }
+}
+
+/// Projectile, contact spring, reduced mass and stiffness of the span.
+pub fn two_masses(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let Some((blow, span)) = struck.two_masses(desk.case.law, desk.speed) else {
+        return Vec::new();
+    };
+    let share = blow.duration / span.period();
+    let assumptions = desk.undisturbed().and(
+        format!("the contact lasts longer than the lowest mode: {} periods", digits(share)),
+        share >= 1.0,
+    );
+    let assumptions = small(assumptions, struck, blow.deflection);
+    let formula = Formula {
+        name: "two masses and two springs",
+        source: "Shivakumar, Elber and Illg 1985, with the span's reduced mass",
+        assumptions: weightless(desk, struck, assumptions, blow.peak_force),
+    };
+    let mut quantities = desk.force_and_duration(blow.peak_force, blow.duration);
+    quantities.push(deflection(desk, struck, blow.deflection));
+    desk.rows(&formula, quantities)
+}
+
+/// A mass that strikes and stays.
+pub fn cox(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let (Some(span), Some(0.0)) = (struck.span(), desk.restitution()) else { return Vec::new() };
+    let cox = span.cox(struck.mass, desk.speed);
+    let force = span.stiffness() * cox.deflection;
+    let weight = struck.mass * desk.gravity_along(struck.direction).abs();
+    if weight > HEAVY * force {
+        return Vec::new(); // a case for the impact factor
+    }
+    let formula = |assumptions| Formula {
+        name: "Cox",
+        source: "Cox 1849: momentum of mass and reduced span, then their energy",
+        assumptions,
+    };
+    let assumptions = || {
+        let stays = desk.undisturbed().and(STAYS, stays(desk, struck));
+        weightless(desk, struck, small(stays, struck, cox.deflection), force)
+    };
+    let mut all =
+        desk.rows(&formula(assumptions()), vec![deflection(desk, struck, cox.deflection)]);
+    let bent = assumptions().and(STATIC_SHAPE, false);
+    all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, cox.moment)]));
+    all
+}
+
+/// No span is bent so while waves of the blow run through it.
+const STATIC_SHAPE: &str = "bent as by a static force: waves of the blow add to the moment";
+const STAYS: &str = "the mass stays on the beam until it is bent most";
+
+/// Whether the contact is closed when the deflection is largest.
+fn stays(desk: &Desk<'_>, struck: &Struck<'_>) -> bool {
+    let Some([_, time]) = desk.deflection(struck) else { return false };
+    desk.intervals().iter().any(|i| i.start <= time && (i.end.is_nan() || time <= i.end))
+}
+
+/// A weight that falls on a span, with and without the span's mass.
+pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let pull = desk.gravity_along(struck.direction);
+    let Some(span) = struck.span() else { return Vec::new() };
+    let spring = linear_stiffness(desk.case.law);
+    let plastic = desk.restitution() == Some(0.0);
+    let [across, along] = struck.gravity_shares();
+    if !(pull > 0.0 && across > 0.999 * along) || (spring.is_none() && !plastic) {
+        return Vec::new();
+    }
+    let (weight, own) = (struck.mass * pull, span.stiffness());
+    let series = spring.map_or(own, |k| 1.0 / (1.0 / k + 1.0 / own));
+    let height = desk.speed * desk.speed / (2.0 * pull);
+    let ratio = span.reduced_mass() / struck.mass;
+    let sag = span.sag(span.mass * pull);
+    let row = |name, source, height: f64, light: bool| {
+        let by_hand = weight / own * factor(height, weight / series);
+        if sag > HEAVY * by_hand {
+            return Vec::new(); // the span's own weight governs
+        }
+        let assumptions = || {
+            let sags = format!("own weight of the span small: sag {}", against(sag, by_hand, "m"));
+            let all = desk
+                .undisturbed()
+                .and(STAYS, stays(desk, struck))
+                .and(sags, sag < SMALL_SLIDING * by_hand);
+            let share =
+                format!("span light: its reduced mass is {} of the falling one", digits(ratio));
+            small(if light { all.and(share, ratio < LIGHT) } else { all }, struck, by_hand)
+        };
+        let formula = |assumptions| Formula { name, source, assumptions };
+        let bent = assumptions().and(STATIC_SHAPE, false);
+        let mut all = desk.rows(&formula(assumptions()), vec![deflection(desk, struck, by_hand)]);
+        let by_hand = span.moment(own * by_hand);
+        all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, by_hand)]));
+        all
+    };
+    let plain = "1 + sqrt(1 + 2 h/d), d the static deflection: all energy bends the span";
+    let reduced = "the same with the height over 1 + m/M, m the span's reduced mass (Cox 1849)";
+    let mut all = row("impact factor", plain, height, true);
+    all.extend(row("impact factor, heavy span", reduced, height / (1.0 + ratio), false));
+    all
+}

@@ -1,0 +1,327 @@
+//! Findings before a run.
+
+use std::f64::consts::PI;
+
+use super::case::{Beams, Case, Meeting, Struck, rigid_blow};
+use super::formulas::{pulse_frequency, reduced_mass};
+use super::structure::{BeamPlace, gravity};
+use super::words::{digits, quantity, round_down};
+use super::{Advice, Topic, Verdict};
+use crate::contact::effective_mass::EffectiveMass;
+use crate::math::vec2::dot;
+use crate::model::{HertzBody, Model, Potential, TouchLaw};
+use crate::settings::Settings;
+
+/// Steps of a contact (or a period) that resolve it, and that hardly show it.
+const STEPS: [f64; 2] = [20.0, 8.0];
+/// Elements of a bending wave that carry it (its frequency within one per cent), and that do not.
+const ELEMENTS: [f64; 2] = [4.0, 2.0];
+/// A contact so many times stiffer than Hertz' is worth a word.
+const STIFF: f64 = 3.0;
+/// Waves that come back within this share of a contact come back several times: the span answers as a whole.
+const WAVES: f64 = 1.0 / 3.0;
+/// Poisson's ratio for Hertz' contact; beams have none.
+const POISSON: f64 = 0.3;
+
+/// What hand calculation says about a contact.
+pub fn findings(
+    model: &Model,
+    settings: &Settings,
+    case: &Case<'_>,
+    mass: Option<EffectiveMass>,
+) -> Vec<Advice> {
+    let desk = Desk { model, settings, case };
+    let found = match &case.meeting {
+        Meeting::Struck(struck) => desk.struck(struck, mass),
+        Meeting::Bodies(bodies) => {
+            let blow = rigid_blow(case.law, bodies.mass, bodies.speed);
+            vec![blow.map(|blow| desk.duration(blow.duration))]
+        }
+        Meeting::Beams(beams) => desk.beams(beams),
+    };
+    found.into_iter().flatten().collect()
+}
+
+/// A contact and how it is to be run.
+struct Desk<'a> {
+    model: &'a Model,
+    settings: &'a Settings,
+    case: &'a Case<'a>,
+}
+
+impl Desk<'_> {
+    fn finding(
+        &self,
+        topic: Topic,
+        [value, reference]: [f64; 2],
+        unit: &'static str,
+        verdict: Verdict,
+        text: String,
+    ) -> Advice {
+        let contact = self.case.name.to_owned();
+        Advice { contact, topic, value, reference, unit, verdict, text }
+    }
+
+    fn struck(&self, struck: &Struck<'_>, mass: Option<EffectiveMass>) -> Vec<Option<Advice>> {
+        let contact = duration(struck, self.case.law);
+        let across = struck.across();
+        vec![
+            self.touch(struck, contact),
+            contact.map(|contact| self.duration(contact)),
+            contact.filter(|_| across > 0.5).map(|contact| self.bending(struck, contact)),
+            self.transit(&struck.place, across < 0.99),
+            mass.and_then(|mass| self.effective_mass(mass)),
+            self.stiffness(struck),
+            contact.filter(|_| across > 0.5).map(|contact| self.span(struck, contact)),
+            self.rear(struck),
+        ]
+    }
+
+    fn beams(&self, beams: &Beams<'_>) -> Vec<Option<Advice>> {
+        let speed = crate::math::vec2::norm(beams.velocity);
+        let blow = rigid_blow(self.case.law, beams.point_mass, speed);
+        let tangent = beams.place.tangent();
+        let lengthwise = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > 0.1);
+        vec![blow.map(|blow| self.duration(blow.duration)), self.transit(&beams.place, lengthwise)]
+    }
+
+    fn touch(&self, struck: &Struck<'_>, contact: Option<f64>) -> Option<Advice> {
+        let (gap, speed, end) = (struck.gap?, struck.speed, self.settings.end);
+        let pull = dot(gravity(self.model).0, struck.direction);
+        let root = (speed * speed + 2.0 * pull * gap).sqrt();
+        let time = 2.0 * gap / (speed + root);
+        if gap == 0.0 || !time.is_finite() || time < 0.0 {
+            return None; // it touches already, or something else has to bring them together
+        }
+        let contact = contact.unwrap_or(0.0);
+        let (first, last) = (quantity(time, "s"), quantity(end, "s"));
+        let (verdict, text) = if time >= end {
+            let enough = quantity(time + 3.0 * contact, "s");
+            let advice = format!("set time.end beyond {enough}");
+            (
+                Verdict::Warning,
+                format!("the run ends at {last}, before the first touch at {first}: {advice}"),
+            )
+        } else if time + contact > end {
+            let over = quantity(time + contact, "s");
+            (
+                Verdict::Note,
+                format!(
+                    "the first touch comes at {first} and its contact lasts beyond the end of the \
+                     run at {last}: set time.end beyond {over}"
+                ),
+            )
+        } else {
+            (Verdict::Fine, format!("the first touch comes at {first} of {last}"))
+        };
+        Some(self.finding(Topic::Touch, [time, end], "s", verdict, text))
+    }
+
+    fn duration(&self, contact: f64) -> Advice {
+        let step = self.settings.step;
+        let steps = contact / step;
+        let mut text =
+            format!("the contact lasts about {}, {} steps", quantity(contact, "s"), digits(steps));
+        let verdict = graded(steps, STEPS);
+        if verdict != Verdict::Fine {
+            let off = 100.0 * PI * PI / (8.0 * steps * steps);
+            let better = quantity(round_down(contact / STEPS[0]), "s");
+            text += &if steps < 2.0 {
+                format!(": the run does not see its course; set time.step to {better}")
+            } else {
+                format!(
+                    ": expect its peak force to be off by some {} %; set time.step to {better}",
+                    digits(off.max(1.0).round())
+                )
+            };
+        }
+        self.finding(Topic::ContactDuration, [contact, step], "s", verdict, text)
+    }
+
+    fn bending(&self, struck: &Struck<'_>, contact: f64) -> Advice {
+        let wave = struck.place.section().wavelength(pulse_frequency(contact));
+        let element = struck.place.element_length();
+        let verdict = graded(wave / element, ELEMENTS);
+        let mut text = format!(
+            "the shortest bending waves of weight in this contact are {} long, {} elements",
+            quantity(wave, "m"),
+            digits(wave / element)
+        );
+        if verdict != Verdict::Fine {
+            let shorter = quantity(round_down(wave / ELEMENTS[0]), "m");
+            text += &format!(
+                ": too few to carry them; use elements of {shorter} or less near the struck point"
+            );
+        }
+        self.finding(Topic::BendingWave, [wave, element], "m", verdict, text)
+    }
+
+    /// `lengthwise` says whether the blow has a part along the beam.
+    fn transit(&self, place: &BeamPlace<'_>, lengthwise: bool) -> Option<Advice> {
+        let step = self.settings.step;
+        let transit = place.shortest_transit();
+        let ratio = step / transit;
+        let rigid = matches!(self.case.law, TouchLaw::Rigid(_));
+        let (verdict, rest) = match (ratio <= 1.0, lengthwise, rigid) {
+            (true, ..) => (Verdict::Fine, "the step follows such waves".to_owned()),
+            (false, false, false) => {
+                (Verdict::Fine, "they matter little in a soft blow across the beam".to_owned())
+            }
+            _ => {
+                let better = quantity(round_down(transit), "s");
+                let why = if lengthwise {
+                    "the step smears the waves that carry this blow"
+                } else {
+                    "what follows the first impact hangs on waves that the step does not follow"
+                };
+                (Verdict::Note, format!("{why}; set time.step to {better} or less"))
+            }
+        };
+        let text = format!(
+            "one step is {} times the {} that a longitudinal wave takes through the shortest element: {rest}",
+            digits(ratio),
+            quantity(transit, "s"),
+        );
+        Some(self.finding(Topic::WaveTransit, [transit, step], "s", verdict, text))
+    }
+
+    fn effective_mass(&self, mass: EffectiveMass) -> Option<Advice> {
+        if !matches!(self.case.law, TouchLaw::Rigid(_)) || mass.on_mesh.is_nan() {
+            return None;
+        }
+        let (verdict, text) = if mass.on_mesh.is_infinite() {
+            (Verdict::Fine, "the struck point is held and gives way to no blow".to_owned())
+        } else {
+            let here = quantity(mass.on_mesh, "kg");
+            let limit = quantity(mass.limit, "kg");
+            let text = format!("the struck point answers a blow with {here} on this mesh");
+            if mass.depends_on_mesh() {
+                let advice = "take the impulse as that of this mesh, or give the contact a mass or \
+                              a compliance of its own";
+                let text = format!("{text}, with {limit} on ever finer ones: {advice}");
+                (Verdict::Warning, text)
+            } else {
+                (Verdict::Fine, format!("{text}, with {limit} on ever finer ones"))
+            }
+        };
+        let values = [mass.on_mesh, mass.limit];
+        Some(self.finding(Topic::EffectiveMass, values, "kg", verdict, text))
+    }
+
+    fn stiffness(&self, struck: &Struck<'_>) -> Option<Advice> {
+        let half_depth = struck.place.half_depth();
+        let radius = struck.radius.or((half_depth > 0.0).then_some(half_depth))?;
+        let flat =
+            HertzBody { young: struck.place.young(), poisson: POISSON, radius: f64::INFINITY };
+        let ball = HertzBody { young: f64::INFINITY, poisson: POISSON, radius };
+        let Potential::Hertz { stiffness: constant } = Potential::hertz([ball, flat]) else {
+            return None;
+        };
+        let mass = reduced_mass([struck.mass, struck.beam_mass()]);
+        let energy = mass * struck.speed * struck.speed;
+        let chosen = rigid_blow(self.case.law, mass, struck.speed)?;
+        let hertz = super::formulas::hertz_blow(mass, constant, struck.speed);
+        // The linear spring with the same peak force at this speed.
+        let [value, reference] = [chosen, hertz].map(|b| b.peak_force.powi(2) / energy);
+        if !(value.is_finite() && reference.is_finite()) {
+            return None;
+        }
+        let whose = if struck.radius.is_some() { "its radius" } else { "the beam's half depth" };
+        let ball = format!(
+            "Hertz' contact of a rigid ball of {whose}, {}, with this beam (K = {} N/m^1.5)",
+            quantity(radius, "m"),
+            digits(constant)
+        );
+        let ratio = value / reference;
+        let (verdict, text) = if ratio > STIFF {
+            (
+                Verdict::Note,
+                format!(
+                    "the contact is {} times as stiff as {ball}, and its peak force up to {} times \
+                     as large: unless flat faces meet, use that law",
+                    digits(ratio),
+                    digits(ratio.sqrt())
+                ),
+            )
+        } else {
+            (
+                Verdict::Fine,
+                format!("the contact has {} times the stiffness of {ball}", digits(ratio)),
+            )
+        };
+        Some(self.finding(Topic::Stiffness, [value, reference], "N/m", verdict, text))
+    }
+
+    fn span(&self, struck: &Struck<'_>, contact: f64) -> Advice {
+        let (section, free) = (struck.place.section(), struck.place.free_distance());
+        let least = section.least_distance(contact);
+        let back = section.return_time(free, contact);
+        let (time, lasts) = (quantity(back, "s"), quantity(contact, "s"));
+        let needed = quantity(least, "m");
+        let (verdict, text) = if free >= least {
+            let text = format!(
+                "bending waves come back from the nearest end or support after {time}, when the \
+                 contact of {lasts} is over: as on a beam without end"
+            );
+            (Verdict::Fine, text)
+        } else if back < WAVES * contact {
+            let text = format!(
+                "bending waves come back from the nearest end or support after {time}, many times \
+                 in the contact of {lasts}: the whole span takes part in it"
+            );
+            (Verdict::Fine, text)
+        } else {
+            let text = format!(
+                "bending waves come back from the nearest end or support after {time}, within the \
+                 contact of {lasts}: how the beam is held shapes the force; to keep that out, leave \
+                 {needed} free on either side"
+            );
+            (Verdict::Note, text)
+        };
+        self.finding(Topic::Span, [free, least], "m", verdict, text)
+    }
+
+    fn rear(&self, struck: &Struck<'_>) -> Option<Advice> {
+        let rear = struck.rear?;
+        let mass = reduced_mass([struck.mass, rear.mass]);
+        let period = 2.0 * PI * (mass / rear.stiffness).sqrt();
+        let steps = period / self.settings.step;
+        let verdict = graded(steps, STEPS);
+        let (lasts, count) = (quantity(period, "s"), digits(steps));
+        let mut text = format!(
+            "the two masses swing against each other with a period of {lasts}, {count} steps"
+        );
+        if verdict != Verdict::Fine {
+            let better = quantity(round_down(period / STEPS[0]), "s");
+            text += &format!(": set time.step to {better} to follow them");
+        }
+        let values = [period, self.settings.step];
+        Some(self.finding(Topic::RearMass, values, "s", verdict, text))
+    }
+}
+
+/// How long the first contact lasts \[s\]: as on a beam without end where nothing comes back within it; as on one mass and one spring
+/// where a known span swings with it; else at least as long as against the mass of the beam as a whole.
+fn duration(struck: &Struck<'_>, law: &TouchLaw) -> Option<f64> {
+    let infinite = struck.infinite_beam(law, struck.speed).and_then(|blow| blow.duration);
+    let (section, free) = (struck.place.section(), struck.place.free_distance());
+    if let Some(contact) = infinite.filter(|t| section.return_time(free, *t) >= *t) {
+        return Some(contact);
+    }
+    if let Some((blow, _)) = struck.two_masses(law, struck.speed) {
+        return Some(blow.duration);
+    }
+    let mass = reduced_mass([struck.mass, struck.beam_mass()]);
+    rigid_blow(law, mass, struck.speed).map(|blow| blow.duration)
+}
+
+/// Fine from the first number on, a warning below the second.
+fn graded(value: f64, [fine, poor]: [f64; 2]) -> Verdict {
+    if value >= fine {
+        Verdict::Fine
+    } else if value >= poor {
+        Verdict::Note
+    } else {
+        Verdict::Warning
+    }
+}

@@ -1,0 +1,306 @@
+//! A contact as hand formulas see it: what meets what, how fast, under which law.
+
+use super::formulas::{
+    Blow, InfiniteBeam, InfiniteBeamBlow, Span, TwoMassBlow, TwoMasses, hertz_blow, linear_blow,
+    reduced_mass, table_blow,
+};
+use super::structure::{BeamPlace, first_hit, gravity, nearest};
+use crate::contact::pair::Target;
+use crate::math::vec2::{add, dot, norm, rot90, scale, sub};
+use crate::model::frozen::{Body, BodyKind, ContactData};
+use crate::model::{Model, Potential, TouchLaw};
+use crate::summary::ContactPlace;
+
+/// A contact.
+#[derive(Clone, Debug)]
+pub struct Case<'a> {
+    pub name: &'a str,
+    pub law: &'a TouchLaw,
+    /// Number of its projectile, if that is guided.
+    pub guided: Option<usize>,
+    pub meeting: Meeting<'a>,
+}
+
+/// What meets.
+#[derive(Clone, Debug)]
+pub enum Meeting<'a> {
+    /// A projectile or a disc strikes a beam.
+    Struck(Struck<'a>),
+    /// A disc meets another one or an obstacle.
+    Bodies(Bodies),
+    /// Points of a beam meet an obstacle or a beam.
+    Beams(Beams<'a>),
+}
+
+/// A projectile or a disc that strikes a beam.
+#[derive(Clone, Debug)]
+pub struct Struck<'a> {
+    /// Mass that strikes \[kg\].
+    pub mass: f64,
+    /// Mass behind it \[kg\] and stiffness of the spring between \[N/m\].
+    pub rear: Option<Rear>,
+    /// Radius \[m\]; none of a guided projectile.
+    pub radius: Option<f64>,
+    /// Unit vector of the motion towards the beam.
+    pub direction: [f64; 2],
+    /// Speed of approach in the motion both start with \[m/s\].
+    pub speed: f64,
+    /// Free way to the first touch \[m\]; none if it is not seen where they meet.
+    pub gap: Option<f64>,
+    /// The place struck.
+    pub place: BeamPlace<'a>,
+}
+
+/// A mass behind a projectile.
+#[derive(Clone, Copy, Debug)]
+pub struct Rear {
+    pub mass: f64,
+    pub stiffness: f64,
+}
+
+/// Two bodies, one of which may be an obstacle.
+#[derive(Clone, Copy, Debug)]
+pub struct Bodies {
+    /// Reduced mass \[kg\].
+    pub mass: f64,
+    /// Relative speed at the start \[m/s\]; that along the normal is no larger.
+    pub speed: f64,
+    /// Whether both touch at one place whatever happens: not so with a wall of finite length or a clearance.
+    pub simple: bool,
+}
+
+/// Points of a beam against something.
+#[derive(Clone, Debug)]
+pub struct Beams<'a> {
+    /// The first beam, at its middle.
+    pub place: BeamPlace<'a>,
+    /// Mass that goes with one point that can touch \[kg\].
+    pub point_mass: f64,
+    /// Normal of the half-plane it meets, if it meets one.
+    pub wall: Option<[f64; 2]>,
+    /// Velocity of the beam's middle at the start \[m/s\].
+    pub velocity: [f64; 2],
+}
+
+/// The contact of number `index`; `at` says where its first touch was, if that is known.
+pub fn read<'a>(model: &'a Model, index: usize, at: Option<ContactPlace>) -> Option<Case<'a>> {
+    let contact = &model.contacts[index];
+    let guided = (index < model.projectiles.len()).then_some(index);
+    let meeting = match guided {
+        Some(k) => Meeting::Struck(projectile(model, k)?),
+        None => meeting(model, contact, at)?,
+    };
+    Some(Case { name: &contact.name, law: &contact.law, guided, meeting })
+}
+
+fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
+    let data = &model.projectiles[k];
+    let body = &model.bodies[data.body];
+    let rear = match model.bodies.get(data.body + 1).filter(|_| data.has_rear) {
+        Some(Body { mass, kind: BodyKind::Rear { stiffness, .. }, .. }) => {
+            Some(Rear { mass: *mass, stiffness: *stiffness })
+        }
+        _ => None,
+    };
+    let place = BeamPlace::new(model, data.point.beam, data.point.s);
+    let pair = model.pairs.get(model.contacts[k].pairs.start)?;
+    let gap = match &pair.target {
+        Target::Guided { standoff, .. } => Some(*standoff),
+        _ => None,
+    };
+    let relative = sub(body.velocity, beam_velocity(model, data.point.position));
+    Some(Struck {
+        mass: body.mass,
+        rear,
+        radius: None,
+        direction: data.direction,
+        speed: dot(relative, data.direction),
+        gap,
+        place,
+    })
+}
+
+/// Velocity that the beams' motion at the start gives a position \[m/s\].
+fn beam_velocity(model: &Model, position: [f64; 2]) -> [f64; 2] {
+    let motion = &model.initial_motion;
+    add(motion.velocity, scale(motion.spin, rot90(sub(position, motion.about))))
+}
+
+/// What meets in a contact between two named things.
+fn meeting<'a>(
+    model: &'a Model,
+    contact: &'a ContactData,
+    at: Option<ContactPlace>,
+) -> Option<Meeting<'a>> {
+    let pairs = &model.pairs[contact.pairs.clone()];
+    let first = pairs.first()?;
+    let beams = model.beams.len();
+    let beam = |mover: usize| (mover < beams).then_some(mover);
+    let body = |mover: usize| mover.checked_sub(beams).map(|k| (k, &model.bodies[k]));
+    let [a, b] = first.movers;
+    match (body(a), body(b)) {
+        (Some(one), Some(two)) => bodies(model, [one, two], &first.target),
+        (Some((k, disc)), None) | (None, Some((k, disc))) if is_disc(disc) => {
+            struck_by_disc(model, k, beam(a).or(beam(b))?, at)
+        }
+        _ => points_of_beams(model, beam(a).or(beam(b))?, pairs.len(), &first.target),
+    }
+}
+
+fn is_disc(body: &Body) -> bool {
+    matches!(body.kind, BodyKind::Disc { .. })
+}
+
+fn bodies<'a>(model: &Model, two: [(usize, &Body); 2], target: &Target) -> Option<Meeting<'a>> {
+    let masses = two.map(|(_, body)| if is_disc(body) { body.mass } else { f64::INFINITY });
+    let moves = |(k, body): (usize, &Body)| {
+        // An obstacle that is moved as prescribed is no rigid wall at rest.
+        let hold = model.hold_at(model.body_node(k));
+        !is_disc(body) && hold.is_some_and(|h| h.drives.iter().any(|d| !d.is_empty()))
+    };
+    if two.into_iter().any(moves) {
+        return None;
+    }
+    let speed = norm(sub(two[0].1.velocity, two[1].1.velocity));
+    let simple = matches!(target, Target::Line { .. } | Target::Round { .. });
+    Some(Meeting::Bodies(Bodies { mass: reduced_mass(masses), speed, simple }))
+}
+
+fn struck_by_disc(
+    model: &Model,
+    disc: usize,
+    beam: usize,
+    at: Option<ContactPlace>,
+) -> Option<Meeting<'_>> {
+    let body = &model.bodies[disc];
+    let BodyKind::Disc { radius } = body.kind else { return None };
+    let data = &model.beams[beam];
+    let centre = model.nodes[model.body_node(disc)].position;
+    let middle = BeamPlace::new(model, beam, 0.5 * data.length);
+    let relative = sub(body.velocity, beam_velocity(model, centre));
+    let speed = norm(relative);
+    let seen = if speed > 0.0 { first_hit(model, data, centre, relative) } else { None };
+    let s = match (at, seen) {
+        (Some(place), _) if place.s.is_finite() => place.s,
+        (Some(place), _) if place.position[0].is_finite() => nearest(model, data, place.position),
+        (_, Some([s, _])) => s,
+        _ => middle.s,
+    };
+    let place = BeamPlace::new(model, beam, s);
+    // The force of the contact acts across the beam, however obliquely the disc flies.
+    let across = rot90(place.tangent());
+    let towards = dot(relative, across);
+    let direction = scale(1.0_f64.copysign(towards), across);
+    let half_depth = if place.half_depth().is_nan() { 0.0 } else { place.half_depth() };
+    let steep = towards.abs() > 1e-3 * speed && speed > 0.0;
+    let gap = seen.filter(|_| steep);
+    let gap = gap.map(|[_, time]| (time * towards.abs() - radius - half_depth).max(0.0));
+    let speed = towards.abs();
+    let radius = (radius > 0.0).then_some(radius);
+    let mass = body.mass;
+    Some(Meeting::Struck(Struck { mass, rear: None, radius, direction, speed, gap, place }))
+}
+
+fn points_of_beams<'a>(
+    model: &'a Model,
+    beam: usize,
+    pairs: usize,
+    target: &Target,
+) -> Option<Meeting<'a>> {
+    let place = BeamPlace::new(model, beam, 0.5 * model.beams[beam].length);
+    let wall = match target {
+        Target::Line { normal, .. } => Some(*normal),
+        _ => None,
+    };
+    let nodes = &model.beams[beam].nodes;
+    let velocity = beam_velocity(model, model.nodes[nodes.start + nodes.len() / 2].position);
+    let point_mass = place.mass() / pairs.max(1) as f64;
+    Some(Meeting::Beams(Beams { place, point_mass, wall, velocity }))
+}
+
+impl Struck<'_> {
+    /// Share of the direction that lies across the beam, from zero to one.
+    pub fn across(&self) -> f64 {
+        dot(self.direction, rot90(self.place.tangent())).abs()
+    }
+
+    /// Acceleration of gravity along the direction of the blow, and all of it \[m/s^2\].
+    pub fn gravity_shares(&self) -> [f64; 2] {
+        let (pull, _) = gravity(self.place.model);
+        [dot(pull, self.direction), norm(pull)]
+    }
+
+    /// Mass with which the beam as a whole meets the blow: of a known span the reduced one, of a free beam that of a rigid piece,
+    /// else all of it \[kg\].
+    pub fn beam_mass(&self) -> f64 {
+        let span = self.place.span().map(|span| span.reduced_mass());
+        span.or_else(|| self.place.free_mass()).unwrap_or_else(|| self.place.mass())
+    }
+
+    /// The span of the struck point, where hand formulas know it and the blow of a single mass goes across it.
+    pub fn span(&self) -> Option<Span> {
+        self.place.span().filter(|_| self.across() > 0.999 && self.rear.is_none())
+    }
+
+    /// The blow on a known span of one mass and one spring, where it lasts long enough, and the span.
+    pub fn two_masses(&self, law: &TouchLaw, speed: f64) -> Option<(TwoMassBlow, Span)> {
+        let (span, stiffness) = (self.span()?, linear_stiffness(law)?);
+        // The duration does not depend on the speed.
+        let unit = TwoMasses::on(&span, self.mass, stiffness).blow(1.0);
+        if unit.duration < SHORTEST * span.period() {
+            return None;
+        }
+        let blow = TwoMassBlow {
+            peak_force: speed * unit.peak_force,
+            deflection: speed * unit.deflection,
+            ..unit
+        };
+        Some((blow, span))
+    }
+
+    /// The wave-controlled impact, where it is one: a single mass behind a linear spring without losses, across a beam that is
+    /// uniform and carries nothing at the place.
+    pub fn infinite_beam(&self, law: &TouchLaw, speed: f64) -> Option<InfiniteBeamBlow> {
+        let stiffness = linear_stiffness(law)?;
+        let model = self.place.model;
+        let here = |s: f64| (s - self.place.s).abs() < 1e-6 * self.place.beam.length;
+        let index = self.place.index;
+        let carries = model.masses.iter().any(|m| m.point.beam == index && here(m.point.s));
+        let fits = self.rear.is_none() && !carries && self.across() > 0.999;
+        if !fits || !self.place.is_uniform() || self.place.free_distance() <= 0.0 {
+            return None;
+        }
+        let section = self.place.section();
+        let beam = InfiniteBeam::of(self.mass, stiffness, section.bending, section.mass);
+        Some(beam.blow(self.mass, stiffness, speed))
+    }
+}
+
+/// Contacts shorter than this share of the lowest mode's period are no case for one mass and one spring.
+const SHORTEST: f64 = 0.25;
+
+/// Stiffness of a linear spring without losses.
+pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {
+    match law {
+        TouchLaw::Smooth(law) if law.dissipation == 0.0 => match law.potential {
+            Potential::Linear { stiffness } => Some(stiffness),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The blow of a mass on a rigid target under a smooth law, its losses left out; none under a set-valued law, or at no speed where
+/// the speed matters.
+pub fn rigid_blow(law: &TouchLaw, mass: f64, speed: f64) -> Option<Blow> {
+    let TouchLaw::Smooth(law) = law else { return None };
+    let blow = match &law.potential {
+        Potential::Linear { stiffness } => linear_blow(mass, *stiffness, speed),
+        Potential::Hertz { stiffness } => hertz_blow(mass, *stiffness, speed),
+        Potential::Table { penetration, force } if speed > 0.0 => {
+            table_blow(penetration, force, mass, speed)
+        }
+        Potential::Table { .. } => return None,
+    };
+    (blow.duration.is_finite() && blow.duration > 0.0).then_some(blow)
+}

@@ -1,0 +1,24 @@
+//! Hand formulas for impact on beams, each with its source: what an engineer would write on paper before, or beside, a simulation.
+//!
+//! Pure functions of SI quantities; none knows a model. [`advise`](crate::advise) and [`compare`](crate::compare) put them
+//! beside a model and its run.
+
+mod blow;
+mod infinite_beam;
+mod span;
+mod two_masses;
+mod waves;
+
+pub use blow::{Blow, free_bar_mass, hertz_blow, linear_blow, reduced_mass, table_blow};
+pub use infinite_beam::{InfiniteBeam, InfiniteBeamBlow};
+pub use span::{Cox, Span, SpanKind, impact_factor};
+pub use two_masses::{TwoMassBlow, TwoMasses};
+pub use waves::{BarBlow, UniformBeam, pulse_frequency};
+
+/// Asserts that two values agree to a relative tolerance.
+#[cfg(test)]
+#[track_caller]
+pub(crate) fn near(found: f64, expected: f64, tolerance: f64) {
+    let off = (found - expected).abs() / expected.abs();
+    assert!(off <= tolerance, "{found} instead of {expected}: off by {off:.1e}");
+}

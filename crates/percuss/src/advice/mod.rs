@@ -1,0 +1,139 @@
+//! The advisor: what hand calculation says about a run before it, and beside its results after it.
+//!
+//! It reads a model and judges; it changes nothing and no result depends on it. Every estimate is for the first touch of what is
+//! at rest or in the motion it starts with.
+
+mod after;
+mod before;
+mod case;
+pub mod formulas;
+mod structure;
+#[cfg(test)]
+mod tests;
+mod words;
+
+use crate::model::Model;
+use crate::settings::Settings;
+use crate::summary::RunSummary;
+
+/// What a finding is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Topic {
+    /// Time of the first touch against the end of the run \[s\].
+    Touch,
+    /// Expected duration of the contact against the step \[s\].
+    ContactDuration,
+    /// Length of the shortest bending waves of weight that the contact sends out, against the elements \[m\].
+    BendingWave,
+    /// Time of a longitudinal wave through an element against the step \[s\].
+    WaveTransit,
+    /// Effective mass of the struck point on this mesh against its limit \[kg\].
+    EffectiveMass,
+    /// Contact stiffness, as a linear spring, against that of Hertz' contact \[N/m\].
+    Stiffness,
+    /// Distance of the nearest support or end against that from which waves return within the contact \[m\].
+    Span,
+    /// Period of a rear mass on its spring against the step \[s\].
+    RearMass,
+}
+
+/// How much a finding weighs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Verdict {
+    /// As it should be.
+    Fine,
+    /// Worth knowing when results are read.
+    Note,
+    /// Results are likely to mislead.
+    Warning,
+}
+
+/// A finding about one contact, before the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Advice {
+    /// Name of the contact.
+    pub contact: String,
+    /// What it is about.
+    pub topic: Topic,
+    /// The quantity found, in `unit`.
+    pub value: f64,
+    /// What it is held against, in `unit`.
+    pub reference: f64,
+    /// Unit of both.
+    pub unit: &'static str,
+    /// How much it weighs.
+    pub verdict: Verdict,
+    /// What it means and, unless it is fine, what to do.
+    pub text: String,
+}
+
+/// A result beside a hand formula.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// Name of the contact.
+    pub contact: String,
+    /// What the formula is called.
+    pub formula: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+    /// What is compared.
+    pub quantity: &'static str,
+    /// Unit of both values.
+    pub unit: &'static str,
+    /// By the formula.
+    pub by_hand: f64,
+    /// By the run.
+    pub simulated: f64,
+    /// `(simulated - by_hand) / by_hand`, in per cent.
+    pub difference_percent: f64,
+    /// The formula's assumptions, and for each whether it is met here.
+    pub holds_if: String,
+}
+
+impl Topic {
+    /// Its name in one or two words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Touch => "first touch",
+            Self::ContactDuration => "contact duration",
+            Self::BendingWave => "bending wave",
+            Self::WaveTransit => "wave transit",
+            Self::EffectiveMass => "effective mass",
+            Self::Stiffness => "contact stiffness",
+            Self::Span => "minimum span",
+            Self::RearMass => "rear mass",
+        }
+    }
+}
+
+impl Verdict {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fine => "fine",
+            Self::Note => "note",
+            Self::Warning => "warning",
+        }
+    }
+}
+
+/// What hand calculation says about each contact of a run that is still to be made, contact after contact.
+pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
+    let masses = model.effective_masses();
+    let cases = (0..model.contacts.len()).filter_map(|k| case::read(model, k, None));
+    let mut all = Vec::new();
+    for case in cases {
+        let mass = case.guided.and_then(|k| masses.get(k)).copied();
+        all.extend(before::findings(model, settings, &case, mass));
+    }
+    all
+}
+
+/// The results of a run beside the hand formulas whose case they are, contact after contact.
+pub fn compare(model: &Model, summary: &RunSummary) -> Vec<Comparison> {
+    let mut all = Vec::new();
+    for (k, contact) in summary.contacts.iter().enumerate() {
+        all.extend(after::comparisons(model, summary, k, contact));
+    }
+    all
+}
