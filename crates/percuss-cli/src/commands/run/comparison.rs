@@ -71,7 +71,7 @@ pub fn has_part_for(ready: &Ready) -> bool {
 /// The coefficients to compare; none without a rigid projectile.
 fn coefficients(ready: &Ready) -> Vec<f64> {
     let compiled = &ready.compiled;
-    if !compiled.model.has_rigid_projectile() {
+    if !compiled.model.has_rigid_contact() {
         return Vec::new();
     }
     if let Some(given) = &compiled.comparison {
