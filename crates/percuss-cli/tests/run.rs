@@ -5,8 +5,8 @@ mod common;
 use common::{Desk, names};
 use percuss_output::read_history;
 
-const FILES: [&str; 5] =
-    ["envelopes.csv", "figures", "report.html", "scenario.toml", "summary.json"];
+const FILES: [&str; 6] =
+    ["envelopes.csv", "figures", "impacts.csv", "report.html", "scenario.toml", "summary.json"];
 
 #[track_caller]
 fn number(value: &serde_json::Value, pointer: &str) -> f64 {
@@ -21,7 +21,8 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
         .ends_with(0)
         .tells("completed at t = 0.15 s")
         .tells("contact mass")
-        .tells("peak force");
+        .tells("peak force")
+        .tells("two masses and two springs, largest contact force");
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     for file in FILES.iter().chain(&["history.parquet"]) {
         assert!(desk.path("out").join(file).exists(), "no {file}");
@@ -47,6 +48,12 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
         "/contact/mass/intervals/0/start",
         "/contact/mass/intervals/0/end",
         "/contact/mass/intervals/0/impulse",
+        "/contact/mass/intervals/0/peak_force/value",
+        "/contact/mass/intervals/0/restitution",
+        "/contact/mass/intervals/0/place/s",
+        "/contact/mass/intervals/0/energy/given/0",
+        "/contact_residual_max",
+        "/hand_formulas/0/difference_percent",
         "/point/girder.mid/displacement_max/component_1/value",
         "/point/girder.mid/displacement_max/component_2/time",
         "/energy/loss_damping",
@@ -96,8 +103,50 @@ fn the_coefficients_compared_are_those_asked_for() {
     desk.percuss(&["run", "rigid.toml", "--no-report", "-q"]).ends_with(0);
     assert_eq!(
         names(&desk.path("runs/rigid")),
-        ["envelopes.csv", "history.parquet", "scenario.toml", "summary.json"]
+        ["envelopes.csv", "history.parquet", "impacts.csv", "scenario.toml", "summary.json"]
     );
+}
+
+#[test]
+fn the_advisor_speaks_before_the_run_and_in_the_report() {
+    let desk = Desk::new();
+    let coarse = ["run", "elastic.toml", "--set", "time.step=0.02 s"];
+    let run = desk.percuss(&coarse);
+    run.ends_with(0).tells("mass, contact duration: ").tells("set time.step to ");
+    let warned = run.stderr.find("contact duration").expect("a finding");
+    let table = run.stderr.find("completed at").expect("a table");
+    assert!(warned < table, "it comes before the run");
+    let advice = &desk.summary("runs/elastic")["advice"];
+    let topics: Vec<&str> =
+        advice.as_array().expect("a list").iter().filter_map(|a| a["topic"].as_str()).collect();
+    assert!(topics.contains(&"first touch") && topics.contains(&"minimum span"), "{topics:?}");
+    let page = std::fs::read_to_string(desk.path("runs/elastic/report.html")).expect("a page");
+    assert!(page.contains("<h2>Advisor</h2>") && page.contains("<h2>Impact log</h2>"));
+    let check = desk.percuss(&["check", "elastic.toml", "--set", "time.step=0.02 s"]);
+    check.ends_with(0).tells("mass, contact duration: ");
+    let quiet = desk.percuss(&[&coarse[..], &["--quiet", "--no-report"]].concat());
+    assert_eq!(quiet.ends_with(0).stderr, "");
+}
+
+#[test]
+fn the_impact_log_is_a_table_in_the_order_of_time() {
+    let desk = Desk::new();
+    desk.percuss(&["run", "rigid.toml", "--no-report", "-q"]).ends_with(0);
+    let text = std::fs::read_to_string(desk.path("runs/rigid/impacts.csv")).expect("a log");
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let column = |name: &str| header.iter().position(|h| *h == name).expect("a column");
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let summary = desk.summary("runs/rigid");
+    assert_eq!(
+        rows.len() as u64,
+        summary["contact"]["hammer"]["impact_count"].as_u64().expect("a count")
+    );
+    let first = number(&summary, "/contact/hammer/impacts/0/impulse");
+    assert_eq!(rows[0][column("impulse_N_s")].parse::<f64>(), Ok(first));
+    assert!(rows.iter().all(|row| row[column("force_peak_N")].is_empty()));
+    let times = rows.iter().map(|row| row[column("start_s")].parse::<f64>().expect("a time"));
+    assert!(times.is_sorted());
 }
 
 #[test]
@@ -172,7 +221,7 @@ fn a_run_replaces_the_one_before() {
     desk.percuss(&["run", "rigid.toml", "--out", "out", "--no-report", "-q"]).ends_with(0);
     assert_eq!(
         names(&desk.path("out")),
-        ["envelopes.csv", "history.parquet", "scenario.toml", "summary.json"]
+        ["envelopes.csv", "history.parquet", "impacts.csv", "scenario.toml", "summary.json"]
     );
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     // A faulty scenario leaves it alone.

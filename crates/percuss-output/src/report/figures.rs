@@ -152,7 +152,8 @@ fn energy(canvas: &Canvas<'_>, data: &ReportData) -> Entry {
 /// Whether a run to its end has a rigid projectile but no comparison of coefficients, unasked.
 fn lacks_comparison(data: &ReportData) -> bool {
     let contacts = data.summary["contact"].as_object();
-    let rigid = contacts.is_some_and(|all| all.values().any(|c| c["impact_count"].is_u64()));
+    let guided = |c: &Value| c.get("effective_mass").is_some() && c["impact_count"].is_u64();
+    let rigid = contacts.is_some_and(|all| all.values().any(guided));
     let asked = data.scenario.lines().any(|line| line.trim() == "[report]");
     rigid && data.comparison.is_empty() && data.summary["status"] == "completed" && !asked
 }

@@ -196,7 +196,7 @@ impl Desk<'_> {
             let limit = quantity(mass.limit, "kg");
             let text = format!("the struck point answers a blow with {here} on this mesh");
             if mass.depends_on_mesh() {
-                let advice = "take the impulse as that of this mesh, or give the contact a mass or \
+                let advice = "take the impulse as that of this mesh, or give the contact a local_mass or \
                               a compliance of its own";
                 let text = format!("{text}, with {limit} on ever finer ones: {advice}");
                 (Verdict::Warning, text)

@@ -71,7 +71,8 @@ pub fn has_part_for(ready: &Ready) -> bool {
 /// The coefficients to compare; none without a rigid projectile.
 fn coefficients(ready: &Ready) -> Vec<f64> {
     let compiled = &ready.compiled;
-    if !compiled.model.has_rigid_contact() {
+    let rigid = |p: &ProjectileKind| matches!(p, ProjectileKind::Rigid { .. });
+    if !ready.scenario.content().projectile.iter().any(|p| rigid(&p.table.kind)) {
         return Vec::new();
     }
     if let Some(given) = &compiled.comparison {

@@ -131,6 +131,12 @@ impl Assumptions {
         self
     }
 
+    /// Adds one that hand calculation cannot check.
+    pub fn and_unchecked(mut self, what: impl Into<String>) -> Self {
+        self.0.push(format!("{} (not checked)", what.into()));
+        self
+    }
+
     fn text(&self) -> String {
         self.0.join("; ")
     }
