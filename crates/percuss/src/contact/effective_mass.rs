@@ -40,9 +40,18 @@ impl Model {
         };
         let both = |p: &ProjectileData| {
             let on_mesh = on_mesh(self, &mut mass, &p.point, p.direction);
-            EffectiveMass { on_mesh, limit: limit(self, &p.point, p.direction, on_mesh) }
+            let own = self.mass_at(&p.point);
+            EffectiveMass { on_mesh, limit: own + limit(self, &p.point, p.direction, on_mesh) }
         };
         self.projectiles.iter().map(both).collect()
+    }
+
+    /// Mass that a point carries in itself \[kg\].
+    fn mass_at(&self, point: &MaterialPoint) -> f64 {
+        let there = |p: &MaterialPoint| {
+            p.beam == point.beam && (p.s - point.s).abs() <= 1e-9 * self.beams[p.beam].length
+        };
+        self.masses.iter().filter(|m| there(&m.point)).map(|m| m.mass).sum()
     }
 }
 

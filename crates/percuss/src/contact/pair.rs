@@ -123,6 +123,8 @@ pub struct Pair {
     pub target_radius: f64,
     /// Whether the ends of an axis are left to other pairs.
     pub skips_ends: bool,
+    /// The obstacle among the two, if one is.
+    pub obstacle: Option<usize>,
     /// Things that move: beams first, then bodies. Source and target.
     pub movers: [usize; 2],
     /// Which of the contact's two parties the source is.

@@ -87,30 +87,47 @@ fn obstacle(item: &Obstacle, model: &mut Model) {
         ObstacleShape::Segment { ends: [a, b], .. } => [0, 1].map(|i| 0.5 * (a[i] + b[i])),
         ObstacleShape::Clearance { at, .. } => locate(model, at).position,
     };
-    let support = model.supports.len();
-    let node = push(
-        model,
-        position,
-        Body {
-            name: item.name.clone(),
-            kind: BodyKind::Obstacle,
-            mass: 0.0,
-            inertia: 0.0,
-            velocity: [0.0; 2],
-            spin: 0.0,
-        },
-    );
     let motion = item.motion.as_ref().map(|motion| {
         model.motions.push(Course::new(&motion.function));
         model.motions.len() - 1
     });
-    let along = |i: usize| {
-        let amplitude = item.motion.as_ref().map_or(0.0, |m| m.displacement[i]);
-        drive(motion, amplitude)
+    let body = match &item.motion {
+        Some(given) => held_body(model, &item.name, position, motion, given.displacement),
+        None => ground(model),
     };
-    let normals = (0..4).map(|i| std::array::from_fn(|k| f64::from(u8::from(i == k)))).collect();
-    let drives = vec![along(0), along(1), Vec::new(), Vec::new()];
-    model.holds.push(NodeHold { node, support: Some(support), normals, drives });
+    let support = model.supports.len();
     let (name, until) = (item.name.clone(), f64::INFINITY);
     model.supports.push(SupportData { name, point: None, until, motion });
+    model.obstacles.push(ObstacleData { body, support, position });
+}
+
+/// The body of all that stands still.
+fn ground(model: &mut Model) -> usize {
+    let known = |b: &Body| b.kind == BodyKind::Obstacle && b.name.is_empty();
+    let found = model.bodies.iter().position(known);
+    found.unwrap_or_else(|| held_body(model, "", [0.0; 2], None, [0.0; 2]))
+}
+
+/// A body that stands still or moves as prescribed.
+fn held_body(
+    model: &mut Model,
+    name: &str,
+    position: [f64; 2],
+    motion: Option<usize>,
+    displacement: [f64; 2],
+) -> usize {
+    let body = Body {
+        name: name.into(),
+        kind: BodyKind::Obstacle,
+        mass: 0.0,
+        inertia: 0.0,
+        velocity: [0.0; 2],
+        spin: 0.0,
+    };
+    let node = push(model, position, body);
+    let normals = (0..4).map(|i| std::array::from_fn(|k| f64::from(u8::from(i == k)))).collect();
+    let along = |i: usize| drive(motion, displacement[i]);
+    let drives = vec![along(0), along(1), Vec::new(), Vec::new()];
+    model.holds.push(NodeHold { node, support: None, normals, drives });
+    model.bodies.len() - 1
 }

@@ -156,6 +156,7 @@ impl ModelBuilder {
             motions: Vec::new(),
             bodies: Vec::new(),
             projectiles: Vec::new(),
+            obstacles: Vec::new(),
             contacts: Vec::new(),
             pairs: Vec::new(),
             loads: Vec::new(),

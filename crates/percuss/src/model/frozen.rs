@@ -34,6 +34,8 @@ pub struct Model {
     pub(crate) motions: Vec<Course>,
     /// Rigid bodies: guided projectiles, discs, obstacles, in the order of their nodes.
     pub(crate) bodies: Vec<Body>,
+    /// Obstacles, in the order they were defined.
+    pub(crate) obstacles: Vec<ObstacleData>,
     /// Guided projectiles, in the order they were defined.
     pub(crate) projectiles: Vec<ProjectileData>,
     /// Contacts: those of guided projectiles, then those defined.
@@ -98,7 +100,8 @@ impl Span {
 #[derive(Clone, Debug)]
 pub(crate) struct NodeHold {
     pub node: usize,
-    /// The support that holds them, the first one where several do; `None` for the guide of a projectile.
+    /// The support that holds them, the first one where several do; `None` for the guide of a projectile
+    /// and for obstacles, whose reactions are those of their contacts.
     pub support: Option<usize>,
     /// Held directions in (u1, u2, u1', u2'), orthonormal; at most four.
     pub normals: Vec<[f64; 4]>,
@@ -306,8 +309,18 @@ pub(crate) enum BodyKind {
     Rear { direction: [f64; 2], stiffness: f64, damping: f64 },
     /// A disc.
     Disc { radius: f64 },
-    /// An obstacle.
+    /// An obstacle that moves as prescribed, or the ground of all that stand still.
     Obstacle,
+}
+
+/// An obstacle: those that stand still share one body, the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ObstacleData {
+    pub body: usize,
+    /// Where its reactions are kept.
+    pub support: usize,
+    /// The point its moment is about, in the reference configuration \[m\].
+    pub position: [f64; 2],
 }
 
 /// A projectile on its line of flight.
@@ -507,6 +520,7 @@ impl Model {
         structure.holds.retain(|h| h.node < nodes);
         structure.bodies.clear();
         structure.projectiles.clear();
+        structure.obstacles.clear();
         structure.contacts.clear();
         structure.pairs.clear();
         structure

@@ -27,7 +27,10 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec
         let first = model.pairs.len();
         let mut pairs = Pairs { builder, model, contact: model.contacts.len(), found: Vec::new() };
         pairs.between(contact);
-        let found = pairs.found;
+        let mut found = pairs.found;
+        for pair in &mut found {
+            pair.obstacle = obstacle_of(contact);
+        }
         model.pairs.extend(found);
         let (name, law) = (contact.name.clone(), contact.law.clone());
         let pairs = first..model.pairs.len();
@@ -52,6 +55,7 @@ fn guided(i: usize, projectile: &Projectile, model: &mut Model) {
         reach: 0.0,
         target_radius: 0.0,
         skips_ends: false,
+        obstacle: None,
         movers: [model.beams.len() + body, point.beam],
         source_party: 1,
         s: point.s,
@@ -66,6 +70,13 @@ fn guided(i: usize, projectile: &Projectile, model: &mut Model) {
     let pairs = model.pairs.len()..model.pairs.len() + 1;
     model.pairs.push(pair);
     model.contacts.push(ContactData { name: projectile.name.clone(), between, law, pairs });
+}
+
+fn obstacle_of(contact: &Contact) -> Option<usize> {
+    contact.between.iter().find_map(|party| match party {
+        Party::Obstacle(id) => Some(id.0 as usize),
+        _ => None,
+    })
 }
 
 fn name(builder: &ModelBuilder, party: Party) -> String {
@@ -90,8 +101,8 @@ fn beam_centre(point: &MaterialPoint) -> Centre {
 /// A shape that does not bend: its body, and what of it can be touched.
 #[derive(Clone, Copy)]
 enum Rigid {
-    Round { body: usize, radius: f64 },
-    Line { body: usize, normal: [f64; 2] },
+    Round { body: usize, centre: [f64; 2], radius: f64 },
+    Line { body: usize, point: [f64; 2], normal: [f64; 2] },
     Segment { body: usize, ends: [[f64; 2]; 2], radius: f64 },
 }
 
@@ -131,22 +142,24 @@ impl Pairs<'_> {
 
     /// What of a disc or an obstacle can be touched.
     fn shapes(&self, party: Party) -> Vec<Rigid> {
-        let discs = self.builder.discs.len();
-        let first = self.model.bodies.len() - self.builder.obstacles.len();
         match party {
             Party::Beam(_) => Vec::new(),
             Party::Disc(id) => {
-                let body = first - discs + id.0 as usize;
-                vec![Rigid::Round { body, radius: self.builder.discs[id.0 as usize].radius }]
+                let is_disc = |b: &Body| matches!(b.kind, BodyKind::Disc { .. });
+                let first = self.model.bodies.iter().position(is_disc).unwrap_or_default();
+                let body = first + id.0 as usize;
+                let disc = &self.builder.discs[id.0 as usize];
+                vec![Rigid::Round { body, centre: disc.position, radius: disc.radius }]
             }
             Party::Obstacle(id) => {
-                let body = first + id.0 as usize;
+                let ObstacleData { body, .. } = self.model.obstacles[id.0 as usize];
                 match &self.builder.obstacles[id.0 as usize].shape {
-                    ObstacleShape::HalfPlane { normal, .. } => {
-                        vec![Rigid::Line { body, normal: scale(1.0 / norm(*normal), *normal) }]
+                    ObstacleShape::HalfPlane { point, normal } => {
+                        let normal = scale(1.0 / norm(*normal), *normal);
+                        vec![Rigid::Line { body, point: *point, normal }]
                     }
-                    ObstacleShape::Disc { radius, .. } => {
-                        vec![Rigid::Round { body, radius: *radius }]
+                    ObstacleShape::Disc { centre, radius } => {
+                        vec![Rigid::Round { body, centre: *centre, radius: *radius }]
                     }
                     ObstacleShape::Segment { ends, thickness } => {
                         vec![Rigid::Segment { body, ends: *ends, radius: 0.5 * thickness }]
@@ -190,11 +203,11 @@ impl Pairs<'_> {
 
     fn target(&self, shape: &Rigid) -> (Target, f64, usize) {
         match shape {
-            Rigid::Round { body, radius } => {
-                (Target::Round { centre: body_centre(self.model, *body) }, *radius, *body)
+            Rigid::Round { body, centre, radius } => {
+                (Target::Round { centre: self.offset_centre(*body, *centre) }, *radius, *body)
             }
-            Rigid::Line { body, normal } => {
-                let point = body_centre(self.model, *body);
+            Rigid::Line { body, point, normal } => {
+                let point = self.offset_centre(*body, *point);
                 (Target::Line { point, normal: *normal }, 0.0, *body)
             }
             Rigid::Segment { body, ends, radius } => {
@@ -205,16 +218,17 @@ impl Pairs<'_> {
     }
 
     fn rigid_pair(&mut self, source: &Rigid, target: &Rigid, source_party: usize) {
-        let Rigid::Round { body, radius } = source else { return };
+        let Rigid::Round { body, centre, radius } = source else { return };
         let (shape, target_radius, other) = self.target(target);
         let beams = self.model.beams.len();
         self.found.push(Pair {
             contact: self.contact,
-            source: body_centre(self.model, *body),
+            source: self.offset_centre(*body, *centre),
             target: shape,
             reach: radius + target_radius,
             target_radius,
             skips_ends: false,
+            obstacle: None,
             movers: [beams + body, beams + other],
             source_party,
             s: f64::NAN,
@@ -226,8 +240,8 @@ impl Pairs<'_> {
         let axis = Target::Axis { beam, skip: [0, 0] };
         for shape in self.shapes(other) {
             match &shape {
-                Rigid::Round { body, radius } => {
-                    let source = body_centre(self.model, *body);
+                Rigid::Round { body, centre, radius } => {
+                    let source = self.offset_centre(*body, *centre);
                     let pair = self.on_axis(source, *radius, *body, axis.clone(), beam);
                     self.found.push(Pair { source_party: 1 - beam_party, ..pair });
                 }
@@ -241,6 +255,7 @@ impl Pairs<'_> {
                             reach: half_depth + target_radius,
                             target_radius,
                             skips_ends: false,
+                            obstacle: None,
                             movers: [beam, self.model.beams.len() + body],
                             source_party: beam_party,
                             s: point.s,
@@ -275,6 +290,7 @@ impl Pairs<'_> {
             reach: radius,
             target_radius: 0.0,
             skips_ends: false,
+            obstacle: None,
             movers: [self.model.beams.len() + body, beam],
             source_party: 0,
             s: f64::NAN,
@@ -298,6 +314,7 @@ impl Pairs<'_> {
                 reach: half_depth,
                 target_radius: 0.0,
                 skips_ends,
+                obstacle: None,
                 movers: [from, onto],
                 source_party,
                 s: point.s,

@@ -286,9 +286,33 @@ impl Entry<'_> {
         }
     }
 
+    /// Reaction of the obstacle of a pair, if there is one, to an impulse along a row.
+    fn obstacle(&mut self, pair: usize, row: &Row, impulse: f64) {
+        let Some(obstacle) = self.model.pairs[pair].obstacle.filter(|_| impulse != 0.0) else {
+            return;
+        };
+        let data = &self.model.obstacles[obstacle];
+        let node = self.model.body_node(data.body);
+        let c = row.at(node);
+        let arm = [0, 1].map(|i| data.position[i] - self.model.nodes[node].position[i]);
+        let own = &mut self.state.reactions[data.support];
+        // What it gives is the opposite of what it takes.
+        own[0] -= impulse * c[0];
+        own[1] -= impulse * c[1];
+        own[2] -= impulse * (c[2] - cross(arm, [c[0], c[1]]));
+    }
+
     /// Loss of impacts, and of smooth contacts that dissipate.
     fn contacts(&mut self) {
-        let (work, books) = (self.work, &mut self.state.books);
+        let work = self.work;
+        for contact in &work.smooth {
+            self.obstacle(contact.pair, &contact.row, contact.force.force * self.rule.h);
+        }
+        for (k, found) in work.rigid.iter().enumerate() {
+            self.obstacle(work.rigid_pairs[k], &found.normal, found.impulse[0]);
+            self.obstacle(work.rigid_pairs[k], &found.tangent, found.impulse[1]);
+        }
+        let books = &mut self.state.books;
         for contact in &work.smooth {
             if contact.force.dissipated != 0.0 {
                 let closed = -contact.row.on(&work.increment);

@@ -182,6 +182,8 @@ impl StepProblem<'_> {
             work.multiplier[i] = if *acts { state.multiplier[i] } else { 0.0 };
         }
         work.rigid.clear();
+        work.rigid_pairs.clear();
+        work.rigid_pairs.extend(self.active.iter().map(|c| c.pair));
         for contact in self.active {
             let found = self.rigid_contact(contact, &work.increment, [0.0; 2]);
             work.rigid.push(found.unwrap_or_default());

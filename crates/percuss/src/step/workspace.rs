@@ -16,6 +16,8 @@ pub struct Workspace {
     pub smooth: Vec<SmoothContact>,
     /// Active rigid contacts in the step, in the order of the problem's.
     pub rigid: Vec<RigidContact>,
+    /// Their pairs.
+    pub rigid_pairs: Vec<usize>,
     /// Residual `M a + f_int - f_ext` of the nodes with everything in it, supports' reactions left over, shape (n_node).
     pub residual: Vec<[f64; 4]>,
     /// Right-hand side and correction, shape (n_node).
@@ -42,6 +44,7 @@ impl Workspace {
             multiplier: vec![0.0; model.constraints.len()],
             smooth: Vec::new(),
             rigid: Vec::new(),
+            rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
             correction: vec![[0.0; 4]; n],
             tangent: Tangent::new(model),
