@@ -56,8 +56,10 @@ fn definitions_are_those_of_the_file() {
 fn bodies_and_contacts_are_those_of_the_file() {
     let text = everything();
     for part in [
-        "Elastic { law: SmoothLaw { potential: Linear { stiffness: 1000000.0 }, dissipation: 0.1, \
+        "Elastic { law: SmoothLaw { potential: Linear { stiffness: 1000000.0 }, dissipation: 0.0, \
          force: Midpoint } }, mass: 1.0",
+        "law: Smooth(SmoothLaw { potential: Linear { stiffness: 3000000.0 }, dissipation: 0.1, \
+         force: Conserving })",
         "rear: Some(RearMass { mass: 3.0, stiffness: 2000000.0, damping: 10.0 }), local_mass: 0.05",
         "Disc { name: \"marble\", mass: 0.03, inertia: Some(2e-6), radius: 0.012, position: [1.4999999",
         "velocity: [0.0, -3.0], spin: 1.5707963267948966 }",
