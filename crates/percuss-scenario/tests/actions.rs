@@ -1,34 +1,10 @@
 //! Supports, springs, masses, loads, starts and paths: what they accept and what they say of the rest.
 
+mod common;
+
+use common::{BEAM, TIME, bad, faults, good};
 use percuss_scenario::content::{Anchor, Function, ModalRatios};
-use percuss_scenario::{Content, Diagnostics, read};
-
-/// Twelve lines: a beam of 3 m.
-const BEAM: &str = "[material.m]\nyoung = 1e9\ndensity = 1e3\n[section.s]\narea = 1\ninertia = 1\n\
-                    [beam.b]\npoints = [[0, 0], [3, 0]]\nelements = 6\nmaterial = \"m\"\n\
-                    section = \"s\"\n\n";
-const TIME: &str = "[time]\nend = 1\nstep = 0.1\n";
-
-#[track_caller]
-fn good(text: &str) -> Content {
-    let scenario = read(&[BEAM, text, TIME].concat(), "f.toml").unwrap_or_else(|e| panic!("{e}"));
-    let again = read(&scenario.to_toml(), "again").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(again.content(), scenario.content());
-    scenario.content().clone()
-}
-
-fn faults(text: &str) -> Diagnostics {
-    let all = read(&[BEAM, text, TIME].concat(), "f.toml").and_then(|s| s.compile());
-    all.map(|_| panic!("no fault in\n{text}")).unwrap_err()
-}
-
-/// All faults of what follows the twelve lines.
-#[track_caller]
-fn bad(text: &str, expected: &[&str]) {
-    let all = faults(text).to_string();
-    let lines: Vec<&str> = all.lines().map(|l| l.trim_start_matches("f.toml:")).collect();
-    assert_eq!(lines, expected);
-}
+use percuss_scenario::read;
 
 fn support(text: &str) -> String {
     format!("[support.s]\nat = \"b.mid\"\n{text}\n")

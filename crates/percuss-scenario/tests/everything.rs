@@ -145,7 +145,7 @@ fn faults_of_discs_contacts_and_laws_land_on_the_keys_of_the_file() {
         ("contact.marble-rail.between", "projectile.marble.strikes"),
         ("contact.marble-floor.stiffness", "projectile.marble.hertz_stiffness"),
         ("contact.marble-floor.dissipation", "projectile.marble.rebound"),
-        ("projectile.ball.dissipation", "projectile.ball.dissipation"),
+        ("contact.rail-post.dissipation", "contact.rail-post.dissipation"),
         ("contact.arch-fence.restitution", "contact.arch-fence.restitution"),
         ("contact.rail-post.stiffness", "contact.rail-post.stiffness"),
         ("contact.rail-bracket.stiffness", "contact.rail-bracket.hertz"),

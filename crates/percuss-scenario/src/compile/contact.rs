@@ -9,7 +9,7 @@ use super::beams::Beams;
 use super::function::function;
 use super::law;
 use crate::content::{
-    Content, Law, ObstacleKind, Party, PartyKind, Projectile, ProjectileKind, Strikes, Touch,
+    Content, ObstacleKind, Party, PartyKind, Projectile, ProjectileKind, Strikes, Touch,
 };
 use crate::table::Named;
 
@@ -32,23 +32,12 @@ pub(super) fn add(
     }
     for Named { name, table } in &content.contact {
         let path = format!("contact.{name}");
-        let law = match &table.law {
-            Law::Rigid { restitution, sliding } => {
-                TouchLaw::Rigid(law::rigid(*restitution, sliding))
-            }
-            Law::Smooth(law) => TouchLaw::Smooth(law::smooth(&path, law, contacts.faults)),
-        };
-        let between = match parties.pair(&table.between) {
-            Ok(Some(between)) => between,
-            Ok(None) => continue,
-            Err((found, expected)) => {
-                contacts.faults.push(Fault::new(format!("{path}.between"), found, expected));
-                continue;
-            }
-        };
-        let points_per_element = table.points_per_element;
-        let contact = percuss::Contact { name: name.clone(), between, law, points_per_element };
-        contacts.add(contact, &path, "between", &table.between);
+        let law = law::touch(&path, &table.law, contacts.faults);
+        let (between, points_per_element) = (table.between.clone(), table.points_per_element);
+        let key = "between";
+        let wanted =
+            Wanted { path: &path, key, name: name.clone(), between, law, points_per_element };
+        contacts.add(wanted, &parties);
     }
     untouched(content, faults);
 }
@@ -201,11 +190,23 @@ impl Parties<'_> {
     }
 }
 
+/// A contact that a table asks for.
+struct Wanted<'a> {
+    /// Path of the table.
+    path: &'a str,
+    /// Its key that names the parties.
+    key: &'a str,
+    name: String,
+    between: [Party; 2],
+    law: TouchLaw,
+    points_per_element: usize,
+}
+
 /// Contacts made, each pair once and each name once.
 struct Contacts<'b> {
     builder: &'b mut ModelBuilder,
     faults: &'b mut Vec<Fault>,
-    /// Headers of the tables they come from.
+    /// Paths of the tables they come from.
     pairs: HashMap<[percuss::Party; 2], String>,
     names: HashMap<String, String>,
 }
@@ -226,41 +227,48 @@ impl Contacts<'_> {
         };
         let own = Party { kind: PartyKind::Projectile, name: name.into() };
         let struck = parties.struck(strikes.as_ref());
-        for party in &struck {
-            let between = [own.clone(), party.clone()];
-            match parties.pair(&between) {
-                Ok(None) => {}
-                Ok(Some(pair)) => {
-                    let name = match struck.len() {
-                        1 => name.to_string(),
-                        _ => format!("{name}-{}", party.name),
-                    };
-                    let contact = percuss::Contact::new(name, pair, law.clone());
-                    self.add(contact, &path, "strikes", &between);
-                }
-                Err((found, expected)) => {
-                    self.faults.push(Fault::new(format!("{path}.strikes"), found, expected));
-                }
-            }
+        let alone = struck.len() == 1;
+        for party in struck {
+            let wanted = Wanted {
+                path: &path,
+                key: "strikes",
+                name: if alone { name.into() } else { format!("{name}-{}", party.name) },
+                between: [own.clone(), party],
+                law: law.clone(),
+                points_per_element: percuss::Contact::POINTS_PER_ELEMENT,
+            };
+            self.add(wanted, parties);
         }
     }
 
-    /// Adds one made by the table at `path`, whose parties stand behind `key`.
-    fn add(&mut self, contact: percuss::Contact, path: &str, key: &str, between: &[Party; 2]) {
-        let [a, b] = contact.between;
-        let pair = self.pairs.get(&[a, b]).or_else(|| self.pairs.get(&[b, a]));
-        let name = self.names.get(&contact.name);
-        if let Some(table) = pair {
-            let [a, b] = between;
-            let found = format!("{} and {}, which touch by [{table}] already", a.name, b.name);
+    /// Adds a contact, or a fault; nothing where a party could not be read.
+    fn add(&mut self, wanted: Wanted<'_>, parties: &Parties<'_>) {
+        let Wanted { path, key, name, between, law, points_per_element } = wanted;
+        let [first, second] = &between;
+        let [a, b] = match parties.pair(&between) {
+            Ok(Some(pair)) => pair,
+            Ok(None) => return,
+            Err((found, expected)) => {
+                self.faults.push(Fault::new(format!("{path}.{key}"), found, expected));
+                return;
+            }
+        };
+        if let Some(table) = self.pairs.get(&[a, b]).or_else(|| self.pairs.get(&[b, a])) {
+            let touch = format!("{} and {}, which touch by [{table}]", first.name, second.name);
+            let found = format!("{touch} already");
             self.faults.push(Fault::new(format!("{path}.{key}"), found, "each pair once"));
-        } else if let Some(table) = name {
-            let found = format!("`{}`, the name of a contact that [{table}] makes", contact.name);
+        } else if let Some(table) = self.names.get(&name) {
+            let found = format!("`{name}`, the name of a contact that [{table}] makes");
             self.faults.push(Fault::new(path, found, "another name"));
         } else {
-            self.pairs.insert(contact.between, path.into());
-            self.names.insert(contact.name.clone(), path.into());
-            self.builder.contact(contact);
+            self.pairs.insert([a, b], path.into());
+            self.names.insert(name.clone(), path.into());
+            self.builder.contact(percuss::Contact {
+                name,
+                between: [a, b],
+                law,
+                points_per_element,
+            });
         }
     }
 }

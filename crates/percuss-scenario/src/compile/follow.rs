@@ -63,6 +63,7 @@ fn follows(fault: &str, tainted: &str) -> bool {
         "end" | "step" => &["end", "step"],
         "from" | "until" => &["from", "until"],
         "velocity" | "direction" => &["velocity", "direction"],
+        "strikes" => &["velocity", "direction"],
         "position" => &["velocity", "direction", "strikes", "standoff", "radius"],
         "penetrations" | "forces" => &["penetrations", "forces", "file"],
         "hertz_stiffness" => &["hertz"],

@@ -1,8 +1,16 @@
 //! Contact laws from what leads to them.
 
-use percuss::{Fault, HertzBody, RigidLaw, SmoothLaw, hunt_crossley};
+use percuss::{Fault, HertzBody, RigidLaw, SmoothLaw, TouchLaw, hunt_crossley};
 
-use crate::content::{HertzBodies, Potential, Rebound, Sliding, Smooth};
+use crate::content::{HertzBodies, Law, Potential, Rebound, Sliding, Smooth};
+
+/// The law of the contact at `path`.
+pub(super) fn touch(path: &str, law: &Law, faults: &mut Vec<Fault>) -> TouchLaw {
+    match law {
+        Law::Rigid { restitution, sliding } => TouchLaw::Rigid(rigid(*restitution, sliding)),
+        Law::Smooth(law) => TouchLaw::Smooth(smooth(path, law, faults)),
+    }
+}
 
 /// The smooth law of the table at `path`; after a fault a harmless one.
 pub(super) fn smooth(path: &str, law: &Smooth, faults: &mut Vec<Fault>) -> SmoothLaw {
@@ -45,17 +53,17 @@ fn potential(
 fn hertz(bodies: &HertzBodies, fault: &mut impl FnMut(&str, String, &str)) -> percuss::Potential {
     let HertzBodies { young, poisson, radius } = bodies;
     let mut sound = true;
-    let mut check = |key: &str, bad: Option<&f64>, unit: &str, expected: &str| {
+    let mut check = |key: &str, bad: Option<f64>, unit: &str, expected: &str| {
         if let Some(bad) = bad {
             fault(&format!("hertz.{key}"), format!("{bad}{unit}"), expected);
             sound = false;
         }
     };
-    let positive = |values: &'_ [f64; 2]| values.iter().find(|v| **v <= 0.0).copied();
-    check("young", positive(young).as_ref(), " Pa", "Young's moduli above zero");
-    let range = |v: &&f64| !(-1.0 < **v && **v <= 0.5);
-    check("poisson", poisson.iter().find(range), "", "Poisson's ratios above -1, up to 0.5");
-    check("radius", positive(radius).as_ref(), " m", "radii above zero, or \"flat\"");
+    let first = |values: &[f64; 2], bad: fn(f64) -> bool| values.iter().copied().find(|v| bad(*v));
+    check("young", first(young, |v| v <= 0.0), " Pa", "Young's moduli above zero");
+    let ratio = first(poisson, |v| v <= -1.0 || v > 0.5);
+    check("poisson", ratio, "", "Poisson's ratios above -1, up to 0.5");
+    check("radius", first(radius, |v| v <= 0.0), " m", "radii above zero, or \"flat\"");
     if sound && radius.iter().all(|r| r.is_infinite()) {
         fault("hertz.radius", "two flat faces".into(), "at least one that is curved");
         sound = false;

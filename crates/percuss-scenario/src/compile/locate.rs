@@ -13,7 +13,7 @@ pub(super) fn in_file_words(content: &Content, fault: Fault) -> Fault {
         Some(("contact", rest)) => of_contact(content, rest),
         _ => fault.path,
     };
-    Fault { path: of_law(content, path), ..fault }
+    Fault { path: of_law(content, path, &fault.found), ..fault }
 }
 
 /// A point that ends a path or is flown at is recorded as others are; its fault belongs there.
@@ -56,7 +56,7 @@ fn of_contact(content: &Content, rest: &str) -> String {
 }
 
 /// The path of a value of a law: the key of the file that leads to it.
-fn of_law(content: &Content, path: String) -> String {
+fn of_law(content: &Content, path: String, found: &str) -> String {
     let parts: Vec<&str> = path.split('.').collect();
     let &[kind, name, key] = &parts[..] else { return path };
     let Some(law) = law(content, kind, name) else { return path };
@@ -65,7 +65,8 @@ fn of_law(content: &Content, path: String) -> String {
         (Potential::Hertz { hertz: Some(_), .. }, "stiffness") => "hertz",
         (Potential::Hertz { .. }, "stiffness") => "hertz_stiffness",
         (Potential::Table { .. }, "penetration") => "penetrations",
-        (Potential::Table { .. }, "force") => "forces",
+        // Of two values that the core calls so; the other is how the force is evaluated.
+        (Potential::Table { .. }, "force") if !found.starts_with("dissipation") => "forces",
         (_, key) => key,
     };
     format!("{kind}.{name}.{key}")

@@ -2,13 +2,18 @@
 
 use super::build;
 
-#[test]
-fn definitions_are_those_of_the_file() {
+/// The definitions of the file with every key.
+fn everything() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/everything.toml");
     let scenario = crate::load(path).unwrap_or_else(|e| panic!("{e}"));
     let (builder, faults) = build::definitions(scenario.content());
     assert_eq!(faults, []);
-    let text = format!("{builder:?}");
+    format!("{builder:?}")
+}
+
+#[test]
+fn definitions_are_those_of_the_file() {
+    let text = everything();
     for part in [
         "young: 210000000000.0, density: 8000.0, strain: Engineering, retardation: 2e-6, \
          mass_damping: 0.5",
@@ -42,8 +47,19 @@ fn definitions_are_those_of_the_file() {
         "Table { times: [0.0, 0.002, 0.004], values: [0.0, 1.0, 0.5], smooth: false }",
         "InitialMotion { velocity: [10.0, 0.0], spin: 6.283185307179585, about: [1.0, 0.2] }",
         "modal_damping: [0.02, 0.02, 0.02, 0.02, 0.02, 0.02]",
-        "Elastic { law: SmoothLaw { potential: Linear { stiffness: 1000000.0 }, dissipation: 0.1, \
+    ] {
+        assert!(text.contains(part), "`{part}` is not in\n{text}");
+    }
+}
+
+#[test]
+fn bodies_and_contacts_are_those_of_the_file() {
+    let text = everything();
+    for part in [
+        "Elastic { law: SmoothLaw { potential: Linear { stiffness: 1000000.0 }, dissipation: 0.0, \
          force: Midpoint } }, mass: 1.0",
+        "law: Smooth(SmoothLaw { potential: Linear { stiffness: 3000000.0 }, dissipation: 0.1, \
+         force: Conserving })",
         "rear: Some(RearMass { mass: 3.0, stiffness: 2000000.0, damping: 10.0 }), local_mass: 0.05",
         "Disc { name: \"marble\", mass: 0.03, inertia: Some(2e-6), radius: 0.012, position: [1.4999999",
         "velocity: [0.0, -3.0], spin: 1.5707963267948966 }",
