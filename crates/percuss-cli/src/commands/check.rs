@@ -25,11 +25,13 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
 
 fn contents(ready: &Ready) -> String {
     let (content, model) = (ready.scenario.content(), &ready.compiled.model);
+    // The model's own count has a node for every projectile and obstacle.
+    let nodes = model.beam_names().filter_map(|name| model.beam_nodes(name)).map(|n| n.len()).sum();
     let steps = Simulation::new(model, &ready.compiled.settings).map_or(0, |s| s.step_count());
     [
         count(content.beam.len(), "beam"),
         count(model.element_count(), "element"),
-        count(model.node_count(), "node"),
+        count(nodes, "node"),
         count(content.projectile.len(), "projectile"),
         count(steps, "step"),
     ]

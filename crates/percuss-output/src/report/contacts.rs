@@ -3,9 +3,10 @@
 use serde_json::Value;
 
 use super::draft::{Curve, Draft, Entry, Omit};
-use super::figure::Section;
+use super::figure::{Section, largest};
 use super::figures::{Canvas, names};
 use super::impact;
+use super::quantity::quantity;
 use crate::history::HistorySource;
 
 /// Contacts, and discs, that get figures.
@@ -76,7 +77,7 @@ pub(super) fn between(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
             let figure = impact::impulses(canvas, &format!("impulse-{name}"), name, contact);
             all.push(Entry::Ready(figure));
         }
-        all.extend(curve(canvas, name, PLACE, contact));
+        all.extend(place(canvas, name));
     }
     if let Some(Entry::Draft(first)) = all.first_mut().filter(|_| found.len() > SHOWN) {
         first.figure.note += &format!(" Shown are the first {SHOWN} of {} contacts.", found.len());
@@ -89,11 +90,12 @@ type Quantity = (&'static str, &'static str, &'static str, &'static str, usize);
 
 const GAP: Quantity = ("gap", "Gap", "gap", "m", 5);
 const FORCE: Quantity = ("force", "Contact force", "contact force", "N", 2);
-const PLACE: Quantity =
-    ("place", "Place of contact", "arc length where the two are nearest", "m", 6);
+const PLACE: Quantity = ("place", "Place of contact", "arc length", "m", 6);
+/// The place is drawn where the gap is below this share of its largest value.
+const NEAR: f64 = 0.05;
 
-fn curve(canvas: &Canvas<'_>, name: &str, quantity: Quantity, contact: &Value) -> Option<Entry> {
-    let (channel, title, label, unit, style) = quantity;
+fn curve(canvas: &Canvas<'_>, name: &str, what: Quantity, contact: &Value) -> Option<Entry> {
+    let (channel, title, label, unit, style) = what;
     let position = canvas.history.position(&format!("contact.{name}.{channel}"))?;
     let (id, title) = (format!("{channel}-{name}"), format!("{title}, {name}"));
     let curves = vec![Curve::new(label, style, position)];
@@ -101,8 +103,20 @@ fn curve(canvas: &Canvas<'_>, name: &str, quantity: Quantity, contact: &Value) -
     draft.figure.picture = true;
     draft.omit = Omit::Nothing;
     let party = |k: usize| contact["between"][k].as_str();
-    if let (GAP, Some(first), Some(second)) = (quantity, party(0), party(1)) {
+    if let (GAP, Some(first), Some(second)) = (what, party(0), party(1)) {
         draft.figure.note = format!("Between {first} and {second}, where they are nearest.");
     }
     Some(Entry::Draft(Draft { floor: 0.0, ..draft }))
+}
+
+/// Where the two are nearest, drawn where they are near: far apart the nearest places jump about.
+fn place(canvas: &Canvas<'_>, name: &str) -> Option<Entry> {
+    let gap = canvas.history.position(&format!("contact.{name}.gap"))?;
+    let near = NEAR * largest(&canvas.sample[gap]);
+    let Entry::Draft(mut draft) = curve(canvas, name, PLACE, &Value::Null)? else { return None };
+    draft.curves.iter_mut().for_each(|curve| curve.where_below = Some((gap, near)));
+    let within = quantity((near > 0.0).then_some(near), "m");
+    draft.figure.note =
+        format!("Where the two are nearest, drawn where the gap is below {within}.");
+    Some(Entry::Draft(draft))
 }

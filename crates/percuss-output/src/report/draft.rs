@@ -17,6 +17,8 @@ pub(super) struct Curve {
     /// Channels by number, with their factors.
     pub terms: Vec<(usize, f64)>,
     pub constant: f64,
+    /// A channel and its largest value at which the curve is drawn.
+    pub where_below: Option<(usize, f64)>,
 }
 
 impl Curve {
@@ -31,7 +33,8 @@ impl Curve {
         terms: Vec<(usize, f64)>,
         constant: f64,
     ) -> Self {
-        Self { label: label.into(), style, weight: 1.0, dashed: true, terms, constant }
+        let label = label.into();
+        Self { label, style, weight: 1.0, dashed: true, terms, constant, where_below: None }
     }
 }
 
@@ -81,8 +84,9 @@ pub(super) fn finish(
             Entry::Ready(_) => None,
         })
     };
-    let mut wanted: Vec<usize> =
-        drafts().flat_map(|d| &d.curves).flat_map(|c| &c.terms).map(|term| term.0).collect();
+    let curves = || drafts().flat_map(|d| &d.curves);
+    let mut wanted: Vec<usize> = curves().flat_map(|c| &c.terms).map(|term| term.0).collect();
+    wanted.extend(curves().filter_map(|c| c.where_below).map(|(channel, _)| channel));
     wanted.push(time.0);
     wanted.sort_unstable();
     wanted.dedup();
@@ -119,12 +123,20 @@ fn evaluate<'a>(curve: &Curve, column: impl Fn(usize) -> &'a [f64], out: &mut Ve
     out.clear();
     if let [(channel, 1.0)] = curve.terms[..] {
         out.extend(column(channel).iter().map(|v| v + curve.constant));
-        return;
+    } else {
+        for &(channel, factor) in &curve.terms {
+            let column = column(channel);
+            out.resize(column.len(), curve.constant);
+            out.iter_mut().zip(column).for_each(|(sum, value)| *sum += factor * value);
+        }
     }
-    for &(channel, factor) in &curve.terms {
-        let column = column(channel);
-        out.resize(column.len(), curve.constant);
-        out.iter_mut().zip(column).for_each(|(sum, value)| *sum += factor * value);
+    if let Some((channel, limit)) = curve.where_below {
+        let hidden = |(value, other): (&mut f64, &f64)| {
+            if *other > limit || other.is_nan() {
+                *value = f64::NAN;
+            }
+        };
+        out.iter_mut().zip(column(channel)).for_each(hidden);
     }
 }
 
@@ -147,7 +159,8 @@ impl Draft {
         let mut series: Vec<Series> = Vec::new();
         let several = self.curves.len() > 1;
         for (curve, mut y) in self.curves.into_iter().zip(columns) {
-            if stays(&y) {
+            let hidden = curve.where_below.is_some() && !y.iter().any(|v| v.is_finite());
+            if stays(&y) && !hidden {
                 y.iter_mut().for_each(|y| *y *= scale.factor);
                 let Curve { label, style, weight, dashed, .. } = curve;
                 series.push(Series { label, style, weight, dashed, shape: Shape::Line, y });

@@ -275,7 +275,7 @@ fn plots(figure: &Figure) -> Vec<Plot> {
     let drawn = |t: &&Table| !t.x.is_empty();
     let of_table = |table: &Table| -> Vec<Plot> {
         let area = figure.filled.then(|| area(table)).flatten();
-        let curves = table.series.iter().filter_map(|s| plot(&table.x, s, dashes_of(figure, s)));
+        let curves = table.series.iter().flat_map(|s| plot(&table.x, s, dashes_of(figure, s)));
         area.into_iter().chain(curves).collect()
     };
     figure.tables.iter().filter(drawn).flat_map(of_table).collect()
@@ -293,23 +293,28 @@ fn area(table: &Table) -> Option<Plot> {
     (!rows.is_empty()).then(|| Plot::Band(band.with_color(COLOURS[1]).with_opacity(AREA_OPACITY)))
 }
 
-fn plot(x: &[f64], series: &Series, dashes: Option<&str>) -> Option<Plot> {
+/// A curve: a line for each run of finite values, or all its stems.
+fn plot(x: &[f64], series: &Series, dashes: Option<&str>) -> Vec<Plot> {
     let colour = COLOURS[series.style % COLOURS.len()];
     let bins = match series.shape {
-        Shape::Band => return None, // part of the layout
+        Shape::Band => return Vec::new(), // part of the layout
         Shape::Stem => STEMS / 4,
         Shape::Line => BINS,
     };
-    let points: Vec<(f64, f64)> = decimate::rows(&[&series.y], x.len(), bins)
-        .into_iter()
-        .map(|row| (x[row], series.y[row]))
-        .filter(|(x, y)| x.is_finite() && y.is_finite())
-        .collect();
+    let rows = decimate::rows(&[&series.y], x.len(), bins).into_iter();
+    let points: Vec<(f64, f64)> = rows.map(|row| (x[row], series.y[row])).collect();
+    let finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
     if series.shape == Shape::Stem {
+        let points: Vec<(f64, f64)> = points.into_iter().filter(finite).collect();
         let stems = LollipopPlot::new().with_points(points).with_color(colour);
-        return Some(Plot::Lollipop(stems.with_stem_width(LINE).with_dot_radius(3.0)));
+        return vec![Plot::Lollipop(stems.with_stem_width(LINE).with_dot_radius(3.0))];
     }
-    let style = dashes.map_or(LineStyle::Solid, |dash| LineStyle::Custom(dash.to_owned()));
-    let line = LinePlot::new().with_data(points).with_color(colour);
-    Some(Plot::Line(line.with_stroke_width(LINE * series.weight).with_line_style(style)))
+    let style = || dashes.map_or(LineStyle::Solid, |dash| LineStyle::Custom(dash.to_owned()));
+    let line = |run: &[(f64, f64)]| {
+        let line = LinePlot::new().with_data(run.to_vec()).with_color(colour);
+        Plot::Line(line.with_stroke_width(LINE * series.weight).with_line_style(style()))
+    };
+    let runs = points.split(|p| !finite(p)).filter(|run| !run.is_empty());
+    let lines: Vec<Plot> = runs.map(line).collect();
+    if lines.is_empty() { vec![line(&[])] } else { lines }
 }
