@@ -12,8 +12,11 @@ fn contact(name: &str, record: ContactRecord) -> ContactSummary {
     ContactSummary { name: name.to_owned(), between, effective_mass: None, record }
 }
 
-/// The file, as one map of column to field a row.
-fn written(contacts: &[ContactSummary]) -> Result<Vec<Vec<(String, String)>>, Box<dyn Error>> {
+/// Fields with their columns.
+type Row = Vec<(String, String)>;
+
+/// The rows of the file.
+fn written(contacts: &[ContactSummary]) -> Result<Vec<Row>, Box<dyn Error>> {
     let dir = tempfile::tempdir()?;
     write_impacts(dir.path(), contacts)?;
     let text = std::fs::read_to_string(dir.path().join("impacts.csv"))?;

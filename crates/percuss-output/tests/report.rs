@@ -394,6 +394,7 @@ fn contacts_between_free_things_have_their_figures() -> Outcome {
     let figures = index["figures"].as_array().ok_or("no figures")?;
     let impulse = figures.iter().find(|f| f["id"] == "impulse-drop").ok_or("no figure")?;
     assert_eq!(impulse["tables"][0]["series"][1]["label"], "of friction");
+    assert!(page.contains("drawn where the gap is below"), "nearest places jump about far apart");
     Ok(())
 }
 

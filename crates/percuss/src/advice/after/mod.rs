@@ -25,7 +25,7 @@ pub fn comparisons(
     let Some(case) = case::read(model, index, Some(touch.place())) else { return Vec::new() };
     let speed = touch.approach();
     let desk = Desk { model, run, index, contact, case: &case, touch, speed };
-    if !(desk.speed > 0.0) {
+    if desk.speed <= 0.0 || desk.speed.is_nan() {
         return Vec::new();
     }
     match &case.meeting {
