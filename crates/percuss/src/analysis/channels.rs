@@ -4,6 +4,7 @@ use super::contact_log;
 use super::section_forces::{self, Before};
 use crate::contact::configuration::Configuration;
 use crate::contact::pair::Target;
+use crate::contact::search::Search;
 use crate::contact::touch::Reach;
 use crate::ledger::Measures;
 use crate::model::frozen::{BodyKind, ContactData, MaterialPoint};
@@ -134,23 +135,22 @@ struct Nearest {
     place: f64,
 }
 
-/// The nearest pair of a contact where the state stands; pairs that sleep are looked at.
-fn nearest(model: &Model, state: &State, contact: &ContactData, awake: &[usize]) -> Nearest {
+/// The nearest pair of a contact where the state stands; of pairs that sleep, those that could be nearer are looked at.
+fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> Nearest {
+    let at = Configuration::of(&state.displacement);
     let mut best = (f64::INFINITY, None);
-    let awake_ones = awake.iter().filter(|i| contact.pairs.contains(i));
-    for i in awake_ones {
-        if state.pairs[*i].gap < best.0 {
-            best = (state.pairs[*i].gap, Some(*i));
-        }
-    }
-    if best.1.is_none() {
-        let at = Configuration::of(&state.displacement);
-        for i in contact.pairs.clone() {
-            let memory = &state.pairs[i].memory;
-            let touch = model.pairs[i].touch(model, &at, memory, Reach::All);
-            if let Some(touch) = touch.filter(|t| t.gap < best.0) {
-                best = (touch.gap, Some(i));
+    for i in contact.pairs.clone() {
+        let pair = &model.pairs[i];
+        let gap = match search.least_gap(pair, i) {
+            None => state.pairs[i].gap,
+            Some(least) if least < best.0 => {
+                let touch = pair.touch(model, &at, &state.pairs[i].memory, Reach::All);
+                touch.map_or(f64::INFINITY, |t| t.gap)
             }
+            Some(_) => continue,
+        };
+        if gap < best.0 {
+            best = (gap, Some(i));
         }
     }
     let place = best.1.filter(|_| slides(model, contact));
@@ -168,8 +168,8 @@ fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
 pub struct SinceLast<'a> {
     /// Impulses along normal and tangent, shape (n_contact) \[N s\].
     pub impulse: &'a [[f64; 2]],
-    /// Pairs looked at where the state stands.
-    pub awake: &'a [usize],
+    /// Which pairs were looked at where the state stands, and how near the others can be.
+    pub search: &'a Search,
     /// Mean reactions, shape (n_support) \[N, N m\].
     pub reactions: &'a [[f64; 3]],
     /// Angular rates at the start of the last step.
@@ -192,7 +192,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         }
     }
     for (k, contact) in model.contacts.iter().enumerate() {
-        let nearest = nearest(model, state, contact, since.awake);
+        let nearest = nearest(model, state, contact, since.search);
         row.push(nearest.gap);
         if let TouchLaw::Smooth(law) = &contact.law {
             let force = |i: usize| {
@@ -200,7 +200,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
                 let damped = (1.0 - law.dissipation * pair.rate).max(0.0);
                 law.potential.force(-pair.gap) * damped
             };
-            let awake = since.awake.iter().filter(|i| contact.pairs.contains(i));
+            let awake = since.search.awake().iter().filter(|i| contact.pairs.contains(i));
             row.push(awake.map(|i| force(*i)).sum());
         }
         row.push(since.impulse[k][0]);

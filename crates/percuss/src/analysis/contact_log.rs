@@ -131,7 +131,7 @@ impl ContactLog {
         let interval = &mut intervals[open];
         let force = contact.force.force;
         interval.impulse += span.h * force;
-        if !(interval.peak_force.value >= highest.value) {
+        if interval.peak_force.value.is_nan() || highest.value > interval.peak_force.value {
             interval.peak_force = highest;
         }
         let closing = -contact.row.on(&work.increment);

@@ -136,6 +136,10 @@ impl Monitor {
     fn reactions(&mut self, state: &State, h: f64) {
         let impulses = state.reactions.iter().zip(&self.start.reactions);
         for (summary, (now, then)) in self.supports.iter_mut().zip(impulses) {
+            // Most obstacles are not touched: nothing, again.
+            if now == then && summary.moment.min.value <= 0.0 && summary.moment.max.value >= 0.0 {
+                continue;
+            }
             let mean = |i: usize| (now[i] - then[i]) / h;
             summary.force[0].take(mean(0), state.time);
             summary.force[1].take(mean(1), state.time);

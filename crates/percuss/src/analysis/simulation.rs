@@ -312,7 +312,7 @@ impl<'m> Simulation<'m> {
         self.average_reactions();
         let since = SinceLast {
             impulse: &self.row_impulse,
-            awake: self.search.awake(),
+            search: &self.search,
             reactions: &self.mean_reactions,
             before: self.monitor.before(),
             iterations,

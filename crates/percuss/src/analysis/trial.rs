@@ -120,7 +120,7 @@ impl Simulation<'_> {
     fn passage(&self, i: usize) -> Option<(f64, Memory)> {
         let (pair, d) = (&self.model.pairs[i], &self.work.increment);
         let seen = &self.state.pairs[i];
-        if !pair.target.has_sides() || !(seen.gap > 0.0) {
+        if !pair.target.has_sides() || seen.gap <= 0.0 || seen.gap.is_nan() {
             return None;
         }
         let at = Configuration { start: &self.state.displacement, increment: d, share: 1.0 };
@@ -160,7 +160,7 @@ impl Simulation<'_> {
             self.state.multiplier = before;
         }
         self.steer_obstacles();
-        self.search.moved(self.model, &self.work.increment);
+        self.search.moved();
         self.search.see(self.model, &mut self.state);
         let part = super::monitor::Part {
             h,

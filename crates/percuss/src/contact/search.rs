@@ -4,8 +4,10 @@
 //! step; a pair sleeps until the sum of both has reached the gap it was last seen at. Sleep changes no result: pairs that wake are
 //! looked at where they stand.
 
+use super::pair::Pair;
 use crate::math::vec2::norm;
 use crate::model::Model;
+use crate::model::frozen::BeamData;
 use crate::state::State;
 
 /// Pairs nearer than this stay awake \[m\].
@@ -21,23 +23,32 @@ pub struct Search {
     /// Way of any mover, and the least one at which any pair wakes, counted twice \[m\].
     any: f64,
     first: f64,
-    /// Ways of the movers in the step at hand \[m\].
+    /// Ways of the movers in the step at hand, and the longest \[m\].
     step: Vec<f64>,
+    longest: f64,
+    /// Longest element of each beam \[m\].
+    element: Vec<f64>,
     /// Pairs looked at where the state stands.
     awake: Vec<usize>,
+    /// Whether every pair is that of a guided projectile: so few that all are looked at always.
+    guided: bool,
 }
 
 impl Search {
     /// All pairs awake.
     pub fn new(model: &Model) -> Self {
         let movers = model.beams.len() + model.bodies.len();
+        let long = |b: &BeamData| b.axis.iter().map(|e| e.length).fold(0.0, f64::max);
         Self {
             travelled: vec![0.0; movers],
             wake: vec![f64::NEG_INFINITY; model.pairs.len()],
             any: 0.0,
             first: f64::NEG_INFINITY,
             step: vec![0.0; movers],
+            longest: 0.0,
+            element: model.beams.iter().map(long).collect(),
             awake: Vec::new(),
+            guided: model.pairs.len() == model.projectiles.len(),
         }
     }
 
@@ -50,11 +61,11 @@ impl Search {
         near: &mut Vec<usize>,
     ) {
         near.clear();
-        if model.pairs.is_empty() {
-            return;
+        if self.guided {
+            return near.extend(0..model.pairs.len());
         }
-        let most = self.measure(model, nodal, factor);
-        if self.any + 2.0 * most < self.first {
+        self.measure(model, nodal, factor);
+        if self.any + 2.0 * self.longest < self.first {
             return;
         }
         for (i, pair) in model.pairs.iter().enumerate() {
@@ -65,64 +76,46 @@ impl Search {
         }
     }
 
-    /// Pairs that were looked at where the state stands; the others are too far apart to matter.
-    pub fn awake(&self) -> &[usize] {
-        &self.awake
-    }
-
-    /// Way of two movers together in the step measured last \[m\].
-    pub fn way(&self, movers: &[usize; 2]) -> f64 {
-        movers.iter().map(|m| self.step[*m]).sum()
-    }
-
-    /// Ways of the movers; returns the longest.
-    fn measure(&mut self, model: &Model, nodal: &[[f64; 4]], factor: f64) -> f64 {
+    /// Ways of the movers, and the longest.
+    fn measure(&mut self, model: &Model, nodal: &[[f64; 4]], factor: f64) {
         let beams = model.beams.len();
         let mut most = 0.0_f64;
-        for (way, beam) in self.step.iter_mut().zip(&model.beams) {
+        for ((way, beam), long) in self.step.iter_mut().zip(&model.beams).zip(&self.element) {
             // Shape functions of values sum to one; those of slopes reach 4/27 of the length each.
-            let reach = |x: &[f64; 4]| (norm([x[0], x[1]]), norm([x[2], x[3]]));
             let (mut value, mut slope) = (0.0_f64, 0.0_f64);
             for x in &nodal[beam.nodes.clone()] {
-                let (v, s) = reach(x);
-                value = value.max(v);
-                slope = slope.max(s);
+                value = value.max(x[0] * x[0] + x[1] * x[1]);
+                slope = slope.max(x[2] * x[2] + x[3] * x[3]);
             }
-            let long = beam.axis.iter().map(|e| e.length).fold(0.0, f64::max);
-            *way = factor * (value + 8.0 / 27.0 * long * slope);
+            *way = factor * (value.sqrt() + 8.0 / 27.0 * long * slope.sqrt());
             most = most.max(*way);
         }
-        for i in 0..model.bodies.len() {
-            let x = &nodal[model.body_node(i)];
-            let way = factor * norm([x[0], x[1]]);
-            self.step[beams + i] = way;
-            most = most.max(way);
+        let first = model.beam_node_count();
+        for (way, x) in self.step[beams..].iter_mut().zip(&nodal[first..]) {
+            *way = factor * norm([x[0], x[1]]);
+            most = most.max(*way);
         }
-        most
+        self.longest = most;
     }
 
-    /// A step was accepted in which the nodes moved by `increment`.
-    pub fn moved(&mut self, model: &Model, increment: &[[f64; 4]]) {
-        if model.pairs.is_empty() {
-            return;
-        }
-        let most = self.measure(model, increment, 1.0);
+    /// The step that [`Search::within`] was asked about last was accepted.
+    pub fn moved(&mut self) {
         for (travelled, step) in self.travelled.iter_mut().zip(&self.step) {
             *travelled += step;
         }
-        self.any += 2.0 * most;
+        self.any += 2.0 * self.longest;
     }
 
     /// Looks at the pairs that have come near, and lets those that have not sleep on.
     pub fn see(&mut self, model: &Model, state: &mut State) {
         self.awake.clear();
-        if self.any < self.first {
+        if self.any < self.first && !self.guided {
             return;
         }
         let mut first = f64::INFINITY;
         for (i, pair) in model.pairs.iter().enumerate() {
             let way: f64 = pair.movers.iter().map(|m| self.travelled[*m]).sum();
-            if way >= self.wake[i] {
+            if way >= self.wake[i] || self.guided {
                 self.awake.push(i);
                 let apart = state.see(model, i);
                 self.wake[i] = way + (0.999 * apart - CLOSE).max(0.0);
@@ -130,5 +123,24 @@ impl Search {
             first = first.min(self.wake[i] - way);
         }
         self.first = self.any + first;
+    }
+
+    /// Pairs that were looked at where the state stands; the others are too far apart to matter.
+    pub fn awake(&self) -> &[usize] {
+        &self.awake
+    }
+
+    /// Least gap that a sleeping pair can have \[m\]; `None` if it is awake.
+    pub fn least_gap(&self, pair: &Pair, i: usize) -> Option<f64> {
+        if self.awake.binary_search(&i).is_ok() {
+            return None;
+        }
+        let way: f64 = pair.movers.iter().map(|m| self.travelled[*m]).sum();
+        Some(self.wake[i] - way)
+    }
+
+    /// Way of two movers together in the step measured last \[m\].
+    pub fn way(&self, movers: &[usize; 2]) -> f64 {
+        movers.iter().map(|m| self.step[*m]).sum()
     }
 }
