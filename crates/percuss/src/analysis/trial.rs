@@ -38,6 +38,7 @@ impl Simulation<'_> {
                 integration: Integration::new(self.settings.scheme, h),
                 forcing: &self.forcing,
                 damping: &self.damping,
+                size: self.size,
                 near: &self.near,
                 active,
                 law,

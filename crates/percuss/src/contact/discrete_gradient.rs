@@ -43,8 +43,16 @@ impl Pair {
     ) -> Option<StepGap> {
         let (mid, end) = (at.at(0.5), at.at(1.0));
         let middle = self.touch(model, &mid, memory, Reach::Near)?;
-        let last =
-            self.touch(model, &end, &Memory { near: middle.memory.near, ..*memory }, Reach::Near)?;
+        if let Target::Guided { .. } = self.target {
+            // The gap is linear: its gradient is the same everywhere.
+            let gap = self.touch(model, &end, memory, Reach::Near)?.gap;
+            let row = self.normal_row(&middle, &mid);
+            let gaps = [gap_0, gap];
+            return Some(StepGap { gaps, row, middle, middle_row: row, end_row: row });
+        }
+        // The end is seen as the next step will see it: what else is near may be nearer by then.
+        let near = Memory { near: middle.memory.near, ..*memory };
+        let last = self.touch(model, &end, &near, Reach::All)?;
         let middle_row = self.normal_row(&middle, &mid);
         let end_row = self.normal_row(&last, &end);
         let mut row = middle_row;
@@ -54,8 +62,8 @@ impl Pair {
             return None;
         }
         let gaps = [finite(gap_0), finite(last.gap)];
-        // A straight target that does not turn has a gap that is linear.
-        let straight = matches!(self.target, Target::Guided { .. } | Target::Line { .. });
+        // The gap to a straight line that does not turn is linear, too.
+        let straight = matches!(self.target, Target::Line { .. });
         if projected && !straight {
             let miss = (gaps[1] - gaps[0]) - row.on(at.increment);
             // A difference of gaps is known no better than the positions they are taken from.

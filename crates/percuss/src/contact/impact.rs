@@ -95,7 +95,7 @@ impl ImpactProblem {
             return (impulses[row] - (self.rate(row, impulses) - contact.bound) / w).max(0.0);
         }
         let most = contact.friction * impulses[row - 1];
-        if most <= 0.0 {
+        if most <= 0.0 || most.is_nan() {
             return 0.0;
         }
         (impulses[row] - (self.rate(row, impulses) - contact.target) / w).clamp(-most, most)
@@ -111,6 +111,10 @@ impl ImpactProblem {
     /// # Errors
     /// [`Stalled`] if no impulses were found that meet the conditions.
     pub fn solve(&mut self, impulses: &mut [f64]) -> Result<(), Stalled> {
+        let mut known = self.delassus.iter().chain(&self.free).chain(impulses.iter());
+        if !known.all(|x| x.is_finite()) {
+            return Err(Stalled); // an iteration that has run away
+        }
         let single = self.len() == 1 && self.contacts[0].friction == 0.0;
         for _ in 0..Self::ROUNDS {
             for _ in 0..Self::SWEEPS {
@@ -118,6 +122,9 @@ impl ImpactProblem {
                 if single || moved <= Self::TOLERANCE {
                     return Ok(());
                 }
+            }
+            if !impulses.iter().all(|x| x.is_finite()) {
+                return Err(Stalled);
             }
             if self.residual(impulses) <= 0.1 * Self::ACCEPTED * self.scale() {
                 return Ok(());
@@ -190,6 +197,7 @@ impl ImpactProblem {
         direct.limits.resize(2 * self.len(), [0.0; 2]);
         for (i, contact) in self.contacts.iter().enumerate() {
             let before = direct.limits[2 * i + 1][1];
+            let before = if before.is_finite() { before } else { 0.0 };
             let most = before + ease * (contact.friction * direct.impulses[2 * i] - before);
             direct.limits[2 * i] = [0.0, f64::INFINITY];
             direct.limits[2 * i + 1] = [-most, most];
@@ -253,6 +261,9 @@ impl ImpactProblem {
             return None;
         }
         direct.lu.solve(&mut direct.right);
+        if !direct.right.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let (mut share, mut blocked) = (1.0, None);
         for (at, (row, change)) in direct.free.iter().zip(&direct.right).enumerate() {
             let [low, high] = direct.limits[*row];

@@ -1,7 +1,8 @@
 //! Linear forms over the degrees of freedom of a few nodes: gradients of gaps, directions of contact forces.
 
-/// Most nodes of a row: two of a beam that touches, and those of three elements that the point of contact may cross in a step.
-const CAPACITY: usize = 8;
+/// Most nodes of a row: two of a beam that touches, and those of two elements, where the foot is in the middle and at the end of the
+/// step.
+const CAPACITY: usize = 6;
 
 /// A linear form over nodal values; the force it transmits acts along it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

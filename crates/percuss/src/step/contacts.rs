@@ -8,7 +8,7 @@ use crate::contact::configuration::Configuration;
 use crate::contact::law::StepForce;
 use crate::contact::pair::Target;
 use crate::contact::row::Row;
-use crate::contact::touch::Reach;
+use crate::contact::touch::{Bend, Reach};
 use crate::linalg::block::ZERO;
 use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
 
@@ -123,7 +123,9 @@ impl StepProblem<'_> {
             let force = law.potential.collocated(-touch.gap, -touch.gap, 1.0);
             if TANGENT && force.force > 0.0 {
                 let (slope, bend) = (theta * force.slope, theta * force.force);
-                add_tangent(tangent, &row, &row, slope, bend, |n| pair.turning(&touch, n));
+                let turns = !matches!(touch.bend, Bend::Flat);
+                let turn = turns.then_some(|n: Nodal| pair.turning(&touch, n));
+                add_tangent(tangent, &row, &row, slope, bend, turn);
             }
             return Some(SmoothContact { pair: index, force, row });
         }
@@ -140,7 +142,8 @@ impl StepProblem<'_> {
             // Where the foot crosses into another element the gradients know other nodes; those of the middle will do.
             let same = step.end_row.same_nodes(&step.middle_row);
             let end = if same { &step.end_row } else { &step.middle_row };
-            let turn = |n: &dyn Fn(usize) -> [f64; 4]| pair.turning(&step.middle, n);
+            let turns = !matches!(step.middle.bend, Bend::Flat);
+            let turn = turns.then_some(|n: Nodal| pair.turning(&step.middle, n));
             add_tangent(tangent, &step.middle_row, end, force.slope, 0.5 * force.force, turn);
         }
         Some(SmoothContact { pair: index, force, row })
@@ -338,14 +341,17 @@ fn relative_residual(work: &Workspace) -> f64 {
     if scale > 0.0 { work.impact.residual(&work.impulses) / scale } else { 0.0 }
 }
 
-/// Adds `slope row (x) end - bend d(gradient)`.
+/// Nodal values by their node.
+type Nodal<'a> = &'a dyn Fn(usize) -> [f64; 4];
+
+/// Adds `slope row (x) end - bend d(gradient)`; without the second part where the normal does not turn.
 fn add_tangent(
     tangent: &mut Tangent,
     row: &Row,
     end: &Row,
     slope: f64,
     bend: f64,
-    turning: impl Fn(&dyn Fn(usize) -> [f64; 4]) -> Row,
+    turning: Option<impl Fn(Nodal) -> Row>,
 ) {
     for (column, on_end) in end.iter() {
         // The gradient's derivative, one degree of freedom after the other.
@@ -358,12 +364,14 @@ fn add_tangent(
                 x
             }
         };
-        let turned: [Row; 4] = std::array::from_fn(|k| turning(&unit(k)));
+        let turned: Option<[Row; 4]> =
+            turning.as_ref().map(|turning| std::array::from_fn(|k| turning(&unit(k))));
         for (node, on_row) in row.iter() {
             let mut block = ZERO;
             for r in 0..4 {
                 for c in 0..4 {
-                    block[r][c] = slope * on_row[r] * on_end[c] - bend * turned[c].at(node)[r];
+                    let turn = turned.as_ref().map_or(0.0, |rows| rows[c].at(node)[r]);
+                    block[r][c] = slope * on_row[r] * on_end[c] - bend * turn;
                 }
             }
             tangent.add_contact(node, column, &block);

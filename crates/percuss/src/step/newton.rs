@@ -30,6 +30,8 @@ pub struct StepProblem<'a> {
     pub forcing: &'a Forcing,
     /// Modal damping.
     pub damping: &'a ModalDamping,
+    /// Size of the structure, the scale of positions \[m\].
+    pub size: f64,
     /// Pairs near enough to touch.
     pub near: &'a [usize],
     /// Rigid contacts that may carry an impulse.
@@ -124,7 +126,10 @@ impl StepProblem<'_> {
             }
             let (_, reach) = largest(&self.state.displacement);
             let (_, step) = largest(&work.increment);
-            watch.corrected(largest(&work.correction).1, reach, step, correction_work);
+            let touching =
+                !self.active.is_empty() || work.smooth.iter().any(|c| c.force.force > 0.0);
+            let places = if touching { self.size } else { 0.0 };
+            watch.corrected(largest(&work.correction).1, reach, step, correction_work, places);
             renew = false;
         }
         // Unbalanced forces without reactions.

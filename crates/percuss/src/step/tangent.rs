@@ -476,9 +476,12 @@ fn hold_block(chain: &mut Chain, hold: &NodeHold) {
         }
     }
     chain.diag[i] = block;
-    chain.upper[i] = mul(&p, &chain.upper[i]);
-    chain.lower[i] = mul(&chain.lower[i], &p);
-    if i > 0 {
+    // Nothing lies beyond an end of a span or a body.
+    if chain.upper[i] != ZERO || chain.lower[i] != ZERO {
+        chain.upper[i] = mul(&p, &chain.upper[i]);
+        chain.lower[i] = mul(&chain.lower[i], &p);
+    }
+    if i > 0 && (chain.upper[i - 1] != ZERO || chain.lower[i - 1] != ZERO) {
         chain.upper[i - 1] = mul(&chain.upper[i - 1], &p);
         chain.lower[i - 1] = mul(&p, &chain.lower[i - 1]);
     }

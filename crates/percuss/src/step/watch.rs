@@ -67,8 +67,8 @@ impl Watch {
     }
 
     /// Takes in a correction: its size, the size of the displacements and of the step, and the work of the unbalanced forces
-    /// on it.
-    pub fn corrected(&mut self, size: f64, reach: f64, step: f64, work: f64) {
+    /// on it. Where things touch, gaps are differences of positions as large as `places`, zero elsewhere.
+    pub fn corrected(&mut self, size: f64, reach: f64, step: f64, work: f64, places: f64) {
         if size > 0.0 {
             self.stiffness = self.stiffness.max(work / (size * size));
         }
@@ -82,7 +82,8 @@ impl Watch {
         let predicted = self.rate <= CONTRACTION
             && self.stiffness > 0.0
             && ahead <= WORK_TOLERANCE * self.energy;
-        let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= STALLED * step;
+        let floor = (STALLED * step).max(ROUND_OFF * places);
+        let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= floor;
         self.settled = round_off || predicted || stalled;
     }
 }
