@@ -12,6 +12,8 @@ use crate::state::State;
 
 /// Pairs nearer than this stay awake \[m\].
 const CLOSE: f64 = 1e-8;
+/// Pairs that would wake within so many steps do not go to sleep.
+const RESTLESS: f64 = 4.0;
 
 /// Sleeping and waking pairs.
 #[derive(Clone, Debug, Default)]
@@ -30,6 +32,8 @@ pub struct Search {
     element: Vec<f64>,
     /// Pairs looked at where the state stands.
     awake: Vec<usize>,
+    /// Of these, the ones so near that they are looked at in every step; the others sleep.
+    restless: Vec<usize>,
     /// Whether every pair is that of a guided projectile: so few that all are looked at always.
     guided: bool,
 }
@@ -48,6 +52,7 @@ impl Search {
             longest: 0.0,
             element: model.beams.iter().map(long).collect(),
             awake: Vec::new(),
+            restless: Vec::new(),
             guided: model.pairs.len() == model.projectiles.len(),
         }
     }
@@ -66,11 +71,11 @@ impl Search {
         }
         self.measure(model, nodal, factor);
         if self.any + 2.0 * self.longest < self.first {
-            return;
+            return near.extend_from_slice(&self.restless);
         }
         for (i, pair) in model.pairs.iter().enumerate() {
             let way: f64 = pair.movers.iter().map(|m| self.travelled[*m] + self.step[*m]).sum();
-            if way >= self.wake[i] {
+            if way >= self.wake[i] || self.restless.binary_search(&i).is_ok() {
                 near.push(i);
             }
         }
@@ -109,20 +114,44 @@ impl Search {
     /// Looks at the pairs that have come near, and lets those that have not sleep on.
     pub fn see(&mut self, model: &Model, state: &mut State) {
         self.awake.clear();
-        if self.any < self.first && !self.guided {
-            return;
-        }
-        let mut first = f64::INFINITY;
-        for (i, pair) in model.pairs.iter().enumerate() {
-            let way: f64 = pair.movers.iter().map(|m| self.travelled[*m]).sum();
-            if way >= self.wake[i] || self.guided {
-                self.awake.push(i);
-                let apart = state.see(model, i);
-                self.wake[i] = way + (0.999 * apart - CLOSE).max(0.0);
+        let mut restless = std::mem::take(&mut self.restless);
+        if self.guided {
+            (0..model.pairs.len()).for_each(|i| self.see_one(model, state, i));
+        } else if self.any < self.first {
+            restless.iter().for_each(|i| self.see_one(model, state, *i));
+        } else {
+            self.first = f64::INFINITY;
+            for (i, pair) in model.pairs.iter().enumerate() {
+                let way = self.way_of(pair);
+                if way >= self.wake[i] || restless.binary_search(&i).is_ok() {
+                    self.see_one(model, state, i);
+                } else {
+                    self.first = self.first.min(self.any + self.wake[i] - way);
+                }
             }
-            first = first.min(self.wake[i] - way);
         }
-        self.first = self.any + first;
+        restless.clear();
+        for k in 0..self.awake.len() {
+            let i = self.awake[k];
+            let pair = &model.pairs[i];
+            let left = self.wake[i] - self.way_of(pair);
+            if left <= RESTLESS * self.way(&pair.movers) {
+                restless.push(i);
+            } else {
+                self.first = self.first.min(self.any + left);
+            }
+        }
+        self.restless = restless;
+    }
+
+    fn see_one(&mut self, model: &Model, state: &mut State, i: usize) {
+        self.awake.push(i);
+        let apart = state.see(model, i);
+        self.wake[i] = self.way_of(&model.pairs[i]) + (0.999 * apart - CLOSE).max(0.0);
+    }
+
+    fn way_of(&self, pair: &Pair) -> f64 {
+        pair.movers.iter().map(|m| self.travelled[*m]).sum()
     }
 
     /// Pairs that were looked at where the state stands; the others are too far apart to matter.
@@ -135,8 +164,7 @@ impl Search {
         if self.awake.binary_search(&i).is_ok() {
             return None;
         }
-        let way: f64 = pair.movers.iter().map(|m| self.travelled[*m]).sum();
-        Some(self.wake[i] - way)
+        Some(self.wake[i] - self.way_of(pair))
     }
 
     /// Way of two movers together in the step measured last \[m\].
