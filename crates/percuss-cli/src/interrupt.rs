@@ -9,6 +9,9 @@ use percuss_output::RunDirectory;
 
 use crate::outcome::{Failure, Status};
 
+/// Tries to remove what a run is still writing into.
+const TRIES: usize = 200;
+
 /// Set by the first signal.
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 /// Directory to remove if the program ends at once; locked while results are put in place.
@@ -68,8 +71,13 @@ pub fn commit(directory: RunDirectory) -> Result<PathBuf, percuss_output::Error>
 fn abort() -> ! {
     let mut staging = lock();
     if let Some(directory) = staging.take() {
-        // The run may be writing into it still: what comes after a first try goes with a second.
-        let _ = fs::remove_dir_all(&directory).or_else(|_| fs::remove_dir_all(&directory));
+        // The run may be writing into it still; what it adds while one try is at work goes with the next.
+        for _ in 0..TRIES {
+            if fs::remove_dir_all(&directory).is_ok() || !directory.exists() {
+                break;
+            }
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
     }
     std::process::exit(i32::from(Status::Interrupted.code()))
 }
