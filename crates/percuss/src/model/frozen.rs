@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::definition::{InitialMotion, StrainMeasure, TouchLaw};
+use super::definition::{InitialMotion, StrainMeasure};
+pub(crate) use super::striking::*;
 use super::time_function::Course;
 use crate::contact::axis::AxisElement;
 use crate::contact::pair::Pair;
@@ -286,66 +287,6 @@ pub(crate) struct MassData {
     pub rotary_inertia: f64,
 }
 
-/// A rigid body.
-#[derive(Clone, Debug)]
-pub(crate) struct Body {
-    pub name: String,
-    pub kind: BodyKind,
-    pub mass: f64,
-    /// Moment of inertia about its centre \[kg m^2\].
-    pub inertia: f64,
-    /// Velocity at the start \[m/s\].
-    pub velocity: [f64; 2],
-    /// Angular velocity at the start \[rad/s\].
-    pub spin: f64,
-}
-
-/// What a rigid body is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum BodyKind {
-    /// The mass of a projectile that strikes, on its line of flight.
-    Guided,
-    /// A mass behind it; the body before it in the row is the front.
-    Rear { direction: [f64; 2], stiffness: f64, damping: f64 },
-    /// A disc.
-    Disc { radius: f64 },
-    /// An obstacle that moves as prescribed, or the ground of all that stand still.
-    Obstacle,
-}
-
-/// An obstacle: those that stand still share one body, the ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ObstacleData {
-    pub body: usize,
-    /// Where its reactions are kept.
-    pub support: usize,
-    /// The point its moment is about, in the reference configuration \[m\].
-    pub position: [f64; 2],
-}
-
-/// A projectile on its line of flight.
-#[derive(Clone, Debug)]
-pub(crate) struct ProjectileData {
-    /// Its body that strikes; a rear mass is the next one.
-    pub body: usize,
-    pub has_rear: bool,
-    /// Unit vector of the line of flight, from projectile to beam.
-    pub direction: [f64; 2],
-    /// The point struck.
-    pub point: MaterialPoint,
-}
-
-/// What two things do to each other.
-#[derive(Clone, Debug)]
-pub(crate) struct ContactData {
-    pub name: String,
-    /// Names of the parties.
-    pub between: [String; 2],
-    pub law: TouchLaw,
-    /// Its pairs.
-    pub pairs: Range<usize>,
-}
-
 /// A load and its course.
 #[derive(Clone, Debug)]
 pub(crate) struct LoadData {
@@ -460,56 +401,10 @@ impl Model {
         self.supports.iter().map(|s| s.name.as_str())
     }
 
-    /// Number of nodes that belong to beams; those of bodies follow.
-    pub(crate) fn beam_node_count(&self) -> usize {
-        self.nodes.len() - self.bodies.len()
-    }
-
-    /// Node of a body.
-    pub(crate) fn body_node(&self, body: usize) -> usize {
-        self.beam_node_count() + body
-    }
-
-    /// Nodes of something that moves: beams first, then bodies.
-    pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
-        match self.beams.get(mover) {
-            Some(beam) => beam.nodes.clone(),
-            None => {
-                let node = self.body_node(mover - self.beams.len());
-                node..node + 1
-            }
-        }
-    }
-
     /// Length of the element at a beam's node \[m\].
     pub(crate) fn node_length(&self, node: usize) -> f64 {
         let (span, k) = self.element_of(node);
         span.table(k).length
-    }
-
-    /// Names of the projectiles, guided ones first, then discs, and whether each is a disc.
-    pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
-        self.striking_bodies().map(|i| {
-            let body = &self.bodies[i];
-            (body.name.as_str(), matches!(body.kind, BodyKind::Disc { .. }))
-        })
-    }
-
-    /// Bodies that strike: those of guided projectiles, then discs.
-    pub(crate) fn striking_bodies(&self) -> impl Iterator<Item = usize> {
-        let strikes = |b: &Body| matches!(b.kind, BodyKind::Guided | BodyKind::Disc { .. });
-        (0..self.bodies.len()).filter(move |i| strikes(&self.bodies[*i]))
-    }
-
-    /// Names of the contacts, those of guided projectiles first, and whether each is set-valued.
-    pub fn contact_names(&self) -> impl Iterator<Item = (&str, bool)> {
-        let rigid = |c: &ContactData| matches!(c.law, TouchLaw::Rigid(_));
-        self.contacts.iter().map(move |c| (c.name.as_str(), rigid(c)))
-    }
-
-    /// Whether any contact is set-valued, so that impacts with impulses can occur.
-    pub fn has_rigid_contact(&self) -> bool {
-        self.contact_names().any(|(_, rigid)| rigid)
     }
 
     /// The beams with all that holds them, without bodies and contacts: what statics and vibrations know.

@@ -12,6 +12,7 @@ pub(crate) mod frozen;
 mod loads;
 mod mesh;
 mod pairs;
+mod striking;
 mod time_function;
 
 pub use builder::ModelBuilder;
