@@ -27,6 +27,7 @@ pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
 pub use analysis::{
     BucklingMode, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,
     equilibrium_in, equilibrium_path, mechanisms, modes_about, natural_frequencies, simulate,
+    simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
 pub use error::Error;
