@@ -11,6 +11,7 @@ mod advice;
 mod analysis;
 mod contact;
 mod element;
+mod ensemble;
 mod error;
 mod ledger;
 mod linalg;
@@ -25,7 +26,7 @@ mod summary;
 
 pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
 pub use analysis::{
-    BucklingMode, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,
+    BucklingMode, Detail, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,
     equilibrium_in, equilibrium_path, mechanisms, modes_about, natural_frequencies, simulate,
     simulate_batch,
 };

@@ -2,6 +2,9 @@
 
 use crate::model::{Fault, Model};
 
+/// Ends of steps closer than this share of the step are the same instant.
+pub(crate) const SAME_INSTANT: f64 = 1e-9;
+
 /// Time integration scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Scheme {
@@ -76,6 +79,12 @@ impl Settings {
             record_every: 1,
             start: Start::Reference,
         }
+    }
+
+    /// Number of steps of the given size up to the end; the last one may be shorter.
+    pub fn step_count(&self) -> usize {
+        let ratio = self.end / self.step;
+        (ratio - SAME_INSTANT * ratio.max(1.0)).ceil().max(1.0) as usize
     }
 }
 

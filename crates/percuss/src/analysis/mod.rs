@@ -15,7 +15,7 @@ mod static_search;
 mod statics;
 mod trial;
 
-pub use batch::simulate_batch;
+pub use batch::{Detail, simulate_batch};
 pub use buckling::{BucklingMode, buckling};
 pub use modes::{Mode, modes_about, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};

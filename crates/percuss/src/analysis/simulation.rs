@@ -13,7 +13,7 @@ use crate::math::vec2::{add, dot, norm, scale, sub};
 use crate::model::frozen::BodyKind;
 use crate::model::{Fault, Model};
 use crate::record::{Channel, Flow, Recorder};
-use crate::settings::Settings;
+use crate::settings::{SAME_INSTANT, Settings};
 use crate::state::State;
 use crate::step::contacts::ActiveContact;
 use crate::step::forcing::Forcing;
@@ -27,8 +27,6 @@ use crate::summary::*;
 const SMALLEST_SHARE: f64 = 1e-4;
 /// Parts of a step, impacts and cuts included, before the analysis gives up: more would not end.
 const MOST_PARTS: usize = 20_000;
-/// Ends of steps closer than this share of the step are the same instant.
-pub(super) const SAME_INSTANT: f64 = 1e-9;
 
 /// A transient analysis in progress.
 ///
@@ -172,8 +170,7 @@ impl<'m> Simulation<'m> {
 
     /// Number of steps of the given size up to the end; the last one may be shorter.
     pub fn step_count(&self) -> usize {
-        let ratio = self.settings.end / self.settings.step;
-        (ratio - SAME_INSTANT * ratio.max(1.0)).ceil().max(1.0) as usize
+        self.settings.step_count()
     }
 
     /// Runs to the end.

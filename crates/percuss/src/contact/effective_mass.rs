@@ -73,7 +73,7 @@ pub fn mass_band(model: &Model, u: &[[f64; 4]]) -> Chain {
             }
             sums.add::<true>(row, &point);
         }
-        assemble::spread(&sums.tangent, &table.mass, 1.0, a, &mut chain);
+        assemble::spread(&sums, &table.mass, 1.0, a, &mut chain);
     }
     for mass in &model.masses {
         let p = &mass.point;

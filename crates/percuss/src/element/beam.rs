@@ -15,42 +15,42 @@ use crate::scalar::Real;
 /// respect to the arc length of the interpolated reference; of x'' only the part across x' is formed, since strains know
 /// no other.
 #[derive(Clone, Copy, Debug)]
-pub struct GaussRow {
+pub struct GaussRow<S = f64> {
     /// Coefficients of u'.
-    pub first: [f64; 3],
+    pub first: [S; 3],
     /// Coefficients of u''.
-    pub second: [f64; 3],
+    pub second: [S; 3],
     /// Integration weight \[m\].
-    pub weight: f64,
+    pub weight: S,
     /// Reference tangent X'.
-    pub tangent: [f64; 2],
+    pub tangent: [S; 2],
     /// Reference second derivative X'' \[1/m\].
-    pub bend: [f64; 2],
+    pub bend: [S; 2],
     /// Reference curvature X' x X'' \[1/m\].
-    pub curvature: f64,
+    pub curvature: S,
     /// Section constants of the kernels; no axial stiffness where membrane strains are those of [`MembraneTable`].
-    pub law: SectionLaw<f64>,
+    pub law: SectionLaw<S>,
     /// Section constants.
-    pub section: SectionLaw<f64>,
+    pub section: SectionLaw<S>,
     /// Mass rhoA per length \[kg/m\].
-    pub mass: f64,
+    pub mass: S,
     /// Area \[m^2\].
-    pub area: f64,
+    pub area: S,
     /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
-    pub half_depth: f64,
+    pub half_depth: S,
 }
 
 /// An element: its interpolation, section and mass.
 #[derive(Clone, Copy, Debug)]
-pub struct ElementTable {
+pub struct ElementTable<S = f64> {
     /// Length between its nodes by the arc of the centre line \[m\].
-    pub length: f64,
+    pub length: S,
     /// Rows at the Gauss points.
-    pub rows: [GaussRow; GAUSS],
+    pub rows: [GaussRow<S>; GAUSS],
     /// Mass matrix of one displacement component, `int rhoA N_a N_b ds`, order (u_a, u_a', u_b, u_b').
-    pub mass: [[f64; 4]; 4],
+    pub mass: [[S; 4]; 4],
     /// Membrane strains sampled at the nodes and the middle, in elements long against the radius of gyration.
-    pub membrane: Option<MembraneTable>,
+    pub membrane: Option<MembraneTable<S>>,
 }
 
 /// Section constants at a place of a beam, per length.
@@ -121,6 +121,30 @@ impl ElementTable {
     }
 }
 
+impl<S: Real> ElementTable<S> {
+    /// Adds the mass matrix times nodal accelerations to the forces on the two nodes.
+    #[inline(always)]
+    pub fn add_inertia(
+        &self,
+        acc_a: &[S; 4],
+        acc_b: &[S; 4],
+        on_a: &mut [S; 4],
+        on_b: &mut [S; 4],
+    ) {
+        let m = &self.mass;
+        for i in 0..2 {
+            let acc = [acc_a[i], acc_a[2 + i], acc_b[i], acc_b[2 + i]];
+            let row = |k: usize| {
+                m[k][0] * acc[0] + m[k][1] * acc[1] + m[k][2] * acc[2] + m[k][3] * acc[3]
+            };
+            on_a[i] += row(0);
+            on_a[2 + i] += row(1);
+            on_b[i] += row(2);
+            on_b[2 + i] += row(3);
+        }
+    }
+}
+
 /// Coefficients of (u_b - u_a, u_a', u_b') from those of (u_a, u_a', u_b, u_b'), whose first and third are opposite.
 fn chord_form(c: [f64; 4]) -> [f64; 3] {
     [c[2], c[1], c[3]]
@@ -146,7 +170,7 @@ impl<S: Real> ElementValues<S> {
 
     /// Combination with the coefficients of a [`GaussRow`].
     #[inline(always)]
-    pub fn at(&self, c: &[f64; 3]) -> [S; 2] {
+    pub fn at(&self, c: &[S; 3]) -> [S; 2] {
         [
             self.chord[0] * c[0] + self.slope_a[0] * c[1] + self.slope_b[0] * c[2],
             self.chord[1] * c[0] + self.slope_a[1] * c[1] + self.slope_b[1] * c[2],
@@ -157,16 +181,16 @@ impl<S: Real> ElementValues<S> {
 /// The two ends of a step at a Gauss point.
 #[inline(always)]
 pub fn step_point<S: Real>(
-    row: &GaussRow,
+    row: &GaussRow<S>,
     old: &ElementValues<S>,
     increment: &ElementValues<S>,
 ) -> StepPoint<S> {
     let bend = old.at(&row.second);
     StepPoint {
-        tangent: [S::constant(row.tangent[0]), S::constant(row.tangent[1])],
-        curvature: S::constant(row.curvature),
+        tangent: row.tangent,
+        curvature: row.curvature,
         slope_0: old.at(&row.first),
-        bend_0: [bend[0] + S::constant(row.bend[0]), bend[1] + S::constant(row.bend[1])],
+        bend_0: [bend[0] + row.bend[0], bend[1] + row.bend[1]],
         d_slope: increment.at(&row.first),
         d_bend: increment.at(&row.second),
     }
@@ -191,7 +215,7 @@ impl<S: Real> ElementSums<S> {
 
     /// Adds the response at a Gauss point, `B^T f w` and `B^T H B w`.
     #[inline(always)]
-    pub fn add<const TANGENT: bool>(&mut self, row: &GaussRow, point: &PointResponse<S>) {
+    pub fn add<const TANGENT: bool>(&mut self, row: &GaussRow<S>, point: &PointResponse<S>) {
         let first = row.first.map(|c| c * row.weight);
         let second = row.second.map(|c| c * row.weight);
         for k in 0..3 {
@@ -223,6 +247,44 @@ impl<S: Real> ElementSums<S> {
     pub fn nodal_force(&self) -> [[S; 4]; 2] {
         let f = &self.force;
         [[-f[0], -f[1], f[2], f[3]], [f[0], f[1], f[4], f[5]]]
+    }
+
+    /// Tangent on the degrees of freedom of the two nodes, with `slope` times the mass matrix: blocks aa, ab, ba, bb.
+    #[inline(always)]
+    pub fn nodal_tangent(&self, mass: &[[S; 4]; 4], slope: S) -> [[[S; 4]; 4]; 4] {
+        let k = &self.tangent;
+        let zero = [[S::constant(0.0); 4]; 4];
+        let [mut aa, mut ab, mut ba, mut bb] = [zero; 4];
+        for i in 0..2 {
+            for j in 0..2 {
+                let chord = k[i][j];
+                aa[i][j] = chord;
+                ab[i][j] = -chord;
+                ba[i][j] = -chord;
+                bb[i][j] = chord;
+                aa[i][2 + j] = -k[i][2 + j];
+                aa[2 + i][j] = -k[2 + i][j];
+                aa[2 + i][2 + j] = k[2 + i][2 + j];
+                ab[i][2 + j] = -k[i][4 + j];
+                ab[2 + i][j] = k[2 + i][j];
+                ab[2 + i][2 + j] = k[2 + i][4 + j];
+                ba[i][2 + j] = k[i][2 + j];
+                ba[2 + i][j] = -k[4 + i][j];
+                ba[2 + i][2 + j] = k[4 + i][2 + j];
+                bb[i][2 + j] = k[i][4 + j];
+                bb[2 + i][j] = k[4 + i][j];
+                bb[2 + i][2 + j] = k[4 + i][4 + j];
+            }
+        }
+        for i in 0..2 {
+            for (r, c, mr, mc) in [(0, 0, 0, 0), (0, 2, 0, 1), (2, 0, 1, 0), (2, 2, 1, 1)] {
+                aa[r + i][c + i] += slope * mass[mr][mc];
+                ab[r + i][c + i] += slope * mass[mr][mc + 2];
+                ba[r + i][c + i] += slope * mass[mr + 2][mc];
+                bb[r + i][c + i] += slope * mass[mr + 2][mc + 2];
+            }
+        }
+        [aa, ab, ba, bb]
     }
 }
 
@@ -266,11 +328,11 @@ mod tests {
         let law = law::<S>(measure);
         let g0 = add(point.tangent, point.slope_0);
         let old = Strains { membrane: S::constant(0.02), bending: S::constant(-0.3) };
-        let spin = S::constant(3.0);
+        let (spin, h) = (S::constant(3.0), S::constant(H));
         match scheme {
             0 => {
                 let mut r = energy_momentum::response::<S, T>(&law, point, LAG);
-                rotary::add_step::<S, T>(&mut r, law.rotary, g0, point.d_slope, spin, H, 30.0);
+                rotary::add_step::<S, T>(&mut r, law.rotary, g0, point.d_slope, spin, h, 30.0);
                 r
             }
             1 => strain_rate::response::<S, T>(&law, point, old, LAG),

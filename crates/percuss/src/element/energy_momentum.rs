@@ -22,23 +22,26 @@ pub fn response<S: Real, const TANGENT: bool>(
     point: &StepPoint<S>,
     lag: f64,
 ) -> PointResponse<S> {
-    let slope_1 = add(point.slope_0, point.d_slope);
-    let g0 = add(point.tangent, point.slope_0);
-    let g1 = add(point.tangent, slope_1);
-    let p1 = add(point.bend_0, point.d_bend);
-    let g_mid = [g0[0] + point.d_slope[0] * 0.5, g0[1] + point.d_slope[1] * 0.5];
-    let p_mid = [point.bend_0[0] + point.d_bend[0] * 0.5, point.bend_0[1] + point.d_bend[1] * 0.5];
-    let green = |u: [S; 2]| dot(point.tangent, u) + dot(u, u) * 0.5;
-    let ends = Ends {
-        a0: dot(g0, g0),
-        a1: dot(g1, g1),
-        b0: b_of(g0, point.bend_0),
-        b1: b_of(g1, p1),
-        eps0: green(point.slope_0),
-        eps1: green(slope_1),
-        kappa_ref: point.curvature,
-        weights: [0.5 - lag, 0.5 + lag],
-    };
+    let (tangent, curvature) = (point.tangent, point.curvature);
+    let start = End::new(law.measure, tangent, curvature, point.slope_0, point.bend_0);
+    let (slope, bend) = (add(point.slope_0, point.d_slope), add(point.bend_0, point.d_bend));
+    let end = End::new(law.measure, tangent, curvature, slope, bend);
+    between::<S, TANGENT>(law, &start, &end, point.d_slope, point.d_bend, lag)
+}
+
+/// The same from what is known of either end of the step; `d_slope` and `d_bend` are the increments of u' and x''.
+#[inline(always)]
+pub fn between<S: Real, const TANGENT: bool>(
+    law: &SectionLaw<S>,
+    start: &End<S>,
+    end: &End<S>,
+    d_slope: [S; 2],
+    d_bend: [S; 2],
+    lag: f64,
+) -> PointResponse<S> {
+    let middle = |x: [S; 2], d: [S; 2]| [x[0] + d[0] * 0.5, x[1] + d[1] * 0.5];
+    let (g_mid, p_mid) = (middle(start.g, d_slope), middle(start.bend, d_bend));
+    let ends = Ends { start, end, weights: [0.5 - lag, 0.5 + lag] };
     let (stress, slopes) = match law.measure {
         StrainMeasure::Green => ends.green(law),
         StrainMeasure::Engineering => ends.engineering(law),
@@ -46,7 +49,7 @@ pub fn response<S: Real, const TANGENT: bool>(
     if !TANGENT {
         return stress.forces(g_mid, p_mid);
     }
-    let (a_form, b_form) = (form_a(g1), form_b(g1, p1));
+    let (a_form, b_form) = (form_a(end.g), form_b(end.g, end.bend));
     let rate = StressRate {
         axial: a_form.times(slopes.axial_a),
         moment: a_form.times(slopes.moment_a).plus(slopes.moment_b, b_form),
@@ -58,16 +61,56 @@ pub fn response<S: Real, const TANGENT: bool>(
     stress.forces_and_tangent(&rate, g_mid, p_mid)
 }
 
-/// Invariants and Green membrane strain at both ends of the step.
-struct Ends<S> {
-    a0: S,
-    a1: S,
-    b0: S,
-    b1: S,
-    eps0: S,
-    eps1: S,
-    kappa_ref: S,
-    /// Weights of the ends in the stresses.
+/// One end of a step at a Gauss point.
+#[derive(Clone, Copy, Debug)]
+pub struct End<S> {
+    /// Displacement gradient u' \[1\].
+    pub slope: [S; 2],
+    /// Second derivative x'' \[1/m\].
+    pub bend: [S; 2],
+    /// Tangent x'.
+    pub g: [S; 2],
+    /// Stretch |x'|.
+    pub stretch: S,
+    /// Its reciprocal, in engineering strains that of its square: `kappa = kappa0 - b inverse`.
+    pub inverse: S,
+    /// Numerator of the bending strain, `b = x' x x''` \[1/m\].
+    pub b: S,
+    /// Membrane strain \[1\].
+    pub membrane: S,
+    /// Bending strain \[1/m\].
+    pub bending: S,
+}
+
+impl<S: Real> End<S> {
+    /// From the reference tangent and curvature, and the displacement's first and second derivative.
+    #[inline(always)]
+    pub fn new(
+        measure: StrainMeasure,
+        tangent: [S; 2],
+        curvature: S,
+        slope: [S; 2],
+        bend: [S; 2],
+    ) -> Self {
+        let g = add(tangent, slope);
+        let (a, b) = (dot(g, g), b_of(g, bend));
+        let stretch = a.sqrt();
+        let green = dot(tangent, slope) + dot(slope, slope) * 0.5;
+        let (inverse, membrane) = match measure {
+            StrainMeasure::Green => (stretch.recip(), green),
+            StrainMeasure::Engineering => {
+                (a.recip(), (green + green) / (stretch + S::constant(1.0)))
+            }
+        };
+        let bending = curvature - b * inverse;
+        Self { slope, bend, g, stretch, inverse, b, membrane, bending }
+    }
+}
+
+/// Both ends of the step, and their weights in the stresses.
+struct Ends<'a, S> {
+    start: &'a End<S>,
+    end: &'a End<S>,
     weights: [f64; 2],
 }
 
@@ -82,27 +125,31 @@ struct Slopes<S> {
     c2_b: S,
 }
 
-impl<S: Real> Ends<S> {
+impl<S: Real> Ends<'_, S> {
+    /// Axial force and moment from the weighed strains.
+    #[inline(always)]
+    fn resultants(&self, law: &SectionLaw<S>) -> (S, S) {
+        let [w0, w1] = self.weights;
+        let (start, end) = (self.start, self.end);
+        (
+            law.axial * (start.membrane * w0 + end.membrane * w1),
+            law.bending * (start.bending * w0 + end.bending * w1),
+        )
+    }
+
     #[inline(always)]
     fn green(&self, law: &SectionLaw<S>) -> (Stress<S>, Slopes<S>) {
-        let (r0, r1) = (self.a0.sqrt(), self.a1.sqrt());
-        let (q0, q1, q) = (r0.recip(), r1.recip(), (r0 + r1).recip());
+        let (q0, q1) = (self.start.inverse, self.end.inverse);
+        let q = (self.start.stretch + self.end.stretch).recip();
         let q1_cubed = q1 * q1 * q1;
-        let [w0, w1] = self.weights;
-        let (end_ea, end_ei) = (law.axial * w1, law.bending * w1);
-        let kappa = (self.kappa_ref - self.b0 * q0) * w0 + (self.kappa_ref - self.b1 * q1) * w1;
+        let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
+        let (axial, moment) = self.resultants(law);
         let c2_b = q0 * q1 * q;
-        let c2 = (self.b0 + self.b1) * c2_b;
-        let stress = Stress {
-            axial: law.axial * (self.eps0 * w0 + self.eps1 * w1),
-            moment: law.bending * kappa,
-            alpha: S::constant(1.0),
-            c1: (q0 + q1) * -0.5,
-            c2,
-        };
+        let c2 = (self.start.b + self.end.b) * c2_b;
+        let stress = Stress { axial, moment, alpha: S::constant(1.0), c1: (q0 + q1) * -0.5, c2 };
         let slopes = Slopes {
             axial_a: end_ea,
-            moment_a: end_ei * self.b1 * q1_cubed,
+            moment_a: end_ei * self.end.b * q1_cubed,
             moment_b: -(end_ei * q1),
             alpha_a: S::constant(0.0),
             c1_a: q1_cubed * 0.5,
@@ -114,26 +161,17 @@ impl<S: Real> Ends<S> {
 
     #[inline(always)]
     fn engineering(&self, law: &SectionLaw<S>) -> (Stress<S>, Slopes<S>) {
-        let (r0, r1) = (self.a0.sqrt(), self.a1.sqrt());
-        let (q0, q1, q) = (self.a0.recip(), self.a1.recip(), (r0 + r1).recip());
-        let [w0, w1] = self.weights;
-        let (end_ea, end_ei) = (law.axial * w1, law.bending * w1);
-        let one = S::constant(1.0);
-        let eps = |green: S, r: S| (green + green) / (r + one);
-        let kappa = (self.kappa_ref - self.b0 * q0) * w0 + (self.kappa_ref - self.b1 * q1) * w1;
+        let (q0, q1) = (self.start.inverse, self.end.inverse);
+        let q = (self.start.stretch + self.end.stretch).recip();
+        let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
+        let (axial, moment) = self.resultants(law);
         let c2_b = q0 * q1;
-        let c2 = (self.b0 + self.b1) * c2_b;
-        let inv_r1 = r1 * q1;
-        let stress = Stress {
-            axial: law.axial * (eps(self.eps0, r0) * w0 + eps(self.eps1, r1) * w1),
-            moment: law.bending * kappa,
-            alpha: q + q,
-            c1: (q0 + q1) * -0.5,
-            c2,
-        };
+        let c2 = (self.start.b + self.end.b) * c2_b;
+        let inv_r1 = self.end.stretch * q1;
+        let stress = Stress { axial, moment, alpha: q + q, c1: (q0 + q1) * -0.5, c2 };
         let slopes = Slopes {
             axial_a: end_ea * inv_r1,
-            moment_a: end_ei * self.b1 * q1 * q1 * 2.0,
+            moment_a: end_ei * self.end.b * q1 * q1 * 2.0,
             moment_b: -(end_ei * q1),
             alpha_a: q * q * inv_r1 * -2.0,
             c1_a: q1 * q1,

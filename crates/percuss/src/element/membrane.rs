@@ -16,15 +16,15 @@ pub const SAMPLES: usize = 3;
 
 /// Membrane strains at the sampling points and the stiffness between them.
 #[derive(Clone, Copy, Debug)]
-pub struct MembraneTable {
+pub struct MembraneTable<S = f64> {
     /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b').
-    pub rows: [[f64; 3]; SAMPLES],
+    pub rows: [[S; 3]; SAMPLES],
     /// Reference tangents there.
-    pub tangent: [[f64; 2]; SAMPLES],
+    pub tangent: [[S; 2]; SAMPLES],
     /// `int EA L_i L_k ds` with the quadratics L through the sampling points \[N m\].
-    pub stiffness: [[f64; SAMPLES]; SAMPLES],
+    pub stiffness: [[S; SAMPLES]; SAMPLES],
     /// Values of the L at the Gauss points, shape (n_gauss, n_sample).
-    pub at_gauss: [[f64; SAMPLES]; GAUSS],
+    pub at_gauss: [[S; SAMPLES]; GAUSS],
 }
 
 /// What a scheme makes of the membrane strain at a sampling point: `deps = alpha g.dg` at the configuration g.
@@ -72,21 +72,25 @@ impl MembraneTable {
     pub fn interpolate(&self, strain: [f64; SAMPLES]) -> [f64; GAUSS] {
         self.at_gauss.map(|l| l[0] * strain[0] + l[1] * strain[1] + l[2] * strain[2])
     }
+}
 
+impl<S: Real> MembraneTable<S> {
     /// Strain energy of membrane strains at the sampling points \[J\].
-    pub fn energy(&self, strain: [f64; SAMPLES]) -> f64 {
-        0.5 * dot3(strain, self.stiffness.map(|row| dot3(row, strain)))
+    #[inline(always)]
+    pub fn energy(&self, strain: [S; SAMPLES]) -> S {
+        dot3(strain, self.stiffness.map(|row| dot3(row, strain))) * 0.5
     }
 
     /// Membrane strains of a configuration at the sampling points.
-    pub fn strains(&self, measure: StrainMeasure, u: &ElementValues<f64>) -> [f64; SAMPLES] {
+    #[inline(always)]
+    pub fn strains(&self, measure: StrainMeasure, u: &ElementValues<S>) -> [S; SAMPLES] {
         std::array::from_fn(|i| green_or_engineering(measure, self.tangent[i], u.at(&self.rows[i])))
     }
 
     /// Adds forces, and their tangent if `TANGENT`; `theta` is the weight of the end of the step in the configurations of
     /// evaluation.
     #[inline(always)]
-    pub fn add<S: Real, const TANGENT: bool>(
+    pub fn add<const TANGENT: bool>(
         &self,
         points: &[MembranePoint<S>; SAMPLES],
         theta: f64,
@@ -125,26 +129,30 @@ impl MembraneTable {
                         block[c][c] += turned;
                     }
                 }
-                add_block(&self.rows[i], &self.rows[k], &block, sums);
+                add_block(i, k, &self.rows, &block, sums);
             }
         }
     }
 }
 
-/// Adds `left^T block right` to the tangent of an element.
+/// The values that a sampling point knows: a node its own slope only.
+#[inline(always)]
+fn known(sample: usize) -> std::ops::Range<usize> {
+    [1..2, 0..3, 2..3][sample].clone()
+}
+
+/// Adds `row_i^T block row_k` to the tangent of an element.
 #[inline(always)]
 fn add_block<S: Real>(
-    left: &[f64; 3],
-    right: &[f64; 3],
+    i: usize,
+    k: usize,
+    rows: &[[S; 3]; SAMPLES],
     block: &[[S; 2]; 2],
     sums: &mut ElementSums<S>,
 ) {
-    for l in 0..3 {
-        for r in 0..3 {
-            let factor = left[l] * right[r];
-            if factor == 0.0 {
-                continue;
-            }
+    for l in known(i) {
+        for r in known(k) {
+            let factor = rows[i][l] * rows[k][r];
             for c in 0..2 {
                 for d in 0..2 {
                     sums.tangent[2 * l + c][2 * r + d] += block[c][d] * factor;
@@ -165,16 +173,16 @@ pub struct MembraneStep<S> {
     pub d_slope: [S; 2],
 }
 
-impl MembraneTable {
+impl<S: Real> MembraneTable<S> {
     /// The ends of a step at the sampling points.
     #[inline(always)]
-    pub fn step<S: Real>(
+    pub fn step(
         &self,
         old: &ElementValues<S>,
         increment: &ElementValues<S>,
     ) -> [MembraneStep<S>; SAMPLES] {
         std::array::from_fn(|i| MembraneStep {
-            tangent: self.tangent[i].map(S::constant),
+            tangent: self.tangent[i],
             slope_0: old.at(&self.rows[i]),
             d_slope: increment.at(&self.rows[i]),
         })
@@ -272,6 +280,7 @@ fn alpha<S: Real>(measure: StrainMeasure, g: [S; 2]) -> (S, S) {
     }
 }
 
-fn dot3(a: [f64; 3], b: [f64; 3]) -> f64 {
+#[inline(always)]
+fn dot3<S: Real>(a: [S; 3], b: [S; 3]) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

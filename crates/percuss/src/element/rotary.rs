@@ -6,13 +6,13 @@ use crate::scalar::Real;
 
 /// Angular rate at the midpoint of a step from g0 to g0 + dg: `w_m = (g_m x Dg) / (a_m h)`.
 #[inline(always)]
-pub fn mean_spin<S: Real>(g0: [S; 2], d_g: [S; 2], h: f64) -> S {
+pub fn mean_spin<S: Real>(g0: [S; 2], d_g: [S; 2], h: S) -> S {
     let g = [g0[0] + d_g[0] * 0.5, g0[1] + d_g[1] * 0.5];
     cross(g, d_g) / (dot(g, g) * h)
 }
 
 /// Adds rotary inertia over a step: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`, and mass-proportional damping
-/// `rhoI damping w_m`.
+/// `rhoI damping w_m`; returns `w_m`.
 #[inline(always)]
 pub fn add_step<S: Real, const TANGENT: bool>(
     response: &mut PointResponse<S>,
@@ -20,23 +20,24 @@ pub fn add_step<S: Real, const TANGENT: bool>(
     g0: [S; 2],
     d_g: [S; 2],
     spin_0: S,
-    h: f64,
+    h: S,
     damping: f64,
-) {
+) -> S {
+    let rate = h.recip();
     let g = [g0[0] + d_g[0] * 0.5, g0[1] + d_g[1] * 0.5];
     let inv_a = dot(g, g).recip();
-    let spin = cross(g, d_g) * inv_a * (1.0 / h);
-    let moment = rotary * ((spin - spin_0) * (2.0 / h) + spin * damping);
+    let spin = cross(g, d_g) * inv_a * rate;
+    let moment = rotary * ((spin - spin_0) * (rate + rate) + spin * damping);
     let normal = [-g[1] * inv_a, g[0] * inv_a];
     response.force_g = add(response.force_g, [moment * normal[0], moment * normal[1]]);
     if TANGENT {
         // d(g_m x Dg) = g0 x dg, d(a_m) = g_m . dg
         let g0_turned = rot90(g0);
         let d_spin = [
-            (g0_turned[0] * (1.0 / h) - spin * g[0]) * inv_a,
-            (g0_turned[1] * (1.0 / h) - spin * g[1]) * inv_a,
+            (g0_turned[0] * rate - spin * g[0]) * inv_a,
+            (g0_turned[1] * rate - spin * g[1]) * inv_a,
         ];
-        let inertia = rotary * (2.0 / h + damping);
+        let inertia = rotary * (rate + rate + S::constant(damping));
         add_moment_tangent(
             response,
             [inertia * d_spin[0], inertia * d_spin[1]],
@@ -46,6 +47,7 @@ pub fn add_step<S: Real, const TANGENT: bool>(
             0.5,
         );
     }
+    spin
 }
 
 /// Adds rotary inertia at one configuration: `rhoI theta_ddot (g x dg)/a` with

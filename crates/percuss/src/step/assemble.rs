@@ -1,7 +1,7 @@
 //! Sums residual and tangent of the beams over their elements.
 
 use super::integration::{Integration, MidpointForces, Rule};
-use crate::element::beam::{ElementSums, ElementTable, ElementValues, GaussRow, step_point};
+use crate::element::beam::{ElementSums, ElementValues, GaussRow, step_point};
 use crate::element::membrane::{MembranePoint, MembraneStep};
 use crate::element::point::{PointResponse, StepPoint, Strains};
 use crate::element::{collocation, energy_momentum, rotary, strain_rate};
@@ -172,16 +172,16 @@ impl Ends<'_> {
                     let points = std::array::from_fn(|i| {
                         membrane(&steps[i], span.measure, place(&table.rows[i], i))
                     });
-                    samples.add::<f64, TANGENT>(&points, theta, &mut sums);
+                    samples.add::<TANGENT>(&points, theta, &mut sums);
                 }
                 let [mut on_a, mut on_b] = sums.nodal_force();
-                add_inertia(table, &start, &end, &mut on_a, &mut on_b);
+                table.add_inertia(&start, &end, &mut on_a, &mut on_b);
                 for i in 0..4 {
                     residual[a][i] += on_a[i];
                 }
                 residual[a + 1] = on_b;
                 if TANGENT {
-                    spread(&sums.tangent, &table.mass, slope, a, chain);
+                    spread(&sums, &table.mass, slope, a, chain);
                 }
                 start = end;
             }
@@ -242,61 +242,16 @@ impl Ends<'_> {
     }
 }
 
-/// Adds the mass matrix times nodal accelerations.
+/// Spreads an element's tangent, and its mass times `slope`, over the band.
 #[inline(always)]
-fn add_inertia(
-    table: &ElementTable,
-    acc_a: &[f64; 4],
-    acc_b: &[f64; 4],
-    on_a: &mut [f64; 4],
-    on_b: &mut [f64; 4],
+pub fn spread(
+    sums: &ElementSums<f64>,
+    mass: &[[f64; 4]; 4],
+    slope: f64,
+    a: usize,
+    chain: &mut Chain,
 ) {
-    let m = &table.mass;
-    for i in 0..2 {
-        let acc = [acc_a[i], acc_a[2 + i], acc_b[i], acc_b[2 + i]];
-        let row =
-            |k: usize| m[k][0] * acc[0] + m[k][1] * acc[1] + m[k][2] * acc[2] + m[k][3] * acc[3];
-        on_a[i] += row(0);
-        on_a[2 + i] += row(1);
-        on_b[i] += row(2);
-        on_b[2 + i] += row(3);
-    }
-}
-
-/// Spreads an element's tangent on (chord, slope_a, slope_b), and its mass times `slope`, over the band.
-#[inline(always)]
-pub fn spread(k: &[[f64; 6]; 6], mass: &[[f64; 4]; 4], slope: f64, a: usize, chain: &mut Chain) {
-    let (mut aa, mut ab, mut ba, mut bb) = (ZERO, ZERO, ZERO, ZERO);
-    for i in 0..2 {
-        for j in 0..2 {
-            let chord = k[i][j];
-            aa[i][j] = chord;
-            ab[i][j] = -chord;
-            ba[i][j] = -chord;
-            bb[i][j] = chord;
-            aa[i][2 + j] = -k[i][2 + j];
-            aa[2 + i][j] = -k[2 + i][j];
-            aa[2 + i][2 + j] = k[2 + i][2 + j];
-            ab[i][2 + j] = -k[i][4 + j];
-            ab[2 + i][j] = k[2 + i][j];
-            ab[2 + i][2 + j] = k[2 + i][4 + j];
-            ba[i][2 + j] = k[i][2 + j];
-            ba[2 + i][j] = -k[4 + i][j];
-            ba[2 + i][2 + j] = k[4 + i][2 + j];
-            bb[i][2 + j] = k[i][4 + j];
-            bb[2 + i][j] = k[4 + i][j];
-            bb[2 + i][2 + j] = k[4 + i][4 + j];
-        }
-    }
-    for i in 0..2 {
-        for (r, c, m) in [(0, 0, 0), (0, 2, 1), (2, 0, 4), (2, 2, 5)] {
-            let (mr, mc) = (m / 4, m % 4);
-            aa[r + i][c + i] += slope * mass[mr][mc];
-            ab[r + i][c + i] += slope * mass[mr][mc + 2];
-            ba[r + i][c + i] += slope * mass[mr + 2][mc];
-            bb[r + i][c + i] += slope * mass[mr + 2][mc + 2];
-        }
-    }
+    let [aa, ab, ba, bb] = sums.nodal_tangent(mass, slope);
     add_block(&mut chain.diag[a], &aa);
     chain.upper[a] = ab;
     chain.lower[a] = ba;

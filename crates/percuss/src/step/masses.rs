@@ -57,15 +57,17 @@ fn rotary_response<const TANGENT: bool>(
     let g0 = add(p.tangent, p.gradient(&state.displacement));
     let d = p.gradient(increment);
     match rule.rule {
-        Rule::Midpoint(_) => rotary::add_step::<f64, TANGENT>(
-            &mut response,
-            mass.rotary_inertia,
-            g0,
-            d,
-            state.mass_spin[i],
-            rule.h,
-            0.0,
-        ),
+        Rule::Midpoint(_) => {
+            rotary::add_step::<f64, TANGENT>(
+                &mut response,
+                mass.rotary_inertia,
+                g0,
+                d,
+                state.mass_spin[i],
+                rule.h,
+                0.0,
+            );
+        }
         Rule::Alpha(w) => {
             let theta = rule.theta();
             let (v0, a0) = (p.gradient(&state.velocity), p.gradient(&state.acceleration));

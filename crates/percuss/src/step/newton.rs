@@ -82,14 +82,14 @@ impl From<Stalled> for Failure {
 }
 
 /// Most corrections before a step counts as failed.
-const MOST_ITERATIONS: usize = 24;
+pub(crate) const MOST_ITERATIONS: usize = 24;
 /// Corrections below this share of the largest are nothing: ahead of a wave the solution falls off exponentially, into numbers
 /// so small that processors take a hundred times as long for them.
 const QUIET: f64 = 1e-120;
 /// Unbalanced impulse of an accepted step, relative to the momentum in play.
-const IMPULSE_TOLERANCE: f64 = 1e-15;
+pub(crate) const IMPULSE_TOLERANCE: f64 = 1e-15;
 /// Unbalanced impulse that may pass for round-off, relative to the momentum in play.
-const MOST_IMPULSE: f64 = 1e-10;
+pub(crate) const MOST_IMPULSE: f64 = 1e-10;
 
 impl StepProblem<'_> {
     /// Finds the increment; it and its residual stand in `work` afterwards.

@@ -1,0 +1,127 @@
+//! The band of an ensemble: block-tridiagonal, 4 x 4, pivots in the order of the diagonal.
+//!
+//! Lanes cannot search for pivots each on its own. In a step of a transient the blocks are dominated by masses, so there is no need;
+//! where a pivot fails all the same, the run's residual tells and it is left to the solver that searches.
+
+use crate::scalar::Number;
+
+type Block<S> = [[S; 4]; 4];
+
+/// A block-tridiagonal matrix, or its factors.
+#[derive(Clone, Debug)]
+pub struct Band<S> {
+    /// Diagonal blocks; after factorisation the inverses of the pivots.
+    pub diag: Vec<Block<S>>,
+    /// Block in row i, column i + 1; after factorisation `pivot^-1 upper`.
+    pub upper: Vec<Block<S>>,
+    /// Block in row i + 1, column i.
+    pub lower: Vec<Block<S>>,
+}
+
+impl<S: Number> Band<S> {
+    /// A zero matrix of `n` block rows.
+    pub fn zeros(n: usize) -> Self {
+        let zero = vec![[[S::constant(0.0); 4]; 4]; n];
+        Self { diag: zero.clone(), upper: zero.clone(), lower: zero }
+    }
+
+    /// Factors in place.
+    #[inline(always)]
+    pub fn factor(&mut self) {
+        let n = self.diag.len();
+        for i in 0..n {
+            let inverse = inverse(&self.diag[i]);
+            self.diag[i] = inverse;
+            if i + 1 < n {
+                let gain = product(&inverse, &self.upper[i]);
+                subtract_product(&mut self.diag[i + 1], &self.lower[i], &gain);
+                self.upper[i] = gain;
+            }
+        }
+    }
+
+    /// Solves in place with the factors.
+    #[inline(always)]
+    pub fn solve(&self, x: &mut [[S; 4]]) {
+        let n = x.len();
+        for i in 0..n {
+            if i > 0 {
+                let carry = apply(&self.lower[i - 1], &x[i - 1]);
+                (0..4).for_each(|k| x[i][k] = x[i][k] - carry[k]);
+            }
+            x[i] = apply(&self.diag[i], &x[i]);
+        }
+        for i in (0..n.saturating_sub(1)).rev() {
+            let carry = apply(&self.upper[i], &x[i + 1]);
+            (0..4).for_each(|k| x[i][k] = x[i][k] - carry[k]);
+        }
+    }
+
+    /// Takes over a lane of another matrix.
+    pub fn set_lane(&mut self, lane: usize, from: &Self) {
+        for (mine, other) in [
+            (&mut self.diag, &from.diag),
+            (&mut self.upper, &from.upper),
+            (&mut self.lower, &from.lower),
+        ] {
+            for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
+                for (mine, other) in mine.iter_mut().zip(other) {
+                    mine.set_lane(lane, *other, lane);
+                }
+            }
+        }
+    }
+}
+
+/// Inverse by Gauss-Jordan elimination, pivots on the diagonal.
+#[inline(always)]
+fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
+    let mut m = *a;
+    for k in 0..4 {
+        let pivot = m[k][k].recip();
+        m[k][k] = S::constant(1.0);
+        for j in 0..4 {
+            m[k][j] = m[k][j] * pivot;
+        }
+        for i in 0..4 {
+            if i != k {
+                let factor = m[i][k];
+                m[i][k] = S::constant(0.0);
+                for j in 0..4 {
+                    m[i][j] = m[i][j] - factor * m[k][j];
+                }
+            }
+        }
+    }
+    m
+}
+
+#[inline(always)]
+fn product<S: Number>(a: &Block<S>, b: &Block<S>) -> Block<S> {
+    let mut c = [[S::constant(0.0); 4]; 4];
+    for i in 0..4 {
+        for j in 0..4 {
+            c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j];
+        }
+    }
+    c
+}
+
+#[inline(always)]
+fn subtract_product<S: Number>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
+    for i in 0..4 {
+        for j in 0..4 {
+            c[i][j] = c[i][j]
+                - (a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j]);
+        }
+    }
+}
+
+#[inline(always)]
+fn apply<S: Number>(a: &Block<S>, x: &[S; 4]) -> [S; 4] {
+    let mut y = *x;
+    for i in 0..4 {
+        y[i] = a[i][0] * x[0] + a[i][1] * x[1] + a[i][2] * x[2] + a[i][3] * x[3];
+    }
+    y
+}

@@ -1,0 +1,244 @@
+//! Energies and momenta of the runs of an ensemble, and what entered and left them.
+
+use super::engine::{Engine, interpolate};
+use crate::element::beam::ElementValues;
+use crate::math::hermite::GAUSS;
+use crate::math::vec2::{add, cross};
+use crate::scalar::Number;
+
+/// Energies and momenta of a state.
+#[derive(Clone, Copy, Debug)]
+pub struct Measures<S> {
+    /// Energy \[J\].
+    pub energy: S,
+    /// Linear momentum, and the sum of its magnitudes \[kg m/s\].
+    pub linear: [S; 2],
+    pub linear_size: S,
+    /// Angular momentum about the origin, and the sum of its magnitudes \[kg m^2/s\].
+    pub angular: S,
+    pub angular_size: S,
+}
+
+/// What entered and left since the start, and the largest residuals.
+#[derive(Clone, Copy, Debug)]
+pub struct Books<S> {
+    pub start: Measures<S>,
+    pub now: Measures<S>,
+    pub energy_scale: S,
+    pub linear_scale: S,
+    pub angular_scale: S,
+    pub impulse: [S; 2],
+    pub angular_impulse: S,
+    pub loss_impacts: S,
+    pub energy_residual: S,
+    pub linear_residual: S,
+    pub angular_residual: S,
+}
+
+impl<S: Number> Books<S> {
+    /// Opens the books of a state.
+    #[inline(always)]
+    pub fn open(engine: &Engine<S>) -> Self {
+        let zero = S::constant(0.0);
+        let start = engine.measure();
+        let [energy, linear, angular] = engine.numbers.round_off;
+        let mut books = Self {
+            start,
+            now: start,
+            energy_scale: energy,
+            linear_scale: linear,
+            angular_scale: angular,
+            impulse: [zero; 2],
+            angular_impulse: zero,
+            loss_impacts: zero,
+            energy_residual: zero,
+            linear_residual: zero,
+            angular_residual: zero,
+        };
+        books.rescale();
+        books
+    }
+
+    /// Takes over a lane of other books.
+    pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
+        for (mine, other) in self.each().into_iter().zip({ *from }.each()) {
+            mine.set_lane(lane, *other, from_lane);
+        }
+    }
+
+    fn each(&mut self) -> Vec<&mut S> {
+        let mut all = Vec::new();
+        for m in [&mut self.start, &mut self.now] {
+            let [l1, l2] = &mut m.linear;
+            let (energy, size) = (&mut m.energy, &mut m.linear_size);
+            all.extend([energy, l1, l2, size, &mut m.angular, &mut m.angular_size]);
+        }
+        let [i1, i2] = &mut self.impulse;
+        all.extend([&mut self.energy_scale, &mut self.linear_scale, &mut self.angular_scale]);
+        all.extend([i1, i2, &mut self.angular_impulse, &mut self.loss_impacts]);
+        all.extend([&mut self.energy_residual, &mut self.linear_residual]);
+        all.push(&mut self.angular_residual);
+        all
+    }
+
+    #[inline(always)]
+    fn rescale(&mut self) {
+        let m = &self.now;
+        self.energy_scale = self.energy_scale.max(m.energy.abs()).max(self.loss_impacts.abs());
+        let impulse = hypot(self.impulse);
+        self.linear_scale = self.linear_scale.max(m.linear_size).max(impulse);
+        self.angular_scale = self.angular_scale.max(m.angular_size).max(self.angular_impulse.abs());
+    }
+
+    /// Books a solved step: reactions, guides, losses.
+    #[inline(always)]
+    pub fn book(&mut self, engine: &Engine<S>) {
+        let h = engine.h;
+        for hold in &engine.numbers.holds {
+            let (n, r) = (hold.node, &engine.residual[hold.node]);
+            let mut free = *r;
+            hold.project(&mut free);
+            let reaction = [0, 1, 2, 3].map(|k| r[k] - free[k]);
+            let (x, g) = engine.middle(n);
+            let moment = cross(g, [reaction[2], reaction[3]]);
+            self.impulse = [0, 1].map(|i| self.impulse[i] + h * reaction[i]);
+            self.angular_impulse += h * (cross(x, [reaction[0], reaction[1]]) + moment);
+        }
+        for (guide, state) in engine.numbers.guides.iter().zip(&engine.guides) {
+            // The guide carries the couple of a force off the line of flight.
+            let push = state.force + state.impulse / h;
+            let way = state.way + state.increment * 0.5;
+            let own = [0, 1].map(|i| guide.position[i] + guide.direction[i] * way);
+            let (u, d) = (guide.value(&engine.displacement), guide.value(&engine.increment));
+            let arm = [0, 1].map(|i| guide.struck[i] + u[i] + d[i] * 0.5 - own[i]);
+            self.angular_impulse += h * push * cross(arm, guide.direction);
+            self.loss_impacts += -(state.impulse * state.gap_change / h);
+        }
+    }
+
+    /// Takes in the new state.
+    #[inline(always)]
+    pub fn close(&mut self, engine: &Engine<S>) {
+        self.now = engine.measure();
+        self.rescale();
+        let (start, now) = (&self.start, &self.now);
+        let energy = now.energy - start.energy + self.loss_impacts;
+        let linear = [0, 1].map(|i| now.linear[i] - start.linear[i] - self.impulse[i]);
+        let angular = now.angular - start.angular - self.angular_impulse;
+        self.energy_residual = self.energy_residual.max(energy.abs());
+        self.linear_residual = self.linear_residual.max(hypot(linear));
+        self.angular_residual = self.angular_residual.max(angular.abs());
+    }
+}
+
+/// Length of a vector; of zero, without derivatives.
+#[inline(always)]
+fn hypot<S: Number>(x: [S; 2]) -> S {
+    (x[0] * x[0] + x[1] * x[1]).sqrt()
+}
+
+impl<S: Number> Engine<S> {
+    /// Position and tangent of a node in the middle of the step.
+    #[inline(always)]
+    fn middle(&self, n: usize) -> ([S; 2], [S; 2]) {
+        let (frame, u, d) = (&self.numbers.nodes[n], &self.displacement[n], &self.increment[n]);
+        let at = |i: usize| frame[i] + u[i] + d[i] * 0.5;
+        ([at(0), at(1)], [at(2), at(3)])
+    }
+
+    /// Energies and momenta of the state.
+    #[inline(always)]
+    pub fn measure(&self) -> Measures<S> {
+        let zero = S::constant(0.0);
+        let mut m = Measures {
+            energy: zero,
+            linear: [zero; 2],
+            linear_size: zero,
+            angular: zero,
+            angular_size: zero,
+        };
+        let mut element = 0;
+        for span in &self.numbers.spans {
+            let (mut twice, mut linear, mut angular) = (zero, [zero; 2], zero);
+            for k in 0..span.count {
+                let (a, table) = (span.first + k, span.table(k));
+                let (va, vb) = (&self.velocity[a], &self.velocity[a + 1]);
+                let (mut pa, mut pb) = ([zero; 4], [zero; 4]);
+                table.add_inertia(va, vb, &mut pa, &mut pb);
+                for (node, p, v) in [(a, &pa, va), (a + 1, &pb, vb)] {
+                    let (frame, u) = (&self.numbers.nodes[node], &self.displacement[node]);
+                    twice += p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
+                    linear = add(linear, [p[0], p[1]]);
+                    let at = |i: usize| frame[i] + u[i];
+                    angular +=
+                        cross([at(0), at(1)], [p[0], p[1]]) + cross([at(2), at(3)], [p[2], p[3]]);
+                }
+                for j in 0..GAUSS {
+                    let (row, at) = (&table.rows[j], &self.start[element][j]);
+                    let spin = self.spin[element][j];
+                    let turning = row.law.rotary * spin;
+                    twice += row.weight
+                        * (turning * spin
+                            + row.law.axial * at.membrane * at.membrane
+                            + row.law.bending * at.bending * at.bending);
+                    angular += row.weight * turning;
+                }
+                if let Some(samples) = &table.membrane {
+                    let u = &self.displacement;
+                    let values = ElementValues::new(&u[a], &u[a + 1]);
+                    twice += samples.energy(samples.strains(span.measure, &values)) * 2.0;
+                }
+                element += 1;
+            }
+            m.energy += twice * 0.5;
+            m.add_momentum(linear, angular);
+        }
+        for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
+            let momentum = guide.mass * state.velocity;
+            let linear = guide.direction.map(|e| e * momentum);
+            m.energy += momentum * state.velocity * 0.5 + guide.energy(-state.gap);
+            // Along its line of flight the way changes nothing.
+            m.add_momentum(linear, cross(guide.position, linear));
+        }
+        m
+    }
+
+    /// Displacement and velocity of a recorded point.
+    #[inline(always)]
+    pub fn point(&self, k: usize) -> [[S; 2]; 2] {
+        let p = &self.numbers.points[k];
+        [&self.displacement, &self.velocity].map(|x| interpolate(&p.shape, p.node, x))
+    }
+
+    /// Accepts the step at hand.
+    #[inline(always)]
+    pub fn commit(&mut self) {
+        let rate = self.h.recip();
+        let twice = rate + rate;
+        for ((u, v), d) in self.displacement.iter_mut().zip(&mut self.velocity).zip(&self.increment)
+        {
+            for i in 0..4 {
+                u[i] += d[i];
+                v[i] = d[i] * twice - v[i];
+            }
+        }
+        std::mem::swap(&mut self.start, &mut self.end);
+        std::mem::swap(&mut self.spin, &mut self.end_spin);
+        for (guide, state) in self.numbers.guides.iter().zip(&mut self.guides) {
+            state.way += state.increment;
+            state.velocity = state.increment * twice - state.velocity;
+            state.gap += state.gap_change;
+            state.rate = guide.along(&self.velocity) - state.velocity;
+        }
+    }
+}
+
+impl<S: Number> Measures<S> {
+    #[inline(always)]
+    fn add_momentum(&mut self, linear: [S; 2], angular: S) {
+        self.linear = add(self.linear, linear);
+        self.linear_size += hypot(linear);
+        self.angular += angular;
+        self.angular_size += angular.abs();
+    }
+}

@@ -1,0 +1,437 @@
+//! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
+
+use super::band::Band;
+use super::numbers::{GuideNumbers, HoldNumbers, Numbers};
+use crate::element::beam::{ElementSums, ElementValues};
+use crate::element::energy_momentum::{End, between};
+use crate::element::rotary;
+use crate::math::hermite::GAUSS;
+use crate::scalar::Number;
+
+/// Runs side by side (or one, with its derivatives), in a step of their own each.
+#[derive(Clone, Debug)]
+pub struct Engine<S> {
+    pub numbers: Numbers<S>,
+    /// Size of the step at hand \[s\].
+    pub h: S,
+    /// Displacements and velocities of the beams' nodes.
+    pub displacement: Vec<[S; 4]>,
+    pub velocity: Vec<[S; 4]>,
+    /// Gauss points at the start of the step, and angular rates of their tangents.
+    pub start: Vec<[End<S>; GAUSS]>,
+    pub spin: Vec<[S; GAUSS]>,
+    /// The same at the end of the step, as evaluated last.
+    pub end: Vec<[End<S>; GAUSS]>,
+    pub end_spin: Vec<[S; GAUSS]>,
+    /// Guided projectiles.
+    pub guides: Vec<GuideState<S>>,
+    /// Increment over the step, residual and correction.
+    pub increment: Vec<[S; 4]>,
+    pub residual: Vec<[S; 4]>,
+    pub correction: Vec<[S; 4]>,
+    pub band: Band<S>,
+}
+
+/// A guided projectile on its way, and in the step at hand.
+#[derive(Clone, Copy, Debug)]
+pub struct GuideState<S> {
+    /// Way along the line of flight \[m\], velocity \[m/s\].
+    pub way: S,
+    pub velocity: S,
+    /// Gap \[m\] and its rate \[m/s\].
+    pub gap: S,
+    pub rate: S,
+    /// Increment of the way, residual and correction.
+    pub increment: S,
+    pub residual: S,
+    pub correction: S,
+    /// Change of the gap over the step \[m\].
+    pub gap_change: S,
+    /// Force \[N\], its slope by the penetration at the end of the step \[N/m\].
+    pub force: S,
+    pub slope: S,
+    /// Slope the factors were made with, and the share of it that the beam feels.
+    pub factored_slope: S,
+    pub factored_inertia: S,
+    /// Impulse of a rigid contact that strikes in this step \[N s\].
+    pub impulse: S,
+}
+
+impl<S: Number> Engine<S> {
+    /// All at rest in the reference configuration, projectiles on their way.
+    pub fn new(numbers: Numbers<S>) -> Self {
+        let zero = S::constant(0.0);
+        let nodes = numbers.nodes.len();
+        let still = vec![[zero; 4]; nodes];
+        let at_rest = |engine: &Numbers<S>| {
+            let mut ends = Vec::new();
+            for span in &engine.spans {
+                ends.extend((0..span.count).map(|k| {
+                    span.table(k).rows.map(|row| {
+                        End::new(span.measure, row.tangent, row.curvature, [zero; 2], row.bend)
+                    })
+                }));
+            }
+            ends
+        };
+        let start = at_rest(&numbers);
+        let guides = numbers.guides.iter().map(GuideState::at_start).collect();
+        Self {
+            h: numbers.step,
+            displacement: still.clone(),
+            velocity: still.clone(),
+            spin: vec![[zero; GAUSS]; start.len()],
+            end_spin: vec![[zero; GAUSS]; start.len()],
+            end: start.clone(),
+            start,
+            guides,
+            increment: still.clone(),
+            residual: still.clone(),
+            correction: still,
+            band: Band::zeros(nodes),
+            numbers,
+        }
+    }
+
+    /// Puts a run of another engine into a lane.
+    pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
+        let nodal = |mine: &mut Vec<[S; 4]>, other: &Vec<[S; 4]>| {
+            for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
+                mine.set_lane(lane, *other, from_lane);
+            }
+        };
+        nodal(&mut self.displacement, &from.displacement);
+        nodal(&mut self.velocity, &from.velocity);
+        nodal(&mut self.increment, &from.increment);
+        for (mine, other) in self.spin.as_flattened_mut().iter_mut().zip(from.spin.as_flattened()) {
+            mine.set_lane(lane, *other, from_lane);
+        }
+        for (mine, other) in self.start.as_flattened_mut().iter_mut().zip(from.start.as_flattened())
+        {
+            set_end(mine, lane, other, from_lane);
+        }
+        for (mine, other) in self.guides.iter_mut().zip(&from.guides) {
+            mine.set_lane(lane, other, from_lane);
+        }
+        self.h.set_lane(lane, from.h, from_lane);
+        let others = from.numbers.flat();
+        let mut numbers = self.numbers.flat();
+        for (mine, other) in numbers.iter_mut().zip(others) {
+            mine.set_lane(lane, other, from_lane);
+        }
+        self.numbers = self.numbers.with(&numbers);
+    }
+
+    /// Residual at the increment as it stands, and the assembled tangent if `TANGENT`; held components are still in both.
+    #[inline(always)]
+    pub fn evaluate<const TANGENT: bool>(&mut self) {
+        self.beams::<TANGENT>();
+        self.contacts::<TANGENT>();
+    }
+
+    #[inline(always)]
+    fn beams<const TANGENT: bool>(&mut self) {
+        let zero = S::constant(0.0);
+        let rate = self.h.recip();
+        let twice = rate + rate;
+        let inertia_slope = twice * rate;
+        let mut element = 0;
+        for span in &self.numbers.spans {
+            let inertia = |n: usize| -> [S; 4] {
+                let (d, v) = (&self.increment[n], &self.velocity[n]);
+                [0, 1, 2, 3].map(|i| (d[i] * rate - v[i]) * twice)
+            };
+            self.residual[span.first] = [zero; 4];
+            if TANGENT {
+                self.band.diag[span.first] = [[zero; 4]; 4];
+            }
+            let mut start = inertia(span.first);
+            for k in 0..span.count {
+                let (a, table) = (span.first + k, span.table(k));
+                let end = inertia(a + 1);
+                let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
+                let mut sums = ElementSums::zero();
+                for j in 0..GAUSS {
+                    let (row, old) = (&table.rows[j], &self.start[element][j]);
+                    let (d_slope, d_bend) = (step.at(&row.first), step.at(&row.second));
+                    let new = End::new(
+                        span.measure,
+                        row.tangent,
+                        row.curvature,
+                        [old.slope[0] + d_slope[0], old.slope[1] + d_slope[1]],
+                        [old.bend[0] + d_bend[0], old.bend[1] + d_bend[1]],
+                    );
+                    let mut point =
+                        between::<S, TANGENT>(&row.law, old, &new, d_slope, d_bend, 0.0);
+                    let spin = self.spin[element][j];
+                    let mean = rotary::add_step::<S, TANGENT>(
+                        &mut point,
+                        row.law.rotary,
+                        old.g,
+                        d_slope,
+                        spin,
+                        self.h,
+                        0.0,
+                    );
+                    self.end_spin[element][j] = mean + mean - spin;
+                    self.end[element][j] = new;
+                    sums.add::<TANGENT>(row, &point);
+                }
+                if let Some(samples) = &table.membrane {
+                    let u = &self.displacement;
+                    let steps = samples.step(&ElementValues::new(&u[a], &u[a + 1]), &step);
+                    let points = [0, 1, 2].map(|i| steps[i].invariant(span.measure, 0.0));
+                    samples.add::<TANGENT>(&points, 0.5, &mut sums);
+                }
+                let [mut on_a, mut on_b] = sums.nodal_force();
+                table.add_inertia(&start, &end, &mut on_a, &mut on_b);
+                for i in 0..4 {
+                    self.residual[a][i] += on_a[i];
+                }
+                self.residual[a + 1] = on_b;
+                if TANGENT {
+                    let [aa, ab, ba, bb] = sums.nodal_tangent(&table.mass, inertia_slope);
+                    for i in 0..4 {
+                        for j in 0..4 {
+                            self.band.diag[a][i][j] += aa[i][j];
+                        }
+                    }
+                    self.band.upper[a] = ab;
+                    self.band.lower[a] = ba;
+                    self.band.diag[a + 1] = bb;
+                }
+                start = end;
+                element += 1;
+            }
+        }
+    }
+
+    /// Forces of the guided projectiles, and their own balance.
+    #[inline(always)]
+    fn contacts<const TANGENT: bool>(&mut self) {
+        let rate = self.h.recip();
+        let twice = rate + rate;
+        for (guide, state) in self.numbers.guides.iter().zip(&mut self.guides) {
+            let a = guide.node;
+            let moved = guide.along(&self.increment);
+            state.gap_change = moved - state.increment;
+            let gap_1 = state.gap + state.gap_change;
+            guide.force(state, -gap_1);
+            let push = state.force + state.impulse * rate;
+            state.residual = guide.mass * (state.increment * rate - state.velocity) * twice + push;
+            let row = guide.row();
+            for (i, c) in row.iter().enumerate() {
+                let target = &mut self.residual[a + i / 4][i % 4];
+                *target = *target - push * *c;
+            }
+            if TANGENT {
+                let inertia = guide.mass * twice * rate;
+                state.factored_slope = state.slope;
+                state.factored_inertia = inertia + state.slope;
+                let felt = state.slope * inertia / state.factored_inertia;
+                for i in 0..8 {
+                    for j in 0..8 {
+                        let block = match (i / 4, j / 4) {
+                            (0, 0) => &mut self.band.diag[a],
+                            (0, _) => &mut self.band.upper[a],
+                            (_, 0) => &mut self.band.lower[a],
+                            _ => &mut self.band.diag[a + 1],
+                        };
+                        block[i % 4][j % 4] += felt * row[i] * row[j];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Takes held components out of nodal forces.
+    #[inline(always)]
+    pub fn project(holds: &[HoldNumbers<S>], nodal: &mut [[S; 4]]) {
+        holds.iter().for_each(|hold| hold.project(&mut nodal[hold.node]));
+    }
+
+    /// Holds what is held, and factors.
+    #[inline(always)]
+    pub fn factor(&mut self) {
+        let last = self.band.diag.len() - 1;
+        for hold in &self.numbers.holds {
+            let (n, band) = (hold.node, &mut self.band);
+            hold.project_rows(&mut band.diag[n]);
+            hold.project_columns(&mut band.diag[n]);
+            for normal in &hold.normals {
+                for i in 0..4 {
+                    for j in 0..4 {
+                        band.diag[n][i][j] += normal[i] * normal[j];
+                    }
+                }
+            }
+            if n < last {
+                hold.project_rows(&mut band.upper[n]);
+                hold.project_columns(&mut band.lower[n]);
+            }
+            if n > 0 {
+                hold.project_columns(&mut band.upper[n - 1]);
+                hold.project_rows(&mut band.lower[n - 1]);
+            }
+        }
+        self.band.factor();
+    }
+
+    /// Correction of the increments by the factors.
+    #[inline(always)]
+    pub fn correct(&mut self) {
+        for (c, r) in self.correction.iter_mut().zip(&self.residual) {
+            *c = r.map(|x| -x);
+        }
+        for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
+            let push = state.factored_slope * state.residual / state.factored_inertia;
+            for (i, c) in guide.row().iter().enumerate() {
+                let target = &mut self.correction[guide.node + i / 4][i % 4];
+                *target = *target - push * *c;
+            }
+        }
+        Self::project(&self.numbers.holds, &mut self.correction);
+        self.band.solve(&mut self.correction);
+        for (guide, state) in self.numbers.guides.iter().zip(&mut self.guides) {
+            let moved = guide.along(&self.correction);
+            state.correction =
+                (state.factored_slope * moved - state.residual) / state.factored_inertia;
+        }
+    }
+}
+
+impl<S: Number> HoldNumbers<S> {
+    /// Takes held components out of a node's values.
+    #[inline(always)]
+    pub fn project(&self, x: &mut [S; 4]) {
+        match self.components {
+            Some(held) => {
+                (0..4).filter(|k| held[*k]).for_each(|k| x[k] = S::constant(0.0));
+            }
+            None => self.normals.iter().for_each(|n| remove(n, x)),
+        }
+    }
+
+    #[inline(always)]
+    fn project_rows(&self, block: &mut [[S; 4]; 4]) {
+        match self.components {
+            Some(held) => {
+                (0..4).filter(|k| held[*k]).for_each(|k| block[k] = [S::constant(0.0); 4]);
+            }
+            None => {
+                for j in 0..4 {
+                    let mut column = [0, 1, 2, 3].map(|i| block[i][j]);
+                    self.normals.iter().for_each(|n| remove(n, &mut column));
+                    (0..4).for_each(|i| block[i][j] = column[i]);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn project_columns(&self, block: &mut [[S; 4]; 4]) {
+        match self.components {
+            Some(held) => {
+                for row in block {
+                    (0..4).filter(|k| held[*k]).for_each(|k| row[k] = S::constant(0.0));
+                }
+            }
+            None => {
+                block.iter_mut().for_each(|row| self.normals.iter().for_each(|n| remove(n, row)));
+            }
+        }
+    }
+}
+
+/// Takes a direction out of a vector.
+#[inline(always)]
+fn remove<S: Number>(normal: &[S; 4], x: &mut [S; 4]) {
+    let along = normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2] + normal[3] * x[3];
+    (0..4).for_each(|k| x[k] = x[k] - along * normal[k]);
+}
+
+impl<S: Number> GuideNumbers<S> {
+    /// Nodal values of the struck point along the line of flight, as a form on its two nodes.
+    #[inline(always)]
+    pub fn row(&self) -> [S; 8] {
+        let ([n0, n1, n2, n3], [e1, e2]) = (self.shape, self.direction);
+        [n0 * e1, n0 * e2, n1 * e1, n1 * e2, n2 * e1, n2 * e2, n3 * e1, n3 * e2]
+    }
+
+    /// The same on given nodal values.
+    #[inline(always)]
+    pub fn along(&self, nodal: &[[S; 4]]) -> S {
+        let w = self.value(nodal);
+        self.direction[0] * w[0] + self.direction[1] * w[1]
+    }
+
+    /// Nodal values interpolated to the struck point.
+    #[inline(always)]
+    pub fn value(&self, nodal: &[[S; 4]]) -> [S; 2] {
+        interpolate(&self.shape, self.node, nodal)
+    }
+}
+
+/// Interpolates nodal values with shape functions.
+#[inline(always)]
+pub fn interpolate<S: Number>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
+    let (a, b) = (&nodal[node], &nodal[node + 1]);
+    [0, 1].map(|i| n[0] * a[i] + n[1] * a[2 + i] + n[2] * b[i] + n[3] * b[2 + i])
+}
+
+impl<S: Number> GuideState<S> {
+    fn at_start(guide: &GuideNumbers<S>) -> Self {
+        let zero = S::constant(0.0);
+        Self {
+            way: zero,
+            velocity: guide.speed,
+            gap: guide.standoff,
+            rate: -guide.speed,
+            increment: zero,
+            residual: zero,
+            correction: zero,
+            gap_change: zero,
+            force: zero,
+            slope: zero,
+            factored_slope: zero,
+            factored_inertia: S::constant(1.0),
+            impulse: zero,
+        }
+    }
+
+    fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
+        for (mine, other) in [
+            (&mut self.way, from.way),
+            (&mut self.velocity, from.velocity),
+            (&mut self.gap, from.gap),
+            (&mut self.rate, from.rate),
+            (&mut self.increment, from.increment),
+            (&mut self.impulse, from.impulse),
+            (&mut self.force, from.force),
+        ] {
+            mine.set_lane(lane, other, from_lane);
+        }
+    }
+}
+
+fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {
+    let pairs = |e: &End<S>| {
+        let (s, b, g) = (e.slope, e.bend, e.g);
+        [s[0], s[1], b[0], b[1], g[0], g[1], e.stretch, e.inverse, e.b, e.membrane, e.bending]
+    };
+    let mut values = pairs(mine);
+    for (value, other) in values.iter_mut().zip(pairs(from)) {
+        value.set_lane(lane, other, from_lane);
+    }
+    let [s0, s1, b0, b1, g0, g1, stretch, inverse, b, membrane, bending] = values;
+    *mine = End {
+        slope: [s0, s1],
+        bend: [b0, b1],
+        g: [g0, g1],
+        stretch,
+        inverse,
+        b,
+        membrane,
+        bending,
+    };
+}

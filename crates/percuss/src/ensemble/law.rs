@@ -1,0 +1,73 @@
+//! Contact laws of guided projectiles without branches, as [`SmoothLaw::step_force`](crate::model::SmoothLaw) has them.
+
+use super::engine::GuideState;
+use super::numbers::{GuideLaw, GuideNumbers};
+use crate::scalar::Number;
+
+impl<S: Number> GuideNumbers<S> {
+    /// Force over a step that ends at penetration `p1`, and its slope.
+    #[inline(always)]
+    pub fn force(&self, state: &mut GuideState<S>, p1: S) {
+        if self.law == GuideLaw::Rigid {
+            return;
+        }
+        let zero = S::constant(0.0);
+        let p0 = -state.gap;
+        let (q0, q1) = (p0.max(zero), p1.max(zero));
+        let (sum, step) = (q0 + q1, p1 - p0);
+        // Of the way over the step, the share inside.
+        let least = p0.if_less(p1, p0, p1);
+        let share = least.if_less(zero, (q1 - q0) / step, S::constant(1.0));
+        let elastic = self.mean_force(q0, q1) * share;
+        let close = step.abs().if_less(
+            sum * 1e-6,
+            self.spring(sum * 0.5) * 0.5,
+            (self.reaction(q1) - elastic) / step,
+        );
+        let touches = |x: S| zero.if_less(sum, x, zero);
+        state.force = touches(elastic);
+        state.slope = touches(close);
+    }
+
+    /// Potential at penetration `p` \[J\].
+    #[inline(always)]
+    pub fn energy(&self, p: S) -> S {
+        let p = p.max(S::constant(0.0));
+        match self.law {
+            GuideLaw::Linear => self.stiffness * p * p * 0.5,
+            GuideLaw::Hertz => self.stiffness * p * p * p.sqrt() * 0.4,
+            GuideLaw::Rigid => S::constant(0.0),
+        }
+    }
+
+    /// Force at a penetration that is not negative \[N\].
+    #[inline(always)]
+    pub fn reaction(&self, p: S) -> S {
+        match self.law {
+            GuideLaw::Hertz => self.stiffness * p * p.sqrt(),
+            _ => self.stiffness * p,
+        }
+    }
+
+    #[inline(always)]
+    fn spring(&self, p: S) -> S {
+        match self.law {
+            GuideLaw::Hertz => self.stiffness * p.sqrt() * 1.5,
+            _ => self.stiffness,
+        }
+    }
+
+    /// Difference quotient of the potential between penetrations that are not negative.
+    #[inline(always)]
+    fn mean_force(&self, q0: S, q1: S) -> S {
+        match self.law {
+            GuideLaw::Hertz => {
+                let (a, b) = (q1.sqrt(), q0.sqrt());
+                let (a2, ab, b2) = (a * a, a * b, b * b);
+                let sum = a2 * a2 + ab * (a2 + ab + b2) + b2 * b2;
+                self.stiffness * sum / (a + b) * 0.4
+            }
+            _ => self.stiffness * (q0 + q1) * 0.5,
+        }
+    }
+}

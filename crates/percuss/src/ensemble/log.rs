@@ -1,0 +1,329 @@
+//! What the summaries of an ensemble tell of points and contacts: peaks and intervals, resolved within the step.
+
+use super::engine::Engine;
+use super::numbers::GuideLaw;
+use crate::math::hermite::Cubic;
+use crate::math::roots;
+use crate::scalar::Number;
+
+/// A largest value and when it occurred.
+#[derive(Clone, Copy, Debug)]
+pub struct Top<S> {
+    pub value: S,
+    pub time: S,
+}
+
+/// A closed interval of one lane's contact.
+#[derive(Clone, Copy, Debug)]
+pub struct Closed<S> {
+    pub start: S,
+    pub end: S,
+    pub impulse: S,
+    /// Work on beam and projectile \[J\].
+    pub given: [S; 2],
+    /// Potential at its end, where it is still closed \[J\].
+    pub stored: S,
+    /// Deepest penetration \[m\].
+    pub deepest: Top<S>,
+    pub approach: S,
+    pub separation: S,
+    /// Where it closed, and where it was last \[m\].
+    pub place: [S; 2],
+    pub place_end: [S; 2],
+}
+
+/// An impact of one lane's rigid projectile.
+#[derive(Clone, Copy, Debug)]
+pub struct Struck<S> {
+    pub time: S,
+    pub impulse: S,
+    pub approach: S,
+    pub separation: S,
+    pub given: [S; 2],
+    pub place: [S; 2],
+}
+
+/// The record of a guided projectile.
+#[derive(Clone, Debug)]
+pub struct GuideLog<S> {
+    /// The interval that is open in each lane, as it stands.
+    open: Closed<S>,
+    /// Which lanes have one.
+    is_open: Vec<bool>,
+    /// Intervals that have ended, by lane.
+    pub closed: Vec<Vec<Closed<S>>>,
+    /// Deepest penetration of the run \[m\].
+    pub deepest: Top<S>,
+    /// Impacts, by lane.
+    pub impacts: Vec<Vec<Struck<S>>>,
+}
+
+/// The record of an ensemble.
+#[derive(Clone, Debug)]
+pub struct Log<S> {
+    /// Time at the start of the step at hand \[s\].
+    pub time: S,
+    /// Extremes of the recorded points, by component.
+    pub points: Vec<[Top<S>; 2]>,
+    /// One entry a guided projectile.
+    pub guides: Vec<GuideLog<S>>,
+    /// Points, gaps and their rates at the start of the step.
+    point_start: Vec<[[S; 2]; 2]>,
+    gap_start: Vec<[S; 2]>,
+}
+
+impl<S: Number> Closed<S> {
+    fn none() -> Self {
+        let nan = S::constant(f64::NAN);
+        let zero = S::constant(0.0);
+        Self {
+            start: nan,
+            end: nan,
+            impulse: zero,
+            given: [zero; 2],
+            stored: zero,
+            deepest: Top { value: zero, time: nan },
+            approach: nan,
+            separation: nan,
+            place: [nan; 2],
+            place_end: [nan; 2],
+        }
+    }
+
+    fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
+        let set = |mine: &mut S, other: S| mine.set_lane(lane, other, from_lane);
+        set(&mut self.start, from.start);
+        set(&mut self.end, from.end);
+        set(&mut self.impulse, from.impulse);
+        set(&mut self.stored, from.stored);
+        set(&mut self.deepest.value, from.deepest.value);
+        set(&mut self.deepest.time, from.deepest.time);
+        set(&mut self.approach, from.approach);
+        set(&mut self.separation, from.separation);
+        for i in 0..2 {
+            set(&mut self.given[i], from.given[i]);
+            set(&mut self.place[i], from.place[i]);
+            set(&mut self.place_end[i], from.place_end[i]);
+        }
+    }
+}
+
+impl<S: Number> Log<S> {
+    /// Nothing has happened yet.
+    pub fn new(engine: &Engine<S>) -> Self {
+        let zero = S::constant(0.0);
+        let top = Top { value: zero, time: zero };
+        let guide = |_| GuideLog {
+            open: Closed::none(),
+            is_open: vec![false; S::LANES],
+            closed: vec![Vec::new(); S::LANES],
+            deepest: top,
+            impacts: vec![Vec::new(); S::LANES],
+        };
+        let (points, guides) = (engine.numbers.points.len(), engine.guides.len());
+        Self {
+            time: zero,
+            points: vec![[top; 2]; points],
+            guides: (0..guides).map(guide).collect(),
+            point_start: vec![[[zero; 2]; 2]; points],
+            gap_start: vec![[zero; 2]; guides],
+        }
+    }
+
+    /// Begins a new run in a lane.
+    pub fn reset(&mut self, lane: usize) {
+        let zero = S::constant(0.0);
+        let none = Closed::none();
+        self.time.set_lane(lane, zero, 0);
+        for top in self.points.as_flattened_mut() {
+            top.value.set_lane(lane, zero, 0);
+            top.time.set_lane(lane, zero, 0);
+        }
+        for log in &mut self.guides {
+            log.open.set_lane(lane, &none, 0);
+            log.is_open[lane] = false;
+            log.closed[lane].clear();
+            log.impacts[lane].clear();
+            log.deepest.value.set_lane(lane, zero, 0);
+            log.deepest.time.set_lane(lane, zero, 0);
+        }
+    }
+
+    /// Notes the start of a step.
+    #[inline(always)]
+    pub fn begin(&mut self, engine: &Engine<S>) {
+        for (k, start) in self.point_start.iter_mut().enumerate() {
+            *start = engine.point(k);
+        }
+        for (start, guide) in self.gap_start.iter_mut().zip(&engine.guides) {
+            *start = [guide.gap, guide.rate];
+        }
+    }
+
+    /// Takes in the end of the step.
+    #[inline(always)]
+    pub fn end(&mut self, engine: &Engine<S>) {
+        for (k, tops) in self.points.iter_mut().enumerate() {
+            let ([u0, v0], [u1, v1]) = (self.point_start[k], engine.point(k));
+            for c in 0..2 {
+                let path = Path { h: engine.h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
+                tops[c].take(&path, self.time);
+            }
+        }
+        for k in 0..self.guides.len() {
+            if engine.numbers.guides[k].law != GuideLaw::Rigid {
+                self.contact(engine, k);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn contact(&mut self, engine: &Engine<S>, k: usize) {
+        let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
+        let zero = S::constant(0.0);
+        let (time, h) = (self.time, engine.h);
+        let [gap_0, rate_0] = self.gap_start[k];
+        let least = gap_0.if_less(state.gap, gap_0, state.gap);
+        if !least.any_less(zero) {
+            return;
+        }
+        let log = &mut self.guides[k];
+        let path = Path { h, start: [-gap_0, -rate_0], end: [-state.gap, -state.rate] };
+        for lane in 0..S::LANES {
+            let (before, after) = (gap_0.lane(lane), state.gap.lane(lane));
+            if !log.is_open[lane] && (before < 0.0 || after < 0.0) {
+                log.is_open[lane] = true;
+                let opens = path.crossing(lane);
+                let mut new = Closed::none();
+                new.start = time + opens;
+                new.approach = path.slope(opens);
+                new.place = engine.struck(k);
+                log.open.set_lane(lane, &new, lane);
+            }
+        }
+        let force = state.force;
+        log.open.impulse += h * force;
+        log.open.given[0] += force * guide.along(&engine.increment);
+        log.open.given[1] += -(force * state.increment);
+        log.open.deepest.take(&path, time);
+        log.deepest.take(&path, time);
+        for lane in 0..S::LANES {
+            if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
+                let ends = path.crossing(lane);
+                let mut done = log.open;
+                done.end = time + ends;
+                done.separation = -path.slope(ends);
+                done.place_end = engine.struck(k);
+                log.closed[lane].push(done);
+                log.is_open[lane] = false;
+                log.open.set_lane(lane, &Closed::none(), lane);
+            }
+        }
+    }
+
+    /// Closed intervals of a lane's contact; the last one may still be closed.
+    pub fn intervals(&self, engine: &Engine<S>, k: usize, lane: usize) -> Vec<Closed<S>> {
+        let log = &self.guides[k];
+        let mut all = log.closed[lane].clone();
+        if log.is_open[lane] {
+            let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
+            let (stored, place_end) = (guide.energy(-state.gap), engine.struck(k));
+            all.push(Closed { stored, place_end, ..log.open });
+        }
+        all
+    }
+}
+
+impl<S: Number> Engine<S> {
+    /// Place of the point that a projectile strikes \[m\].
+    pub fn struck(&self, k: usize) -> [S; 2] {
+        let guide = &self.numbers.guides[k];
+        let u = guide.value(&self.displacement);
+        [guide.struck[0] + u[0], guide.struck[1] + u[1]]
+    }
+}
+
+/// A cubic over the step through values and rates at its ends.
+#[derive(Clone, Copy)]
+struct Path<S> {
+    h: S,
+    start: [S; 2],
+    end: [S; 2],
+}
+
+impl<S: Number> Path<S> {
+    fn lane(&self, i: usize) -> Cubic {
+        let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
+        Cubic { h: self.h.lane(i), start: both(self.start), end: both(self.end) }
+    }
+
+    /// Value at a time from the start of the step.
+    fn value(&self, t: S) -> S {
+        let xi = t / self.h;
+        let (x2, x3) = (xi * xi, xi * xi * xi);
+        let (twist, one) = (x2 * 3.0 - x3 * 2.0, S::constant(1.0));
+        self.start[0] * (one - twist)
+            + self.end[0] * twist
+            + self.h * (self.start[1] * (xi - x2 * 2.0 + x3) + self.end[1] * (x3 - x2))
+    }
+
+    /// Its rate.
+    fn slope(&self, t: S) -> S {
+        let xi = t / self.h;
+        let x2 = xi * xi;
+        let rise = (self.end[0] - self.start[0]) / self.h * (xi - x2) * 6.0;
+        let one = S::constant(1.0);
+        rise + self.start[1] * (one - xi * 4.0 + x2 * 3.0) + self.end[1] * (x2 * 3.0 - xi * 2.0)
+    }
+
+    /// The instant at which a lane's path first changes sign, in all lanes.
+    fn crossing(&self, lane: usize) -> S {
+        let path = self.lane(lane);
+        let sign = if path.start[0] > 0.0 { 1.0 } else { -1.0 };
+        let f = |t: f64| sign * path.value(t);
+        let ends = [f(0.0), f(path.h)];
+        if ends[0] <= 0.0 {
+            return S::constant(0.0);
+        }
+        let guess = path.h * ends[0] / (ends[0] - ends[1]);
+        let search = roots::bracketed((0.0, ends[0]), (path.h, ends[1]), guess, 0.0, 0.0, |t| {
+            Ok::<f64, std::convert::Infallible>(f(t))
+        });
+        let Ok(root) = search;
+        let root = S::constant(root);
+        // The root moves with the ends of the path.
+        if S::DERIVES { root - self.value(root) / self.slope(root) } else { root }
+    }
+}
+
+impl<S: Number> Top<S> {
+    /// Takes in a step: the value of largest magnitude stays.
+    #[inline(always)]
+    fn take(&mut self, path: &Path<S>, start: S) {
+        let ([u0, v0], [u1, v1]) = (path.start, path.end);
+        // What lies between stays within the control points of the cubic.
+        let third = path.h * (1.0 / 3.0);
+        let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
+        let at_end = self.value.abs().if_less(u1.abs(), u1, self.value);
+        let end = start + path.h;
+        self.time = self.value.abs().if_less(u1.abs(), end, self.time);
+        let known = self.value.abs().max(u1.abs());
+        self.value = at_end;
+        if known.any_less(c0.max(c1)) {
+            for lane in 0..S::LANES {
+                self.look_inside(path, start, lane);
+            }
+        }
+    }
+
+    fn look_inside(&mut self, path: &Path<S>, start: S, lane: usize) {
+        let own = path.lane(lane);
+        for t in own.stationary() {
+            if own.value(t).abs() > self.value.lane(lane).abs() {
+                let t = S::constant(t);
+                self.value.set_lane(lane, path.value(t), lane);
+                self.time.set_lane(lane, start + t, lane);
+            }
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! The numbers of a run, apart from its shape: what differs between the lanes of an ensemble.
+
+use crate::element::beam::{ElementTable, GaussRow};
+use crate::element::membrane::MembraneTable;
+use crate::element::point::SectionLaw;
+use crate::model::StrainMeasure;
+
+/// All numbers of a run of a given [`Shape`](super::shape::Shape).
+#[derive(Clone, Debug)]
+pub struct Numbers<S> {
+    /// Step size \[s\].
+    pub step: S,
+    /// Spans of all beams.
+    pub spans: Vec<SpanNumbers<S>>,
+    /// Reference position and tangent of the beams' nodes.
+    pub nodes: Vec<[S; 4]>,
+    /// Components held at nodes.
+    pub holds: Vec<HoldNumbers<S>>,
+    /// Guided projectiles.
+    pub guides: Vec<GuideNumbers<S>>,
+    /// Recorded points.
+    pub points: Vec<PointNumbers<S>>,
+    /// Energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\] that are round-off.
+    pub round_off: [S; 3],
+    /// Mass of all there is \[kg\].
+    pub total_mass: S,
+    /// Size of the structure \[m\].
+    pub size: S,
+}
+
+/// A part of a beam.
+#[derive(Clone, Debug)]
+pub struct SpanNumbers<S> {
+    /// First node.
+    pub first: usize,
+    /// Number of elements.
+    pub count: usize,
+    /// Strain measure.
+    pub measure: StrainMeasure,
+    /// One table for all elements, or one for each.
+    pub tables: Vec<ElementTable<S>>,
+}
+
+/// Held directions of a node, orthonormal.
+#[derive(Clone, Debug)]
+pub struct HoldNumbers<S> {
+    /// Node.
+    pub node: usize,
+    /// Components held, where the directions are those of components.
+    pub components: Option<[bool; 4]>,
+    /// Directions.
+    pub normals: Vec<[S; 4]>,
+}
+
+/// How a guided projectile touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GuideLaw {
+    /// `k p`.
+    Linear,
+    /// `k p^(3/2)`.
+    Hertz,
+    /// Impulses by Newton's law.
+    Rigid,
+}
+
+/// A guided projectile and the point it strikes.
+#[derive(Clone, Debug)]
+pub struct GuideNumbers<S> {
+    /// Node `a` of the struck element.
+    pub node: usize,
+    /// Law of its contact.
+    pub law: GuideLaw,
+    /// Shape functions of the struck point.
+    pub shape: [S; 4],
+    /// Reference position of the struck point \[m\].
+    pub struck: [S; 2],
+    /// Reference position of the projectile \[m\].
+    pub position: [S; 2],
+    /// Line of flight, unit vector towards the beam.
+    pub direction: [S; 2],
+    /// Gap in the reference configuration \[m\].
+    pub standoff: S,
+    /// Mass \[kg\].
+    pub mass: S,
+    /// Speed along the line of flight at the start \[m/s\].
+    pub speed: S,
+    /// Stiffness of the law, or coefficient of restitution.
+    pub stiffness: S,
+}
+
+/// A recorded point.
+#[derive(Clone, Debug)]
+pub struct PointNumbers<S> {
+    /// Node `a` of its element.
+    pub node: usize,
+    /// Shape functions.
+    pub shape: [S; 4],
+}
+
+impl<S: Copy> Numbers<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> Numbers<T> {
+        Numbers {
+            step: f(self.step),
+            spans: self.spans.iter().map(|s| s.map(f)).collect(),
+            nodes: self.nodes.iter().map(|x| x.map(&mut *f)).collect(),
+            holds: self.holds.iter().map(|h| h.map(f)).collect(),
+            guides: self.guides.iter().map(|g| g.map(f)).collect(),
+            points: (self.points.iter())
+                .map(|p| PointNumbers { node: p.node, shape: p.shape.map(&mut *f) })
+                .collect(),
+            round_off: self.round_off.map(&mut *f),
+            total_mass: f(self.total_mass),
+            size: f(self.size),
+        }
+    }
+
+    /// All numbers in that order.
+    pub fn flat(&self) -> Vec<S> {
+        let mut flat = Vec::new();
+        self.map(&mut |x| flat.push(x));
+        flat
+    }
+
+    /// The same shape with other numbers, in that order.
+    pub fn with<T: Copy>(&self, flat: &[T]) -> Numbers<T> {
+        let mut next = flat.iter();
+        self.map(&mut |_| *next.next().expect("as many numbers as the shape has"))
+    }
+}
+
+impl<S: Copy> SpanNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> SpanNumbers<T> {
+        let tables = self.tables.iter().map(|t| map_table(t, f)).collect();
+        SpanNumbers { first: self.first, count: self.count, measure: self.measure, tables }
+    }
+
+    /// Table of the element of number `k` in the span.
+    #[inline(always)]
+    pub fn table(&self, k: usize) -> &ElementTable<S> {
+        &self.tables[if self.tables.len() == 1 { 0 } else { k }]
+    }
+}
+
+impl<S: Copy> HoldNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> HoldNumbers<T> {
+        let normals = self.normals.iter().map(|n| n.map(&mut *f)).collect();
+        HoldNumbers { node: self.node, components: self.components, normals }
+    }
+}
+
+impl<S: Copy> GuideNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> GuideNumbers<T> {
+        GuideNumbers {
+            node: self.node,
+            law: self.law,
+            shape: self.shape.map(&mut *f),
+            struck: self.struck.map(&mut *f),
+            position: self.position.map(&mut *f),
+            direction: self.direction.map(&mut *f),
+            standoff: f(self.standoff),
+            mass: f(self.mass),
+            speed: f(self.speed),
+            stiffness: f(self.stiffness),
+        }
+    }
+}
+
+fn map_table<S: Copy, T>(table: &ElementTable<S>, f: &mut impl FnMut(S) -> T) -> ElementTable<T> {
+    ElementTable {
+        length: f(table.length),
+        rows: table.rows.map(|row| map_row(&row, f)),
+        mass: table.mass.map(|row| row.map(&mut *f)),
+        membrane: table.membrane.map(|m| MembraneTable {
+            rows: m.rows.map(|row| row.map(&mut *f)),
+            tangent: m.tangent.map(|row| row.map(&mut *f)),
+            stiffness: m.stiffness.map(|row| row.map(&mut *f)),
+            at_gauss: m.at_gauss.map(|row| row.map(&mut *f)),
+        }),
+    }
+}
+
+fn map_row<S: Copy, T>(row: &GaussRow<S>, f: &mut impl FnMut(S) -> T) -> GaussRow<T> {
+    GaussRow {
+        first: row.first.map(&mut *f),
+        second: row.second.map(&mut *f),
+        weight: f(row.weight),
+        tangent: row.tangent.map(&mut *f),
+        bend: row.bend.map(&mut *f),
+        curvature: f(row.curvature),
+        law: map_law(&row.law, f),
+        section: map_law(&row.section, f),
+        mass: f(row.mass),
+        area: f(row.area),
+        half_depth: f(row.half_depth),
+    }
+}
+
+fn map_law<S: Copy, T>(law: &SectionLaw<S>, f: &mut impl FnMut(S) -> T) -> SectionLaw<T> {
+    SectionLaw {
+        axial: f(law.axial),
+        bending: f(law.bending),
+        rotary: f(law.rotary),
+        measure: law.measure,
+    }
+}

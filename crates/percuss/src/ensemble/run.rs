@@ -1,0 +1,172 @@
+//! Steps ensembles to their ends: lanes whose run has ended take the next one.
+
+use super::books::Books;
+use super::engine::Engine;
+use super::log::Log;
+use super::newton::Search;
+use super::numbers::Numbers;
+use super::shape::{Shape, numbers};
+use super::summary::Telling;
+use crate::model::Model;
+use crate::scalar::{Lanes, Number};
+use crate::settings::{SAME_INSTANT, Settings};
+use crate::summary::{RunSummary, Termination};
+
+/// Runs side by side: as many as the widest registers hold.
+type Wide = Lanes<8>;
+
+/// Simulates those of the runs that ensembles know, and of which no more is asked than they tell; `None` for the others.
+///
+/// A run's summary is the same to the last bit whatever runs stand beside it. Runs in which an iteration fails are left to the
+/// solver that cuts steps: `None`.
+pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>> {
+    let mut done: Vec<Option<RunSummary>> = runs.iter().map(|_| None).collect();
+    let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {
+        let faultless = settings.validate(model).is_empty();
+        let numbers = numbers(model, settings).ok().filter(|_| faultless)?;
+        let shape = Shape::of(&numbers);
+        (!shape.has_rigid_guides()).then_some((i, shape, numbers))
+    };
+    let mut left: Vec<_> = runs.iter().enumerate().filter_map(known).collect();
+    while let Some((_, shape, _)) = left.first() {
+        let shape = shape.clone();
+        let (group, others): (Vec<_>, Vec<_>) = left.into_iter().partition(|r| r.1 == shape);
+        left = others;
+        let group: Vec<Run> = group
+            .into_iter()
+            .map(|(index, _, numbers)| Run {
+                index,
+                model: runs[index].0,
+                settings: runs[index].1,
+                numbers,
+            })
+            .collect();
+        let mut keep = |index: usize, summary| done[index] = summary;
+        if group.len() == 1 {
+            Ensemble::<f64>::of(&group).run(&group, &mut keep);
+        } else {
+            let arch = pulp::Arch::new();
+            arch.dispatch(|| Ensemble::<Wide>::of(&group).run(&group, &mut keep));
+        }
+    }
+    done
+}
+
+/// A run of an ensemble.
+struct Run<'a> {
+    /// Its place among all runs asked for.
+    index: usize,
+    model: &'a Model,
+    settings: &'a Settings,
+    numbers: Numbers<f64>,
+}
+
+/// An ensemble in mid-flight.
+struct Ensemble<S> {
+    engine: Engine<S>,
+    books: Books<S>,
+    log: Log<S>,
+    search: Vec<Search>,
+    /// The run in each lane and its steps done.
+    lanes: Vec<Option<(usize, usize)>>,
+    /// The first run that no lane has taken yet.
+    next: usize,
+}
+
+impl<S: Number> Ensemble<S> {
+    #[inline(always)]
+    fn of(runs: &[Run]) -> Self {
+        let numbers = runs[0].numbers.map(&mut S::constant);
+        let engine = Engine::new(numbers);
+        Self {
+            books: Books::open(&engine),
+            log: Log::new(&engine),
+            search: vec![Search::idle(); S::LANES],
+            lanes: vec![None; S::LANES],
+            next: 0,
+            engine,
+        }
+    }
+
+    /// Runs all to their ends, handing over their summaries.
+    #[inline(always)]
+    fn run(mut self, runs: &[Run], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
+        (0..S::LANES).for_each(|lane| self.fill(lane, runs));
+        while self.lanes.iter().any(Option::is_some) {
+            self.set_steps(runs);
+            self.log.begin(&self.engine);
+            self.engine.solve(&self.books, &mut self.search);
+            self.books.book(&self.engine);
+            self.engine.commit();
+            self.log.end(&self.engine);
+            self.books.close(&self.engine);
+            self.close_step(runs, keep);
+        }
+    }
+
+    /// Puts the next run into a lane.
+    fn fill(&mut self, lane: usize, runs: &[Run]) {
+        self.search[lane] = Search::idle();
+        self.lanes[lane] = None;
+        let Some(run) = runs.get(self.next) else { return };
+        self.lanes[lane] = Some((self.next, 0));
+        self.next += 1;
+        self.search[lane].live = true;
+        let fresh = Engine::new(run.numbers.map(&mut S::constant));
+        self.engine.set_lane(lane, &fresh, 0);
+        self.books.set_lane(lane, &Books::open(&fresh), 0);
+        self.log.reset(lane);
+    }
+
+    /// Gives every lane the size of its next step; the last one may be shorter.
+    #[inline(always)]
+    fn set_steps(&mut self, runs: &[Run]) {
+        for lane in 0..S::LANES {
+            let Some((run, steps)) = self.lanes[lane] else { continue };
+            let settings = runs[run].settings;
+            if steps + 1 == settings.step_count() {
+                let left = settings.end - steps as f64 * settings.step;
+                let whole = (left - settings.step).abs() <= SAME_INSTANT * settings.step;
+                if left < settings.step && !whole {
+                    self.engine.h.set_lane(lane, S::constant(left), lane);
+                }
+            }
+        }
+    }
+
+    /// Takes in the end of a step: runs that have ended or failed leave their lanes.
+    #[inline(always)]
+    fn close_step(&mut self, runs: &[Run], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
+        let lanes = &self.lanes;
+        self.log.time = S::of_lanes(|lane| {
+            lanes[lane].map_or(0.0, |(run, steps)| {
+                let settings = runs[run].settings;
+                ((steps + 1) as f64 * settings.step).min(settings.end)
+            })
+        });
+        for lane in 0..S::LANES {
+            let Some((run, steps)) = &mut self.lanes[lane] else { continue };
+            let own = &runs[*run];
+            *steps += 1;
+            let (steps, failed) = (*steps, self.search[lane].failed);
+            if failed {
+                keep(own.index, None);
+                self.fill(lane, runs);
+            } else if steps == own.settings.step_count() {
+                let telling = Telling {
+                    model: own.model,
+                    engine: &self.engine,
+                    books: &self.books,
+                    log: &self.log,
+                    search: &self.search[lane],
+                    lane,
+                    steps,
+                    solver_steps: steps,
+                };
+                let summary = telling.summary(Termination::Completed, &|x| x.lane(lane));
+                keep(own.index, Some(summary));
+                self.fill(lane, runs);
+            }
+        }
+    }
+}

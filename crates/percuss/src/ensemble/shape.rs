@@ -1,0 +1,161 @@
+//! Which runs an ensemble can step, and which of them side by side.
+
+use super::numbers::{GuideLaw, GuideNumbers, HoldNumbers, Numbers, PointNumbers, SpanNumbers};
+use crate::ledger::RoundOff;
+use crate::math::vec2::dot;
+use crate::model::frozen::{BodyKind, ProjectileData};
+use crate::model::{
+    ContactForce, ImpactLaw, InitialMotion, Model, Potential, StrainMeasure, TouchLaw,
+};
+use crate::settings::{ImpactResolution, Scheme, Settings, Start};
+
+/// What runs side by side have in common: all that is no number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// First node, number of elements and of tables of every span, its measure, which tables sample membrane strains.
+    spans: Vec<(usize, usize, StrainMeasure, Vec<bool>)>,
+    /// Node, number of directions held, components.
+    holds: Vec<(usize, usize, Option<[bool; 4]>)>,
+    /// Struck node and law of each guided projectile.
+    pub guides: Vec<(usize, GuideLaw)>,
+    /// Node of each recorded point.
+    points: Vec<usize>,
+}
+
+impl Shape {
+    /// The shape of a set of numbers.
+    pub fn of<S: Copy>(numbers: &Numbers<S>) -> Self {
+        let slender = |s: &SpanNumbers<S>| s.tables.iter().map(|t| t.membrane.is_some()).collect();
+        Self {
+            spans: (numbers.spans.iter())
+                .map(|s| (s.first, s.count, s.measure, slender(s)))
+                .collect(),
+            holds: (numbers.holds.iter())
+                .map(|h| (h.node, h.normals.len(), h.components))
+                .collect(),
+            guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
+            points: numbers.points.iter().map(|p| p.node).collect(),
+        }
+    }
+
+    /// Whether impulses can occur.
+    pub fn has_rigid_guides(&self) -> bool {
+        self.guides.iter().any(|(_, law)| *law == GuideLaw::Rigid)
+    }
+}
+
+/// The numbers of a run, or what about it an ensemble does not know: beams on fixed supports at nodes and guided projectiles are
+/// all it does.
+pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
+    for (found, what) in [
+        (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
+        (settings.start != Start::Reference, "a start in static equilibrium"),
+        (model.initial_motion != InitialMotion::default(), "beams that move at the start"),
+        (!model.constraints.is_empty(), "joints, or supports between nodes or for a time"),
+        (!model.connectors.is_empty(), "springs and dampers"),
+        (!model.masses.is_empty(), "point masses"),
+        (!model.motions.is_empty(), "prescribed motions"),
+        (!model.loads.is_empty(), "loads"),
+        (!model.modal_damping.is_empty(), "modal damping"),
+        (model.spans.iter().any(|s| s.is_damped()), "damping of the material"),
+        (!model.obstacles.is_empty(), "obstacles"),
+        (model.bodies.iter().any(|b| b.kind != BodyKind::Guided), "discs and rear masses"),
+        (model.contacts.len() != model.projectiles.len(), "contacts that move along a beam"),
+    ] {
+        if found {
+            return Err(what);
+        }
+    }
+    let guides = model.projectiles.iter().enumerate().map(|(i, p)| guide(model, settings, i, p));
+    let guides = guides.collect::<Result<Vec<_>, _>>()?;
+    let round_off = RoundOff::new(model, settings.step);
+    let beams = &model.nodes[..model.beam_node_count()];
+    Ok(Numbers {
+        step: settings.step,
+        spans: (model.spans.iter())
+            .map(|s| SpanNumbers {
+                first: s.nodes.start,
+                count: s.elements.len(),
+                measure: s.measure,
+                tables: s.tables.clone(),
+            })
+            .collect(),
+        nodes: (beams.iter())
+            .map(|n| [n.position[0], n.position[1], n.tangent[0], n.tangent[1]])
+            .collect(),
+        holds: (model.holds.iter())
+            .filter(|h| h.node < beams.len())
+            .map(|h| HoldNumbers {
+                node: h.node,
+                components: components(&h.normals),
+                normals: h.normals.clone(),
+            })
+            .collect(),
+        guides,
+        points: (model.points.iter())
+            .map(|p| PointNumbers { node: p.node, shape: p.shape })
+            .collect(),
+        round_off: [round_off.energy, round_off.momentum, round_off.momentum * round_off.size],
+        total_mass: model.total_mass,
+        size: round_off.size,
+    })
+}
+
+fn guide(
+    model: &Model,
+    settings: &Settings,
+    i: usize,
+    projectile: &ProjectileData,
+) -> Result<GuideNumbers<f64>, &'static str> {
+    let (law, stiffness) = match &model.contacts[i].law {
+        TouchLaw::Smooth(law) => {
+            if law.force != ContactForce::Conserving {
+                return Err("a contact force other than the conserving one");
+            }
+            if law.dissipation != 0.0 {
+                return Err("a contact force that dissipates");
+            }
+            match law.potential {
+                Potential::Linear { stiffness } => (GuideLaw::Linear, stiffness),
+                Potential::Hertz { stiffness } => (GuideLaw::Hertz, stiffness),
+                _ => return Err("a contact law given by a table or a function"),
+            }
+        }
+        TouchLaw::Rigid(law) => {
+            if settings.impacts != ImpactResolution::Event {
+                return Err("impacts by time-stepping");
+            }
+            if law.impact != ImpactLaw::Newton {
+                return Err("an impact law other than Newton's");
+            }
+            (GuideLaw::Rigid, law.restitution)
+        }
+    };
+    let (body, point) = (&model.bodies[projectile.body], &projectile.point);
+    let contact = &model.pairs[model.contacts[i].pairs.start];
+    let crate::contact::pair::Target::Guided { standoff, .. } = contact.target else {
+        return Err("contacts that move along a beam");
+    };
+    Ok(GuideNumbers {
+        node: point.node,
+        law,
+        shape: point.shape,
+        struck: point.position,
+        position: model.nodes[model.body_node(projectile.body)].position,
+        direction: projectile.direction,
+        standoff,
+        mass: body.mass,
+        speed: dot(projectile.direction, body.velocity),
+        stiffness,
+    })
+}
+
+/// The components that directions are, if all are components.
+fn components(normals: &[[f64; 4]]) -> Option<[bool; 4]> {
+    let mut held = [false; 4];
+    for normal in normals {
+        let k = normal.iter().position(|x| x.abs() == 1.0)?;
+        held[k] = true;
+    }
+    Some(held)
+}

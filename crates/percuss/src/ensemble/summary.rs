@@ -1,0 +1,170 @@
+//! The summary of a run of an ensemble.
+
+use super::books::Books;
+use super::engine::Engine;
+use super::log::{Closed, Log, Struck, Top};
+use super::newton::Search;
+use super::numbers::GuideLaw;
+use crate::model::Model;
+use crate::scalar::Number;
+use crate::summary::*;
+
+/// All there is to tell of one lane.
+pub struct Telling<'a, S> {
+    pub model: &'a Model,
+    pub engine: &'a Engine<S>,
+    pub books: &'a Books<S>,
+    pub log: &'a Log<S>,
+    pub search: &'a Search,
+    pub lane: usize,
+    /// Steps of the given size, steps of the solver.
+    pub steps: usize,
+    pub solver_steps: usize,
+}
+
+impl<S: Number> Telling<'_, S> {
+    /// The summary, every number read by `read`: its value in a lane, or one of its derivatives. Section forces and reactions
+    /// are unset.
+    pub fn summary(&self, termination: Termination, read: &dyn Fn(S) -> f64) -> RunSummary {
+        let (books, model) = (self.books, self.model);
+        let relative = |value: S, scale: S| {
+            let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
+            if value == 0.0 { 0.0 } else { value / scale }
+        };
+        let zero = S::constant(0.0);
+        let effective = model.effective_masses();
+        RunSummary {
+            termination,
+            time: self.log.time.lane(self.lane),
+            steps: self.steps,
+            solver_steps: self.solver_steps,
+            step_cuts: 0,
+            newton_iterations: self.search.iterations,
+            factorizations: self.search.factorizations,
+            rows: 0,
+            energy: EnergySummary {
+                initial: read(books.start.energy),
+                final_: read(books.now.energy),
+                work_loads: 0.0,
+                work_supports: 0.0,
+                loss_impacts: read(books.loss_impacts),
+                loss_damping: read(zero),
+                scale: read(books.energy_scale),
+                residual_max: relative(books.energy_residual, books.energy_scale),
+            },
+            momentum: MomentumSummary {
+                linear_scale: read(books.linear_scale),
+                linear_residual_max: relative(books.linear_residual, books.linear_scale),
+                angular_scale: read(books.angular_scale),
+                angular_residual_max: relative(books.angular_residual, books.angular_scale),
+            },
+            audit: AuditSummary { curvature_drift_max: 0.0, membrane_drift_max: 0.0 },
+            projectiles: self.projectiles(read),
+            contacts: (model.contacts.iter().enumerate())
+                .map(|(k, contact)| ContactSummary {
+                    name: contact.name.clone(),
+                    between: contact.between.clone(),
+                    effective_mass: effective.get(k).copied(),
+                    record: self.record(k, read),
+                })
+                .collect(),
+            contact_residual_max: 0.0,
+            points: (model.points.iter().zip(&self.log.points))
+                .map(|(p, tops)| PointSummary {
+                    name: p.label.clone(),
+                    displacement_max: tops.map(|top| peak(&top, read)),
+                })
+                .collect(),
+            supports: Vec::new(),
+            section_forces: Vec::new(),
+        }
+    }
+
+    fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {
+        let guides = self.engine.numbers.guides.iter().zip(&self.engine.guides);
+        let each = guides.zip(&self.model.projectiles).map(|((guide, state), data)| {
+            let given = guide.mass * (guide.speed - state.velocity);
+            ProjectileSummary {
+                name: self.model.bodies[data.body].name.clone(),
+                velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
+                spin_final: 0.0,
+                momentum_transferred: read(given),
+                energy_transferred: read(given * (guide.speed + state.velocity) * 0.5),
+            }
+        });
+        each.collect()
+    }
+
+    fn record(&self, k: usize, read: &dyn Fn(S) -> f64) -> ContactRecord {
+        let (guide, log) = (&self.engine.numbers.guides[k], &self.log.guides[k]);
+        if guide.law == GuideLaw::Rigid {
+            let struck = &log.impacts[self.lane];
+            let total = struck.iter().fold(S::constant(0.0), |sum, i| sum + i.impulse);
+            return ContactRecord::Nonsmooth {
+                impacts: struck.iter().map(|i| self.impact(k, i, read)).collect(),
+                impact_count: struck.len(),
+                tamed_count: 0,
+                impulse_total: read(total),
+                intervals: Vec::new(),
+            };
+        }
+        let force = |top: &Top<S>| Top { value: guide.reaction(top.value), time: top.time };
+        let closed = self.log.intervals(self.engine, k, self.lane);
+        ContactRecord::Smooth {
+            peak_force: peak(&force(&log.deepest), read),
+            intervals: closed
+                .iter()
+                .map(|c| self.interval(k, c, peak(&force(&c.deepest), read), read))
+                .collect(),
+        }
+    }
+
+    fn interval(
+        &self,
+        k: usize,
+        closed: &Closed<S>,
+        peak_force: Peak,
+        read: &dyn Fn(S) -> f64,
+    ) -> ContactInterval {
+        ContactInterval {
+            start: read(closed.start),
+            end: read(closed.end),
+            impulse: read(closed.impulse),
+            peak_force,
+            approach_velocity: read(closed.approach),
+            separation_velocity: read(closed.separation),
+            place: self.place(k, closed.place, read),
+            place_end: self.place(k, closed.place_end, read),
+            energy: EnergySplit {
+                given: closed.given.map(read),
+                lost: 0.0,
+                stored: read(closed.stored),
+            },
+        }
+    }
+
+    fn impact(&self, k: usize, struck: &Struck<S>, read: &dyn Fn(S) -> f64) -> Impact {
+        Impact {
+            time: read(struck.time),
+            impulse: read(struck.impulse),
+            tangential_impulse: 0.0,
+            approach_velocity: read(struck.approach),
+            separation_velocity: read(struck.separation),
+            place: self.place(k, struck.place, read),
+            energy: EnergySplit {
+                given: struck.given.map(read),
+                lost: read(-(struck.given[0] + struck.given[1])),
+                stored: 0.0,
+            },
+            tamed: false,
+        }
+    }
+
+    fn place(&self, k: usize, position: [S; 2], read: &dyn Fn(S) -> f64) -> ContactPlace {
+        ContactPlace { s: self.model.projectiles[k].point.s, position: position.map(read) }
+    }
+}
+
+fn peak<S: Number>(top: &Top<S>, read: &dyn Fn(S) -> f64) -> Peak {
+    Peak { value: read(top.value), time: read(top.time) }
+}

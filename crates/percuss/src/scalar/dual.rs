@@ -1,0 +1,130 @@
+//! A number with its derivatives: forward differentiation.
+
+use std::array::from_fn;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+use super::{Number, Real};
+
+/// A value and its derivatives with respect to `P` parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dual<const P: usize> {
+    /// Value.
+    pub value: f64,
+    /// Derivatives.
+    pub slope: [f64; P],
+}
+
+impl<const P: usize> Dual<P> {
+    #[inline(always)]
+    fn new(value: f64, slope: impl Fn(usize) -> f64) -> Self {
+        Self { value, slope: from_fn(slope) }
+    }
+}
+
+impl<const P: usize> Add for Dual<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, o: Self) -> Self {
+        Self::new(self.value + o.value, |i| self.slope[i] + o.slope[i])
+    }
+}
+
+impl<const P: usize> AddAssign for Dual<P> {
+    #[inline(always)]
+    fn add_assign(&mut self, o: Self) {
+        *self = *self + o;
+    }
+}
+
+impl<const P: usize> Sub for Dual<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.value - o.value, |i| self.slope[i] - o.slope[i])
+    }
+}
+
+impl<const P: usize> Mul for Dual<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, o: Self) -> Self {
+        Self::new(self.value * o.value, |i| self.slope[i] * o.value + self.value * o.slope[i])
+    }
+}
+
+impl<const P: usize> Mul<f64> for Dual<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, o: f64) -> Self {
+        Self::new(self.value * o, |i| self.slope[i] * o)
+    }
+}
+
+impl<const P: usize> Div for Dual<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, o: Self) -> Self {
+        let quotient = self.value / o.value;
+        Self::new(quotient, |i| (self.slope[i] - quotient * o.slope[i]) / o.value)
+    }
+}
+
+impl<const P: usize> Neg for Dual<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.value, |i| -self.slope[i])
+    }
+}
+
+impl<const P: usize> Real for Dual<P> {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Self { value, slope: [0.0; P] }
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        // Of a constant zero, too.
+        Self::new(root, |i| if self.slope[i] == 0.0 { 0.0 } else { self.slope[i] / (2.0 * root) })
+    }
+}
+
+impl<const P: usize> Number for Dual<P> {
+    const LANES: usize = 1;
+    const DERIVES: bool = true;
+    #[inline(always)]
+    fn lane(self, _: usize) -> f64 {
+        self.value
+    }
+    #[inline(always)]
+    fn set_lane(&mut self, _: usize, from: Self, _: usize) {
+        *self = from;
+    }
+    #[inline(always)]
+    fn if_less(self, other: Self, a: Self, b: Self) -> Self {
+        if self.value < other.value { a } else { b }
+    }
+    #[inline(always)]
+    fn of_lanes(value: impl Fn(usize) -> f64) -> Self {
+        Self::constant(value(0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_are_those_of_difference_quotients() {
+        fn f<S: Real>(x: S, y: S) -> S {
+            (x * x / (y + S::constant(2.0)) - y * 3.0).sqrt() * x.recip() + -x
+        }
+        let (x, y, e) = (3.0, -0.4, 1e-6);
+        let d = f(Dual { value: x, slope: [1.0, 0.0] }, Dual { value: y, slope: [0.0, 1.0] });
+        assert_eq!(d.value, f(x, y));
+        let [dx, dy] =
+            [[e, 0.0], [0.0, e]].map(|[a, b]| (f(x + a, y + b) - f(x - a, y - b)) / (2.0 * e));
+        assert!((d.slope[0] - dx).abs() < 1e-9 && (d.slope[1] - dy).abs() < 1e-9);
+    }
+}

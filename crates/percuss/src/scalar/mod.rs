@@ -1,0 +1,97 @@
+//! The scalar that kernels and whole runs are written over: `f64`, several runs side by side ([`Lanes`]), or one run with its
+//! derivatives ([`Dual`]).
+
+mod dual;
+mod lanes;
+
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+pub use dual::Dual;
+pub use lanes::Lanes;
+
+/// A real number as the kernels need it.
+///
+/// Kernels hold no branch on a value of this type, so that a lane of several numbers can stand in for it.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + AddAssign
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The constant `value`.
+    fn constant(value: f64) -> Self;
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Reciprocal.
+    #[inline(always)]
+    fn recip(self) -> Self {
+        Self::constant(1.0) / self
+    }
+}
+
+/// A real number that whole runs can be stepped with. Its decisions are those of its values, lane by lane.
+pub trait Number: Real + std::fmt::Debug {
+    /// Runs side by side.
+    const LANES: usize;
+    /// Whether it carries derivatives, which follow the values once these are found.
+    const DERIVES: bool = false;
+    /// Value in a lane.
+    fn lane(self, lane: usize) -> f64;
+    /// Puts the number of another lane into one of its own.
+    fn set_lane(&mut self, lane: usize, from: Self, from_lane: usize);
+    /// `if self < other { a } else { b }`, lane by lane.
+    fn if_less(self, other: Self, a: Self, b: Self) -> Self;
+    /// Magnitude.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.if_less(Self::constant(0.0), -self, self)
+    }
+    /// The larger of two.
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.if_less(other, other, self)
+    }
+    /// Whether any lane is less than that of another number.
+    #[inline(always)]
+    fn any_less(self, other: Self) -> bool {
+        let one = self.if_less(other, Self::constant(1.0), Self::constant(0.0));
+        (0..Self::LANES).any(|lane| one.lane(lane) != 0.0)
+    }
+    /// A number of given values, constant.
+    fn of_lanes(value: impl Fn(usize) -> f64) -> Self;
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        f64::sqrt(self)
+    }
+}
+
+impl Number for f64 {
+    const LANES: usize = 1;
+    #[inline(always)]
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn set_lane(&mut self, _: usize, from: Self, _: usize) {
+        *self = from;
+    }
+    #[inline(always)]
+    fn if_less(self, other: Self, a: Self, b: Self) -> Self {
+        if self < other { a } else { b }
+    }
+    #[inline(always)]
+    fn of_lanes(value: impl Fn(usize) -> f64) -> Self {
+        value(0)
+    }
+}

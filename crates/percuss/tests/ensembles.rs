@@ -1,0 +1,150 @@
+//! Runs side by side: what a single run gives, and the same bits alone and in company.
+
+mod common;
+
+use common::{at, beam, plank};
+use percuss::*;
+
+/// What varies between the runs.
+#[derive(Clone, Copy)]
+struct Variant {
+    young: f64,
+    speed: f64,
+    mass: f64,
+    standoff: f64,
+    step: f64,
+    along: f64,
+}
+
+const USUAL: Variant =
+    Variant { young: 2e9, speed: 20.0, mass: 500.0, standoff: 0.2, step: 1e-4, along: 0.5 };
+
+fn model(v: Variant, law: SmoothLaw, angle: f64, elements: usize) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = (Material::new("m", v.young, 3e3), Section::new("s", 0.1, 8.33e-5));
+    let (material, section) = (b.material(material), b.section(section));
+    let (sine, cosine) = angle.sin_cos();
+    let g = b.beam(beam("g", [0.0; 2], [3.0 * cosine, 3.0 * sine], elements, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, g, f), SupportKind::Clamp));
+    }
+    let kind = ProjectileKind::Elastic { law };
+    let velocity = [-v.speed * sine, v.speed * cosine];
+    let projectile = Projectile::new("mass", kind, v.mass, velocity, at("mid", g, v.along));
+    b.projectile(Projectile { standoff: v.standoff, ..projectile });
+    b.build().unwrap()
+}
+
+fn linear() -> SmoothLaw {
+    SmoothLaw::elastic(Potential::Linear { stiffness: 7.5e5 })
+}
+
+/// All numbers of a summary that an ensemble tells.
+fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
+    let mut all = vec![
+        ("steps", s.steps as f64),
+        ("energy", s.energy.final_),
+        ("scale", s.energy.scale),
+        ("linear", s.momentum.linear_scale),
+        ("angular", s.momentum.angular_scale),
+        ("velocity", s.projectiles[0].velocity_final[1]),
+        ("momentum", s.projectiles[0].momentum_transferred),
+        ("given", s.projectiles[0].energy_transferred),
+    ];
+    let ContactRecord::Smooth { peak_force, intervals } = &s.contacts[0].record else { panic!() };
+    all.extend([("force", peak_force.value), ("force at", peak_force.time)]);
+    for i in intervals {
+        all.extend([("start", i.start), ("end", i.end), ("impulse", i.impulse)]);
+        all.extend([("peak", i.peak_force.value), ("approach", i.approach_velocity)]);
+        all.extend([("separation", i.separation_velocity), ("to beam", i.energy.given[0])]);
+        all.extend([("to mass", i.energy.given[1]), ("stored", i.energy.stored)]);
+        all.extend([("place", i.place.position[1]), ("place end", i.place_end.position[1])]);
+    }
+    for p in &s.points {
+        for top in &p.displacement_max {
+            // The instant of the largest round-off is none.
+            let time = if top.value.abs() > 1e-9 { top.time } else { 0.0 };
+            all.extend([("displacement", top.value), ("displacement at", time)]);
+        }
+    }
+    all
+}
+
+#[track_caller]
+fn agree(model: &Model, settings: &Settings, found: &RunSummary, tolerance: f64) {
+    let single = simulate(model, settings, &mut NoRecorder).unwrap();
+    assert!(matches!(found.termination, Termination::Completed));
+    assert!(found.supports.is_empty(), "this run was not stepped by an ensemble");
+    assert!(found.energy.residual_max < 1e-11 && found.momentum.linear_residual_max < 1e-11);
+    assert!(found.momentum.angular_residual_max < 1e-11);
+    let (a, b) = (numbers(&single), numbers(found));
+    assert_eq!(a.len(), b.len());
+    for ((name, a), (_, b)) in a.iter().zip(&b) {
+        let scale = a.abs().max(1e-3);
+        assert!(
+            (a - b).abs() <= tolerance * scale || (a.is_nan() && b.is_nan()),
+            "{name}: {a} {b}"
+        );
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    (0..21)
+        .map(|k| {
+            let x = f64::from(k) / 20.0;
+            Variant {
+                young: 2e9 * (1.0 + x),
+                speed: 5.0 + 30.0 * x,
+                mass: 500.0 - 300.0 * x,
+                standoff: 0.01 + 0.3 * x,
+                step: if k % 5 == 0 { 1.3e-4 } else { 1e-4 },
+                along: 0.5,
+            }
+        })
+        .collect()
+}
+
+#[test]
+fn an_ensemble_gives_what_single_runs_give_and_lanes_see_only_themselves() {
+    let variants = variants();
+    let models: Vec<Model> = variants.iter().map(|v| model(*v, linear(), 0.0, 6)).collect();
+    let settings: Vec<Settings> = variants.iter().map(|v| Settings::new(0.03, v.step)).collect();
+    let runs: Vec<(&Model, &Settings)> = models.iter().zip(&settings).collect();
+    let found = simulate_batch(&runs, Detail::Motion);
+    for (k, ((model, settings), found)) in runs.iter().zip(&found).enumerate() {
+        let found = found.as_ref().unwrap();
+        agree(model, settings, found, 1e-9);
+        let alone = simulate_batch(&[(*model, *settings)], Detail::Motion).pop().unwrap().unwrap();
+        let bits =
+            |s: &RunSummary| numbers(s).into_iter().map(|(_, x)| x.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&alone), bits(found), "run {k}");
+        assert_eq!(alone.newton_iterations, found.newton_iterations);
+        assert_eq!(alone.energy.residual_max.to_bits(), found.energy.residual_max.to_bits());
+    }
+}
+
+#[test]
+fn laws_and_slender_inclined_beams_agree_too() {
+    let hertz = SmoothLaw::elastic(Potential::Hertz { stiffness: 2e7 });
+    for (law, angle, elements) in [(hertz.clone(), 0.0, 6), (linear(), 0.7, 6), (hertz, -1.1, 13)] {
+        let model = model(USUAL, law, angle, elements);
+        let settings = Settings::new(0.04, 1e-4);
+        let found = simulate_batch(&[(&model, &settings)], Detail::Motion).pop().unwrap().unwrap();
+        agree(&model, &settings, &found, 1e-8);
+    }
+}
+
+#[test]
+fn what_no_ensemble_knows_runs_singly() {
+    let dashed = SmoothLaw { dissipation: 0.1, ..linear() };
+    let (known, other) = (model(USUAL, linear(), 0.0, 6), model(USUAL, dashed, 0.0, 6));
+    let settings = Settings::new(0.02, 1e-4);
+    let faulty = Settings::new(0.02, -1.0);
+    let runs = [(&known, &settings), (&other, &settings), (&known, &faulty)];
+    let found = simulate_batch(&runs, Detail::Motion);
+    agree(&known, &settings, found[0].as_ref().unwrap(), 1e-9);
+    assert!(found[1].as_ref().unwrap().energy.loss_damping > 0.0);
+    assert!(found[2].is_err());
+    let full = simulate_batch(&runs[..1], Detail::Full);
+    assert_eq!(full[0].as_ref().unwrap().supports.len(), 2);
+}
