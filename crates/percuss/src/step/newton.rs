@@ -99,6 +99,7 @@ impl StepProblem<'_> {
     pub fn solve(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         self.predict(work);
         let mut watch = Watch::new(self.state.books.energy_scale);
+        let (_, reach) = largest(&self.state.displacement);
         let mut renew = true;
         for iteration in 0..MOST_ITERATIONS {
             self.residual(work, renew);
@@ -124,7 +125,6 @@ impl StepProblem<'_> {
             if iteration == 0 || moves || watch.energy > self.state.books.energy_scale {
                 watch.play(self.energy_in_play(work, correction_work));
             }
-            let (_, reach) = largest(&self.state.displacement);
             let (_, step) = largest(&work.increment);
             let touching =
                 !self.active.is_empty() || work.smooth.iter().any(|c| c.force.force > 0.0);
@@ -328,7 +328,8 @@ pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
 fn largest(nodal: &[[f64; 4]]) -> (usize, f64) {
     let mut found = (0, 0.0);
     for (n, x) in nodal.iter().enumerate() {
-        let size = x.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+        // One comparison each: `f64::max` would look for NaN as well, which no comparison finds larger.
+        let size = x.iter().map(|c| c.abs()).fold(0.0_f64, |m, c| if c > m { c } else { m });
         if size > found.1 {
             found = (n, size);
         }
