@@ -1,9 +1,7 @@
 //! The invariant energy-momentum scheme: a discrete gradient written through the invariants
 //! `a = g.g` and `b = g x p`, with no strain history.
 
-use super::point::{
-    Form, PointResponse, SectionLaw, StepPoint, Stress, StressRate, b_of, form_a, form_b,
-};
+use super::point::{Form, PointResponse, SectionLaw, StepPoint, Stress, b_of, form_b};
 use crate::math::vec2::{add, dot};
 use crate::model::StrainMeasure;
 use crate::scalar::Real;
@@ -46,16 +44,20 @@ pub fn response<S: Real, const TANGENT: bool>(
     if !TANGENT {
         return stress.forces(g_mid, p_mid);
     }
-    let (a_form, b_form) = (form_a(g1), form_b(g1, p1));
-    let rate = StressRate {
-        axial: a_form.times(slopes.axial_a),
-        moment: a_form.times(slopes.moment_a).plus(slopes.moment_b, b_form),
-        alpha: a_form.times(slopes.alpha_a),
-        c1: a_form.times(slopes.c1_a),
-        c2: Form::times(a_form, slopes.c2_a).plus(slopes.c2_b, b_form),
-        theta: 0.5,
+    // Every derivative runs along g1.dg and db1: sums of scalars first, forms last.
+    let Stress { axial, moment, alpha, c1, c2 } = stress;
+    let Slopes { axial_a, moment_a, moment_b, alpha_a, c1_a, c2_a, c2_b } = slopes;
+    let b_form = form_b(g1, p1);
+    let along = |a: S, b: S| Form {
+        g: [a * g1[0] + b * b_form.g[0], a * g1[1] + b * b_form.g[1]],
+        p: [b * b_form.p[0], b * b_form.p[1]],
     };
-    stress.forces_and_tangent(&rate, g_mid, p_mid)
+    let x = along(
+        axial_a * alpha + axial * alpha_a + c2 * moment_a + moment * c2_a,
+        c2 * moment_b + moment * c2_b,
+    );
+    let y = along(c1 * moment_a + moment * c1_a, c1 * moment_b);
+    stress.forces_with_tangent(x, y, 0.5, g_mid, p_mid)
 }
 
 /// Invariants and Green membrane strain at both ends of the step.

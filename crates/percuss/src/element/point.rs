@@ -166,7 +166,7 @@ impl<S: Real> Stress<S> {
         }
     }
 
-    /// Forces and tangent: `H = G (x) X + P (x) Y + theta [(N alpha + B c2) dG + B c1 dP]`.
+    /// Forces and tangent: `X = alpha dN + N dalpha + c2 dB + B dc2`, `Y = c1 dB + B dc1`.
     #[inline(always)]
     pub fn forces_and_tangent(
         &self,
@@ -174,7 +174,6 @@ impl<S: Real> Stress<S> {
         g: [S; 2],
         p: [S; 2],
     ) -> PointResponse<S> {
-        let mut response = self.forces(g, p);
         let x = rate
             .axial
             .times(self.alpha)
@@ -182,6 +181,21 @@ impl<S: Real> Stress<S> {
             .plus(self.c2, rate.moment)
             .plus(self.moment, rate.c2);
         let y = rate.moment.times(self.c1).plus(self.moment, rate.c1);
+        self.forces_with_tangent(x, y, rate.theta, g, p)
+    }
+
+    /// Forces and tangent, `H = G (x) X + P (x) Y + theta [(N alpha + B c2) dG + B c1 dP]`, with X and Y as in
+    /// [`Stress::forces_and_tangent`] and theta the weight of the end of the step in the configuration of evaluation.
+    #[inline(always)]
+    pub fn forces_with_tangent(
+        &self,
+        x: Form<S>,
+        y: Form<S>,
+        theta: f64,
+        g: [S; 2],
+        p: [S; 2],
+    ) -> PointResponse<S> {
+        let mut response = self.forces(g, p);
         let b = form_b(g, p);
         let h = &mut response.tangent;
         for i in 0..2 {
@@ -192,8 +206,8 @@ impl<S: Real> Stress<S> {
                 h[2 + i][2 + j] = b.p[i] * y.p[j];
             }
         }
-        let on_g = (self.axial * self.alpha + self.moment * self.c2) * rate.theta;
-        let on_p = (self.moment * self.c1) * rate.theta;
+        let on_g = (self.axial * self.alpha + self.moment * self.c2) * theta;
+        let on_p = (self.moment * self.c1) * theta;
         h[0][0] += on_g;
         h[1][1] += on_g;
         // dP = (-J dp, J dg)
