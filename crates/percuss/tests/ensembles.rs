@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{at, beam, plank};
+use common::{at, beam};
 use percuss::*;
 
 /// What varies between the runs.

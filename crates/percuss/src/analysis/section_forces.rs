@@ -94,8 +94,12 @@ fn take(out: &mut SectionForceSummary, f: &ElementForces, s: [f64; 2], index: us
 
 fn widen([min, max]: &mut [Vec<f64>; 2], i: usize, least: f64, most: f64) {
     // The first value replaces NaN.
-    min[i] = min[i].min(least);
-    max[i] = max[i].max(most);
+    if least < min[i] || min[i].is_nan() {
+        min[i] = least;
+    }
+    if most > max[i] || max[i].is_nan() {
+        max[i] = most;
+    }
 }
 
 /// Section forces at a point: axial, shear, moment, and the stress of larger magnitude.

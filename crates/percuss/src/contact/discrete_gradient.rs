@@ -25,10 +25,20 @@ pub struct StepGap {
     pub row: Row,
     /// The pair in the middle of the step.
     pub middle: Touch,
+    /// Gradients in the middle and at the end, where they differ from the form.
+    gradients: Option<[Row; 2]>,
+}
+
+impl StepGap {
     /// Gradient in the middle.
-    pub middle_row: Row,
+    pub fn middle_row(&self) -> &Row {
+        self.gradients.as_ref().map_or(&self.row, |[middle, _]| middle)
+    }
+
     /// Gradient at the end.
-    pub end_row: Row,
+    pub fn end_row(&self) -> &Row {
+        self.gradients.as_ref().map_or(&self.row, |[_, end]| end)
+    }
 }
 
 impl Pair {
@@ -48,7 +58,7 @@ impl Pair {
             let gap = self.touch(model, &end, memory, Reach::Near)?.gap;
             let row = self.normal_row(&middle, &mid);
             let gaps = [gap_0, gap];
-            return Some(StepGap { gaps, row, middle, middle_row: row, end_row: row });
+            return Some(StepGap { gaps, row, middle, gradients: None });
         }
         // The end is seen as the next step will see it: what else is near may be nearer by then.
         let near = Memory { near: middle.memory.near, ..*memory };
@@ -56,6 +66,7 @@ impl Pair {
         let middle_row = self.normal_row(&middle, &mid);
         let end_row = self.normal_row(&last, &end);
         let mut row = middle_row;
+        let gradients = Some([middle_row, end_row]);
         // A foot that leaves for an end, or comes from there, opens or closes the pair.
         let finite = |gap: f64| if gap.is_finite() { gap } else { 0.0 };
         if !gap_0.is_finite() && !last.gap.is_finite() {
@@ -69,7 +80,7 @@ impl Pair {
             // A difference of gaps is known no better than the positions they are taken from.
             let place = norm(middle.foot_place) + self.reach;
             if miss.abs() <= ROUND_OFF * place {
-                return Some(StepGap { gaps, row, middle, middle_row, end_row });
+                return Some(StepGap { gaps, row, middle, gradients });
             }
             // The ends of the step may know other nodes.
             for (node, _) in end_row.iter() {
@@ -77,7 +88,7 @@ impl Pair {
             }
             correct(model, &mut row, at, miss);
         }
-        Some(StepGap { gaps, row, middle, middle_row, end_row })
+        Some(StepGap { gaps, row, middle, gradients })
     }
 }
 

@@ -61,7 +61,7 @@ pub fn mass_band(model: &Model, u: &[[f64; 4]]) -> Chain {
     for (span, k, a, _) in model.each_element() {
         let table = span.table(k);
         let values = ElementValues::new(&u[a], &u[a + 1]);
-        let mut sums = ElementSums::zero();
+        let mut sums = ElementSums::zero(0.0);
         for row in &table.rows {
             let mut point =
                 PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };

@@ -7,7 +7,7 @@ use super::configuration::Configuration;
 use super::pair::{Centre, Hold, Memory, Pair, Target};
 use super::row::Row;
 use crate::math::hermite;
-use crate::math::vec2::{cross, dot, norm, rot90, scale, sub};
+use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;
 
 /// Below this distance of centre and axis the normal is that of the axis \[m\].
@@ -65,17 +65,18 @@ impl Pair {
         memory: &Memory,
         reach: Reach,
     ) -> Option<Touch> {
-        let y = self.source.place(at);
+        let moved = self.source.displacement(at);
+        let y = add(self.source.position, moved);
         match &self.target {
             Target::Guided { point, normal, standoff } => {
-                let moved = sub(self.source.displacement(at), point.displacement(at));
-                Some(self.flat(*point, *normal, standoff + dot(*normal, moved), at, memory))
+                let foot = point.displacement(at);
+                let gap = standoff + dot(*normal, sub(moved, foot));
+                Some(self.flat(*point, add(point.position, foot), *normal, gap, memory))
             }
             Target::Line { point, normal } => {
                 let away = dot(*normal, sub(y, point.place(at)));
-                let mut touch = self.flat(*point, *normal, away - self.reach, at, memory);
-                touch.foot_place = sub(y, scale(away, *normal));
-                Some(touch)
+                let place = sub(y, scale(away, *normal));
+                Some(self.flat(*point, place, *normal, away - self.reach, memory))
             }
             Target::Round { centre } => Some(self.round(*centre, 1.0, y, at, memory)),
             Target::Segment { ends } => Some(self.segment(ends, y, at, memory)),
@@ -98,13 +99,12 @@ impl Pair {
     fn flat(
         &self,
         foot: Centre,
+        foot_place: [f64; 2],
         normal: [f64; 2],
         gap: f64,
-        at: &Configuration,
         memory: &Memory,
     ) -> Touch {
         let radius = self.target_radius;
-        let foot_place = foot.place(at);
         let (memory, s) = (*memory, f64::NAN);
         Touch { gap, apart: gap, normal, foot, foot_place, radius, memory, s, bend: Bend::Flat }
     }
@@ -154,9 +154,7 @@ impl Pair {
         let side = if memory.side == 0.0 { 1.0_f64.copysign(height) } else { memory.side };
         let gap = side * height - self.reach;
         let seen = Memory { side, ..*memory };
-        let mut touch = self.flat(ends[0], scale(side, left), gap, at, &seen);
-        touch.foot_place = sub(y, scale(height, left));
-        touch
+        self.flat(ends[0], sub(y, scale(height, left)), scale(side, left), gap, &seen)
     }
 
     fn on_axis(
@@ -221,8 +219,8 @@ impl Pair {
         touch.foot.add_force(&mut row, [-n[0], -n[1]]);
         match &self.target {
             // The guide carries the couple of a force off the line of flight.
-            Target::Guided { point, .. } => {
-                let arm = sub(point.place(at), self.source.place(at));
+            Target::Guided { .. } => {
+                let arm = sub(touch.foot_place, self.source.place(at));
                 self.source.add_couple(&mut row, cross(arm, n), at);
             }
             // A foot that is not a point of the body: the force acts at the foot.

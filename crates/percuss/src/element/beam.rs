@@ -6,7 +6,7 @@ use super::membrane::MembraneTable;
 use super::point::{PointResponse, SectionLaw, StepPoint};
 use crate::math::hermite::{self, GAUSS, GAUSS_WEIGHTS};
 use crate::math::vec2::{cross, norm};
-use crate::scalar::Real;
+use crate::scalar::{Real, array};
 
 /// What is known of the beam at a Gauss point, and the derivatives of the interpolation there, acting on
 /// (u_b - u_a, u_a', u_b').
@@ -134,13 +134,15 @@ impl<S: Real> ElementTable<S> {
         let m = &self.mass;
         for i in 0..2 {
             let acc = [acc_a[i], acc_a[2 + i], acc_b[i], acc_b[2 + i]];
-            let row = |k: usize| {
-                m[k][0] * acc[0] + m[k][1] * acc[1] + m[k][2] * acc[2] + m[k][3] * acc[3]
-            };
-            on_a[i] += row(0);
-            on_a[2 + i] += row(1);
-            on_b[i] += row(2);
-            on_b[2 + i] += row(3);
+            let mut force = acc;
+            for k in 0..4 {
+                force[k] =
+                    m[k][0] * acc[0] + m[k][1] * acc[1] + m[k][2] * acc[2] + m[k][3] * acc[3];
+            }
+            on_a[i] += force[0];
+            on_a[2 + i] += force[1];
+            on_b[i] += force[2];
+            on_b[2 + i] += force[3];
         }
     }
 }
@@ -206,18 +208,18 @@ pub struct ElementSums<S> {
 }
 
 impl<S: Real> ElementSums<S> {
-    /// Nothing summed yet.
+    /// Nothing summed yet, in as many lanes as a number has.
     #[inline(always)]
-    pub fn zero() -> Self {
-        let zero = S::constant(0.0);
+    pub fn zero(like: S) -> Self {
+        let zero = like.constant(0.0);
         Self { force: [zero; 6], tangent: [[zero; 6]; 6] }
     }
 
     /// Adds the response at a Gauss point, `B^T f w` and `B^T H B w`.
     #[inline(always)]
     pub fn add<const TANGENT: bool>(&mut self, row: &GaussRow<S>, point: &PointResponse<S>) {
-        let first = row.first.map(|c| c * row.weight);
-        let second = row.second.map(|c| c * row.weight);
+        let first: [S; 3] = array(|k| row.first[k] * row.weight);
+        let second: [S; 3] = array(|k| row.second[k] * row.weight);
         for k in 0..3 {
             for i in 0..2 {
                 self.force[2 * k + i] += point.force_g[i] * first[k] + point.force_p[i] * second[k];
@@ -229,9 +231,11 @@ impl<S: Real> ElementSums<S> {
         for l in 0..3 {
             for j in 0..2 {
                 // H B for column (l, j), weighted.
-                let column: [S; 4] = std::array::from_fn(|i| {
-                    point.tangent[i][j] * first[l] + point.tangent[i][2 + j] * second[l]
-                });
+                let mut column = [first[l]; 4];
+                for i in 0..4 {
+                    column[i] =
+                        point.tangent[i][j] * first[l] + point.tangent[i][2 + j] * second[l];
+                }
                 for k in 0..3 {
                     for i in 0..2 {
                         self.tangent[2 * k + i][2 * l + j] +=
@@ -253,7 +257,7 @@ impl<S: Real> ElementSums<S> {
     #[inline(always)]
     pub fn nodal_tangent(&self, mass: &[[S; 4]; 4], slope: S) -> [[[S; 4]; 4]; 4] {
         let k = &self.tangent;
-        let zero = [[S::constant(0.0); 4]; 4];
+        let zero = [[slope.constant(0.0); 4]; 4];
         let [mut aa, mut ab, mut ba, mut bb] = [zero; 4];
         for i in 0..2 {
             for j in 0..2 {
@@ -302,7 +306,7 @@ mod tests {
     type Dual = DualSVec64<4>;
 
     impl Real for Dual {
-        fn constant(value: f64) -> Self {
+        fn constant(self, value: f64) -> Self {
             Dual::from_re(value)
         }
         fn sqrt(self) -> Self {
@@ -314,8 +318,8 @@ mod tests {
     /// Share of Kelvin-Voigt stresses.
     const LAG: f64 = 0.2;
 
-    fn law<S: Real>(measure: StrainMeasure) -> SectionLaw<S> {
-        let [axial, bending, rotary] = [5.0e3, 40.0, 0.3].map(S::constant);
+    fn law<S: Real>(like: S, measure: StrainMeasure) -> SectionLaw<S> {
+        let [axial, bending, rotary] = [5.0e3, 40.0, 0.3].map(|x| like.constant(x));
         SectionLaw { axial, bending, rotary, measure }
     }
 
@@ -325,10 +329,11 @@ mod tests {
         measure: StrainMeasure,
         point: &StepPoint<S>,
     ) -> PointResponse<S> {
-        let law = law::<S>(measure);
+        let like = point.curvature;
+        let law = law(like, measure);
         let g0 = add(point.tangent, point.slope_0);
-        let old = Strains { membrane: S::constant(0.02), bending: S::constant(-0.3) };
-        let (spin, h) = (S::constant(3.0), S::constant(H));
+        let old = Strains { membrane: like.constant(0.02), bending: like.constant(-0.3) };
+        let (spin, h) = (like.constant(3.0), like.constant(H));
         match scheme {
             0 => {
                 let mut r = energy_momentum::response::<S, T>(&law, point, LAG);
@@ -344,8 +349,8 @@ mod tests {
                 let (rate, acc) = (600.0, 2.0e5);
                 let linear = |c: f64, offset: [f64; 2]| {
                     [
-                        point.d_slope[0] * c + S::constant(offset[0]),
-                        point.d_slope[1] * c + S::constant(offset[1]),
+                        point.d_slope[0] * c + like.constant(offset[0]),
+                        point.d_slope[1] * c + like.constant(offset[1]),
                     ]
                 };
                 let (g_dot, g_ddot) = (linear(rate, [0.4, -2.0]), linear(acc, [30.0, -10.0]));
@@ -427,7 +432,7 @@ mod tests {
         ) {
             let p = point_from(v, angle);
             for measure in measures() {
-                let law = law::<f64>(measure);
+                let law = law(0.0, measure);
                 let energy = |slope, bend| {
                     let s = strain::strains(measure, p.tangent, p.curvature, slope, bend);
                     0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
@@ -450,7 +455,7 @@ mod tests {
             let b = add(p.bend_0, [0.5 * p.d_bend[0], 0.5 * p.d_bend[1]]);
             let old = Strains { membrane: 0.02, bending: -0.3 };
             for measure in measures() {
-                let law = law::<f64>(measure);
+                let law = law(0.0, measure);
                 for r in [
                     energy_momentum::response::<f64, false>(&law, &p, LAG),
                     strain_rate::response::<f64, false>(&law, &p, old, LAG),

@@ -32,7 +32,8 @@ pub fn damped<S: Real, const TANGENT: bool>(
         return elastic;
     }
     // Without strains at the start, the strain-rate scheme is all rate.
-    let zero = Strains { membrane: S::constant(0.0), bending: S::constant(0.0) };
+    let none = point.curvature.constant(0.0);
+    let zero = Strains { membrane: none, bending: none };
     let viscous = strain_rate::response::<S, TANGENT>(law, point, zero, lag - 0.5);
     elastic.plus(&viscous)
 }
@@ -89,7 +90,7 @@ fn evaluate<S: Real, const TANGENT: bool>(
         return stress.forces(g, p);
     }
     let (a, b) = (form_a(g), form_b(g, p));
-    let weight = S::constant(theta);
+    let weight = point.curvature.constant(theta);
     let rate = StressRate {
         axial: a.times(law.axial * c.alpha * weight),
         moment: b.times(law.bending * c.c1 * weight).plus(law.bending * c.c2 * weight, a),

@@ -1,9 +1,7 @@
 //! The invariant energy-momentum scheme: a discrete gradient written through the invariants
 //! `a = g.g` and `b = g x p`, with no strain history.
 
-use super::point::{
-    Form, PointResponse, SectionLaw, StepPoint, Stress, StressRate, b_of, form_a, form_b,
-};
+use super::point::{Form, PointResponse, SectionLaw, StepPoint, Stress, b_of, form_b};
 use crate::math::vec2::{add, dot};
 use crate::model::StrainMeasure;
 use crate::scalar::Real;
@@ -49,16 +47,18 @@ pub fn between<S: Real, const TANGENT: bool>(
     if !TANGENT {
         return stress.forces(g_mid, p_mid);
     }
-    let (a_form, b_form) = (form_a(end.g), form_b(end.g, end.bend));
-    let rate = StressRate {
-        axial: a_form.times(slopes.axial_a),
-        moment: a_form.times(slopes.moment_a).plus(slopes.moment_b, b_form),
-        alpha: a_form.times(slopes.alpha_a),
-        c1: a_form.times(slopes.c1_a),
-        c2: Form::times(a_form, slopes.c2_a).plus(slopes.c2_b, b_form),
-        theta: 0.5,
-    };
-    stress.forces_and_tangent(&rate, g_mid, p_mid)
+    // Every derivative runs along g1.dg and db1: sums of scalars first, forms last.
+    let Stress { axial, moment, alpha, c1, c2 } = stress;
+    let Slopes { axial_a, moment_a, moment_b, alpha_a, c1_a, c2_a, c2_b } = slopes;
+    let b_form = form_b(end.g, end.bend);
+    let x = Form::along(
+        axial_a * alpha + axial * alpha_a + c2 * moment_a + moment * c2_a,
+        end.g,
+        c2 * moment_b + moment * c2_b,
+        &b_form,
+    );
+    let y = Form::along(c1 * moment_a + moment * c1_a, end.g, c1 * moment_b, &b_form);
+    stress.forces_with_tangent(x, y, 0.5, g_mid, p_mid)
 }
 
 /// One end of a step at a Gauss point.
@@ -99,7 +99,7 @@ impl<S: Real> End<S> {
         let (inverse, membrane) = match measure {
             StrainMeasure::Green => (stretch.recip(), green),
             StrainMeasure::Engineering => {
-                (a.recip(), (green + green) / (stretch + S::constant(1.0)))
+                (a.recip(), (green + green) / (stretch + stretch.constant(1.0)))
             }
         };
         let bending = curvature - b * inverse;
@@ -146,12 +146,12 @@ impl<S: Real> Ends<'_, S> {
         let (axial, moment) = self.resultants(law);
         let c2_b = q0 * q1 * q;
         let c2 = (self.start.b + self.end.b) * c2_b;
-        let stress = Stress { axial, moment, alpha: S::constant(1.0), c1: (q0 + q1) * -0.5, c2 };
+        let stress = Stress { axial, moment, alpha: c2.constant(1.0), c1: (q0 + q1) * -0.5, c2 };
         let slopes = Slopes {
             axial_a: end_ea,
             moment_a: end_ei * self.end.b * q1_cubed,
             moment_b: -(end_ei * q1),
-            alpha_a: S::constant(0.0),
+            alpha_a: c2.constant(0.0),
             c1_a: q1_cubed * 0.5,
             c2_a: -(c2 * (q1 + q) * q1),
             c2_b,

@@ -116,7 +116,7 @@ impl<S: Real> MembraneTable<S> {
             let force = force_of(geometric, i);
             let turned = force * p.alpha * theta;
             for k in 0..SAMPLES {
-                let mut block = [[S::constant(0.0); 2]; 2];
+                let mut block = [[n.constant(0.0); 2]; 2];
                 for c in 0..2 {
                     for d in 0..2 {
                         block[c][d] =
@@ -197,7 +197,7 @@ pub fn green_or_engineering<S: Real>(measure: StrainMeasure, tangent: [S; 2], sl
         StrainMeasure::Green => green,
         StrainMeasure::Engineering => {
             let g = add(tangent, slope);
-            (green + green) / (dot(g, g).sqrt() + S::constant(1.0))
+            (green + green) / (dot(g, g).sqrt() + green.constant(1.0))
         }
     }
 }
@@ -217,9 +217,9 @@ impl<S: Real> MembraneStep<S> {
         let slope_1 = add(self.slope_0, self.d_slope);
         let eps = |slope| green_or_engineering(measure, self.tangent, slope);
         let strain = eps(self.slope_0) * w0 + eps(slope_1) * w1;
-        let zero = S::constant(0.0);
+        let zero = strain.constant(0.0);
         let (alpha, d_strain, d_alpha) = match measure {
-            StrainMeasure::Green => (S::constant(1.0), g1.map(|c| c * w1), [zero; 2]),
+            StrainMeasure::Green => (strain.constant(1.0), g1.map(|c| c * w1), [zero; 2]),
             StrainMeasure::Engineering => {
                 let g0 = self.at(0.0);
                 let (r0, r1) = (dot(g0, g0).sqrt(), dot(g1, g1).sqrt());
@@ -272,7 +272,7 @@ impl<S: Real> MembraneStep<S> {
 #[inline(always)]
 fn alpha<S: Real>(measure: StrainMeasure, g: [S; 2]) -> (S, S) {
     match measure {
-        StrainMeasure::Green => (S::constant(1.0), S::constant(0.0)),
+        StrainMeasure::Green => (g[0].constant(1.0), g[0].constant(0.0)),
         StrainMeasure::Engineering => {
             let inv = dot(g, g).sqrt().recip();
             (inv, -(inv * inv * inv))

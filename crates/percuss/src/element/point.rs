@@ -58,7 +58,7 @@ pub struct Form<S> {
 /// `d(a/2) = g . dg`.
 #[inline(always)]
 pub fn form_a<S: Real>(g: [S; 2]) -> Form<S> {
-    let zero = S::constant(0.0);
+    let zero = g[0].constant(0.0);
     Form { g, p: [zero, zero] }
 }
 
@@ -76,6 +76,12 @@ impl<S: Real> Form<S> {
             g: [self.g[0] + s * other.g[0], self.g[1] + s * other.g[1]],
             p: [self.p[0] + s * other.p[0], self.p[1] + s * other.p[1]],
         }
+    }
+
+    /// `a form_a(g) + s b`.
+    #[inline(always)]
+    pub fn along(a: S, g: [S; 2], s: S, b: &Self) -> Self {
+        Self { g: [a * g[0] + s * b.g[0], a * g[1] + s * b.g[1]], p: [s * b.p[0], s * b.p[1]] }
     }
 
     /// `s self`.
@@ -158,7 +164,7 @@ impl<S: Real> Stress<S> {
         let on_g = self.axial * self.alpha + self.moment * self.c2;
         let on_p = self.moment * self.c1;
         let b = form_b(g, p);
-        let zero = S::constant(0.0);
+        let zero = on_g.constant(0.0);
         PointResponse {
             force_g: [on_g * g[0] + on_p * b.g[0], on_g * g[1] + on_p * b.g[1]],
             force_p: [on_p * b.p[0], on_p * b.p[1]],
@@ -166,7 +172,7 @@ impl<S: Real> Stress<S> {
         }
     }
 
-    /// Forces and tangent: `H = G (x) X + P (x) Y + theta [(N alpha + B c2) dG + B c1 dP]`.
+    /// Forces and tangent: `X = alpha dN + N dalpha + c2 dB + B dc2`, `Y = c1 dB + B dc1`.
     #[inline(always)]
     pub fn forces_and_tangent(
         &self,
@@ -174,7 +180,6 @@ impl<S: Real> Stress<S> {
         g: [S; 2],
         p: [S; 2],
     ) -> PointResponse<S> {
-        let mut response = self.forces(g, p);
         let x = rate
             .axial
             .times(self.alpha)
@@ -182,6 +187,21 @@ impl<S: Real> Stress<S> {
             .plus(self.c2, rate.moment)
             .plus(self.moment, rate.c2);
         let y = rate.moment.times(self.c1).plus(self.moment, rate.c1);
+        self.forces_with_tangent(x, y, rate.theta, g, p)
+    }
+
+    /// Forces and tangent, `H = G (x) X + P (x) Y + theta [(N alpha + B c2) dG + B c1 dP]`, with X and Y as in
+    /// [`Stress::forces_and_tangent`] and theta the weight of the end of the step in the configuration of evaluation.
+    #[inline(always)]
+    pub fn forces_with_tangent(
+        &self,
+        x: Form<S>,
+        y: Form<S>,
+        theta: f64,
+        g: [S; 2],
+        p: [S; 2],
+    ) -> PointResponse<S> {
+        let mut response = self.forces(g, p);
         let b = form_b(g, p);
         let h = &mut response.tangent;
         for i in 0..2 {
@@ -192,8 +212,8 @@ impl<S: Real> Stress<S> {
                 h[2 + i][2 + j] = b.p[i] * y.p[j];
             }
         }
-        let on_g = (self.axial * self.alpha + self.moment * self.c2) * rate.theta;
-        let on_p = (self.moment * self.c1) * rate.theta;
+        let on_g = (self.axial * self.alpha + self.moment * self.c2) * theta;
+        let on_p = (self.moment * self.c1) * theta;
         h[0][0] += on_g;
         h[1][1] += on_g;
         // dP = (-J dp, J dg)

@@ -37,7 +37,7 @@ pub fn add_step<S: Real, const TANGENT: bool>(
             (g0_turned[0] * rate - spin * g[0]) * inv_a,
             (g0_turned[1] * rate - spin * g[1]) * inv_a,
         ];
-        let inertia = rotary * (rate + rate + S::constant(damping));
+        let inertia = rotary * (rate + rate + rate.constant(damping));
         add_moment_tangent(
             response,
             [inertia * d_spin[0], inertia * d_spin[1]],
@@ -70,11 +70,12 @@ pub fn add_collocated<S: Real, const TANGENT: bool>(
     let normal = [-g[1] * inv_a, g[0] * inv_a];
     response.force_g = add(response.force_g, [moment * normal[0], moment * normal[1]]);
     if TANGENT {
-        let mut slope = [S::constant(0.0); 2];
+        let zero = turn.constant(0.0);
+        let mut slope = [zero; 2];
         for j in 0..2 {
             // Unit increment along j of g at the end of the step.
-            let mut unit = [S::constant(0.0); 2];
-            unit[j] = S::constant(1.0);
+            let mut unit = [zero; 2];
+            unit[j] = turn.constant(1.0);
             let d_inv_a = dot(g, unit) * inv_a * (-2.0 * theta); // relative change of 1/a
             let d_turn =
                 (cross(unit, g_dot) * theta + cross(g, unit) * d_rate) * inv_a + turn * d_inv_a;

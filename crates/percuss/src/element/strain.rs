@@ -23,7 +23,7 @@ pub fn strains<S: Real>(
     match measure {
         StrainMeasure::Green => Strains { membrane: green, bending: curvature - b / a.sqrt() },
         StrainMeasure::Engineering => Strains {
-            membrane: (green + green) / (a.sqrt() + S::constant(1.0)),
+            membrane: (green + green) / (a.sqrt() + a.constant(1.0)),
             bending: curvature - b / a,
         },
     }
@@ -76,14 +76,14 @@ pub struct Gradient<S> {
 #[inline(always)]
 pub fn gradient<S: Real>(measure: StrainMeasure, g: [S; 2], p: [S; 2]) -> Gradient<S> {
     let (a, b) = (dot(g, g), b_of(g, p));
-    let zero = S::constant(0.0);
+    let zero = a.constant(0.0);
     match measure {
         StrainMeasure::Green => {
             let inv_r = a.sqrt().recip();
             let inv_r2 = inv_r * inv_r;
             let inv_r3 = inv_r2 * inv_r;
             Gradient {
-                alpha: S::constant(1.0),
+                alpha: a.constant(1.0),
                 c1: -inv_r,
                 c2: b * inv_r3,
                 alpha_a: zero,

@@ -49,7 +49,7 @@ pub fn response<S: Real, const TANGENT: bool>(
     let p1 = add(point.bend_0, point.d_bend);
     // d(da) = g1.dg and d(db) = db at the end of the step, exactly; coefficients move with the midpoint.
     let (a_end, b_end) = (form_a(g1), form_b(g1, p1));
-    let weight = S::constant(end);
+    let weight = old.membrane.constant(end);
     let alpha = a_mid.times(c.alpha_a * 0.5);
     let c1 = a_mid.times(c.c1_a * 0.5);
     let c2 = a_mid.times(c.c2_a * 0.5).plus(c.c2_b * 0.5, b_mid);

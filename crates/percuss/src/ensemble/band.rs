@@ -19,9 +19,9 @@ pub struct Band<S> {
 }
 
 impl<S: Number> Band<S> {
-    /// A zero matrix of `n` block rows.
-    pub fn zeros(n: usize) -> Self {
-        let zero = vec![[[S::constant(0.0); 4]; 4]; n];
+    /// A zero matrix of `n` block rows, in as many lanes as a number has.
+    pub fn zeros(n: usize, like: S) -> Self {
+        let zero = vec![[[like.constant(0.0); 4]; 4]; n];
         Self { diag: zero.clone(), upper: zero.clone(), lower: zero }
     }
 
@@ -47,13 +47,13 @@ impl<S: Number> Band<S> {
         for i in 0..n {
             if i > 0 {
                 let carry = apply(&self.lower[i - 1], &x[i - 1]);
-                (0..4).for_each(|k| x[i][k] = x[i][k] - carry[k]);
+                subtract(&mut x[i], &carry);
             }
             x[i] = apply(&self.diag[i], &x[i]);
         }
         for i in (0..n.saturating_sub(1)).rev() {
             let carry = apply(&self.upper[i], &x[i + 1]);
-            (0..4).for_each(|k| x[i][k] = x[i][k] - carry[k]);
+            subtract(&mut x[i], &carry);
         }
     }
 
@@ -79,14 +79,14 @@ fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
     let mut m = *a;
     for k in 0..4 {
         let pivot = m[k][k].recip();
-        m[k][k] = S::constant(1.0);
+        m[k][k] = pivot.constant(1.0);
         for j in 0..4 {
             m[k][j] = m[k][j] * pivot;
         }
         for i in 0..4 {
             if i != k {
                 let factor = m[i][k];
-                m[i][k] = S::constant(0.0);
+                m[i][k] = factor.constant(0.0);
                 for j in 0..4 {
                     m[i][j] = m[i][j] - factor * m[k][j];
                 }
@@ -98,7 +98,7 @@ fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
 
 #[inline(always)]
 fn product<S: Number>(a: &Block<S>, b: &Block<S>) -> Block<S> {
-    let mut c = [[S::constant(0.0); 4]; 4];
+    let mut c = *a;
     for i in 0..4 {
         for j in 0..4 {
             c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j];
@@ -114,6 +114,13 @@ fn subtract_product<S: Number>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
             c[i][j] = c[i][j]
                 - (a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j]);
         }
+    }
+}
+
+#[inline(always)]
+fn subtract<S: Number>(x: &mut [S; 4], y: &[S; 4]) {
+    for k in 0..4 {
+        x[k] = x[k] - y[k];
     }
 }
 

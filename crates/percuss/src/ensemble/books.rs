@@ -4,7 +4,7 @@ use super::engine::{Engine, interpolate};
 use crate::element::beam::ElementValues;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross};
-use crate::scalar::Number;
+use crate::scalar::{Number, array};
 
 /// Energies and momenta of a state.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ impl<S: Number> Books<S> {
     /// Opens the books of a state.
     #[inline(always)]
     pub fn open(engine: &Engine<S>) -> Self {
-        let zero = S::constant(0.0);
+        let zero = engine.h.constant(0.0);
         let start = engine.measure();
         let [energy, linear, angular] = engine.numbers.round_off;
         let mut books = Self {
@@ -98,19 +98,22 @@ impl<S: Number> Books<S> {
             let (n, r) = (hold.node, &engine.residual[hold.node]);
             let mut free = *r;
             hold.project(&mut free);
-            let reaction = [0, 1, 2, 3].map(|k| r[k] - free[k]);
+            let reaction: [S; 4] = array(|k| r[k] - free[k]);
             let (x, g) = engine.middle(n);
             let moment = cross(g, [reaction[2], reaction[3]]);
-            self.impulse = [0, 1].map(|i| self.impulse[i] + h * reaction[i]);
+            self.impulse = array(|i| self.impulse[i] + h * reaction[i]);
             self.angular_impulse += h * (cross(x, [reaction[0], reaction[1]]) + moment);
         }
         for (guide, state) in engine.numbers.guides.iter().zip(&engine.guides) {
             // The guide carries the couple of a force off the line of flight.
             let push = state.force + state.impulse / h;
             let way = state.way + state.increment * 0.5;
-            let own = [0, 1].map(|i| guide.position[i] + guide.direction[i] * way);
+            let own: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
             let (u, d) = (guide.value(&engine.displacement), guide.value(&engine.increment));
-            let arm = [0, 1].map(|i| guide.struck[i] + u[i] + d[i] * 0.5 - own[i]);
+            let mut arm = own;
+            for i in 0..2 {
+                arm[i] = guide.struck[i] + u[i] + d[i] * 0.5 - own[i];
+            }
             self.angular_impulse += h * push * cross(arm, guide.direction);
             self.loss_impacts += -(state.impulse * state.gap_change / h);
         }
@@ -123,7 +126,7 @@ impl<S: Number> Books<S> {
         self.rescale();
         let (start, now) = (&self.start, &self.now);
         let energy = now.energy - start.energy + self.loss_impacts;
-        let linear = [0, 1].map(|i| now.linear[i] - start.linear[i] - self.impulse[i]);
+        let linear = array(|i| now.linear[i] - start.linear[i] - self.impulse[i]);
         let angular = now.angular - start.angular - self.angular_impulse;
         self.energy_residual = self.energy_residual.max(energy.abs());
         self.linear_residual = self.linear_residual.max(hypot(linear));
@@ -149,7 +152,7 @@ impl<S: Number> Engine<S> {
     /// Energies and momenta of the state.
     #[inline(always)]
     pub fn measure(&self) -> Measures<S> {
-        let zero = S::constant(0.0);
+        let zero = self.h.constant(0.0);
         let mut m = Measures {
             energy: zero,
             linear: [zero; 2],
@@ -195,7 +198,7 @@ impl<S: Number> Engine<S> {
         }
         for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
             let momentum = guide.mass * state.velocity;
-            let linear = guide.direction.map(|e| e * momentum);
+            let linear = array(|i| guide.direction[i] * momentum);
             m.energy += momentum * state.velocity * 0.5 + guide.energy(-state.gap);
             // Along its line of flight the way changes nothing.
             m.add_momentum(linear, cross(guide.position, linear));
@@ -207,7 +210,10 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn point(&self, k: usize) -> [[S; 2]; 2] {
         let p = &self.numbers.points[k];
-        [&self.displacement, &self.velocity].map(|x| interpolate(&p.shape, p.node, x))
+        [
+            interpolate(&p.shape, p.node, &self.displacement),
+            interpolate(&p.shape, p.node, &self.velocity),
+        ]
     }
 
     /// Accepts the step at hand.

@@ -6,7 +6,7 @@ use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::energy_momentum::{End, between};
 use crate::element::rotary;
 use crate::math::hermite::GAUSS;
-use crate::scalar::Number;
+use crate::scalar::{Number, array};
 
 /// Runs side by side (or one, with its derivatives), in a step of their own each.
 #[derive(Clone, Debug)]
@@ -60,7 +60,7 @@ pub struct GuideState<S> {
 impl<S: Number> Engine<S> {
     /// All at rest in the reference configuration, projectiles on their way.
     pub fn new(numbers: Numbers<S>) -> Self {
-        let zero = S::constant(0.0);
+        let zero = numbers.step.constant(0.0);
         let nodes = numbers.nodes.len();
         let still = vec![[zero; 4]; nodes];
         let at_rest = |engine: &Numbers<S>| {
@@ -88,7 +88,7 @@ impl<S: Number> Engine<S> {
             increment: still.clone(),
             residual: still.clone(),
             correction: still,
-            band: Band::zeros(nodes),
+            band: Band::zeros(nodes, zero),
             numbers,
         }
     }
@@ -131,26 +131,22 @@ impl<S: Number> Engine<S> {
 
     #[inline(always)]
     fn beams<const TANGENT: bool>(&mut self) {
-        let zero = S::constant(0.0);
+        let zero = self.h.constant(0.0);
         let rate = self.h.recip();
         let twice = rate + rate;
         let inertia_slope = twice * rate;
         let mut element = 0;
         for span in &self.numbers.spans {
-            let inertia = |n: usize| -> [S; 4] {
-                let (d, v) = (&self.increment[n], &self.velocity[n]);
-                [0, 1, 2, 3].map(|i| (d[i] * rate - v[i]) * twice)
-            };
             self.residual[span.first] = [zero; 4];
             if TANGENT {
                 self.band.diag[span.first] = [[zero; 4]; 4];
             }
-            let mut start = inertia(span.first);
+            let mut start = self.inertia(span.first, rate);
             for k in 0..span.count {
                 let (a, table) = (span.first + k, span.table(k));
-                let end = inertia(a + 1);
+                let end = self.inertia(a + 1, rate);
                 let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-                let mut sums = ElementSums::zero();
+                let mut sums = ElementSums::zero(rate);
                 for j in 0..GAUSS {
                     let (row, old) = (&table.rows[j], &self.start[element][j]);
                     let (d_slope, d_bend) = (step.at(&row.first), step.at(&row.second));
@@ -180,7 +176,7 @@ impl<S: Number> Engine<S> {
                 if let Some(samples) = &table.membrane {
                     let u = &self.displacement;
                     let steps = samples.step(&ElementValues::new(&u[a], &u[a + 1]), &step);
-                    let points = [0, 1, 2].map(|i| steps[i].invariant(span.measure, 0.0));
+                    let points = std::array::from_fn(|i| steps[i].invariant(span.measure, 0.0));
                     samples.add::<TANGENT>(&points, 0.5, &mut sums);
                 }
                 let [mut on_a, mut on_b] = sums.nodal_force();
@@ -204,6 +200,13 @@ impl<S: Number> Engine<S> {
                 element += 1;
             }
         }
+    }
+
+    /// Acceleration of a node in the equation of motion.
+    #[inline(always)]
+    fn inertia(&self, n: usize, rate: S) -> [S; 4] {
+        let (d, v) = (&self.increment[n], &self.velocity[n]);
+        array(|i| (d[i] * rate - v[i]) * (rate + rate))
     }
 
     /// Forces of the guided projectiles, and their own balance.
@@ -247,7 +250,9 @@ impl<S: Number> Engine<S> {
     /// Takes held components out of nodal forces.
     #[inline(always)]
     pub fn project(holds: &[HoldNumbers<S>], nodal: &mut [[S; 4]]) {
-        holds.iter().for_each(|hold| hold.project(&mut nodal[hold.node]));
+        for hold in holds {
+            hold.project(&mut nodal[hold.node]);
+        }
     }
 
     /// Holds what is held, and factors.
@@ -281,7 +286,7 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn correct(&mut self) {
         for (c, r) in self.correction.iter_mut().zip(&self.residual) {
-            *c = r.map(|x| -x);
+            *c = array(|i| -r[i]);
         }
         for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
             let push = state.factored_slope * state.residual / state.factored_inertia;
@@ -306,9 +311,17 @@ impl<S: Number> HoldNumbers<S> {
     pub fn project(&self, x: &mut [S; 4]) {
         match self.components {
             Some(held) => {
-                (0..4).filter(|k| held[*k]).for_each(|k| x[k] = S::constant(0.0));
+                for k in 0..4 {
+                    if held[k] {
+                        x[k] = x[k].constant(0.0);
+                    }
+                }
             }
-            None => self.normals.iter().for_each(|n| remove(n, x)),
+            None => {
+                for normal in &self.normals {
+                    remove(normal, x);
+                }
+            }
         }
     }
 
@@ -316,13 +329,21 @@ impl<S: Number> HoldNumbers<S> {
     fn project_rows(&self, block: &mut [[S; 4]; 4]) {
         match self.components {
             Some(held) => {
-                (0..4).filter(|k| held[*k]).for_each(|k| block[k] = [S::constant(0.0); 4]);
+                for k in 0..4 {
+                    if held[k] {
+                        block[k] = [block[k][0].constant(0.0); 4];
+                    }
+                }
             }
             None => {
                 for j in 0..4 {
-                    let mut column = [0, 1, 2, 3].map(|i| block[i][j]);
-                    self.normals.iter().for_each(|n| remove(n, &mut column));
-                    (0..4).for_each(|i| block[i][j] = column[i]);
+                    let mut column = array(|i| block[i][j]);
+                    for normal in &self.normals {
+                        remove(normal, &mut column);
+                    }
+                    for i in 0..4 {
+                        block[i][j] = column[i];
+                    }
                 }
             }
         }
@@ -333,11 +354,19 @@ impl<S: Number> HoldNumbers<S> {
         match self.components {
             Some(held) => {
                 for row in block {
-                    (0..4).filter(|k| held[*k]).for_each(|k| row[k] = S::constant(0.0));
+                    for k in 0..4 {
+                        if held[k] {
+                            row[k] = row[k].constant(0.0);
+                        }
+                    }
                 }
             }
             None => {
-                block.iter_mut().for_each(|row| self.normals.iter().for_each(|n| remove(n, row)));
+                for row in block {
+                    for normal in &self.normals {
+                        remove(normal, row);
+                    }
+                }
             }
         }
     }
@@ -347,7 +376,9 @@ impl<S: Number> HoldNumbers<S> {
 #[inline(always)]
 fn remove<S: Number>(normal: &[S; 4], x: &mut [S; 4]) {
     let along = normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2] + normal[3] * x[3];
-    (0..4).for_each(|k| x[k] = x[k] - along * normal[k]);
+    for k in 0..4 {
+        x[k] = x[k] - along * normal[k];
+    }
 }
 
 impl<S: Number> GuideNumbers<S> {
@@ -376,12 +407,15 @@ impl<S: Number> GuideNumbers<S> {
 #[inline(always)]
 pub fn interpolate<S: Number>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
     let (a, b) = (&nodal[node], &nodal[node + 1]);
-    [0, 1].map(|i| n[0] * a[i] + n[1] * a[2 + i] + n[2] * b[i] + n[3] * b[2 + i])
+    [
+        n[0] * a[0] + n[1] * a[2] + n[2] * b[0] + n[3] * b[2],
+        n[0] * a[1] + n[1] * a[3] + n[2] * b[1] + n[3] * b[3],
+    ]
 }
 
 impl<S: Number> GuideState<S> {
     fn at_start(guide: &GuideNumbers<S>) -> Self {
-        let zero = S::constant(0.0);
+        let zero = guide.mass.constant(0.0);
         Self {
             way: zero,
             velocity: guide.speed,
@@ -394,7 +428,7 @@ impl<S: Number> GuideState<S> {
             force: zero,
             slope: zero,
             factored_slope: zero,
-            factored_inertia: S::constant(1.0),
+            factored_inertia: guide.mass,
             impulse: zero,
         }
     }

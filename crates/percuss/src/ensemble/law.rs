@@ -11,13 +11,13 @@ impl<S: Number> GuideNumbers<S> {
         if self.law == GuideLaw::Rigid {
             return;
         }
-        let zero = S::constant(0.0);
+        let zero = p1.constant(0.0);
         let p0 = -state.gap;
         let (q0, q1) = (p0.max(zero), p1.max(zero));
         let (sum, step) = (q0 + q1, p1 - p0);
         // Of the way over the step, the share inside.
         let least = p0.if_less(p1, p0, p1);
-        let share = least.if_less(zero, (q1 - q0) / step, S::constant(1.0));
+        let share = least.if_less(zero, (q1 - q0) / step, p1.constant(1.0));
         let elastic = self.mean_force(q0, q1) * share;
         let close = step.abs().if_less(
             sum * 1e-6,
@@ -32,11 +32,11 @@ impl<S: Number> GuideNumbers<S> {
     /// Potential at penetration `p` \[J\].
     #[inline(always)]
     pub fn energy(&self, p: S) -> S {
-        let p = p.max(S::constant(0.0));
+        let p = p.max(p.constant(0.0));
         match self.law {
             GuideLaw::Linear => self.stiffness * p * p * 0.5,
             GuideLaw::Hertz => self.stiffness * p * p * p.sqrt() * 0.4,
-            GuideLaw::Rigid => S::constant(0.0),
+            GuideLaw::Rigid => p.constant(0.0),
         }
     }
 

@@ -73,9 +73,8 @@ pub struct Log<S> {
 }
 
 impl<S: Number> Closed<S> {
-    fn none() -> Self {
-        let nan = S::constant(f64::NAN);
-        let zero = S::constant(0.0);
+    fn none(like: S) -> Self {
+        let (nan, zero) = (like.constant(f64::NAN), like.constant(0.0));
         Self {
             start: nan,
             end: nan,
@@ -111,10 +110,10 @@ impl<S: Number> Closed<S> {
 impl<S: Number> Log<S> {
     /// Nothing has happened yet.
     pub fn new(engine: &Engine<S>) -> Self {
-        let zero = S::constant(0.0);
+        let zero = engine.h.constant(0.0);
         let top = Top { value: zero, time: zero };
         let guide = |_| GuideLog {
-            open: Closed::none(),
+            open: Closed::none(zero),
             is_open: vec![false; S::LANES],
             closed: vec![Vec::new(); S::LANES],
             deepest: top,
@@ -132,8 +131,8 @@ impl<S: Number> Log<S> {
 
     /// Begins a new run in a lane.
     pub fn reset(&mut self, lane: usize) {
-        let zero = S::constant(0.0);
-        let none = Closed::none();
+        let zero = self.time.constant(0.0);
+        let none = Closed::none(zero);
         self.time.set_lane(lane, zero, 0);
         for top in self.points.as_flattened_mut() {
             top.value.set_lane(lane, zero, 0);
@@ -180,7 +179,7 @@ impl<S: Number> Log<S> {
     #[inline(always)]
     fn contact(&mut self, engine: &Engine<S>, k: usize) {
         let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
-        let zero = S::constant(0.0);
+        let zero = engine.h.constant(0.0);
         let (time, h) = (self.time, engine.h);
         let [gap_0, rate_0] = self.gap_start[k];
         let least = gap_0.if_less(state.gap, gap_0, state.gap);
@@ -194,7 +193,7 @@ impl<S: Number> Log<S> {
             if !log.is_open[lane] && (before < 0.0 || after < 0.0) {
                 log.is_open[lane] = true;
                 let opens = path.crossing(lane);
-                let mut new = Closed::none();
+                let mut new = Closed::none(zero);
                 new.start = time + opens;
                 new.approach = path.slope(opens);
                 new.place = engine.struck(k);
@@ -216,7 +215,7 @@ impl<S: Number> Log<S> {
                 done.place_end = engine.struck(k);
                 log.closed[lane].push(done);
                 log.is_open[lane] = false;
-                log.open.set_lane(lane, &Closed::none(), lane);
+                log.open.set_lane(lane, &Closed::none(zero), lane);
             }
         }
     }
@@ -261,7 +260,7 @@ impl<S: Number> Path<S> {
     fn value(&self, t: S) -> S {
         let xi = t / self.h;
         let (x2, x3) = (xi * xi, xi * xi * xi);
-        let (twist, one) = (x2 * 3.0 - x3 * 2.0, S::constant(1.0));
+        let (twist, one) = (x2 * 3.0 - x3 * 2.0, x2.constant(1.0));
         self.start[0] * (one - twist)
             + self.end[0] * twist
             + self.h * (self.start[1] * (xi - x2 * 2.0 + x3) + self.end[1] * (x3 - x2))
@@ -272,7 +271,7 @@ impl<S: Number> Path<S> {
         let xi = t / self.h;
         let x2 = xi * xi;
         let rise = (self.end[0] - self.start[0]) / self.h * (xi - x2) * 6.0;
-        let one = S::constant(1.0);
+        let one = xi.constant(1.0);
         rise + self.start[1] * (one - xi * 4.0 + x2 * 3.0) + self.end[1] * (x2 * 3.0 - xi * 2.0)
     }
 
@@ -283,14 +282,14 @@ impl<S: Number> Path<S> {
         let f = |t: f64| sign * path.value(t);
         let ends = [f(0.0), f(path.h)];
         if ends[0] <= 0.0 {
-            return S::constant(0.0);
+            return self.h.constant(0.0);
         }
         let guess = path.h * ends[0] / (ends[0] - ends[1]);
         let search = roots::bracketed((0.0, ends[0]), (path.h, ends[1]), guess, 0.0, 0.0, |t| {
             Ok::<f64, std::convert::Infallible>(f(t))
         });
         let Ok(root) = search;
-        let root = S::constant(root);
+        let root = self.h.constant(root);
         // The root moves with the ends of the path.
         if S::DERIVES { root - self.value(root) / self.slope(root) } else { root }
     }
@@ -320,7 +319,7 @@ impl<S: Number> Top<S> {
         let own = path.lane(lane);
         for t in own.stationary() {
             if own.value(t).abs() > self.value.lane(lane).abs() {
-                let t = S::constant(t);
+                let t = start.constant(t);
                 self.value.set_lane(lane, path.value(t), lane);
                 self.time.set_lane(lane, start + t, lane);
             }

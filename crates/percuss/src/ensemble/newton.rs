@@ -3,7 +3,7 @@
 use super::band::Band;
 use super::books::Books;
 use super::engine::{Engine, GuideState};
-use crate::scalar::Number;
+use crate::scalar::{Number, array};
 use crate::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
 use crate::step::watch::{WORK_TOLERANCE, Watch};
 
@@ -101,7 +101,7 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     fn predict(&mut self) {
         for (d, v) in self.increment.iter_mut().zip(&self.velocity) {
-            *d = v.map(|v| self.h * v);
+            *d = array(|i| self.h * v[i]);
         }
         Self::project(&self.numbers.holds, &mut self.increment);
         for guide in &mut self.guides {
@@ -111,17 +111,23 @@ impl<S: Number> Engine<S> {
 
     #[inline(always)]
     fn unbalanced(&mut self) -> Unbalanced<S> {
-        let zero = S::constant(0.0);
+        let zero = self.h.constant(0.0);
         self.correction.copy_from_slice(&self.residual);
         Self::project(&self.numbers.holds, &mut self.correction);
         let (mut work, mut sum) = (zero, [zero; 2]);
         for (r, d) in self.correction.iter().zip(&self.increment) {
-            (0..4).for_each(|i| work += (r[i] * d[i]).abs());
-            (0..2).for_each(|i| sum[i] += r[i]);
+            for i in 0..4 {
+                work += (r[i] * d[i]).abs();
+            }
+            for i in 0..2 {
+                sum[i] += r[i];
+            }
         }
         for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
             work += (state.residual * state.increment).abs();
-            (0..2).for_each(|i| sum[i] += state.residual * guide.direction[i]);
+            for i in 0..2 {
+                sum[i] += state.residual * guide.direction[i];
+            }
         }
         let impulse = self.h * (sum[0] * sum[0] + sum[1] * sum[1]).sqrt();
         Unbalanced { work, impulse }
@@ -152,8 +158,8 @@ impl<S: Number> Engine<S> {
     /// Takes the correction into the increments of the lanes that seek.
     #[inline(always)]
     fn take(&mut self, lanes: &mut [Search], reach: S, books: &Books<S>, first: bool) {
-        let zero = S::constant(0.0);
-        let seeking = S::of_lanes(|i| f64::from(u8::from(lanes[i].seeking)));
+        let zero = self.h.constant(0.0);
+        let seeking = zero.constants(|i| f64::from(u8::from(lanes[i].seeking)));
         let (mut work, mut size, mut step) = (zero, zero, zero);
         for ((d, c), r) in self.increment.iter_mut().zip(&self.correction).zip(&self.residual) {
             for i in 0..4 {
@@ -217,6 +223,11 @@ impl Search {
 /// The largest component.
 #[inline(always)]
 fn largest<S: Number>(nodal: &[[S; 4]]) -> S {
-    let zero = S::constant(0.0);
-    nodal.iter().flatten().fold(zero, |most, x| most.max(x.abs()))
+    let mut most = nodal[0][0].constant(0.0);
+    for x in nodal {
+        for i in 0..4 {
+            most = most.max(x[i].abs());
+        }
+    }
+    most
 }

@@ -12,9 +12,6 @@ use crate::scalar::{Lanes, Number};
 use crate::settings::{SAME_INSTANT, Settings};
 use crate::summary::{RunSummary, Termination};
 
-/// Runs side by side: as many as the widest registers hold.
-type Wide = Lanes<8>;
-
 /// Simulates those of the runs that ensembles know, and of which no more is asked than they tell; `None` for the others.
 ///
 /// A run's summary is the same to the last bit whatever runs stand beside it. Runs in which an iteration fails are left to the
@@ -43,10 +40,9 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
             .collect();
         let mut keep = |index: usize, summary| done[index] = summary;
         if group.len() == 1 {
-            Ensemble::<f64>::of(&group).run(&group, &mut keep);
+            Ensemble::of(&group, 0.0).run(&group, &mut keep);
         } else {
-            let arch = pulp::Arch::new();
-            arch.dispatch(|| Ensemble::<Wide>::of(&group).run(&group, &mut keep));
+            side_by_side(SideBySide { runs: &group, keep: &mut keep });
         }
     }
     done
@@ -59,6 +55,36 @@ struct Run<'a> {
     model: &'a Model,
     settings: &'a Settings,
     numbers: Numbers<f64>,
+}
+
+/// Runs a group in the widest registers that the processor has.
+fn side_by_side(group: SideBySide) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use pulp::Simd;
+        use pulp::x86::{V3, V4};
+        if let Some(family) = V4::try_new() {
+            return Simd::vectorize(family, group);
+        }
+        if let Some(family) = V3::try_new() {
+            return Simd::vectorize(family, group);
+        }
+    }
+    Ensemble::of(group.runs, 0.0).run(group.runs, group.keep);
+}
+
+/// Runs in lanes, compiled for each of the register widths that processors have.
+struct SideBySide<'a, 'r> {
+    runs: &'a [Run<'r>],
+    keep: &'a mut dyn FnMut(usize, Option<RunSummary>),
+}
+
+impl pulp::WithSimd for SideBySide<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<P: pulp::Simd>(self, family: P) {
+        Ensemble::of(self.runs, Lanes::new(family, 0.0)).run(self.runs, self.keep);
+    }
 }
 
 /// An ensemble in mid-flight.
@@ -75,8 +101,8 @@ struct Ensemble<S> {
 
 impl<S: Number> Ensemble<S> {
     #[inline(always)]
-    fn of(runs: &[Run]) -> Self {
-        let numbers = runs[0].numbers.map(&mut S::constant);
+    fn of(runs: &[Run], like: S) -> Self {
+        let numbers = runs[0].numbers.map(&mut |x| like.constant(x));
         let engine = Engine::new(numbers);
         Self {
             books: Books::open(&engine),
@@ -112,7 +138,8 @@ impl<S: Number> Ensemble<S> {
         self.lanes[lane] = Some((self.next, 0));
         self.next += 1;
         self.search[lane].live = true;
-        let fresh = Engine::new(run.numbers.map(&mut S::constant));
+        let like = self.engine.h;
+        let fresh = Engine::new(run.numbers.map(&mut |x| like.constant(x)));
         self.engine.set_lane(lane, &fresh, 0);
         self.books.set_lane(lane, &Books::open(&fresh), 0);
         self.log.reset(lane);
@@ -128,7 +155,8 @@ impl<S: Number> Ensemble<S> {
                 let left = settings.end - steps as f64 * settings.step;
                 let whole = (left - settings.step).abs() <= SAME_INSTANT * settings.step;
                 if left < settings.step && !whole {
-                    self.engine.h.set_lane(lane, S::constant(left), lane);
+                    let left = self.engine.h.constant(left);
+                    self.engine.h.set_lane(lane, left, lane);
                 }
             }
         }
@@ -138,7 +166,7 @@ impl<S: Number> Ensemble<S> {
     #[inline(always)]
     fn close_step(&mut self, runs: &[Run], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
         let lanes = &self.lanes;
-        self.log.time = S::of_lanes(|lane| {
+        self.log.time = self.log.time.constants(|lane| {
             lanes[lane].map_or(0.0, |(run, steps)| {
                 let settings = runs[run].settings;
                 ((steps + 1) as f64 * settings.step).min(settings.end)

@@ -31,7 +31,7 @@ impl<S: Number> Telling<'_, S> {
             let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
             if value == 0.0 { 0.0 } else { value / scale }
         };
-        let zero = S::constant(0.0);
+        let zero = self.engine.h.constant(0.0);
         let effective = model.effective_masses();
         RunSummary {
             termination,
@@ -99,7 +99,7 @@ impl<S: Number> Telling<'_, S> {
         let (guide, log) = (&self.engine.numbers.guides[k], &self.log.guides[k]);
         if guide.law == GuideLaw::Rigid {
             let struck = &log.impacts[self.lane];
-            let total = struck.iter().fold(S::constant(0.0), |sum, i| sum + i.impulse);
+            let total = struck.iter().fold(self.engine.h.constant(0.0), |sum, i| sum + i.impulse);
             return ContactRecord::Nonsmooth {
                 impacts: struck.iter().map(|i| self.impact(k, i, read)).collect(),
                 impact_count: struck.len(),

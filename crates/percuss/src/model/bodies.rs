@@ -67,10 +67,12 @@ fn guided(projectile: &Projectile, model: &mut Model) {
         model.total_mass += body.mass;
         let node = push(model, position, body);
         let across = rot90(direction);
-        let normals =
-            vec![[across[0], across[1], 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
-        let drives = vec![Vec::new(); normals.len()];
-        model.holds.push(NodeHold { node, support: None, normals, drives });
+        let mut guide = NodeHold::new(node, None);
+        for normal in [[across[0], across[1], 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
+        {
+            guide.hold(normal, Vec::new());
+        }
+        model.holds.push(guide);
     }
     if projectile.local_mass > 0.0 {
         model.total_mass += projectile.local_mass;
@@ -125,9 +127,11 @@ fn held_body(
         spin: 0.0,
     };
     let node = push(model, position, body);
-    let normals = (0..4).map(|i| std::array::from_fn(|k| f64::from(u8::from(i == k)))).collect();
     let along = |i: usize| drive(motion, displacement[i]);
-    let drives = vec![along(0), along(1), Vec::new(), Vec::new()];
-    model.holds.push(NodeHold { node, support: None, normals, drives });
+    let mut all = NodeHold::new(node, None);
+    for (i, drive) in [along(0), along(1), Vec::new(), Vec::new()].into_iter().enumerate() {
+        all.hold(std::array::from_fn(|k| f64::from(u8::from(i == k))), drive);
+    }
+    model.holds.push(all);
     model.bodies.len() - 1
 }

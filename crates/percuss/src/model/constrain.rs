@@ -105,12 +105,7 @@ fn hold(model: &mut Model, support: usize, node: usize, held: HeldDirection, mut
     normal[offset] = held.direction[0];
     normal[offset + 1] = held.direction[1];
     let index = model.holds.iter().position(|h| h.node == node).unwrap_or_else(|| {
-        model.holds.push(NodeHold {
-            node,
-            support: Some(support),
-            normals: Vec::new(),
-            drives: Vec::new(),
-        });
+        model.holds.push(NodeHold::new(node, Some(support)));
         model.holds.len() - 1
     });
     let at = &mut model.holds[index];
@@ -121,8 +116,8 @@ fn hold(model: &mut Model, support: usize, node: usize, held: HeldDirection, mut
     }
     let size = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
     if size > 1e-9 {
-        at.normals.push(normal.map(|c| c / size));
-        at.drives.push(drive.into_iter().map(|(motion, a)| (motion, a / size)).collect());
+        let drive = drive.into_iter().map(|(motion, a)| (motion, a / size)).collect();
+        at.hold(normal.map(|c| c / size), drive);
     }
 }
 

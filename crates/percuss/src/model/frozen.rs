@@ -8,6 +8,7 @@ use super::time_function::Course;
 use crate::contact::axis::AxisElement;
 use crate::contact::pair::Pair;
 use crate::element::beam::{ElementTable, NodeFrame};
+use crate::linalg::block::Block;
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
 ///
@@ -108,6 +109,27 @@ pub(crate) struct NodeHold {
     pub normals: Vec<[f64; 4]>,
     /// Motion along each of them.
     pub drives: Vec<Drive>,
+    /// What they leave free: `I - N N^T` with the held directions as columns of N.
+    pub free: Block,
+}
+
+impl NodeHold {
+    /// Nothing held yet.
+    pub fn new(node: usize, support: Option<usize>) -> Self {
+        let free = std::array::from_fn(|r| std::array::from_fn(|c| f64::from(u8::from(r == c))));
+        Self { node, support, normals: Vec::new(), drives: Vec::new(), free }
+    }
+
+    /// Holds one more direction, of unit length and across those held already.
+    pub fn hold(&mut self, normal: [f64; 4], drive: Drive) {
+        for r in 0..4 {
+            for c in 0..4 {
+                self.free[r][c] -= normal[r] * normal[c];
+            }
+        }
+        self.normals.push(normal);
+        self.drives.push(drive);
+    }
 }
 
 /// A prescribed value: amplitudes times courses of [`Model::motions`].

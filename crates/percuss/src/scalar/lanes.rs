@@ -1,109 +1,127 @@
 //! Numbers side by side, one a run: what the processor works on at once.
 
-use std::array::from_fn;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+use pulp::{Simd, bytemuck};
 
 use super::{Number, Real};
 
-/// `L` numbers side by side. Each lane sees exactly the operations that a single `f64` would: its bits do not depend on its
-/// neighbours, nor on how wide the processor's registers are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(64))]
-pub struct Lanes<const L: usize>(pub [f64; L]);
+/// As many numbers side by side as a vector register of the processor family `P` holds.
+///
+/// Each lane sees exactly the operations that a single `f64` would, no fused ones among them: its bits depend neither on its
+/// neighbours nor on how wide the registers are.
+#[derive(Clone, Copy, Debug)]
+pub struct Lanes<P: Simd> {
+    /// Proof that the processor has the registers.
+    family: P,
+    value: P::f64s,
+}
 
-impl<const L: usize> Lanes<L> {
+impl<P: Simd> Lanes<P> {
+    /// The same number in every lane.
     #[inline(always)]
-    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Self(from_fn(|i| f(self.0[i], other.0[i])))
+    pub fn new(family: P, value: f64) -> Self {
+        Self { family, value: family.splat_f64s(value) }
+    }
+
+    #[inline(always)]
+    fn with(self, value: P::f64s) -> Self {
+        Self { family: self.family, value }
+    }
+
+    #[inline(always)]
+    fn values(&mut self) -> &mut [f64] {
+        bytemuck::cast_slice_mut(std::slice::from_mut(&mut self.value))
     }
 }
 
-impl<const L: usize> Add for Lanes<L> {
+impl<P: Simd> Add for Lanes<P> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
+        self.with(self.family.add_f64s(self.value, other.value))
     }
 }
 
-impl<const L: usize> AddAssign for Lanes<L> {
+impl<P: Simd> AddAssign for Lanes<P> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<const L: usize> Sub for Lanes<L> {
+impl<P: Simd> Sub for Lanes<P> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
+        self.with(self.family.sub_f64s(self.value, other.value))
     }
 }
 
-impl<const L: usize> Mul for Lanes<L> {
+impl<P: Simd> Mul for Lanes<P> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
+        self.with(self.family.mul_f64s(self.value, other.value))
     }
 }
 
-impl<const L: usize> Mul<f64> for Lanes<L> {
+impl<P: Simd> Mul<f64> for Lanes<P> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: f64) -> Self {
-        Self(self.0.map(|a| a * other))
+        self.with(self.family.mul_f64s(self.value, self.family.splat_f64s(other)))
     }
 }
 
-impl<const L: usize> Div for Lanes<L> {
+impl<P: Simd> Div for Lanes<P> {
     type Output = Self;
     #[inline(always)]
     fn div(self, other: Self) -> Self {
-        self.zip(other, |a, b| a / b)
+        self.with(self.family.div_f64s(self.value, other.value))
     }
 }
 
-impl<const L: usize> Neg for Lanes<L> {
+impl<P: Simd> Neg for Lanes<P> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self(self.0.map(|a| -a))
+        self.with(self.family.neg_f64s(self.value))
     }
 }
 
-impl<const L: usize> Real for Lanes<L> {
+impl<P: Simd> Real for Lanes<P> {
     #[inline(always)]
-    fn constant(value: f64) -> Self {
-        Self([value; L])
+    fn constant(self, value: f64) -> Self {
+        Self::new(self.family, value)
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        Self(self.0.map(f64::sqrt))
+        self.with(self.family.sqrt_f64s(self.value))
     }
 }
 
-impl<const L: usize> Number for Lanes<L> {
-    const LANES: usize = L;
+impl<P: Simd> Number for Lanes<P> {
+    const LANES: usize = P::F64_LANES;
     #[inline(always)]
-    fn lane(self, lane: usize) -> f64 {
-        self.0[lane]
+    fn lane(mut self, lane: usize) -> f64 {
+        self.values()[lane]
     }
     #[inline(always)]
     fn set_lane(&mut self, lane: usize, from: Self, from_lane: usize) {
-        self.0[lane] = from.0[from_lane];
+        self.values()[lane] = from.lane(from_lane);
     }
     #[inline(always)]
     fn if_less(self, other: Self, a: Self, b: Self) -> Self {
-        Self(from_fn(|i| if self.0[i] < other.0[i] { a.0[i] } else { b.0[i] }))
+        let less = self.family.less_than_f64s(self.value, other.value);
+        self.with(self.family.select_f64s(less, a.value, b.value))
     }
     #[inline(always)]
-    fn abs(self) -> Self {
-        Self(self.0.map(f64::abs))
-    }
-    #[inline(always)]
-    fn of_lanes(value: impl Fn(usize) -> f64) -> Self {
-        Self(from_fn(value))
+    fn constants(self, value: impl Fn(usize) -> f64) -> Self {
+        let mut out = self;
+        for (lane, x) in out.values().iter_mut().enumerate() {
+            *x = value(lane);
+        }
+        out
     }
 }

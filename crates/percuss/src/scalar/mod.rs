@@ -22,15 +22,26 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The constant `value`.
-    fn constant(value: f64) -> Self;
+    /// The constant `value`, in as many lanes as `self` has.
+    fn constant(self, value: f64) -> Self;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Reciprocal.
     #[inline(always)]
     fn recip(self) -> Self {
-        Self::constant(1.0) / self
+        self.constant(1.0) / self
     }
+}
+
+/// An array by its index. A plain loop: what the library's `from_fn` and `map` become is not always inlined, and what is not
+/// inlined does not know the registers it could use.
+#[inline(always)]
+pub fn array<S: Real, const N: usize>(f: impl Fn(usize) -> S) -> [S; N] {
+    let mut out = [f(0); N];
+    for i in 1..N {
+        out[i] = f(i);
+    }
+    out
 }
 
 /// A real number that whole runs can be stepped with. Its decisions are those of its values, lane by lane.
@@ -48,7 +59,7 @@ pub trait Number: Real + std::fmt::Debug {
     /// Magnitude.
     #[inline(always)]
     fn abs(self) -> Self {
-        self.if_less(Self::constant(0.0), -self, self)
+        self.if_less(self.constant(0.0), -self, self)
     }
     /// The larger of two.
     #[inline(always)]
@@ -58,16 +69,16 @@ pub trait Number: Real + std::fmt::Debug {
     /// Whether any lane is less than that of another number.
     #[inline(always)]
     fn any_less(self, other: Self) -> bool {
-        let one = self.if_less(other, Self::constant(1.0), Self::constant(0.0));
+        let one = self.if_less(other, self.constant(1.0), self.constant(0.0));
         (0..Self::LANES).any(|lane| one.lane(lane) != 0.0)
     }
-    /// A number of given values, constant.
-    fn of_lanes(value: impl Fn(usize) -> f64) -> Self;
+    /// Constants of given values, lane by lane.
+    fn constants(self, value: impl Fn(usize) -> f64) -> Self;
 }
 
 impl Real for f64 {
     #[inline(always)]
-    fn constant(value: f64) -> Self {
+    fn constant(self, value: f64) -> Self {
         value
     }
     #[inline(always)]
@@ -91,7 +102,7 @@ impl Number for f64 {
         if self < other { a } else { b }
     }
     #[inline(always)]
-    fn of_lanes(value: impl Fn(usize) -> f64) -> Self {
+    fn constants(self, value: impl Fn(usize) -> f64) -> Self {
         value(0)
     }
 }

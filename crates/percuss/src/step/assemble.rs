@@ -160,7 +160,7 @@ impl Ends<'_> {
                 let u = &self.state.displacement;
                 let old = ElementValues::new(&u[a], &u[a + 1]);
                 let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-                let mut sums = ElementSums::zero();
+                let mut sums = ElementSums::zero(0.0);
                 let place = |row, gauss| Place { row, node: a, element, gauss, lag, damping };
                 for gauss in 0..GAUSS {
                     let row = &table.rows[gauss];

@@ -134,17 +134,17 @@ impl StepProblem<'_> {
         let (force, row) = if law.force == ContactForce::Midpoint {
             let p = -step.middle.gap;
             let force = law.potential.collocated(p, p, 1.0);
-            (StepForce { slope: 0.5 * force.slope, ..force }, step.middle_row)
+            (StepForce { slope: 0.5 * force.slope, ..force }, *step.middle_row())
         } else {
             (law.step_force(-step.gaps[0], -step.gaps[1], rule.h), step.row)
         };
         if TANGENT && force.force > 0.0 {
             // Where the foot crosses into another element the gradients know other nodes; those of the middle will do.
-            let same = step.end_row.same_nodes(&step.middle_row);
-            let end = if same { &step.end_row } else { &step.middle_row };
+            let (middle, end) = (step.middle_row(), step.end_row());
+            let end = if end.same_nodes(middle) { end } else { middle };
             let turns = !matches!(step.middle.bend, Bend::Flat);
             let turn = turns.then_some(|n: Nodal| pair.turning(&step.middle, n));
-            add_tangent(tangent, &step.middle_row, end, force.slope, 0.5 * force.force, turn);
+            add_tangent(tangent, middle, end, force.slope, 0.5 * force.force, turn);
         }
         Some(SmoothContact { pair: index, force, row })
     }

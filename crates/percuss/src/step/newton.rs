@@ -81,6 +81,15 @@ impl From<Stalled> for Failure {
     }
 }
 
+/// A correction of the increment.
+#[derive(Clone, Copy, Debug)]
+struct Correction {
+    /// Its largest component.
+    size: f64,
+    /// Work of the unbalanced forces on it, all taken with the same sign \[J\].
+    work: f64,
+}
+
 /// Most corrections before a step counts as failed.
 pub(crate) const MOST_ITERATIONS: usize = 24;
 /// Corrections below this share of the largest are nothing: ahead of a wave the solution falls off exponentially, into numbers
@@ -99,6 +108,7 @@ impl StepProblem<'_> {
     pub fn solve(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         self.predict(work);
         let mut watch = Watch::new(self.state.books.energy_scale);
+        let (_, reach) = largest(&self.state.displacement);
         let mut renew = true;
         for iteration in 0..MOST_ITERATIONS {
             self.residual(work, renew);
@@ -117,19 +127,18 @@ impl StepProblem<'_> {
                 self.factor(work)?;
                 effort.factorizations += 1;
             }
-            let correction_work = self.correct(work)?;
+            let correction = self.correct(work)?;
             effort.iterations += 1;
             // What a step brings in by itself, or supports by moving, is known no better than its increment.
             let moves = !self.model.motions.is_empty();
             if iteration == 0 || moves || watch.energy > self.state.books.energy_scale {
-                watch.play(self.energy_in_play(work, correction_work));
+                watch.play(self.energy_in_play(work, correction.work));
             }
-            let (_, reach) = largest(&self.state.displacement);
             let (_, step) = largest(&work.increment);
             let touching =
                 !self.active.is_empty() || work.smooth.iter().any(|c| c.force.force > 0.0);
             let places = if touching { self.size } else { 0.0 };
-            watch.corrected(largest(&work.correction).1, reach, step, correction_work, places);
+            watch.corrected(correction.size, reach, step, correction.work, places);
             renew = false;
         }
         // Unbalanced forces without reactions.
@@ -244,8 +253,8 @@ impl StepProblem<'_> {
         Ok(())
     }
 
-    /// One correction of the increment; returns the work of the unbalanced forces on it.
-    fn correct(&self, work: &mut Workspace) -> Result<f64, Failure> {
+    /// One correction of the increment.
+    fn correct(&self, work: &mut Workspace) -> Result<Correction, Failure> {
         for (c, r) in work.correction.iter_mut().zip(&work.residual) {
             *c = r.map(|x| -x);
         }
@@ -254,18 +263,19 @@ impl StepProblem<'_> {
         let feedback = Some(self.feedback);
         tangent.solve(self.model, &step, self.damping, correction, multiplier, feedback);
         self.impact(work)?;
-        let quiet = QUIET * largest(&work.correction).1;
-        let mut correction_work = 0.0;
+        let (_, size) = largest(&work.correction);
+        let quiet = QUIET * size;
+        let mut correction = Correction { size, work: 0.0 };
         for ((d, c), r) in work.increment.iter_mut().zip(&mut work.correction).zip(&work.residual) {
             for i in 0..4 {
                 if c[i].abs() < quiet {
                     c[i] = 0.0;
                 }
                 d[i] += c[i];
-                correction_work += (c[i] * r[i]).abs();
+                correction.work += (c[i] * r[i]).abs();
             }
         }
-        Ok(correction_work)
+        Ok(correction)
     }
 
     /// Work of the unbalanced forces over the step, all taken with the same sign \[J\].
@@ -328,7 +338,8 @@ pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
 fn largest(nodal: &[[f64; 4]]) -> (usize, f64) {
     let mut found = (0, 0.0);
     for (n, x) in nodal.iter().enumerate() {
-        let size = x.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
+        // One comparison each: `f64::max` would look for NaN as well, which no comparison finds larger.
+        let size = x.iter().map(|c| c.abs()).fold(0.0_f64, |m, c| if c > m { c } else { m });
         if size > found.1 {
             found = (n, size);
         }

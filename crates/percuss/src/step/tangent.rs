@@ -261,7 +261,7 @@ impl Tangent {
         damping: Option<(&ModalDamping, f64)>,
     ) -> Result<(), Singular> {
         for hold in &model.holds {
-            hold_block(&mut self.matrix.chain, hold);
+            hold_block(&mut self.matrix.chain, hold, &self.linked);
         }
         for (a, b, block) in &mut self.matrix.couplings {
             project_coupling(model, *a, *b, block);
@@ -405,10 +405,10 @@ fn condensed(model: &Model, linked: &[bool], couplings: &[(usize, usize)]) -> Co
 /// Removes held components from a block between two nodes.
 fn project_coupling(model: &Model, a: usize, b: usize, block: &mut Block) {
     if let Some(hold) = model.hold_at(a) {
-        *block = mul(&projector(hold), block);
+        *block = mul(&hold.free, block);
     }
     if let Some(hold) = model.hold_at(b) {
-        *block = mul(block, &projector(hold));
+        *block = mul(block, &hold.free);
     }
 }
 
@@ -447,42 +447,26 @@ pub fn project_node(hold: &NodeHold, x: &mut [f64; 4]) {
     }
 }
 
-/// `I - N N^T`.
-fn projector(hold: &NodeHold) -> Block {
-    let mut p: Block = ZERO;
-    for r in 0..4 {
-        p[r][r] = 1.0;
-        for c in 0..4 {
-            for n in &hold.normals {
-                p[r][c] -= n[r] * n[c];
-            }
-        }
-    }
-    p
-}
-
 /// Replaces the rows and columns of held components: `P A P + s N N^T` with the scale s of the block.
-fn hold_block(chain: &mut Chain, hold: &NodeHold) {
-    let i = hold.node;
-    let p = projector(hold);
+fn hold_block(chain: &mut Chain, hold: &NodeHold, linked: &[bool]) {
+    let (i, p) = (hold.node, &hold.free);
     let diag = &chain.diag[i];
     let scale = (0..4).map(|k| diag[k][k].abs()).fold(0.0_f64, f64::max).max(1e-300);
-    let mut block = mul(&mul(&p, diag), &p);
-    for r in 0..4 {
-        for c in 0..4 {
-            for n in &hold.normals {
+    let mut block = mul(&mul(p, diag), p);
+    for n in &hold.normals {
+        for r in 0..4 {
+            for c in 0..4 {
                 block[r][c] += scale * n[r] * n[c];
             }
         }
     }
     chain.diag[i] = block;
-    // Nothing lies beyond an end of a span or a body.
-    if chain.upper[i] != ZERO || chain.lower[i] != ZERO {
-        chain.upper[i] = mul(&p, &chain.upper[i]);
-        chain.lower[i] = mul(&chain.lower[i], &p);
+    if linked[i] {
+        chain.upper[i] = mul(p, &chain.upper[i]);
+        chain.lower[i] = mul(&chain.lower[i], p);
     }
-    if i > 0 && (chain.upper[i - 1] != ZERO || chain.lower[i - 1] != ZERO) {
-        chain.upper[i - 1] = mul(&chain.upper[i - 1], &p);
-        chain.lower[i - 1] = mul(&p, &chain.lower[i - 1]);
+    if i > 0 && linked[i - 1] {
+        chain.upper[i - 1] = mul(&chain.upper[i - 1], p);
+        chain.lower[i - 1] = mul(p, &chain.lower[i - 1]);
     }
 }
