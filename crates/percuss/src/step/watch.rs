@@ -8,6 +8,8 @@ pub const WORK_TOLERANCE: f64 = 1e-16;
 /// Unbalanced work that may pass for round-off, relative to the energy in play. It is a sum of magnitudes: on 60 000 elements
 /// of 0.05 mm, moved by 0.1 m, round-off alone is of the order of 1e-4, though its signed sum is not.
 const MOST_ROUND_OFF: f64 = 1e-2;
+/// Corrections below this share of the step are near its end.
+const NEAR: f64 = 1e-2;
 /// An iteration whose corrections shrink by this factor gets there in the end.
 const CLOSES_IN: f64 = 0.9;
 /// Corrections this small against the step that no longer shrink are round-off.
@@ -29,6 +31,8 @@ pub struct Watch {
     size: f64,
     rate: f64,
     rate_before: f64,
+    /// Whether it was small against the step.
+    near: bool,
     /// Whether further corrections would move nothing but round-off.
     settled: bool,
 }
@@ -45,6 +49,7 @@ impl Watch {
             size: infinity,
             rate: infinity,
             rate_before: infinity,
+            near: false,
             settled: false,
         }
     }
@@ -60,9 +65,10 @@ impl Watch {
         self.unbalanced <= CONTRACTION * self.before || self.rate <= CONTRACTION
     }
 
-    /// Whether the iteration comes nearer, if slowly: by at least a tenth in each of the last two corrections, on average.
+    /// Whether the iteration comes nearer, if slowly: corrections small against the step shrink by at least a tenth in each of
+    /// the last two, on average.
     pub fn closes_in(&self) -> bool {
-        self.rate * self.rate_before < CLOSES_IN * CLOSES_IN
+        self.near && self.rate * self.rate_before < CLOSES_IN * CLOSES_IN
     }
 
     /// Whether only round-off is left, and little of it.
@@ -85,6 +91,7 @@ impl Watch {
             self.rate_before = std::mem::replace(&mut self.rate, size / self.size);
         }
         self.size = size;
+        self.near = size <= NEAR * step;
         let round_off = size <= ROUND_OFF * reach.max(step);
         // What the next correction would find unbalanced, were there no round-off.
         let ahead = size * self.rate * self.stiffness * step;
