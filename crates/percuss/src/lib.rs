@@ -31,6 +31,7 @@ pub use analysis::{
     simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
+pub use ensemble::{Sensitivities, Variation, sensitivities};
 pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;

@@ -161,16 +161,16 @@ impl State {
         })
     }
 
-    /// Looks at pair `i` where it stands; returns how far apart the two are \[m\].
-    pub(crate) fn see(&mut self, model: &Model, i: usize) -> f64 {
+    /// Looks at pair `i` where it stands; returns how far apart the two are, negative also where one has gone through \[m\].
+    pub(crate) fn see(&mut self, model: &Model, i: usize, reach: Reach) -> f64 {
         let (pair, at) = (&model.pairs[i], Configuration::of(&self.displacement));
         let seen = &mut self.pairs[i];
-        match pair.touch(model, &at, &seen.memory, Reach::All) {
+        match pair.touch(model, &at, &seen.memory, reach) {
             Some(touch) => {
                 let row = pair.normal_row(&touch, &at);
                 (seen.gap, seen.rate) = (touch.gap, row.on(&self.velocity));
                 seen.memory = touch.memory;
-                touch.apart
+                touch.apart.min(touch.gap)
             }
             None => {
                 (seen.gap, seen.rate) = (f64::INFINITY, 0.0);

@@ -7,6 +7,8 @@ use super::monitor::Monitor;
 use super::start::initial_state;
 use super::trial::size_of;
 use crate::contact::search::Search;
+use crate::contact::touch::Reach;
+use crate::element::beam::ElementValues;
 use crate::error::Error;
 use crate::ledger::{Books, Measures, RoundOff};
 use crate::math::vec2::{add, dot, norm, scale, sub};
@@ -27,6 +29,8 @@ use crate::summary::*;
 const SMALLEST_SHARE: f64 = 1e-4;
 /// Parts of a step, impacts and cuts included, before the analysis gives up: more would not end.
 const MOST_PARTS: usize = 20_000;
+/// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
+const COLLAPSED: f64 = 0.2;
 
 /// A transient analysis in progress.
 ///
@@ -74,9 +78,10 @@ pub struct Simulation<'m> {
     pub(super) located: Option<usize>,
     /// Which pairs are near.
     pub(super) search: Search,
-    /// Pairs taken into the step at hand, and those it brought within reach.
+    /// Pairs taken into the step at hand, those it brought within reach, and sleeping ones looked at on that account.
     pub(super) near: Vec<usize>,
     pub(super) reached: Vec<usize>,
+    pub(super) looked: Vec<usize>,
     /// In time-stepping, which of the active contacts rest.
     pub(super) persistent: Vec<bool>,
     /// Whether Moreau's impact law stands in for Newton's in the step solved last.
@@ -124,6 +129,7 @@ impl<'m> Simulation<'m> {
             search: Search::new(model),
             near: Vec::new(),
             reached: Vec::new(),
+            looked: Vec::new(),
             persistent: Vec::new(),
             tamed: false,
             size: size_of(model),
@@ -136,7 +142,7 @@ impl<'m> Simulation<'m> {
     pub(super) fn open(&mut self) {
         self.steer_obstacles();
         self.search = Search::new(self.model);
-        self.search.see(self.model, &mut self.state);
+        self.search.see(self.model, &mut self.state, Reach::All);
         if self.settings.scheme.advances_accelerations() {
             self.initial_acceleration();
         }
@@ -276,7 +282,14 @@ impl<'m> Simulation<'m> {
         let time = self.state.time;
         match failure {
             Failure::Diverged { residual, node } => {
-                Error::no_convergence(time, step, residual, place(node))
+                let (stretch, at) = self.least_stretch();
+                let collapsed = if stretch < COLLAPSED {
+                    let (beam, share) = (place(at), 100.0 * stretch);
+                    format!(" ({beam} has collapsed: its axis is pressed to {share:.1} % there)")
+                } else {
+                    String::new()
+                };
+                Error::no_convergence(time, step, residual, place(node) + &collapsed)
             }
             Failure::Impact => {
                 Error::no_convergence(time, step, f64::NAN, "the impacts' impulses".into())
@@ -290,6 +303,25 @@ impl<'m> Simulation<'m> {
                 Error::singular(time, "the joints and supports".into())
             }
         }
+    }
+
+    /// The least stretch at any Gauss point, and the first node of its element.
+    fn least_stretch(&self) -> (f64, usize) {
+        let mut least = (f64::INFINITY, 0);
+        for span in &self.model.spans {
+            for k in 0..span.elements.len() {
+                let node = span.nodes.start + k;
+                let [a, b] = [node, node + 1].map(|n| &self.state.displacement[n]);
+                let u = ElementValues::new(a, b);
+                for row in &span.table(k).rows {
+                    let stretch = norm(add(row.tangent, u.at(&row.first)));
+                    if stretch < least.0 {
+                        least = (stretch, node);
+                    }
+                }
+            }
+        }
+        least
     }
 
     /// Measures the new state; follows every accepted step.

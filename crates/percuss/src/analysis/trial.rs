@@ -56,11 +56,14 @@ impl Simulation<'_> {
         self.smooth_passage()
     }
 
-    /// Looks at pairs that still sleep, where the state stands.
+    /// Looks at pairs that still sleep, where the state stands. They have not touched since they fell asleep, so they are
+    /// on the side where they are seen.
     fn look(&mut self, pairs: &[usize]) {
         for i in pairs {
-            if self.search.awake().binary_search(i).is_err() {
-                self.state.see(self.model, *i);
+            if self.search.awake().binary_search(i).is_err() && !self.looked.contains(i) {
+                self.state.pairs[*i].memory.side = 0.0;
+                self.state.see(self.model, *i, Reach::All);
+                self.looked.push(*i);
             }
         }
     }
@@ -88,8 +91,8 @@ impl Simulation<'_> {
     pub(super) fn gap_next(&self, h: f64, i: usize) -> [f64; 2] {
         let (pair, d) = (&self.model.pairs[i], &self.work.increment);
         let at = Configuration { start: &self.state.displacement, increment: d, share: 1.0 };
-        let memory = &self.state.pairs[i].memory;
-        let Some(touch) = pair.touch(self.model, &at, memory, Reach::All) else {
+        let seen = &self.state.pairs[i];
+        let Some(touch) = pair.at_end(self.model, &at, &seen.memory, seen.gap) else {
             return [f64::INFINITY, 0.0];
         };
         let row = pair.normal_row(&touch, &at);
@@ -105,12 +108,16 @@ impl Simulation<'_> {
     }
 
     /// The share of the step solved last at which the first of the given open pairs is inside another, though at its end it is
-    /// outside again: one has passed through the other. What side it came from is remembered.
+    /// outside again, or inside from the other side: one has passed through the other. The side it came from is remembered
+    /// if it was not known.
     pub(super) fn first_passage(&mut self, pairs: &[usize]) -> Option<f64> {
         let mut first: Option<f64> = None;
         for &i in pairs {
             if let Some((share, memory)) = self.passage(i) {
-                self.state.pairs[i].memory = memory;
+                let seen = &mut self.state.pairs[i].memory;
+                if seen.side == 0.0 {
+                    seen.side = memory.side;
+                }
                 first = Some(first.map_or(share, |f| f.min(share)));
             }
         }
@@ -127,9 +134,11 @@ impl Simulation<'_> {
         let at = Configuration { start: &self.state.displacement, increment: d, share: 1.0 };
         let way = self.search.way(&pair.movers);
         let mut memory = seen.memory;
-        let last = pair.touch(self.model, &at, &memory, Reach::All)?;
-        // Outside at both ends, and not fast enough to have been inside.
-        if last.gap <= 0.0 || seen.gap + last.apart > way {
+        let last = pair.at_end(self.model, &at, &memory, seen.gap)?;
+        // Inside where it is looked for, or outside at both ends and not fast enough to have been inside.
+        let inside = last.gap <= 0.0;
+        let entered = inside && last.memory.side == memory.side;
+        if entered || seen.gap + last.apart.max(0.0) > way {
             return None;
         }
         let floor = (1e-6 * way).max(1e-9 * seen.gap);
@@ -141,7 +150,9 @@ impl Simulation<'_> {
             }
             let touch = pair.touch(self.model, &at.at(share), &memory, Reach::All)?;
             if touch.gap < 0.0 {
-                return Some((share, memory));
+                let side = touch.memory.side;
+                let meant = inside && (side == last.memory.side || side == 0.0);
+                return (!meant).then_some((share, memory));
             }
             (apart, memory) = (touch.apart, touch.memory);
         }
@@ -154,6 +165,7 @@ impl Simulation<'_> {
         self.monitor.begin_step(self.model, &self.state, &self.work);
         let brief = h < BRIEF * self.settings.step;
         let before = brief.then(|| self.state.multiplier.clone());
+        self.remember();
         let (state, forcing) = (&mut self.state, &self.forcing);
         commit::commit(self.model, state, integration, forcing, &self.damping, &self.work);
         if let Some(before) = before {
@@ -162,7 +174,7 @@ impl Simulation<'_> {
         }
         self.steer_obstacles();
         self.search.moved();
-        self.search.see(self.model, &mut self.state);
+        self.search.see(self.model, &mut self.state, Reach::Near);
         let part = super::monitor::Part {
             h,
             brief,
@@ -174,6 +186,20 @@ impl Simulation<'_> {
         self.gather_reactions(h, brief);
         self.gather_impulses(h, active);
         self.measure();
+    }
+
+    /// Sides and feet at the end of the step, as the step has seen them.
+    fn remember(&mut self) {
+        let (model, state) = (self.model, &mut self.state);
+        for &i in self.reached.iter().filter(|i| model.pairs[**i].target.has_sides()) {
+            let seen = &mut state.pairs[i];
+            let increment = &self.work.increment;
+            let at = Configuration { start: &state.displacement, increment, share: 1.0 };
+            if let Some(touch) = model.pairs[i].at_end(model, &at, &seen.memory, seen.gap) {
+                seen.memory = touch.memory;
+            }
+        }
+        self.looked.clear();
     }
 
     /// Obstacles have the velocities of their motions, whatever the rule makes of their increments.

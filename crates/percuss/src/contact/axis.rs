@@ -5,6 +5,11 @@ use crate::element::beam::NodeFrame;
 use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 
+/// Iterations after which a foot is closed in on by halves.
+const PATIENCE: usize = 40;
+/// Places at which the feet on a strongly bent element are looked for.
+const FEET: usize = 32;
+
 /// An element of a beam's axis.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisElement {
@@ -25,6 +30,16 @@ pub struct AxisPoint {
     pub element: usize,
     /// Share of the element, from 0 to 1.
     pub xi: f64,
+}
+
+/// The point of an axis that is nearest of all.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest {
+    /// The point.
+    pub point: AxisPoint,
+    /// The point nearest in the neighbourhood of the guess, if another one is nearer: the foot leaps between two arms of a
+    /// beam.
+    pub leapt_from: Option<AxisPoint>,
 }
 
 /// An element in a configuration: position and slope at both ends.
@@ -78,22 +93,43 @@ impl Placed {
         norm(sub(y, middle)) - reach
     }
 
-    /// The share nearest to `y`, searched from `guess`; from several places if there is none.
-    fn nearest(&self, y: [f64; 2], guess: Option<f64>) -> f64 {
-        let Some(guess) = guess else {
-            let start = (0..=4).map(|k| 0.25 * f64::from(k)).min_by(|a, b| {
-                let away = |xi: f64| norm(sub(self.position(xi), y));
-                away(*a).total_cmp(&away(*b))
-            });
-            return self.descend(y, start.unwrap_or(0.5));
-        };
-        self.descend(y, guess)
+    /// Whether a place at most `away` from it has one point of it that is nearest in its neighbourhood, not several: the square
+    /// of the distance is convex throughout. So it is wherever the element is bent by less than about a radian.
+    fn has_one_foot(&self, away: f64) -> bool {
+        let [a, b] = &self.ends;
+        let chord = [b[0] - a[0], b[1] - a[1]];
+        let span = norm(chord);
+        let (first, last) = ([a[2], a[3]], [b[2], b[3]]);
+        // Control vectors of the derivative bound it, as its ends bound the second derivative.
+        let inner = [0, 1].map(|i| 3.0 * chord[i] / self.length - first[i] - last[i]);
+        let onward = [first, inner, last].map(|t| dot(t, chord) / span);
+        let least = onward.into_iter().fold(f64::INFINITY, f64::min);
+        let bend = norm(self.bend(0.0)).max(norm(self.bend(1.0)));
+        least > 0.0 && least * least > (away + 2.0 * span) * bend
     }
 
-    /// Newton's iteration on the square of the distance, downhill, within the element.
+    /// The share nearest to `y` of all. Where the element is bent so much that there may be several feet, each is looked for.
+    fn nearest(&self, y: [f64; 2]) -> f64 {
+        let away = |xi: f64| norm(sub(self.position(xi), y));
+        let coarse: [f64; 5] = std::array::from_fn(|k| away(0.25 * k as f64));
+        let (best, least) = least_of(&coarse);
+        if self.has_one_foot(least) {
+            return self.descend(y, 0.25 * best as f64);
+        }
+        let fine: [f64; FEET + 1] = std::array::from_fn(|k| away(k as f64 / FEET as f64));
+        let nearer = |k: usize, other: Option<&f64>| other.is_none_or(|other| fine[k] <= *other);
+        let valleys = (0..=FEET).filter(|k| {
+            nearer(*k, k.checked_sub(1).map(|before| &fine[before])) && nearer(*k, fine.get(k + 1))
+        });
+        let feet = valleys.map(|k| self.descend(y, k as f64 / FEET as f64));
+        feet.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0.5)
+    }
+
+    /// The share nearest to `y` in the neighbourhood of another one: Newton's iteration on the square of the distance, downhill,
+    /// within the element.
     fn descend(&self, y: [f64; 2], mut xi: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..50 {
+        for iteration in 0..PATIENCE + 55 {
             let (e, t, c) = (sub(self.position(xi), y), self.tangent(xi), self.bend(xi));
             let slope = dot(e, t) * self.length;
             // Gauss-Newton where the square of the distance is not convex.
@@ -105,7 +141,11 @@ impl Placed {
                 low = xi
             }
             let mut next = xi - slope / bend;
-            if !(next >= low && next <= high) {
+            // Where the distance hardly changes, next to a centre of curvature, Newton's iteration crawls.
+            let crawls = iteration >= PATIENCE;
+            if crawls {
+                next = 0.5 * (low + high);
+            } else if !(next >= low && next <= high) {
                 // Out of the bracket: to its end if that is the element's, else to its middle.
                 next = if next < low && low == 0.0 {
                     0.0
@@ -130,6 +170,12 @@ impl Placed {
     }
 }
 
+/// Index and value of the least.
+fn least_of(values: &[f64]) -> (usize, f64) {
+    let least = values.iter().copied().enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+    least.unwrap_or((0, f64::INFINITY))
+}
+
 /// The axis of a beam in a configuration.
 #[derive(Clone, Copy)]
 pub struct Axis<'a> {
@@ -149,27 +195,31 @@ impl Axis<'_> {
     }
 
     /// The point nearest to `y` of all; `None` if all elements are left out. The search starts near `guess`.
-    pub fn nearest(&self, y: [f64; 2], at: &Configuration, guess: AxisPoint) -> Option<AxisPoint> {
+    pub fn nearest(&self, y: [f64; 2], at: &Configuration, guess: AxisPoint) -> Option<Nearest> {
         let mut best = (f64::INFINITY, None);
         if guess.element < self.elements.len() && !self.left_out(guess.element) {
             let near = self.near(y, at, guess);
             let place = self.placed(near.element, at).position(near.xi);
             best = (norm(sub(place, y)), Some(near));
         }
-        let found = best.1.map(|p| p.element);
+        let local = best.1;
+        let found = local.map(|p| p.element);
         for element in (0..self.elements.len()).filter(|k| !self.left_out(*k)) {
             let placed = self.placed(element, at);
-            if Some(element) == found || placed.least_distance(y) > best.0 {
+            if placed.least_distance(y) > best.0
+                || (Some(element) == found && placed.has_one_foot(best.0))
+            {
                 continue;
             }
-            let xi = placed.nearest(y, None);
+            let xi = placed.nearest(y);
             let away = norm(sub(placed.position(xi), y));
             // Of two as near, the one found first: at a node both elements say the same.
             if away < best.0 * (1.0 - 1e-14) {
                 best = (away, Some(AxisPoint { element, xi }));
             }
         }
-        best.1
+        let leapt_from = local.filter(|_| best.1 != local);
+        best.1.map(|point| Nearest { point, leapt_from })
     }
 
     /// The point nearest to `y` in the neighbourhood of another one: downhill along the axis.
@@ -177,7 +227,7 @@ impl Axis<'_> {
         let (mut element, mut guess, mut way) = (from.element, from.xi, 0_i8);
         loop {
             let placed = self.placed(element, at);
-            let xi = placed.nearest(y, Some(guess));
+            let xi = placed.descend(y, guess);
             let onward = placed.onward(y, xi);
             let (next, start) = if xi == 1.0 && onward < 0.0 && way >= 0 {
                 way = 1;

@@ -5,8 +5,9 @@
 //! potential, and gives no momentum and no angular momentum, wherever the foot slides to.
 
 use super::configuration::Configuration;
-use super::pair::{Memory, Pair, Target};
+use super::pair::{Centre, Memory, Pair, Target};
 use super::row::Row;
+use super::search::farthest;
 use super::touch::{Reach, Touch};
 use crate::math::vec2::{add, cross, norm, rot90, scale, sub};
 use crate::model::Model;
@@ -60,9 +61,7 @@ impl Pair {
             let gaps = [gap_0, gap];
             return Some(StepGap { gaps, row, middle, gradients: None });
         }
-        // The end is seen as the next step will see it: what else is near may be nearer by then.
-        let near = Memory { near: middle.memory.near, ..*memory };
-        let last = self.touch(model, &end, &near, Reach::All)?;
+        let last = self.at_end_from(model, at, memory, &middle, gap_0)?;
         let middle_row = self.normal_row(&middle, &mid);
         let end_row = self.normal_row(&last, &end);
         let mut row = middle_row;
@@ -89,6 +88,68 @@ impl Pair {
             correct(model, &mut row, at, miss);
         }
         Some(StepGap { gaps, row, middle, gradients })
+    }
+}
+
+impl Pair {
+    /// The pair at the end of the step of `at`, from a gap of `gap_0`, as the next step will see it.
+    pub fn at_end(
+        &self,
+        model: &Model,
+        at: &Configuration,
+        memory: &Memory,
+        gap_0: f64,
+    ) -> Option<Touch> {
+        if !matches!(self.target, Target::Axis { .. }) {
+            return self.touch_from(model, &at.at(1.0), memory, gap_0);
+        }
+        let middle = self.touch(model, &at.at(0.5), memory, Reach::Near)?;
+        self.at_end_from(model, at, memory, &middle, gap_0)
+    }
+
+    /// The foot is followed over the middle of the step; what else is near may be nearer by its end.
+    fn at_end_from(
+        &self,
+        model: &Model,
+        at: &Configuration,
+        memory: &Memory,
+        middle: &Touch,
+        gap_0: f64,
+    ) -> Option<Touch> {
+        let near = Memory { near: middle.memory.near, ..*memory };
+        self.touch_from(model, &at.at(1.0), &near, gap_0)
+    }
+
+    /// The pair at `end`. What seems to have gone through, but was further away than the two have moved, has gone round an end.
+    fn touch_from(
+        &self,
+        model: &Model,
+        end: &Configuration,
+        memory: &Memory,
+        gap_0: f64,
+    ) -> Option<Touch> {
+        let touch = self.touch(model, end, memory, Reach::All)?;
+        if touch.gap < -touch.apart.abs() && gap_0 > self.way(model, end) {
+            let anew = Memory { side: 0.0, near: touch.memory.near };
+            return self.touch(model, end, &anew, Reach::All);
+        }
+        Some(touch)
+    }
+
+    /// How far the two have moved since the start of the step, at most \[m\].
+    fn way(&self, model: &Model, at: &Configuration) -> f64 {
+        let of = |c: &Centre| norm(sub(c.place(at), c.place(&at.at(0.0))));
+        let target = match &self.target {
+            Target::Guided { point, .. } | Target::Line { point, .. } => of(point),
+            Target::Round { centre } => of(centre),
+            Target::Segment { ends } => of(&ends[0]).max(of(&ends[1])),
+            Target::Axis { beam, .. } => {
+                let beam = &model.beams[*beam];
+                let long = beam.axis.iter().map(|e| e.length).fold(0.0, f64::max);
+                at.share * farthest(&at.increment[beam.nodes.clone()], long)
+            }
+        };
+        of(&self.source) + target
     }
 }
 

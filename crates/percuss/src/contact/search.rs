@@ -5,6 +5,7 @@
 //! looked at where they stand.
 
 use super::pair::Pair;
+use super::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::Model;
 use crate::model::frozen::BeamData;
@@ -14,6 +15,17 @@ use crate::state::State;
 const CLOSE: f64 = 1e-8;
 /// Pairs that would wake within so many steps do not go to sleep.
 const RESTLESS: f64 = 4.0;
+
+/// How far a point of a beam moves, at most, if its nodes move by `nodal`; `long` is its longest element \[m\].
+pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
+    // Shape functions of values sum to one; those of slopes reach 4/27 of the length each.
+    let (mut value, mut slope) = (0.0_f64, 0.0_f64);
+    for x in nodal {
+        value = value.max(x[0] * x[0] + x[1] * x[1]);
+        slope = slope.max(x[2] * x[2] + x[3] * x[3]);
+    }
+    value.sqrt() + 8.0 / 27.0 * long * slope.sqrt()
+}
 
 /// Sleeping and waking pairs.
 #[derive(Clone, Debug, Default)]
@@ -86,13 +98,7 @@ impl Search {
         let beams = model.beams.len();
         let mut most = 0.0_f64;
         for ((way, beam), long) in self.step.iter_mut().zip(&model.beams).zip(&self.element) {
-            // Shape functions of values sum to one; those of slopes reach 4/27 of the length each.
-            let (mut value, mut slope) = (0.0_f64, 0.0_f64);
-            for x in &nodal[beam.nodes.clone()] {
-                value = value.max(x[0] * x[0] + x[1] * x[1]);
-                slope = slope.max(x[2] * x[2] + x[3] * x[3]);
-            }
-            *way = factor * (value.sqrt() + 8.0 / 27.0 * long * slope.sqrt());
+            *way = factor * farthest(&nodal[beam.nodes.clone()], *long);
             most = most.max(*way);
         }
         let first = model.beam_node_count();
@@ -111,20 +117,21 @@ impl Search {
         self.any += 2.0 * self.longest;
     }
 
-    /// Looks at the pairs that have come near, and lets those that have not sleep on.
-    pub fn see(&mut self, model: &Model, state: &mut State) {
+    /// Looks at the pairs that have come near, their feet within `reach` of where they were remembered, and lets those that
+    /// have not sleep on.
+    pub fn see(&mut self, model: &Model, state: &mut State, reach: Reach) {
         self.awake.clear();
         let mut restless = std::mem::take(&mut self.restless);
         if self.guided {
-            (0..model.pairs.len()).for_each(|i| self.see_one(model, state, i));
+            (0..model.pairs.len()).for_each(|i| self.see_one(model, state, i, reach));
         } else if self.any < self.first {
-            restless.iter().for_each(|i| self.see_one(model, state, *i));
+            restless.iter().for_each(|i| self.see_one(model, state, *i, reach));
         } else {
             self.first = f64::INFINITY;
             for (i, pair) in model.pairs.iter().enumerate() {
                 let way = self.way_of(pair);
                 if way >= self.wake[i] || restless.binary_search(&i).is_ok() {
-                    self.see_one(model, state, i);
+                    self.see_one(model, state, i, reach);
                 } else {
                     self.first = self.first.min(self.any + self.wake[i] - way);
                 }
@@ -144,9 +151,9 @@ impl Search {
         self.restless = restless;
     }
 
-    fn see_one(&mut self, model: &Model, state: &mut State, i: usize) {
+    fn see_one(&mut self, model: &Model, state: &mut State, i: usize, reach: Reach) {
         self.awake.push(i);
-        let apart = state.see(model, i);
+        let apart = state.see(model, i, reach);
         self.wake[i] = self.way_of(&model.pairs[i]) + (0.999 * apart - CLOSE).max(0.0);
     }
 

@@ -83,11 +83,20 @@ impl Pair {
             Target::Axis { beam, skip } => {
                 let elements = &model.beams[*beam].axis;
                 let axis = Axis { nodes: &model.nodes, elements, skip: *skip };
-                let point = match reach {
-                    Reach::All => axis.nearest(y, at, memory.near)?,
-                    Reach::Near => axis.near(y, at, memory.near),
+                let (point, leapt_from) = match reach {
+                    Reach::All => {
+                        let found = axis.nearest(y, at, memory.near)?;
+                        (found.point, found.leapt_from)
+                    }
+                    Reach::Near => (axis.near(y, at, memory.near), None),
                 };
-                let mut touch = self.on_axis(&axis, point, y, at, memory);
+                let side = leapt_from.map_or(memory.side, |from| {
+                    // What was outside of one arm is outside of the other, whichever way that one runs.
+                    let [before, after] = [from, point].map(|p| axis.side(y, at, p));
+                    if before * memory.side < 0.0 { -after } else { after }
+                });
+                let known = Memory { side, ..*memory };
+                let mut touch = self.on_axis(&axis, point, y, at, &known);
                 if touch.memory.side == 0.0 && (self.skips_ends || axis.is_border(point)) {
                     touch.gap = f64::INFINITY;
                 }

@@ -30,6 +30,8 @@ pub struct Engine<S> {
     pub residual: Vec<[S; 4]>,
     pub correction: Vec<[S; 4]>,
     pub band: Band<S>,
+    /// The rigid projectile that strikes in the step at hand, if one does; runs side by side have none.
+    pub striking: Option<usize>,
 }
 
 /// A guided projectile on its way, and in the step at hand.
@@ -89,6 +91,7 @@ impl<S: Number> Engine<S> {
             residual: still.clone(),
             correction: still,
             band: Band::zeros(nodes, zero),
+            striking: None,
             numbers,
         }
     }
@@ -261,12 +264,15 @@ impl<S: Number> Engine<S> {
         let last = self.band.diag.len() - 1;
         for hold in &self.numbers.holds {
             let (n, band) = (hold.node, &mut self.band);
+            // Held directions weigh as much as the others, or round-off in them would move.
+            let own = &band.diag[n];
+            let weight = own[0][0] + own[1][1] + own[2][2] + own[3][3];
             hold.project_rows(&mut band.diag[n]);
             hold.project_columns(&mut band.diag[n]);
             for normal in &hold.normals {
                 for i in 0..4 {
                     for j in 0..4 {
-                        band.diag[n][i][j] += normal[i] * normal[j];
+                        band.diag[n][i][j] += weight * normal[i] * normal[j];
                     }
                 }
             }

@@ -8,12 +8,15 @@
 mod band;
 mod books;
 mod engine;
+mod impact;
 mod law;
 mod log;
 mod newton;
 mod numbers;
 mod run;
+mod sensitivity;
 mod shape;
 mod summary;
 
 pub use run::simulate_ensemble;
+pub use sensitivity::{Sensitivities, Variation, sensitivities};

@@ -86,7 +86,7 @@ impl<S: Number> Engine<S> {
             if assemble {
                 self.renew(lanes, kept.take(), stale);
             }
-            self.correct();
+            self.correct_and_strike();
             corrections += 1;
             self.take(lanes, reach, books, corrections == 1);
             (assemble, seen) = (false, false);
@@ -94,6 +94,14 @@ impl<S: Number> Engine<S> {
         lanes.iter_mut().filter(|l| l.seeking).for_each(|l| l.failed = true);
         if S::DERIVES {
             self.follow();
+        }
+    }
+
+    #[inline(always)]
+    fn correct_and_strike(&mut self) {
+        self.correct();
+        if let (1, Some(k)) = (S::LANES, self.striking) {
+            self.strike(k);
         }
     }
 
@@ -193,7 +201,7 @@ impl<S: Number> Engine<S> {
     fn follow(&mut self) {
         self.evaluate::<true>();
         self.factor();
-        self.correct();
+        self.correct_and_strike();
         for (d, c) in self.increment.iter_mut().zip(&self.correction) {
             (0..4).for_each(|i| d[i] += c[i]);
         }

@@ -8,6 +8,10 @@ pub const WORK_TOLERANCE: f64 = 1e-16;
 /// Unbalanced work that may pass for round-off, relative to the energy in play. It is a sum of magnitudes: on 60 000 elements
 /// of 0.05 mm, moved by 0.1 m, round-off alone is of the order of 1e-4, though its signed sum is not.
 const MOST_ROUND_OFF: f64 = 1e-2;
+/// Corrections below this share of the step are near its end.
+const NEAR: f64 = 1e-2;
+/// An iteration whose corrections shrink by this factor gets there in the end.
+const CLOSES_IN: f64 = 0.9;
 /// Corrections this small against the step that no longer shrink are round-off.
 const STALLED: f64 = 1e-10;
 /// A correction below so many units in the last place of the displacements moves nothing any more.
@@ -23,9 +27,12 @@ pub struct Watch {
     before: f64,
     /// Work of the unbalanced forces on a correction, per square of its size: the largest seen.
     stiffness: f64,
-    /// Size of the last correction, and its ratio to the one before.
+    /// Size of the last correction, its ratio to the one before, and that one's.
     size: f64,
     rate: f64,
+    rate_before: f64,
+    /// Whether it was small against the step.
+    near: bool,
     /// Whether further corrections would move nothing but round-off.
     settled: bool,
 }
@@ -41,6 +48,8 @@ impl Watch {
             stiffness: 0.0,
             size: infinity,
             rate: infinity,
+            rate_before: infinity,
+            near: false,
             settled: false,
         }
     }
@@ -54,6 +63,12 @@ impl Watch {
     /// and no longer falls; the corrections then still tell.
     pub fn contracts(&self) -> bool {
         self.unbalanced <= CONTRACTION * self.before || self.rate <= CONTRACTION
+    }
+
+    /// Whether the iteration comes nearer, if slowly: corrections small against the step shrink by at least a tenth in each of
+    /// the last two, on average.
+    pub fn closes_in(&self) -> bool {
+        self.near && self.rate * self.rate_before < CLOSES_IN * CLOSES_IN
     }
 
     /// Whether only round-off is left, and little of it.
@@ -73,9 +88,10 @@ impl Watch {
             self.stiffness = self.stiffness.max(work / (size * size));
         }
         if self.size.is_finite() {
-            self.rate = size / self.size;
+            self.rate_before = std::mem::replace(&mut self.rate, size / self.size);
         }
         self.size = size;
+        self.near = size <= NEAR * step;
         let round_off = size <= ROUND_OFF * reach.max(step);
         // What the next correction would find unbalanced, were there no round-off.
         let ahead = size * self.rate * self.stiffness * step;

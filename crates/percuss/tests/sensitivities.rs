@@ -1,0 +1,133 @@
+//! Derivatives of results through a run against differences of whole runs, impacts included.
+
+mod common;
+
+use common::{at, beam};
+use percuss::*;
+
+/// Names and values of the parameters of both scenes.
+const PARAMETERS: [(&str, f64); 12] = [
+    ("young", 2e9),
+    ("density", 3e3),
+    ("area", 0.1),
+    ("inertia", 8.33e-5),
+    ("length", 3.0),
+    ("height of the far end", 0.1),
+    ("mass", 200.0),
+    ("speed", 20.0),
+    // So that the first impact lies within a step: at its very end the run is not differentiable.
+    ("standoff", 0.0207),
+    ("where it strikes", 0.52),
+    ("stiffness", 7.5e5),
+    ("restitution", 0.7),
+];
+
+#[derive(Clone, Copy, PartialEq)]
+enum Law {
+    Linear,
+    Hertz,
+    Rigid,
+}
+
+fn scene(p: &[f64; 12], law: Law) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("m", p[0], p[1]));
+    let section = b.section(Section::new("s", p[2], p[3]));
+    let g = b.beam(beam("g", [0.0; 2], [p[4], p[5]], 6, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, g, f), SupportKind::Clamp));
+    }
+    let kind = match law {
+        Law::Linear => ProjectileKind::spring(p[10]),
+        Law::Hertz => ProjectileKind::Elastic {
+            law: SmoothLaw::elastic(Potential::Hertz { stiffness: 10.0 * p[10] }),
+        },
+        Law::Rigid => ProjectileKind::Rigid { restitution: p[11] },
+    };
+    let projectile = Projectile::new("mass", kind, p[6], [0.0, p[7]], at("struck", g, p[9]));
+    b.projectile(Projectile { standoff: p[8], ..projectile });
+    b.build().unwrap()
+}
+
+/// Peak displacement, velocity at the end, peak force or number of impacts, impulse, start of the contact.
+fn results(s: &RunSummary) -> [f64; 5] {
+    let (force, impulse, start) = match &s.contacts[0].record {
+        ContactRecord::Smooth { peak_force, intervals } => {
+            (peak_force.value, intervals[0].impulse, intervals[0].start)
+        }
+        ContactRecord::Nonsmooth { impacts, impulse_total, .. } => {
+            (impacts.last().unwrap().impulse, *impulse_total, impacts.last().unwrap().time)
+        }
+    };
+    let top = s.points[0].displacement_max[1].value;
+    [top, s.projectiles[0].velocity_final[1], force, impulse, start]
+}
+
+fn check(law: Law, end: f64) {
+    let base = PARAMETERS.map(|(_, value)| value);
+    let settings = Settings::new(end, 1e-4);
+    let moved = |i: usize, by: f64| {
+        let mut p = base;
+        p[i] += by;
+        scene(&p, law)
+    };
+    let variations: Vec<Variation> = (0..12)
+        .map(|i| {
+            let change = 1e-3 * base[i];
+            let models = [-2.0, -1.0, 1.0, 2.0].map(|k| moved(i, k * change));
+            Variation { models, change }
+        })
+        .collect();
+    let model = scene(&base, law);
+    let found = sensitivities(&model, &settings, &variations).unwrap();
+    let run = |m: &Model| results(&simulate(m, &settings, &mut NoRecorder).unwrap());
+    let single = run(&model);
+    for (a, b) in results(&found.summary).iter().zip(&single) {
+        // Instants of impact are located to a thousandth of a pulse, which later impacts magnify.
+        assert!((a - b).abs() <= 1e-6 * b.abs(), "{a} {b}");
+    }
+    for (i, (name, value)) in PARAMETERS.iter().enumerate() {
+        // Differences of fourth order, over changes so small that results still are quartics: least where it strikes.
+        let change = if i == 9 { 1e-6 } else { 2e-5 } * value;
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| run(&moved(i, k * change)));
+        let derivative = results(&found.derivatives[i]);
+        for k in 0..5 {
+            let difference = (8.0 * (c[k] - b[k]) - (d[k] - a[k])) / (12.0 * change);
+            let scale = difference.abs().max(1e-3 * (single[k] / value).abs());
+            assert!(
+                (derivative[k] - difference).abs() <= 1e-6 * scale,
+                "result {k} by {name}: {} {difference}",
+                derivative[k]
+            );
+        }
+    }
+}
+
+#[test]
+fn derivatives_through_elastic_contact() {
+    check(Law::Linear, 0.11);
+    check(Law::Hertz, 0.11);
+}
+
+#[test]
+fn derivatives_through_impacts_jump_where_these_move() {
+    check(Law::Rigid, 0.03);
+}
+
+#[test]
+fn what_cannot_be_differentiated_says_so() {
+    let base = PARAMETERS.map(|(_, value)| value);
+    let model = scene(&base, Law::Linear);
+    let mut settings = Settings::new(0.01, 1e-4);
+    settings.scheme = Scheme::Midpoint;
+    let refused = sensitivities(&model, &settings, &[]).unwrap_err();
+    assert!(refused.contains("scheme"), "{refused}");
+    let other = {
+        let mut p = base;
+        p[9] = 0.9; // strikes another element
+        scene(&p, Law::Linear)
+    };
+    let variation = Variation { models: [(); 4].map(|()| other.clone()), change: 1.0 };
+    let refused = sensitivities(&model, &Settings::new(0.01, 1e-4), &[variation]).unwrap_err();
+    assert!(refused.contains("mesh"), "{refused}");
+}
