@@ -14,6 +14,8 @@ use crate::study::Study;
 const STUDY: &str = "study.toml";
 /// The table of all runs.
 pub const RESULTS: &str = "results.parquet";
+/// The page.
+pub const REPORT: &str = "report.html";
 /// Directory of the shards.
 const SHARDS: &str = "shards";
 

@@ -56,8 +56,8 @@
 //! # }
 //! ```
 //!
-//! [`Folder`] keeps shards on disk so that a study goes on where it was, [`sweep()`] fills it on all cores, [`analysis`] says what
-//! came out. The crate knows no terminal.
+//! [`Folder`] keeps shards on disk so that a study goes on where it was, [`sweep()`] fills it on all cores, [`analysis`] and
+//! [`report()`] say what came out. The crate knows no terminal.
 
 pub mod analysis;
 mod column;
@@ -69,6 +69,7 @@ mod merge;
 mod parameter;
 mod parquet;
 mod prepare;
+mod report;
 mod resolve;
 mod shard;
 mod study;
@@ -76,9 +77,12 @@ mod sweep;
 
 pub use column::{Column, Role, Table, Values};
 pub use error::Error;
-pub use folder::{Folder, RESULTS};
+pub use folder::{Folder, REPORT, RESULTS};
 pub use merge::merge;
+pub use distribution::{Distribution, Gauss};
 pub use parameter::{Input, Parameter, Variation};
+pub use prepare::Invalid;
+pub use report::report;
 pub use shard::Shard;
 pub use study::{ResultColumn, Study};
 pub use sweep::{Done, Progress, sweep};

@@ -44,6 +44,32 @@ impl<'s> Preparer<'s> {
     }
 }
 
+/// A run that cannot be simulated, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Invalid {
+    /// Its number.
+    pub run: u64,
+    /// Why, in one line.
+    pub reason: String,
+}
+
+impl Study {
+    /// Prepares at most so many runs, evenly chosen, and tells of those that are no sound scenario; and how many were prepared.
+    pub fn check_sample(&self, most: u64) -> (Vec<Invalid>, u64) {
+        let runs = self.run_count();
+        let looked_at = runs.min(most.max(1));
+        let mut preparer = Preparer::new(self);
+        let mut invalid = Vec::new();
+        for k in 0..looked_at {
+            let run = (u128::from(k) * u128::from(runs) / u128::from(looked_at)) as u64;
+            if let Err(reason) = preparer.prepare(&self.inputs(run)) {
+                invalid.push(Invalid { run, reason });
+            }
+        }
+        (invalid, looked_at)
+    }
+}
+
 /// The scenario with the words of a run.
 fn with_words(study: &Study, inputs: &[Input<'_>]) -> Result<Scenario, String> {
     let change = |(parameter, input): (&'_ crate::Parameter, &Input<'_>)| match input {
