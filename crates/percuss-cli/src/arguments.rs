@@ -106,7 +106,7 @@ pub enum Command {
     /// Natural frequencies and mode shapes; projectiles take no part
     #[command(after_help = format!("{MODES}\n\n{EXIT_STATUS}"))]
     Modes(Modes),
-    /// Print a commented scenario to start from; without a template, list them
+    /// Print a commented scenario or study to start from; without a template, list them
     New(New),
     /// Run a study: many runs of one scenario, some of whose values change from run to run
     #[command(after_help = format!("{SWEEP}\n\n{EXIT_STATUS}"))]
@@ -327,7 +327,8 @@ pub struct Completions {
 }
 
 fn templates() -> PossibleValuesParser {
-    let templates = percuss_scenario::templates().iter();
+    let (scenarios, studies) = (percuss_scenario::templates(), percuss_scenario::study_templates());
+    let templates = scenarios.iter().chain(studies);
     templates.map(|t| PossibleValue::new(t.name).help(t.summary)).collect::<Vec<_>>().into()
 }
 

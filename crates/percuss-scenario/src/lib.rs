@@ -56,5 +56,5 @@ pub use schema::schema;
 pub use table::Named;
 pub use suggest::one_of;
 pub use study::{StudyFile, is_study, study_schema};
-pub use template::{Template, templates};
+pub use template::{Template, study_templates, templates};
 pub use vary::Field;

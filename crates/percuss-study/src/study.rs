@@ -107,6 +107,11 @@ impl Study {
         self.design.sobol_indices
     }
 
+    /// Whether every combination of values is run.
+    pub fn is_grid(&self) -> bool {
+        self.design.kind == Kind::Grid
+    }
+
     /// Points of the design; each one run, or with Sobol indices 2 runs and one more a parameter, one after the other.
     pub fn point_count(&self) -> u64 {
         self.design.points
@@ -143,9 +148,8 @@ impl Study {
     pub fn inputs(&self, run: u64) -> Vec<Input<'_>> {
         if self.design.kind == Kind::Grid {
             let combination = self.design.combination(run);
-            let level = |(p, k): (&'_ usize, usize)| self.parameters[*p].variation.level(k);
-            let numbers: Vec<usize> = (0..self.parameters.len()).collect();
-            return numbers.iter().zip(combination).map(level).collect();
+            let levels = self.parameters.iter().zip(combination);
+            return levels.map(|(p, k)| p.variation.level(k)).collect();
         }
         let point = self.design.point(run);
         self.parameters.iter().zip(point).map(|(p, u)| p.variation.at(u)).collect()

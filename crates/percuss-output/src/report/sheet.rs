@@ -219,14 +219,16 @@ fn bars(caption: &str, header: &[String], rows: &[(String, Vec<Bar>)]) -> String
 
 fn bar(bar: &Bar) -> String {
     let percent = |share: f64| 100.0 * share.clamp(0.0, 1.0);
-    let [low, high] = bar.interval;
+    // What rounds to zero is zero, without a sign.
+    let rounded = |share: f64| (1e3 * share).round() / 1e3 + 0.0;
+    let [low, high] = bar.interval.map(rounded);
     let (from, to) = (percent(low), percent(high));
     format!(
         "<span class=\"bar\"><i style=\"width:{:.2}%\"></i><b style=\"left:{from:.2}%;width:{:.2}%\"></b></span> \
          {:.3} <span class=\"more\">({low:.3} to {high:.3})</span>",
         percent(bar.value),
         (to - from).max(0.4),
-        bar.value,
+        rounded(bar.value),
     )
 }
 

@@ -37,9 +37,15 @@ pub(super) fn responses(study: &Study, table: &Table) -> Vec<Block> {
         let text = format!("Of {} runs {most} are drawn in each figure, evenly chosen.", table.rows());
         blocks.push(Block::Note(text));
     }
-    for result in study.results() {
-        let charts = numeric.iter().filter_map(|p| response(table, p, result, &groups, most, &numeric));
-        blocks.push(Block::Charts(charts.collect()));
+    let charts = study.results().iter().map(|result| {
+        numeric
+            .iter()
+            .filter_map(|p| response(table, p, result, &groups, most, &numeric))
+            .collect::<Vec<Chart>>()
+    });
+    match numeric.len() {
+        1 => blocks.push(Block::Charts(charts.flatten().collect())),
+        _ => blocks.extend(charts.map(Block::Charts)),
     }
     blocks
 }
@@ -108,6 +114,9 @@ pub(super) fn maps(study: &Study, table: &Table) -> Vec<Block> {
 
 /// How the results are distributed.
 pub(super) fn distributions(study: &Study, table: &Table) -> Vec<Block> {
+    if study.is_grid() {
+        return Vec::new(); // its values were chosen, not drawn
+    }
     let mut charts = Vec::new();
     for result in study.results() {
         let spread = table.numbers(&result.name).and_then(|values| Spread::of(&values));

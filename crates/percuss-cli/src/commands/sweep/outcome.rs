@@ -39,6 +39,13 @@ pub fn tell(study: &Study, table: &Table, arguments: &Sweep, out: &Path) -> Resu
     }
     if !arguments.quiet {
         warn(table);
+        for result in study.results() {
+            let values = table.numbers(&result.name).unwrap_or_default();
+            if statuses.contains_key("completed") && values.iter().all(|x| x.is_nan()) {
+                let path = result.path.path();
+                terminal::warning(&format!("{}: no run has {path}", result.name));
+            }
+        }
     }
     Ok(())
 }
