@@ -1,6 +1,7 @@
 //! The directory of a study: what is done is kept, whatever happens.
 
 use std::fs;
+use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
 
 use crate::column::Table;
@@ -157,8 +158,9 @@ fn settle(staging: &Path, path: &Path) -> Result<(), Error> {
     fs::rename(staging, path).map_err(|e| Error::io(path, "write", e))
 }
 
-/// A name beside `path` that no other process uses.
+/// A name beside `path` that no other process uses, on whatever machine.
 fn staging(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.{}", std::process::id()))
+    let number = RandomState::new().hash_one(std::process::id());
+    path.with_file_name(format!(".{name}.{number:016x}"))
 }

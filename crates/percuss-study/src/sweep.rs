@@ -85,6 +85,7 @@ fn in_pool(
     if ends.contains(&false) {
         return Ok(Done::Stopped);
     }
-    let complete = (0..study.shard_count()).into_par_iter().all(|shard| folder.has(study, shard));
+    let others = (0..study.shard_count()).into_par_iter().filter(|shard| !wanted.contains(shard));
+    let complete = others.all(|shard| folder.has(study, shard));
     Ok(if complete { Done::All } else { Done::Part })
 }
