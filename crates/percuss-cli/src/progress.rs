@@ -52,12 +52,14 @@ impl Progress {
 
     /// A bar for so many runs, of which `before` were done earlier.
     pub fn of_runs(runs: u64, before: u64, wanted: bool) -> Self {
-        let template = "sweep [{bar:24}] {percent:>3} %  {pos}/{len} runs  {rate} runs/s  {eta} left";
+        let template =
+            "sweep [{bar:24}] {percent:>3} %  {pos}/{len} runs  {rate} runs/s  {eta} left";
         let rate = |state: &ProgressState, out: &mut dyn Write| {
             let _ = write!(out, "{:.0}", state.per_sec());
         };
         let length = usize::try_from(runs).unwrap_or(usize::MAX);
-        let progress = Self::new(String::new(), length, wanted, style_of(template).with_key("rate", rate));
+        let progress =
+            Self::new(String::new(), length, wanted, style_of(template).with_key("rate", rate));
         if let Some(bar) = &progress.bar {
             bar.set_position(before);
             bar.reset_eta();

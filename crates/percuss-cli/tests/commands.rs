@@ -98,9 +98,18 @@ fn help_and_version_go_to_standard_output() {
     let desk = Desk::empty();
     let version = desk.percuss(&["--version"]);
     assert_eq!(version.ends_with(0).stdout, format!("percuss {}\n", env!("CARGO_PKG_VERSION")));
-    for command in
-        ["run", "check", "static", "modes", "sweep", "new", "schema", "report", "verify", "completions"]
-    {
+    for command in [
+        "run",
+        "check",
+        "static",
+        "modes",
+        "sweep",
+        "new",
+        "schema",
+        "report",
+        "verify",
+        "completions",
+    ] {
         assert!(desk.percuss(&["--help"]).stdout.contains(command));
         assert!(desk.percuss(&[command, "--help"]).ends_with(0).stdout.contains("Usage"));
     }

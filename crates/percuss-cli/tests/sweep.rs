@@ -37,7 +37,9 @@ fn desk() -> Desk {
 #[test]
 fn a_study_killed_three_times_ends_in_the_same_bytes() {
     let desk = desk();
-    desk.percuss(&["sweep", "study.toml", "--out", "whole"]).ends_with(0).tells("96 runs, 96 completed");
+    desk.percuss(&["sweep", "study.toml", "--out", "whole"])
+        .ends_with(0)
+        .tells("96 runs, 96 completed");
     let whole = std::fs::read(desk.path("whole/results.parquet")).expect("results");
     // Whatever the speed of the machine, some are killed at the start and some on the way.
     for pause in [30, 150, 400] {
@@ -68,7 +70,8 @@ fn parts_of_a_study_make_the_whole() {
         assert!(!desk.path("parts/results.parquet").exists());
     }
     desk.percuss(&["sweep", "study.toml", "--out", "parts", "--shard", "3/3"]).ends_with(0);
-    let results = |name: &str| std::fs::read(desk.path(name).join("results.parquet")).expect("results");
+    let results =
+        |name: &str| std::fs::read(desk.path(name).join("results.parquet")).expect("results");
     assert!(results("whole") == results("parts"));
     desk.percuss(&["sweep", "study.toml", "--shard", "4/3"]).ends_with(2).tells("such as 3/20");
 }
@@ -101,7 +104,8 @@ fn check_warns_of_runs_that_are_no_sound_scenarios() {
 #[test]
 fn faults_of_a_study_are_told_by_line() {
     let desk = desk();
-    let bad = STUDY.replace("velocity[1]", "velocty[1]").replace("peak_force.value", "peak_forc.value");
+    let bad =
+        STUDY.replace("velocity[1]", "velocty[1]").replace("peak_force.value", "peak_forc.value");
     std::fs::write(desk.path("bad.toml"), bad).expect("a study");
     desk.percuss(&["sweep", "bad.toml"])
         .ends_with(2)

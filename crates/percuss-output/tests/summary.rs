@@ -175,7 +175,9 @@ fn every_number_of_a_summary_can_be_picked_by_its_path() {
 #[test]
 fn what_no_summary_has_cannot_be_picked() {
     let run = synthetic::summary("mass", synthetic::smooth());
-    for path in ["", "energy", "contact.mass", "contact.none.peak_force.value", "status", "settings.step"] {
+    for path in
+        ["", "energy", "contact.mass", "contact.none.peak_force.value", "status", "settings.step"]
+    {
         assert!(SummaryPath::find(path, &run).is_err(), "{path}");
     }
     let late = SummaryPath::find("contact.mass.intervals[99].impulse", &run).expect("an interval");

@@ -266,7 +266,9 @@ impl<T: Part> Format for Collection<T> {
         let known: Vec<String> = value.iter().map(|one| one.name.clone()).collect();
         match value.iter_mut().find(|one| one.name == *name) {
             Some(one) => one.table.reach(rest).map_err(Lost::deeper),
-            None => Err(Lost::Unknown { depth: 0, found: format!("the unknown name `{name}`"), known }),
+            None => {
+                Err(Lost::Unknown { depth: 0, found: format!("the unknown name `{name}`"), known })
+            }
         }
     }
 }

@@ -42,7 +42,10 @@ pub(crate) struct Design {
 enum Tables {
     None,
     /// Direction numbers and random shift of every dimension, 53 bits in the upper part of 64.
-    Sobol { directions: Vec<Vec<u64>>, shifts: Vec<u64> },
+    Sobol {
+        directions: Vec<Vec<u64>>,
+        shifts: Vec<u64>,
+    },
     /// The part of its range that each run falls into, by dimension.
     Latin(Vec<Vec<u32>>),
 }
@@ -135,8 +138,7 @@ impl Design {
             Kind::Sobol => {
                 let parameters = JoeKuoD6::standard();
                 let bits = <f64 as SobolType>::MAX_RESOLUTION;
-                let directions =
-                    Sobol::<f64>::init_direction_vals(dimensions, bits, &parameters);
+                let directions = Sobol::<f64>::init_direction_vals(dimensions, bits, &parameters);
                 let shifts = (0..dimensions).map(|_| random.next_u64()).collect();
                 Tables::Sobol { directions, shifts }
             }
@@ -244,7 +246,7 @@ mod tests {
         let mut design = Design::new(Kind::Sobol, 1 << 14, 2, 3);
         design.correlation = Some(DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.6, 0.8]));
         let z = |run| design.point(run).iter().map(|u| standard_quantile(*u)).collect::<Vec<_>>();
-        let sum: f64 = (0..1 << 14).map(|run| z(run)).map(|z| z[0] * z[1]).sum();
+        let sum: f64 = (0..1 << 14).map(z).map(|z| z[0] * z[1]).sum();
         let coefficient = sum / f64::from(1 << 14);
         // A Sobol sequence of 16384 points integrates the product to a few parts in a thousand.
         assert!((coefficient - 0.6).abs() < 5e-3, "{coefficient}");

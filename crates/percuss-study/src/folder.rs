@@ -39,7 +39,9 @@ impl Folder {
         let text = study.to_toml();
         match fs::read_to_string(&own) {
             Ok(found) if found == text => {}
-            Ok(_) => return Err(folder.refused("holds another study, or an earlier state of this one")),
+            Ok(_) => {
+                return Err(folder.refused("holds another study, or an earlier state of this one"));
+            }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 if folder.is_taken()? {
                     return Err(folder.refused("is not empty and holds no study"));

@@ -71,15 +71,16 @@ mod parquet;
 mod prepare;
 mod report;
 mod resolve;
+mod seal;
 mod shard;
 mod study;
 mod sweep;
 
 pub use column::{Column, Role, Table, Values};
+pub use distribution::{Distribution, Gauss};
 pub use error::Error;
 pub use folder::{Folder, REPORT, RESULTS};
 pub use merge::merge;
-pub use distribution::{Distribution, Gauss};
 pub use parameter::{Input, Parameter, Variation};
 pub use prepare::Invalid;
 pub use report::report;

@@ -22,7 +22,9 @@ pub fn merge<W: Write + Send>(
     shards: impl IntoIterator<Item = Result<Shard, Error>>,
     out: W,
 ) -> Result<(), Error> {
-    let fault = |e: parquet::errors::ParquetError| Error::unfit(format!("the results cannot be written: {e}"));
+    let fault = |e: parquet::errors::ParquetError| {
+        Error::unfit(format!("the results cannot be written: {e}"))
+    };
     let more = vec![("percuss.study", study.to_toml())];
     let mut writer = Writer::new(out, study, more).map_err(fault)?;
     let mut pending: Vec<Values> = study.layout().into_iter().map(|(_, values)| values).collect();

@@ -80,7 +80,8 @@ fn with_words(study: &Study, inputs: &[Input<'_>]) -> Result<Scenario, String> {
     if changes.is_empty() {
         return Ok(study.scenario.clone());
     }
-    let changes: Vec<(&str, &str)> = changes.iter().map(|(p, v)| (p.as_str(), v.as_str())).collect();
+    let changes: Vec<(&str, &str)> =
+        changes.iter().map(|(p, v)| (p.as_str(), v.as_str())).collect();
     let mut scenario = study.scenario.anew(&changes).map_err(|d| in_one_line(&d))?;
     // A number along a beam is a fraction or a length, as in the study.
     for parameter in &study.parameters {

@@ -226,8 +226,9 @@ fn distribution_of(
     values: &mut Values<'_>,
     distribution: &study::Distribution,
 ) -> Result<Distribution, Fault> {
-    let fault =
-        |key: &str, found: String, what: &str| Fault::new(format!("distribution.{key}"), found, what);
+    let fault = |key: &str, found: String, what: &str| {
+        Fault::new(format!("distribution.{key}"), found, what)
+    };
     match distribution {
         study::Distribution::Uniform { from, to } => {
             let from = values.number("distribution.from", from)?;

@@ -1,7 +1,7 @@
 //! All runs of a study on the cores of one machine.
 
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
@@ -63,8 +63,7 @@ fn in_pool(
     let all = runs(wanted);
     let before = all - runs(&left);
     let done = AtomicU64::new(before);
-    let progress =
-        || Progress { done: done.load(Ordering::Relaxed), before, wanted: all };
+    let progress = || Progress { done: done.load(Ordering::Relaxed), before, wanted: all };
     let goes_on = || tell(progress());
     // Shards are taken in their order by whichever thread is free.
     let next = Mutex::new(left.into_iter());

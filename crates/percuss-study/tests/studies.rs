@@ -79,8 +79,8 @@ fn a_run_of_a_study_is_the_run_of_the_changed_file() {
         [format!("projectile.p.velocity=[0, {speed:?}]"), format!("projectile.p.mass={mass:?}")];
     let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("sound");
     let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile()).expect("sound");
-    let alone =
-        percuss::simulate(&compiled.model, &compiled.settings, &mut percuss::NoRecorder).expect("runs");
+    let alone = percuss::simulate(&compiled.model, &compiled.settings, &mut percuss::NoRecorder)
+        .expect("runs");
     let percuss::ContactRecord::Smooth { peak_force, intervals } = &alone.contacts[0].record else {
         panic!("a smooth contact");
     };
@@ -207,7 +207,8 @@ fn words_lists_points_and_counts_vary_too() {
     assert_eq!(study.run_count(), 32);
     let shards = (0..study.shard_count()).map(|k| study.run_shard(k).table);
     let tables: Vec<_> = shards.collect();
-    let rows = |name: &str| tables.iter().flat_map(|t| t.numbers(name).expect(name)).collect::<Vec<_>>();
+    let rows =
+        |name: &str| tables.iter().flat_map(|t| t.numbers(name).expect(name)).collect::<Vec<_>>();
     let reasons: Vec<_> = tables.iter().flat_map(|t| t.texts("reason").expect("texts")).collect();
     assert!(reasons.iter().all(|reason| reason.is_empty()), "{reasons:?}");
     let force = rows("force");

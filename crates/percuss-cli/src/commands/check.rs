@@ -41,18 +41,16 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
     }
     let study = Study::load(&arguments.file)?;
     let (parameters, results) = (study.parameters().len(), study.results().len());
-    let contents = [
-        runs(study.run_count()),
-        count(parameters, "parameter"),
-        count(results, "result"),
-    ];
+    let contents =
+        [runs(study.run_count()), count(parameters, "parameter"), count(results, "result")];
     let file = arguments.file.display();
     terminal::print(&format!("{file}: sound: {}\n", contents.join(", ")))?;
     let (invalid, looked_at) = study.check_sample(SAMPLE);
     if !invalid.is_empty() {
         let of = if looked_at < study.run_count() { "a sample of " } else { "" };
         let bad = runs(invalid.len() as u64);
-        let text = format!("{bad} of {of}{looked_at} will be rows with a reason instead of results:");
+        let text =
+            format!("{bad} of {of}{looked_at} will be rows with a reason instead of results:");
         terminal::warning(&text);
     }
     let mut told: Vec<&str> = Vec::new();

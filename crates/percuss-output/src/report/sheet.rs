@@ -1,7 +1,5 @@
 //! Pages other than that of a run: blocks one below the other, with the figures and the looks of the report.
 
-use std::fmt::Write as _;
-
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::contour::ContourPlot;
 use kuva::render::layout::Layout;
@@ -244,13 +242,15 @@ fn figure(chart: &Chart) -> Figure {
     figure.from_zero = chart.from_zero;
     figure.note.clone_from(&chart.note);
     figure.y.unit.clone_from(&y.unit);
-    figure.tables = chart.curves.iter().map(|curve| curve_table(curve, x.factor, y.factor)).collect();
+    figure.tables =
+        chart.curves.iter().map(|curve| curve_table(curve, x.factor, y.factor)).collect();
     figure
 }
 
 /// The points of a curve from left to right.
 fn curve_table(curve: &Curve, x_factor: f64, y_factor: f64) -> Table {
-    let mut points: Vec<(f64, f64)> = curve.x.iter().copied().zip(curve.y.iter().copied()).collect();
+    let mut points: Vec<(f64, f64)> =
+        curve.x.iter().copied().zip(curve.y.iter().copied()).collect();
     points.retain(|(x, y)| x.is_finite() && y.is_finite());
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let shape = match curve.mark {
@@ -279,9 +279,8 @@ fn map(map: &Map) -> String {
     let caption = |k: usize, quantity: &Quantity| {
         Axis { label: quantity.label.clone(), unit: scales[k].unit.clone() }.caption()
     };
-    let scaled = |point: &[f64; 3]| -> [f64; 3] {
-        std::array::from_fn(|k| point[k] * scales[k].factor)
-    };
+    let scaled =
+        |point: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| point[k] * scales[k].factor) };
     let points: Vec<[f64; 3]> = map.points.iter().map(scaled).collect();
     let (x, y) = (cells(&points, 0), cells(&points, 1));
     let z = interpolated(&points, &x, &y);
@@ -298,14 +297,11 @@ fn map(map: &Map) -> String {
     let svg = SvgBackend::new().render_scene(&scene);
     let svg = if svg.contains("viewBox") { svg } else { svg.replacen("<svg ", &view, 1) };
     let svg = svg.find("<svg").map_or(svg.as_str(), |start| &svg[start..]);
-    let mut out = String::new();
-    let title = escape(&map.title);
-    let caption = escape(&caption(2, &map.value));
-    let _ = write!(
-        out,
-        "<figure><figcaption><h3>{title}</h3><p>Colour: {caption}.</p></figcaption><div class=\"sheet\">{svg}</div></figure>\n"
-    );
-    out
+    let (title, caption) = (escape(&map.title), escape(&caption(2, &map.value)));
+    format!(
+        "<figure><figcaption><h3>{title}</h3><p>Colour: {caption}.</p></figcaption>\
+         <div class=\"sheet\">{svg}</div></figure>\n"
+    )
 }
 
 /// Places of the cells along an axis.

@@ -299,8 +299,14 @@ mod tests {
 
     #[test]
     fn a_path_may_write_indices_either_way() {
-        assert_eq!(spelled("projectile.mass.velocity_final.1"), "projectile.mass.velocity_final[1]");
+        assert_eq!(
+            spelled("projectile.mass.velocity_final.1"),
+            "projectile.mass.velocity_final[1]"
+        );
         assert_eq!(unnumbered("contact.m.intervals[12].impulse"), "contact.m.intervals[0].impulse");
-        assert_eq!(keys("intervals[12].place.position[0]"), ["intervals", "12", "place", "position", "0"]);
+        assert_eq!(
+            keys("intervals[12].place.position[0]"),
+            ["intervals", "12", "place", "position", "0"]
+        );
     }
 }

@@ -111,7 +111,8 @@ impl Format for NamedTexts {
             match node.value.as_str() {
                 Some(text) => all.push(Named { name: name.to_string(), table: text.to_string() }),
                 None => {
-                    let expected = "a path into summary.json, such as \"contact.mass.peak_force.value\"";
+                    let expected =
+                        "a path into summary.json, such as \"contact.mass.peak_force.value\"";
                     reader.wrong(&node, node.found(), expected);
                     reader.tainted.insert(node.path.clone());
                 }

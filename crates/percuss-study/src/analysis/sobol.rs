@@ -133,7 +133,10 @@ mod tests {
             ] {
                 // 95 % of the intervals hold the value; half as wide again, nearly all of them do.
                 let slack = 0.25 * width(many);
-                assert!((many.low - slack..=many.high + slack).contains(&exact), "{many:?} {exact}");
+                assert!(
+                    (many.low - slack..=many.high + slack).contains(&exact),
+                    "{many:?} {exact}"
+                );
                 // Sixteen times the points, a quarter of the width, give or take.
                 assert!((2.5..6.5).contains(&(width(few) / width(many))), "{few:?} {many:?}");
             }

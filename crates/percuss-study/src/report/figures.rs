@@ -34,7 +34,8 @@ pub(super) fn responses(study: &Study, table: &Table) -> Vec<Block> {
     let most = (POINTS / figures).min(POINTS_OF_FIGURE);
     let mut blocks = vec![Block::Heading("Response".into())];
     if table.rows() > most {
-        let text = format!("Of {} runs {most} are drawn in each figure, evenly chosen.", table.rows());
+        let text =
+            format!("Of {} runs {most} are drawn in each figure, evenly chosen.", table.rows());
         blocks.push(Block::Note(text));
     }
     let charts = study.results().iter().map(|result| {
@@ -109,7 +110,11 @@ pub(super) fn maps(study: &Study, table: &Table) -> Vec<Block> {
         })
     };
     let maps: Vec<Map> = study.results().iter().filter_map(map).collect();
-    if maps.is_empty() { Vec::new() } else { vec![Block::Heading("Maps".into()), Block::Maps(maps)] }
+    if maps.is_empty() {
+        Vec::new()
+    } else {
+        vec![Block::Heading("Maps".into()), Block::Maps(maps)]
+    }
 }
 
 /// How the results are distributed.
@@ -153,8 +158,12 @@ fn histogram(result: &ResultColumn, spread: &Spread) -> Option<Chart> {
 fn exceedance(result: &ResultColumn, spread: &Spread) -> Chart {
     let (x, below): (Vec<f64>, Vec<f64>) = spread.distribution(STEPS).into_iter().unzip();
     let above = below.iter().map(|share| 1.0 - share).collect();
-    let curve = |label: &str, style, y| {
-        Curve { label: label.into(), style, mark: Mark::Line, x: x.clone(), y }
+    let curve = |label: &str, style, y| Curve {
+        label: label.into(),
+        style,
+        mark: Mark::Line,
+        x: x.clone(),
+        y,
     };
     Chart {
         id: format!("{}-distribution", result.name),

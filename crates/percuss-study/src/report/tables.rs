@@ -35,8 +35,8 @@ pub(super) fn results(study: &Study, table: &Table) -> Vec<Block> {
         row
     };
     let columns = study.results().iter();
-    let columns = columns
-        .filter_map(|r| Some((r.name.as_str(), r.path.unit(), table.numbers(&r.name)?)));
+    let columns =
+        columns.filter_map(|r| Some((r.name.as_str(), r.path.unit(), table.numbers(&r.name)?)));
     let rows = columns.map(row).collect();
     let caption = "Over all runs that completed".to_string();
     vec![Block::Table { caption, header: texts(&header), rows }]
@@ -95,10 +95,7 @@ pub(super) fn audit(table: &Table) -> Vec<Block> {
     let rows: Vec<Vec<String>> = columns.filter_map(row).collect();
     let header = texts(&["", "median", "largest"]);
     let caption = "Books of energy and momentum, relative to what was in play, and what runs cost";
-    vec![
-        Block::Heading("Audit".into()),
-        Block::Table { caption: caption.into(), header, rows },
-    ]
+    vec![Block::Heading("Audit".into()), Block::Table { caption: caption.into(), header, rows }]
 }
 
 /// Runs that did not end well.

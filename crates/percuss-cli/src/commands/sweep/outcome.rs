@@ -87,6 +87,9 @@ fn warn(table: &Table) {
     }
     if reasons.len() > REASONS_SHOWN {
         let more = reasons[REASONS_SHOWN..].iter().map(|(_, times)| times).sum();
-        terminal::warning(&format!("{} for other reasons; see the column `reason`", count(more, "run")));
+        terminal::warning(&format!(
+            "{} for other reasons; see the column `reason`",
+            count(more, "run")
+        ));
     }
 }
