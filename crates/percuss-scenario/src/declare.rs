@@ -54,7 +54,9 @@ macro_rules! layout {
 /// Follows a path to one of the keys, or into one of the parts.
 macro_rules! reach_key {
     ($path:expr, [$($key:ident: $format:ty = $value:expr;)*] [$($part:expr),*]) => {{
-        let Some((step, rest)) = $path.split_first() else { return Err(crate::reach::Lost::Anew) };
+        let Some((step, rest)) = $path.split_first() else {
+            return Err(crate::reach::Lost::Table);
+        };
         let _ = rest;
         $(if step == stringify!($key) {
             return <$format as crate::format::Format>::reach($value, rest)

@@ -26,6 +26,8 @@ pub(crate) trait Slot {
 pub(crate) enum Lost {
     /// So many steps were right, the next one is not known.
     Unknown { depth: usize, found: String, known: Vec<String> },
+    /// The path ends at a table.
+    Table,
     /// The value decides what else stands in its table, or its table is not in the file: the file has to be read anew.
     Anew,
 }
@@ -52,7 +54,7 @@ impl Lost {
             Self::Unknown { depth, found, known } => {
                 Self::Unknown { depth: depth + 1, found, known }
             }
-            Self::Anew => Self::Anew,
+            other => other,
         }
     }
 
@@ -108,7 +110,7 @@ pub(crate) fn entry<'c, 'p, T>(
     list: &'c mut [T],
     path: &'p [String],
 ) -> Result<(&'c mut T, &'p [String]), Lost> {
-    let Some((step, rest)) = path.split_first() else { return Err(Lost::Anew) };
+    let Some((step, rest)) = path.split_first() else { return Err(Lost::Table) };
     let known = (0..list.len()).map(|i| i.to_string()).collect();
     let found = format!("the entry `{step}` of a list of {}", list.len());
     let at = step.parse().ok().and_then(|i: usize| list.get_mut(i));

@@ -56,7 +56,7 @@ impl<P: Part> Part for Option<P> {
         match path {
             [key, ..] if keys.contains(&key.as_str()) => Err(Lost::Anew),
             [key, ..] => Err(Lost::key(key, keys)),
-            [] => Err(Lost::Anew),
+            [] => Err(Lost::Table),
         }
     }
 }
@@ -262,7 +262,7 @@ impl<T: Part> Format for Collection<T> {
     }
 
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
-        let Some((name, rest)) = path.split_first() else { return Err(Lost::Anew) };
+        let Some((name, rest)) = path.split_first() else { return Err(Lost::Table) };
         let known: Vec<String> = value.iter().map(|one| one.name.clone()).collect();
         match value.iter_mut().find(|one| one.name == *name) {
             Some(one) => one.table.reach(rest).map_err(Lost::deeper),

@@ -42,9 +42,10 @@ impl Scenario {
         let mut content = self.content.clone();
         let anew = match content.reach(&steps) {
             Ok(_) => false,
-            Err(Lost::Anew) if steps.len() > 1 => true,
-            Err(Lost::Anew) => {
-                return Err(Fault::new(path, "the name of a table", "the path of a value in it"));
+            Err(Lost::Anew) => true,
+            Err(Lost::Table) => {
+                let found = format!("`{path}`, which is a table");
+                return Err(Fault::new(path, found, "the path of a value in it"));
             }
             Err(Lost::Unknown { depth, found, known }) => {
                 let word = steps.get(depth).map_or("", String::as_str);

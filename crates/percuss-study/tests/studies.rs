@@ -304,3 +304,17 @@ fn correlations_are_checked() {
     // A uniform and a truncated normal variable correlate a little less than the Gaussian ones behind them.
     assert!((0.82..0.9).contains(&r), "{r}");
 }
+
+#[test]
+fn every_study_at_hand_is_sound_and_so_are_its_runs() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/studies");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("studies") {
+        let path = entry.expect("an entry").path();
+        let study = Study::load(&path).unwrap_or_else(|faults| panic!("{faults}"));
+        let (invalid, _) = study.check_sample(20);
+        assert!(invalid.is_empty(), "{}: {invalid:?}", path.display());
+        count += 1;
+    }
+    assert!(count >= 4, "{count}");
+}
