@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use percuss::{Fault, Model, RunSummary, Settings, Termination, simulate_batch};
+use percuss::{Detail, Fault, Model, RunSummary, Settings, Termination, simulate_batch};
 use percuss_output::{SummaryPath, pick};
 use percuss_scenario::Compiled;
 
@@ -41,6 +41,8 @@ impl Study {
         let mut shard = Shard::empty(self, index);
         let mut preparer = Preparer::new(self);
         let paths: Vec<SummaryPath> = self.results.iter().map(|r| r.path.clone()).collect();
+        let forces = paths.iter().any(SummaryPath::is_of_forces);
+        let detail = if forces { Detail::Full } else { Detail::Motion };
         let runs: Vec<u64> = self.runs_of(index).collect();
         for group in runs.chunks(GROUP_RUNS) {
             if !goes_on() {
@@ -48,7 +50,7 @@ impl Study {
             }
             let inputs: Vec<Vec<Input<'_>>> = group.iter().map(|run| self.inputs(*run)).collect();
             let ready: Vec<Ready> = inputs.iter().map(|inputs| preparer.prepare(inputs)).collect();
-            let outcomes = simulate(&ready);
+            let outcomes = simulate(&ready, detail);
             for ((run, inputs), outcome) in group.iter().zip(&inputs).zip(outcomes) {
                 shard.push(*run, inputs, outcome, &paths);
             }
@@ -58,9 +60,9 @@ impl Study {
 }
 
 /// Simulates those that are ready; the others keep their reasons.
-fn simulate(ready: &[Ready]) -> Vec<(Outcome, &'static str)> {
+fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
     let sound: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
-    let mut done = batch(&sound).into_iter();
+    let mut done = batch(&sound, detail).into_iter();
     let outcome = |run: &Ready| match run {
         Err(reason) => (Err(reason.clone()), "invalid"),
         Ok(_) => match done.next() {
@@ -79,17 +81,17 @@ fn simulate(ready: &[Ready]) -> Vec<(Outcome, &'static str)> {
 }
 
 /// Simulates all; if the solver breaks down on one of them, each alone, so that only that one is lost.
-fn batch(runs: &[&Compiled]) -> Vec<Result<RunSummary, (String, &'static str)>> {
+fn batch(runs: &[&Compiled], detail: Detail) -> Vec<Result<RunSummary, (String, &'static str)>> {
     let given: Vec<(&Model, &Settings)> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
     let told = |faults: Vec<Fault>| {
         let one = |f: &Fault| format!("{}: found {}, expected {}", f.path, f.found, f.expected);
         (faults.iter().map(one).collect::<Vec<_>>().join("; "), "invalid")
     };
-    let done = catch_unwind(AssertUnwindSafe(|| simulate_batch(&given)));
+    let done = catch_unwind(AssertUnwindSafe(|| simulate_batch(&given, detail)));
     match (done, runs) {
         (Ok(done), _) => done.into_iter().map(|one| one.map_err(told)).collect(),
         (Err(_), [_]) => vec![Err(("the solver broke down".to_string(), "failed"))],
-        (Err(_), _) => runs.iter().flat_map(|run| batch(&[run])).collect(),
+        (Err(_), _) => runs.iter().flat_map(|run| batch(&[run], detail)).collect(),
     }
 }
 

@@ -282,8 +282,11 @@ fn map(map: &Map) -> String {
     let scaled =
         |point: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| point[k] * scales[k].factor) };
     let points: Vec<[f64; 3]> = map.points.iter().map(scaled).collect();
-    let (x, y) = (cells(&points, 0), cells(&points, 1));
-    let z = interpolated(&points, &x, &y);
+    let (x, y, z) = on_grid(&points).unwrap_or_else(|| {
+        let (x, y) = (cells(&points, 0), cells(&points, 1));
+        let z = interpolated(&points, &x, &y);
+        (x, y, z)
+    });
     let plot = ContourPlot::new().with_grid(z, x, y).with_filled().with_n_levels(12);
     let plots = vec![Plot::Contour(plot.with_legend(caption(2, &map.value)))];
     let layout = Layout::auto_from_plots(&plots)
@@ -302,6 +305,26 @@ fn map(map: &Map) -> String {
         "<figure><figcaption><h3>{title}</h3><p>Colour: {caption}.</p></figcaption>\
          <div class=\"sheet\">{svg}</div></figure>\n"
     )
+}
+
+/// Abscissae, ordinates and values row by row, where the points are those of a full grid.
+fn on_grid(points: &[[f64; 3]]) -> Option<(Vec<f64>, Vec<f64>, Vec<Vec<f64>>)> {
+    let places = |k: usize| {
+        let mut all: Vec<f64> = points.iter().map(|point| point[k]).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    };
+    let (x, y) = (places(0), places(1));
+    if x.len() * y.len() != points.len() {
+        return None;
+    }
+    let at = |places: &[f64], value: f64| places.binary_search_by(|p| p.total_cmp(&value)).ok();
+    let mut z = vec![vec![f64::NAN; x.len()]; y.len()];
+    for point in points {
+        z[at(&y, point[1])?][at(&x, point[0])?] = point[2];
+    }
+    z.iter().flatten().all(|value| value.is_finite()).then_some((x, y, z))
 }
 
 /// Places of the cells along an axis.

@@ -85,6 +85,11 @@ impl SummaryPath {
         unit(&keys)
     }
 
+    /// Whether it lies in the section forces or the reactions of supports, which a run may leave out.
+    pub fn is_of_forces(&self) -> bool {
+        ["section_forces", "support"].contains(&self.part.as_str())
+    }
+
     fn is_within(&self, other: &Self) -> bool {
         self.part == other.part && self.name == other.name
     }
