@@ -94,6 +94,42 @@ fn a_run_of_a_study_is_the_run_of_the_changed_file() {
 }
 
 #[test]
+fn runs_side_by_side_tell_what_each_tells_alone() {
+    // Long enough that the first ones are far away while the last ones still touch.
+    let base = BASE.replace("end = 5e-3", "end = 40e-3");
+    let speed = r#"
+        [parameter.speed]
+        path = "projectile.p.velocity[1]"
+        range = { from = 0.5, to = 5, count = 20 }
+        [parameter.mass]
+        path = "projectile.p.mass"
+        range = { from = 1, to = 30, count = 3 }
+        [design]
+        kind = "grid"
+        [results]
+        force = "contact.p.peak_force.value"
+        time = "contact.p.peak_force.time"
+        last = "projectile.p.velocity_final[1]"
+    "#;
+    let read = |more: &str| {
+        let text = format!("scenario = \"\"\"{base}\"\"\"\n{speed}\n{more}");
+        Study::from_toml(&text, "study").unwrap_or_else(|faults| panic!("{faults}"))
+    };
+    // Section forces are told by single runs only.
+    let (lanes, single) = (read(""), read("moment = \"section_forces.b.moment_max.value\""));
+    for shard in 0..lanes.shard_count() {
+        let (lanes, single) = (lanes.run_shard(shard).table, single.run_shard(shard).table);
+        for name in ["force", "time", "last"] {
+            let (a, b) = (lanes.numbers(name).expect(name), single.numbers(name).expect(name));
+            for (row, (a, b)) in a.iter().zip(&b).enumerate() {
+                // Two orders of summation over 800 steps.
+                assert!((a - b).abs() < 1e-8 * b.abs(), "shard {shard}, row {row}: {name} {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
 fn threads_workers_and_order_leave_no_trace_in_the_results() {
     let study = study(SAMPLED);
     let desk = tempfile::tempdir().expect("a directory");
