@@ -129,6 +129,14 @@ function seriesOptions(figure, series) {
     value: (u, value) => withUnit(value, figure.y.unit),
   };
   if (series.shape === "stem") options.paths = stems;
+  if (series.shape === "dots") {
+    options.paths = () => null;
+    options.points = { show: true, size: 4, width: 0, fill: options.stroke };
+  }
+  if (series.shape === "steps") {
+    options.paths = uPlot.paths.stepped({ align: 1 });
+    options.fill = options.stroke + "2e";
+  }
   if (series.shape === "band") {
     options.scale = "band"; // a band's value is no height
     options.fill = options.stroke + "40";
@@ -205,8 +213,8 @@ function finishLegend(u, figure) {
   const rows = u.root.querySelectorAll(".u-legend .u-series");
   series.forEach((s, k) => {
     const label = rows[k + 1].querySelector("th");
-    const dash = dashOf(s).join(" ");
-    const width = s.shape === "band" ? 8 : 1 + s.weight;
+    const dash = s.shape === "dots" ? "4 9" : dashOf(s).join(" ");
+    const width = s.shape === "band" ? 8 : s.shape === "dots" ? 4 : 1 + s.weight;
     const opacity = s.shape === "band" ? 0.25 : 1;
     const line = `<svg width="30" height="8" aria-hidden="true"><path d="M0 4H30" stroke="${colour("--c" + s.style)}" stroke-width="${width}" stroke-opacity="${opacity}" stroke-dasharray="${dash}"/></svg>`;
     label.insertAdjacentHTML("afterbegin", line);
@@ -288,6 +296,7 @@ class Report {
   }
 
   reset(entry) {
+    if (!entry) this.entries.filter((one) => one.figure.own).forEach((one) => this.reset(one));
     if (!entry || !entry.figure.own) return this.show(this.whole, null);
     entry.plot.setScale("x", { min: entry.whole[0], max: entry.whole[1] });
   }

@@ -59,6 +59,18 @@ Examples:
   percuss modes frame.toml --count 20 --about static --out results/modes
   percuss modes frame.toml --json | jq '.modes[].frequency'";
 
+const SWEEP: &str = "\
+A run that fails is a row with the reason. Every run follows from the study and its own number alone, so
+the same study gives the same results.parquet on any number of threads.
+
+Ctrl-C ends the sweep after the runs under way; a second one ends it at once. Interrupted or killed, here or
+moved to another machine, the same command goes on where it was.
+
+Examples:
+  percuss sweep fragility.toml
+  percuss sweep fragility.toml --out /scratch/fragility --jobs 16
+  percuss sweep fragility.toml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT";
+
 const VERIFY: &str = "\
 Exit status: 0 if every case holds, 3 if one does not, 2 for an unknown case.
 
@@ -86,7 +98,7 @@ pub enum Command {
     /// Simulate a scenario: history, summary, report with figures
     #[command(after_help = format!("{RUN}\n\n{EXIT_STATUS}"))]
     Run(Run),
-    /// Say everything that is wrong with a scenario, or that nothing is
+    /// Say everything that is wrong with a scenario or a study, or that nothing is
     Check(Check),
     /// Static equilibrium under the loads that act at time zero; projectiles take no part
     #[command(after_help = format!("{STATIC}\n\n{EXIT_STATUS}"))]
@@ -94,10 +106,13 @@ pub enum Command {
     /// Natural frequencies and mode shapes; projectiles take no part
     #[command(after_help = format!("{MODES}\n\n{EXIT_STATUS}"))]
     Modes(Modes),
-    /// Print a commented scenario to start from; without a template, list them
+    /// Print a commented scenario or study to start from; without a template, list them
     New(New),
-    /// Print the JSON Schema of scenario files, for completion in editors
-    Schema,
+    /// Run a study: many runs of one scenario, some of whose values change from run to run
+    #[command(after_help = format!("{SWEEP}\n\n{EXIT_STATUS}"))]
+    Sweep(Sweep),
+    /// Print the JSON Schema of scenario or study files, for completion in editors
+    Schema(Schema),
     /// Rebuild report.html and the figures of a finished run
     Report(Report),
     /// Run the verification cases and print what was measured and expected
@@ -158,12 +173,62 @@ impl From<History> for HistoryFormat {
 /// Arguments of `check`.
 #[derive(Args, Debug)]
 pub struct Check {
-    /// Scenario file
+    /// Scenario or study file
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Change a value of the scenario, such as time.step=1e-5; may be given again
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+}
+
+/// Arguments of `sweep`.
+#[derive(Args, Debug)]
+pub struct Sweep {
+    /// Study file
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub study: PathBuf,
+    /// Directory of the study; what is done of the same study is kept [default: runs/ and the name of STUDY]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Threads [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub jobs: Option<u32>,
+    /// Do only every N-th part of the work, beginning with part I (from 1 to N); the last one puts all together
+    #[arg(long, value_name = "I/N", value_parser = share)]
+    pub shard: Option<Share>,
+    /// Print counts and the results' ranges as JSON to standard output, and no table
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Every `of`-th part of something, from `part` on, counted from 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Share {
+    /// The part.
+    pub part: u64,
+    /// Number of parts.
+    pub of: u64,
+}
+
+fn share(text: &str) -> Result<Share, String> {
+    let numbers = text.split_once('/').and_then(|(part, of)| {
+        Some(Share { part: part.trim().parse().ok()?, of: of.trim().parse().ok()? })
+    });
+    match numbers {
+        Some(share) if (1..=share.of).contains(&share.part) => Ok(share),
+        _ => Err("expected I/N with I from 1 to N, such as 3/20".into()),
+    }
+}
+
+/// Arguments of `schema`.
+#[derive(Args, Debug)]
+pub struct Schema {
+    /// Of study files instead of scenario files
+    #[arg(long)]
+    pub study: bool,
 }
 
 /// Arguments of `static`.
@@ -262,7 +327,8 @@ pub struct Completions {
 }
 
 fn templates() -> PossibleValuesParser {
-    let templates = percuss_scenario::templates().iter();
+    let (scenarios, studies) = (percuss_scenario::templates(), percuss_scenario::study_templates());
+    let templates = scenarios.iter().chain(studies);
     templates.map(|t| PossibleValue::new(t.name).help(t.summary)).collect::<Vec<_>>().into()
 }
 

@@ -104,3 +104,18 @@ impl From<percuss_output::Error> for Failure {
         }
     }
 }
+
+impl From<percuss_study::Error> for Failure {
+    fn from(error: percuss_study::Error) -> Self {
+        match error.is_unfit() {
+            true => Self::Input(error.to_string()),
+            false => Self::System(error.to_string()),
+        }
+    }
+}
+
+impl From<Diagnostics> for Failure {
+    fn from(faults: Diagnostics) -> Self {
+        Self::Faults { faults: Box::new(faults), changed: false }
+    }
+}

@@ -50,6 +50,32 @@ impl Progress {
         Self::new(name.into(), things, true, style_of("{prefix} [{bar:24}] {pos}/{len}  {msg}"))
     }
 
+    /// A bar for so many runs, of which `before` were done earlier.
+    pub fn of_runs(runs: u64, before: u64, wanted: bool) -> Self {
+        let template =
+            "sweep [{bar:24}] {percent:>3} %  {pos}/{len} runs  {rate} runs/s  {eta} left";
+        let rate = |state: &ProgressState, out: &mut dyn Write| {
+            let _ = write!(out, "{:.0}", state.per_sec());
+        };
+        let length = usize::try_from(runs).unwrap_or(usize::MAX);
+        let progress =
+            Self::new(String::new(), length, wanted, style_of(template).with_key("rate", rate));
+        if let Some(bar) = &progress.bar {
+            bar.set_position(before);
+            bar.reset_eta();
+        }
+        progress
+    }
+
+    /// So many things are done.
+    pub fn reach(&self, done: u64) {
+        if let Some(bar) = &self.bar
+            && self.begun.elapsed() > PATIENCE
+        {
+            bar.set_position(done);
+        }
+    }
+
     fn new(name: String, length: usize, wanted: bool, style: ProgressStyle) -> Self {
         let now = Instant::now();
         let bar = (wanted && io::stderr().is_terminal()).then(|| {

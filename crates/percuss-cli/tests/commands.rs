@@ -26,10 +26,11 @@ fn every_template_can_be_written_and_is_sound() {
     let desk = Desk::empty();
     let list = desk.percuss(&["new"]);
     list.ends_with(0);
+    desk.percuss(&["new", "elastic", "--out", "my.toml"]).ends_with(0); // the base of the study
     for line in list.stdout.lines() {
         let name = line.split_whitespace().next().expect("a name");
         let file = format!("{name}.toml");
-        desk.percuss(&["new", name, "--out", &file]).ends_with(0).tells("percuss run");
+        desk.percuss(&["new", name, "--out", &file]).ends_with(0).tells("and run: percuss ");
         desk.percuss(&["check", &file]).ends_with(0);
         let printed = desk.percuss(&["new", name]);
         assert_eq!(printed.stdout.as_bytes(), std::fs::read(desk.path(&file)).expect("a file"));
@@ -55,6 +56,10 @@ fn the_schema_is_json() {
     let schema: serde_json::Value =
         serde_json::from_str(&schema.ends_with(0).stdout).expect("JSON alone");
     assert!(schema["properties"]["projectile"].is_object());
+    let study = Desk::empty().percuss(&["schema", "--study"]);
+    let study: serde_json::Value =
+        serde_json::from_str(&study.ends_with(0).stdout).expect("JSON alone");
+    assert!(study["properties"]["parameter"].is_object());
 }
 
 #[test]
@@ -93,13 +98,22 @@ fn help_and_version_go_to_standard_output() {
     let desk = Desk::empty();
     let version = desk.percuss(&["--version"]);
     assert_eq!(version.ends_with(0).stdout, format!("percuss {}\n", env!("CARGO_PKG_VERSION")));
-    for command in
-        ["run", "check", "static", "modes", "new", "schema", "report", "verify", "completions"]
-    {
+    for command in [
+        "run",
+        "check",
+        "static",
+        "modes",
+        "sweep",
+        "new",
+        "schema",
+        "report",
+        "verify",
+        "completions",
+    ] {
         assert!(desk.percuss(&["--help"]).stdout.contains(command));
         assert!(desk.percuss(&[command, "--help"]).ends_with(0).stdout.contains("Usage"));
     }
-    for command in ["run", "static", "modes", "verify"] {
+    for command in ["run", "static", "modes", "sweep", "verify"] {
         assert!(desk.percuss(&[command, "--help"]).stdout.contains("Examples:"), "{command}");
     }
 }

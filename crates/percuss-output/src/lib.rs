@@ -29,4 +29,6 @@ pub use history::{
 pub use impacts::write_impacts;
 pub use modes::{ModesInfo, modes_value, write_modes};
 pub use path::{path_value, write_path};
-pub use summary::{RunInfo, read_summary, summary_value, write_summary};
+pub use summary::{
+    Picked, RunInfo, SummaryPath, pick, read_summary, summary_paths, summary_value, write_summary,
+};

@@ -5,7 +5,7 @@ mod synthetic;
 use std::error::Error;
 
 use percuss::{EffectiveMass, ImpactResolution, Scheme, Settings, Termination};
-use percuss_output::{RunInfo, read_summary, summary_value, write_summary};
+use percuss_output::{RunInfo, SummaryPath, pick, read_summary, summary_value, write_summary};
 use serde_json::{Value, json};
 
 fn value(run: &percuss::RunSummary) -> Value {
@@ -136,4 +136,56 @@ fn a_summary_reads_back_and_a_damaged_one_does_not() -> Result<(), Box<dyn Error
     std::fs::write(dir.path().join("summary.json"), "{\"status\": ")?;
     assert!(read_summary(dir.path()).is_err_and(|e| e.is_content()));
     Ok(())
+}
+
+/// Every number of a summary by its path, as `jq` would write it.
+fn leaves(path: &str, value: &Value, out: &mut Vec<(String, Option<f64>)>) {
+    let join = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+    match value {
+        Value::Object(map) => map.iter().for_each(|(k, v)| leaves(&join(k), v, out)),
+        Value::Array(list) => {
+            list.iter().enumerate().for_each(|(i, v)| leaves(&format!("{path}[{i}]"), v, out));
+        }
+        Value::Number(_) | Value::Null => out.push((path.to_owned(), value.as_f64())),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_number_of_a_summary_can_be_picked_by_its_path() {
+    for record in [synthetic::smooth(), synthetic::impacts(3)] {
+        let run = synthetic::summary("mass", record);
+        let mut all = Vec::new();
+        leaves("", &value(&run), &mut all);
+        // What a single number cannot say: how the run was carried out, and what was said about it.
+        let others = ["settings", "advice", "hand_formulas", "wall_seconds"];
+        all.retain(|(path, _)| !others.iter().any(|other| path.starts_with(other)));
+        assert!(all.len() > 50);
+        let found = |(path, _): &(String, _)| {
+            SummaryPath::find(path, &run).unwrap_or_else(|_| panic!("no {path}"))
+        };
+        let paths: Vec<SummaryPath> = all.iter().map(found).collect();
+        for ((path, expected), picked) in all.iter().zip(pick(&paths, &run)) {
+            let bits = expected.map(f64::to_bits);
+            assert_eq!(picked.is_finite().then(|| picked.to_bits()), bits, "{path}");
+        }
+    }
+}
+
+#[test]
+fn what_no_summary_has_cannot_be_picked() {
+    let run = synthetic::summary("mass", synthetic::smooth());
+    for path in
+        ["", "energy", "contact.mass", "contact.none.peak_force.value", "status", "settings.step"]
+    {
+        assert!(SummaryPath::find(path, &run).is_err(), "{path}");
+    }
+    let late = SummaryPath::find("contact.mass.intervals[99].impulse", &run).expect("an interval");
+    assert!(pick(&[late], &run)[0].is_nan());
+    let unit = |path: &str| SummaryPath::find(path, &run).expect(path).unit();
+    assert_eq!(unit("contact.mass.peak_force.value"), "N");
+    assert_eq!(unit("contact.mass.peak_force.time"), "s");
+    assert_eq!(unit("contact.mass.intervals[0].energy.lost"), "J");
+    assert_eq!(unit("projectile.mass.velocity_final.1"), "m/s");
+    assert_eq!(unit("energy.residual_max"), "1");
 }

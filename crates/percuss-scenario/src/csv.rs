@@ -8,6 +8,7 @@ use crate::format::{Format, Inline, List};
 use crate::measure::Length;
 use crate::node::{Body, Node, Reader, count};
 use crate::quantity::Vector;
+use crate::reach::{self, Reached};
 
 /// Two numbers and the line they stand on.
 type Row = (usize, [f64; 2]);
@@ -18,6 +19,7 @@ type Clash = (String, String);
 /// Reads the file whose path stands at `node`.
 fn load(node: &Node<'_>, columns: &str, reader: &mut Reader<'_>) -> Option<Vec<Row>> {
     let name = node.value.as_str()?;
+    reader.files += 1;
     let rows = read(&reader.folder.join(name), name, columns);
     rows.map_err(|(found, expected)| reader.wrong(node, found, expected)).ok()
 }
@@ -108,6 +110,13 @@ impl Format for Points {
     fn schema() -> Json {
         json!({ "anyOf": [{ "type": "string" }, Listed::schema()] })
     }
+
+    fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
+        match path {
+            [] => reach::end::<Self>(value, path),
+            _ => Listed::reach(value, path),
+        }
+    }
 }
 
 impl Inline for Points {
@@ -119,7 +128,7 @@ impl Inline for Points {
 }
 
 /// What the columns of a file hold.
-pub(crate) trait Columns {
+pub(crate) trait Columns: 'static {
     /// Both.
     const BOTH: &'static str;
     /// The first, whose values increase, and its unit.

@@ -51,6 +51,27 @@ macro_rules! layout {
     };
 }
 
+/// Follows a path to one of the keys, or into one of the parts.
+macro_rules! reach_key {
+    ($path:expr, [$($key:ident: $format:ty = $value:expr;)*] [$($part:expr),*]) => {{
+        let Some((step, rest)) = $path.split_first() else {
+            return Err(crate::reach::Lost::Table);
+        };
+        let _ = rest;
+        $(if step == stringify!($key) {
+            return <$format as crate::format::Format>::reach($value, rest)
+                .map_err(crate::reach::Lost::deeper);
+        })*
+        #[allow(unused_mut)]
+        let mut known: Vec<String> = vec![$(stringify!($key).to_string()),*];
+        $(match crate::table::Part::reach($part, $path) {
+            Err(crate::reach::Lost::Unknown { depth: 0, known: more, .. }) => known.extend(more),
+            reached => return reached,
+        })*
+        Err(crate::reach::Lost::key(step, known))
+    }};
+}
+
 /// A table, or keys that stand together in several of them: `key: Type as Format`, `= default` where it may be left out, `with`
 /// parts whose keys stand beside them, `either` keys of which one set must be there, `not` keys that people look for in vain
 /// with what stands here instead, `then` a function that sees the whole table once it has been read.
@@ -109,6 +130,14 @@ macro_rules! table {
             fn write(&self, out: &mut Writer) {
                 $(<$format as crate::format::Written>::write(&self.$key, stringify!($key), out);)*
                 $($(crate::table::Part::write(&self.$part, out);)+)?
+            }
+
+            fn reach<'c>(&'c mut self, path: &[String]) -> crate::reach::Reached<'c> {
+                reach_key!(
+                    path,
+                    [$($key: $format = &mut self.$key;)*]
+                    [$($(&mut self.$part),+)?]
+                )
             }
         }
     };
@@ -213,6 +242,20 @@ macro_rules! kinds {
                         $($(crate::table::Part::write($part, out);)+)?)?
                     })*
                     $(Self::$other(part) => crate::table::Part::write(part, out),)?
+                }
+            }
+
+            fn reach<'c>(&'c mut self, path: &[String]) -> crate::reach::Reached<'c> {
+                if path.first().is_some_and(|step| step == $tag) {
+                    return Err(crate::reach::Lost::Anew);
+                }
+                match self {
+                    $(Self::$variant $({ $($key,)* $($($part,)+)? })? => reach_key!(
+                        path,
+                        [$($($key: $format = $key;)*)?]
+                        [$($($($part),+)?)?]
+                    ),)*
+                    $(Self::$other(part) => crate::table::Part::reach(part, path),)?
                 }
             }
         }

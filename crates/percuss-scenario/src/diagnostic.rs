@@ -76,6 +76,11 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
+    /// A single fault of a file as a whole.
+    pub fn of_file(name: &str, found: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self::new(Source::new(name, ""), vec![Diagnostic::of_file(found, expected)])
+    }
+
     pub(crate) fn new(source: Source, mut all: Vec<Diagnostic>) -> Self {
         all.sort_by(|a, b| (a.span.start, a.line, &a.path).cmp(&(b.span.start, b.line, &b.path)));
         let mut seen = std::collections::HashSet::new();

@@ -5,12 +5,13 @@ use std::marker::PhantomData;
 use serde_json::{Value as Json, json};
 
 use crate::node::{Node, Reader};
+use crate::reach::{self, Lost, Reached};
 use crate::write::{self, Writer};
 
 /// A form in which a value stands behind a key.
-pub(crate) trait Format {
+pub(crate) trait Format: Sized + 'static {
     /// What it is read into.
-    type Value;
+    type Value: 'static;
     /// Reads it; a fault is told to the reader.
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value>;
     /// A harmless value that stands in for one at fault, so that the rest can be checked.
@@ -23,6 +24,25 @@ pub(crate) trait Format {
     }
     /// JSON Schema.
     fn schema() -> Json;
+    /// What stands at the end of a path that begins at the value.
+    fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
+        reach::end::<Self>(value, path)
+    }
+    /// The value as a number with its SI unit, where it is one.
+    fn number(_: &Self::Value) -> Option<(f64, &'static str)> {
+        None
+    }
+    /// Makes a number the value.
+    ///
+    /// # Errors
+    /// What would be right.
+    fn set_number(_: &mut Self::Value, _: f64) -> Result<(), String> {
+        Err(Self::expected())
+    }
+    /// Reads what shall take the place of the value.
+    fn read_over(_: &Self::Value, node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
+        Self::read(node, reader)
+    }
 }
 
 /// A form that fits behind an equals sign and into a list.
@@ -80,6 +100,14 @@ impl<F: Inline> Format for List<F> {
     fn schema() -> Json {
         json!({ "type": "array", "items": F::schema() })
     }
+
+    fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
+        if path.is_empty() {
+            return reach::end::<Self>(value, path);
+        }
+        let (entry, rest) = reach::entry(value, path)?;
+        F::reach(entry, rest).map_err(Lost::deeper)
+    }
 }
 
 impl<F: Inline> Inline for List<F> {
@@ -121,6 +149,14 @@ impl<F: Inline> Format for Pair<F> {
     fn schema() -> Json {
         json!({ "type": "array", "items": F::schema(), "minItems": 2, "maxItems": 2 })
     }
+
+    fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
+        if path.is_empty() {
+            return reach::end::<Self>(value, path);
+        }
+        let (entry, rest) = reach::entry(value, path)?;
+        F::reach(entry, rest).map_err(Lost::deeper)
+    }
 }
 
 impl<F: Inline> Inline for Pair<F> {
@@ -151,6 +187,13 @@ impl<F: Inline> Format for Maybe<F> {
 
     fn schema() -> Json {
         F::schema()
+    }
+
+    fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
+        match value {
+            Some(value) => F::reach(value, path),
+            None => Err(Lost::Anew),
+        }
     }
 }
 
@@ -187,6 +230,18 @@ impl Format for Count {
 
     fn schema() -> Json {
         json!({ "type": "integer", "minimum": 1 })
+    }
+
+    fn number(value: &usize) -> Option<(f64, &'static str)> {
+        Some((*value as f64, ""))
+    }
+
+    fn set_number(value: &mut usize, number: f64) -> Result<(), String> {
+        if number.fract() != 0.0 || !(0.0..1e9).contains(&number) {
+            return Err(Self::expected());
+        }
+        *value = number as usize;
+        Ok(())
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::units::Dimension;
 
 /// What a value measures.
-pub(crate) trait Measure {
+pub(crate) trait Measure: 'static {
     /// Its dimension.
     const DIMENSION: Dimension;
     /// Its name, with the article.

@@ -10,7 +10,7 @@ use crate::suggest;
 use crate::write;
 
 /// A kind of table that others refer to by name.
-pub(crate) trait Kind {
+pub(crate) trait Kind: 'static {
     /// Its name in the file.
     const NAME: &'static str;
 }

@@ -126,6 +126,8 @@ pub(crate) struct Reader<'s> {
     pub excused: BTreeSet<(String, usize)>,
     /// Folder that the paths of other files start from.
     pub folder: PathBuf,
+    /// Other files that were read.
+    pub files: usize,
     names: BTreeMap<&'static str, Vec<&'s str>>,
 }
 
@@ -138,6 +140,11 @@ impl<'s> Reader<'s> {
             names.insert(kind, keys.into_iter().map(|(name, _)| name).collect());
         }
         Self { text, names, folder: folder.into(), ..Self::default() }
+    }
+
+    /// Makes names known that values may refer to, by kind of table.
+    pub fn name_all(&mut self, names: impl IntoIterator<Item = (&'static str, Vec<&'s str>)>) {
+        self.names.extend(names);
     }
 
     /// Names under a kind of table that others refer to.

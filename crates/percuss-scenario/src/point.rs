@@ -9,6 +9,7 @@ use crate::measure::{self, Length, Measure, Ratio};
 use crate::name::known_name;
 use crate::node::{Node, Reader};
 use crate::quantity::{Quantity, Vector};
+use crate::reach::Reached;
 use crate::suggest;
 use crate::units;
 use crate::write;
@@ -67,12 +68,44 @@ impl Format for PointText {
     fn schema() -> Json {
         json!({ "type": "string", "pattern": r"^\s*[^@.]+(\.(start|mid|end)|@.+)\s*$" })
     }
+
+    /// The place along its beam.
+    fn number(value: &Point) -> Option<(f64, &'static str)> {
+        Place::number(&value.along)
+    }
+
+    fn set_number(value: &mut Point, number: f64) -> Result<(), String> {
+        Place::set_number(&mut value.along, number)?;
+        value.label = match value.along {
+            Along::Fraction(f) => format!("{}@{}", value.beam, write::number(f)),
+            Along::Distance(s) => format!("{}@{}m", value.beam, write::number(s)),
+        };
+        Ok(())
+    }
+
+    /// A place alone keeps the beam.
+    fn read_over(old: &Point, node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Point> {
+        if node.value.as_str().is_some_and(|text| text.contains(['@', '.']) && names_beam(text)) {
+            return Self::read(node, reader);
+        }
+        let along = Place::read(node, reader)?;
+        let mut point = Point { along, ..old.clone() };
+        if let Some((place, _)) = Place::number(&along) {
+            Self::set_number(&mut point, place).ok()?;
+        }
+        Some(point)
+    }
 }
 
 impl Inline for PointText {
     fn text(value: &Point) -> Option<String> {
         Some(write::text(&value.label))
     }
+}
+
+/// Whether a text begins with a name and not with a number: `girder@0.3` beside `0.3 m`.
+fn names_beam(text: &str) -> bool {
+    text.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
 /// Found and expected.
@@ -141,6 +174,22 @@ impl Format for Place {
     fn schema() -> Json {
         json!({ "type": ["number", "string"] })
     }
+
+    fn number(value: &Along) -> Option<(f64, &'static str)> {
+        Some(match *value {
+            Along::Fraction(f) => (f, Ratio::UNIT),
+            Along::Distance(s) => (s, Length::UNIT),
+        })
+    }
+
+    /// A fraction stays a fraction, a length a length.
+    fn set_number(value: &mut Along, number: f64) -> Result<(), String> {
+        match value {
+            Along::Fraction(f) => *f = number,
+            Along::Distance(s) => *s = number,
+        }
+        Ok(())
+    }
 }
 
 fn suggested(word: &str) -> String {
@@ -194,6 +243,13 @@ impl Format for AnchorText {
 
     fn schema() -> Json {
         json!({ "anyOf": [PointText::schema(), Vector::<Length>::schema()] })
+    }
+
+    fn reach<'c>(value: &'c mut Anchor, path: &[String]) -> Reached<'c> {
+        match value {
+            Anchor::Point(point) => PointText::reach(point, path),
+            Anchor::Ground(place) => Vector::<Length>::reach(place, path),
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use toml::de::{DeInteger, DeValue};
 use crate::format::{Format, Inline};
 use crate::measure::{self, Measure};
 use crate::node::{Node, Reader};
+use crate::reach::{self, Lost, Reached};
 use crate::units;
 use crate::write;
 
@@ -44,6 +45,15 @@ impl<M: Measure> Format for Quantity<M> {
             format!("{}: a number in {}, or a text with its unit", M::NAME, M::UNIT)
         };
         json!({ "type": ["number", "string"], "title": about })
+    }
+
+    fn number(value: &f64) -> Option<(f64, &'static str)> {
+        Some((*value, M::UNIT))
+    }
+
+    fn set_number(value: &mut f64, number: f64) -> Result<(), String> {
+        *value = number;
+        Ok(())
     }
 }
 
@@ -151,6 +161,14 @@ impl<M: Measure> Format for Vector<M> {
 
     fn schema() -> Json {
         json!({ "type": "array", "items": Quantity::<M>::schema(), "minItems": 2, "maxItems": 2 })
+    }
+
+    fn reach<'c>(value: &'c mut [f64; 2], path: &[String]) -> Reached<'c> {
+        if path.is_empty() {
+            return reach::end::<Self>(value, path);
+        }
+        let (entry, rest) = reach::entry(value, path)?;
+        Quantity::<M>::reach(entry, rest).map_err(Lost::deeper)
     }
 }
 

@@ -1,6 +1,6 @@
 //! A scenario: its content and the file it came from.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -21,6 +21,8 @@ pub struct Scenario {
     pub(crate) content: Content,
     pub(crate) source: Arc<Source>,
     pub(crate) places: Arc<Places>,
+    /// Whether the file names others, such as tables of values.
+    pub(crate) names_files: bool,
 }
 
 impl Scenario {
@@ -66,36 +68,60 @@ pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
 }
 
 /// The folder of a file; the working directory for a name alone.
-fn folder(path: &Path) -> &Path {
+pub(crate) fn folder(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
 }
 
-fn read_from(source: Source, folder: &Path) -> Result<Scenario, Diagnostics> {
+/// A file as far as it could be read.
+pub(crate) struct Parsed<T> {
+    pub content: T,
+    pub places: Places,
+    pub faults: Vec<Raw>,
+    pub tainted: BTreeSet<String>,
+    pub names_files: bool,
+}
+
+/// Reads the tables of a file; `expected` says what an empty one should be.
+///
+/// # Errors
+/// If it is empty or has syntax errors.
+pub(crate) fn parse<T: Part>(
+    source: &Source,
+    folder: &Path,
+    expected: &str,
+) -> Result<Parsed<T>, Diagnostics> {
     let text = source.text.as_str();
     if text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}').is_empty() {
-        let empty =
-            Diagnostic::of_file("an empty file", "a scenario, with a beam and [time] at least");
-        return Err(Diagnostics::new(source, vec![empty]));
+        let empty = Diagnostic::of_file("an empty file", expected);
+        return Err(Diagnostics::new(source.clone(), vec![empty]));
     }
     let (root, errors) = DeTable::parse_recoverable(text);
-    let syntax = syntax::faults(&source, &errors);
+    let syntax = syntax::faults(source, &errors);
     let places = Places::new(root.get_ref());
     let body = Body::root(root.get_ref());
     let mut reader = Reader::new(text, &body, folder);
-    let content = table::read::<Content>(&body, &mut reader).unwrap_or_else(Content::placeholder);
-    let Reader { faults, tainted, .. } = reader;
-    if !syntax.is_empty() {
-        return Err(with_syntax_errors(source, syntax, faults));
+    let content = table::read::<T>(&body, &mut reader).unwrap_or_else(T::placeholder);
+    let Reader { faults, tainted, files, .. } = reader;
+    match syntax.is_empty() {
+        true => Ok(Parsed { content, places, faults, tainted, names_files: files > 0 }),
+        false => Err(with_syntax_errors(source.clone(), syntax, faults)),
     }
+}
+
+fn read_from(source: Source, folder: &Path) -> Result<Scenario, Diagnostics> {
+    let expected = "a scenario, with a beam and [time] at least";
+    let parsed = parse::<Content>(&source, folder, expected)?;
+    let Parsed { content, places, faults, tainted, names_files } = parsed;
     if faults.is_empty() {
-        return Ok(Scenario { content, source: Arc::new(source), places: Arc::new(places) });
+        let (source, places) = (Arc::new(source), Arc::new(places));
+        return Ok(Scenario { content, source, places, names_files });
     }
     let mut all: Vec<Diagnostic> = faults.into_iter().map(|raw| place(&source, raw)).collect();
     all.extend(compile::sound_part(&content, &tainted, &source, &places));
     Err(Diagnostics::new(source, all))
 }
 
-fn place(source: &Source, raw: Raw) -> Diagnostic {
+pub(crate) fn place(source: &Source, raw: Raw) -> Diagnostic {
     Diagnostic::at(source, raw.span, raw.path, raw.found, raw.expected)
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn nearest<'c>(
 }
 
 /// `one of `a`, `b` (did you mean `a`?)`.
-pub(crate) fn one_of<'c>(word: &str, candidates: impl Iterator<Item = &'c str> + Clone) -> String {
+pub fn one_of<'c>(word: &str, candidates: impl Iterator<Item = &'c str> + Clone) -> String {
     let list: Vec<String> = candidates.clone().map(|c| format!("`{c}`")).collect();
     let mut out = match list.len() {
         0 => "none at all".to_string(),

@@ -7,12 +7,13 @@ use serde_json::Value as Json;
 use crate::format::{Format, Inline, Written};
 use crate::layout::{Key, Layout};
 use crate::node::{Body, Node, Reader};
+use crate::reach::{Lost, Reached};
 use crate::schema;
 use crate::source::join;
 use crate::write::Writer;
 
 /// A table of the format, or a part of one: keys that stand together in several tables, or a choice of kinds.
-pub(crate) trait Part: Sized {
+pub(crate) trait Part: Sized + 'static {
     /// What may stand in it.
     fn layout() -> Layout;
     /// Reads every key; `None` only if its kind is not known.
@@ -21,6 +22,8 @@ pub(crate) trait Part: Sized {
     fn placeholder() -> Self;
     /// Writes every key.
     fn write(&self, out: &mut Writer);
+    /// What stands at the end of a path that begins with one of its keys.
+    fn reach<'c>(&'c mut self, path: &[String]) -> Reached<'c>;
 }
 
 /// A part whose keys may all be left out.
@@ -42,6 +45,18 @@ impl<P: Part> Part for Option<P> {
     fn write(&self, out: &mut Writer) {
         if let Some(part) = self {
             part.write(out);
+        }
+    }
+
+    fn reach<'c>(&'c mut self, path: &[String]) -> Reached<'c> {
+        if let Some(part) = self {
+            return part.reach(path);
+        }
+        let keys: Vec<&str> = P::layout().keys.iter().map(|key| key.name).collect();
+        match path {
+            [key, ..] if keys.contains(&key.as_str()) => Err(Lost::Anew),
+            [key, ..] => Err(Lost::key(key, keys)),
+            [] => Err(Lost::Table),
         }
     }
 }
@@ -121,6 +136,10 @@ impl<T: Part> Format for Single<T> {
     fn schema() -> Json {
         schema::of_table::<T>()
     }
+
+    fn reach<'c>(value: &'c mut T, path: &[String]) -> Reached<'c> {
+        value.reach(path)
+    }
 }
 
 impl<T: Part> Written for Single<T> {
@@ -164,6 +183,10 @@ impl<T: Part> Format for Braces<T> {
 
     fn schema() -> Json {
         schema::of_table::<T>()
+    }
+
+    fn reach<'c>(value: &'c mut T, path: &[String]) -> Reached<'c> {
+        value.reach(path)
     }
 }
 
@@ -237,6 +260,17 @@ impl<T: Part> Format for Collection<T> {
     fn schema() -> Json {
         schema::of_collection::<T>()
     }
+
+    fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
+        let Some((name, rest)) = path.split_first() else { return Err(Lost::Table) };
+        let known: Vec<String> = value.iter().map(|one| one.name.clone()).collect();
+        match value.iter_mut().find(|one| one.name == *name) {
+            Some(one) => one.table.reach(rest).map_err(Lost::deeper),
+            None => {
+                Err(Lost::Unknown { depth: 0, found: format!("the unknown name `{name}`"), known })
+            }
+        }
+    }
 }
 
 impl<T: Part> Written for Collection<T> {
@@ -253,6 +287,6 @@ impl<T: Part> Written for Collection<T> {
 }
 
 /// Names appear between dots in the names of results.
-fn is_name(name: &str) -> bool {
+pub(crate) fn is_name(name: &str) -> bool {
     !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-')
 }

@@ -61,3 +61,12 @@ pub fn templates() -> &'static [Template] {
         },
     ]
 }
+
+/// Commented studies to start from; their base is a scenario `my.toml` beside them, made from the template `elastic`.
+pub fn study_templates() -> &'static [Template] {
+    &[Template {
+        name: "study",
+        summary: "many runs of a scenario: what varies, how, and which results are wanted",
+        text: include_str!("../templates/study.toml"),
+    }]
+}

@@ -16,7 +16,7 @@ use crate::suggest;
 use crate::write;
 
 /// A value that is one word out of a few.
-pub(crate) trait Words {
+pub(crate) trait Words: 'static {
     /// What it is read into.
     type Value: Copy + PartialEq + 'static;
     /// Words, what they mean and what they are about.
@@ -223,6 +223,18 @@ impl Format for Rotary {
     fn schema() -> Json {
         json!({ "type": ["boolean", "number", "string"] })
     }
+
+    fn number(value: &RotaryInertia) -> Option<(f64, &'static str)> {
+        match value {
+            RotaryInertia::Given(value) => Quantity::<LineInertia>::number(value),
+            _ => None,
+        }
+    }
+
+    fn set_number(value: &mut RotaryInertia, number: f64) -> Result<(), String> {
+        *value = RotaryInertia::Given(number);
+        Ok(())
+    }
 }
 
 impl Inline for Rotary {
@@ -236,7 +248,7 @@ impl Inline for Rotary {
 }
 
 /// A quantity that may be without end, and the word for that.
-pub(crate) trait Endless {
+pub(crate) trait Endless: 'static {
     /// The quantity.
     type Measure: Measure;
     /// The word.
@@ -282,6 +294,14 @@ impl<E: Endless> Format for OrEndless<E> {
 
     fn schema() -> Json {
         Quantity::<E::Measure>::schema()
+    }
+
+    fn number(value: &f64) -> Option<(f64, &'static str)> {
+        Quantity::<E::Measure>::number(value)
+    }
+
+    fn set_number(value: &mut f64, number: f64) -> Result<(), String> {
+        Quantity::<E::Measure>::set_number(value, number)
     }
 }
 

@@ -1,6 +1,7 @@
 //! `percuss check`.
 
 use percuss::{EffectiveMass, Simulation, Topic, advise};
+use percuss_study::Study;
 
 use crate::arguments::Check;
 use crate::number::count;
@@ -8,8 +9,17 @@ use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
 use crate::{advisor, effective_mass, terminal};
 
-/// Says what is wrong with a scenario, or what is in it.
+/// Runs of a study that are looked at.
+const SAMPLE: u64 = 1000;
+/// Reasons told why runs of a study are no sound scenarios.
+const REASONS: usize = 5;
+
+/// Says what is wrong with a scenario or a study, or what is in it.
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
+    let text = std::fs::read_to_string(&arguments.file).unwrap_or_default();
+    if percuss_scenario::is_study(&text) {
+        return study(arguments);
+    }
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     terminal::print(&format!("{}: sound: {}\n", arguments.file.display(), contents(&ready)))?;
     let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
@@ -21,6 +31,40 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     }
     advisor::tell(&advice);
     Ok(Status::Done)
+}
+
+/// Says what is wrong with a study, and which of its runs are no sound scenarios as far as a sample shows.
+fn study(arguments: &Check) -> Result<Status, Failure> {
+    if !arguments.set.is_empty() {
+        let text = "--set changes scenarios; give the values in the study";
+        return Err(Failure::Input(text.into()));
+    }
+    let study = Study::load(&arguments.file)?;
+    let (parameters, results) = (study.parameters().len(), study.results().len());
+    let contents =
+        [runs(study.run_count()), count(parameters, "parameter"), count(results, "result")];
+    let file = arguments.file.display();
+    terminal::print(&format!("{file}: sound: {}\n", contents.join(", ")))?;
+    let (invalid, looked_at) = study.check_sample(SAMPLE);
+    if !invalid.is_empty() {
+        let of = if looked_at < study.run_count() { "a sample of " } else { "" };
+        let bad = runs(invalid.len() as u64);
+        let text =
+            format!("{bad} of {of}{looked_at} will be rows with a reason instead of results:");
+        terminal::warning(&text);
+    }
+    let mut told: Vec<&str> = Vec::new();
+    for one in &invalid {
+        if told.len() < REASONS && !told.contains(&one.reason.as_str()) {
+            terminal::warning(&format!("run {}: {}", one.run, one.reason));
+            told.push(&one.reason);
+        }
+    }
+    Ok(Status::Done)
+}
+
+fn runs(number: u64) -> String {
+    count(usize::try_from(number).unwrap_or(usize::MAX), "run")
 }
 
 fn contents(ready: &Ready) -> String {

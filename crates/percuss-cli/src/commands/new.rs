@@ -4,7 +4,7 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-use percuss_scenario::templates;
+use percuss_scenario::{Template, study_templates, templates};
 
 use crate::arguments::New;
 use crate::outcome::{Failure, Status};
@@ -12,12 +12,14 @@ use crate::terminal;
 
 /// Prints or writes a template, or lists them.
 pub fn run(arguments: &New) -> Result<Status, Failure> {
-    let template = templates().iter().find(|t| Some(t.name) == arguments.template.as_deref());
+    let template = all().find(|t| Some(t.name) == arguments.template.as_deref());
     match (template, &arguments.out) {
         (Some(template), Some(out)) => {
             write(out, template.text)?;
             let out = out.display();
-            terminal::tell(&format!("{out} is there; edit it and run: percuss run {out}"));
+            let is_study = study_templates().contains(template);
+            let command = if is_study { "sweep" } else { "run" };
+            terminal::tell(&format!("{out} is there; edit it and run: percuss {command} {out}"));
         }
         (Some(template), None) => terminal::print(template.text)?,
         (None, _) => list()?,
@@ -25,9 +27,14 @@ pub fn run(arguments: &New) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
+/// Scenarios, then studies.
+fn all() -> impl Iterator<Item = &'static Template> {
+    templates().iter().chain(study_templates())
+}
+
 fn list() -> Result<(), Failure> {
-    let width = templates().iter().map(|t| t.name.len()).max().unwrap_or(0);
-    for template in templates() {
+    let width = all().map(|t| t.name.len()).max().unwrap_or(0);
+    for template in all() {
         terminal::print(&format!("{:width$}  {}\n", template.name, template.summary))?;
     }
     terminal::tell("\nTo begin with one of them: percuss new NAME --out my.toml");

@@ -28,6 +28,10 @@ pub(crate) enum Shape {
     Stem,
     /// Spans of the abscissa, from one to the next of each pair of rows; the value belongs to the span.
     Band,
+    /// A dot each, never joined.
+    Dots,
+    /// Each value holds up to the next abscissa; the area below is filled.
+    Steps,
 }
 
 /// What the abscissa is.

@@ -20,6 +20,7 @@ mod png_file;
 pub(crate) mod quantity;
 mod raster;
 mod results;
+pub mod sheet;
 mod structure;
 mod thin;
 

@@ -41,16 +41,23 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "audit_figures" => section(figures, Section::Audit, ""),
             "settings" => audit::settings(summary),
             "scenario" => escape(&data.scenario),
-            "style" => format!("{UPLOT_STYLE}\n{STYLE}"),
-            "licence" => format!("/*!\nuPlot\n\n{UPLOT_LICENCE}*/"),
-            "uplot" => UPLOT.to_owned(),
-            "script" => SCRIPT.to_owned(),
             "index" => html::json(&payload.index),
             "data" => payload.data.clone(),
-            _ => String::new(),
+            other => page_parts(other),
         }
     };
     fill_holes(TEMPLATE, fill)
+}
+
+/// What every page with figures needs: looks, the library that draws, the script.
+pub(crate) fn page_parts(hole: &str) -> String {
+    match hole {
+        "style" => format!("{UPLOT_STYLE}\n{STYLE}"),
+        "licence" => format!("/*!\nuPlot\n\n{UPLOT_LICENCE}*/"),
+        "uplot" => UPLOT.to_owned(),
+        "script" => SCRIPT.to_owned(),
+        _ => String::new(),
+    }
 }
 
 /// Replaces every `{{hole}}` of the template, looking at nothing that was put in.
@@ -138,7 +145,7 @@ fn section(figures: &[Figure], section: Section, heading: &str) -> String {
 }
 
 /// The place of a figure, with its title.
-fn frame(figure: &Figure) -> String {
+pub(crate) fn frame(figure: &Figure) -> String {
     let (id, title) = (escape(&figure.id), escape(&figure.title));
     // Small figures have one note above all of them.
     let note = if figure.group.is_empty() { escape(&figure.note) } else { String::new() };

@@ -62,6 +62,8 @@ fn table(columns: &mut Columns, figure: &Figure, table: &Table) -> Value {
                 Shape::Line => "line",
                 Shape::Stem => "stem",
                 Shape::Band => "band",
+                Shape::Dots => "dots",
+                Shape::Steps => "steps",
             },
             "weight": s.weight,
             "dashed": figure.is_dashed(s),

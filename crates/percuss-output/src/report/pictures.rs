@@ -254,7 +254,7 @@ fn legend(figure: &Figure) -> Vec<LegendEntry> {
     figure.tables.iter().flat_map(|t| &t.series).map(entry).collect()
 }
 
-fn theme() -> Theme {
+pub(crate) fn theme() -> Theme {
     Theme {
         axis_color: "#1b1f24".to_owned(),
         grid_color: "#e6e9ed".to_owned(),
@@ -299,7 +299,7 @@ fn plot(x: &[f64], series: &Series, dashes: Option<&str>) -> Vec<Plot> {
     let bins = match series.shape {
         Shape::Band => return Vec::new(), // part of the layout
         Shape::Stem => STEMS / 4,
-        Shape::Line => BINS,
+        Shape::Line | Shape::Dots | Shape::Steps => BINS,
     };
     let rows = decimate::rows(&[&series.y], x.len(), bins).into_iter();
     let points: Vec<(f64, f64)> = rows.map(|row| (x[row], series.y[row])).collect();

@@ -2,6 +2,7 @@
 
 mod advice;
 mod contact;
+mod pick;
 
 use std::path::Path;
 
@@ -16,6 +17,7 @@ use crate::error::Error;
 use crate::files;
 
 pub(crate) use contact::restitution;
+pub use pick::{Picked, SummaryPath, pick, summary_paths};
 
 const SUMMARY: &str = "summary.json";
 
@@ -49,26 +51,9 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "rows": run.rows,
         "wall_seconds": info.wall_seconds,
         "settings": settings(info.settings),
-        "energy": {
-            "initial": run.energy.initial,
-            "final": run.energy.final_,
-            "work_loads": run.energy.work_loads,
-            "work_supports": run.energy.work_supports,
-            "loss_impacts": run.energy.loss_impacts,
-            "loss_damping": run.energy.loss_damping,
-            "scale": run.energy.scale,
-            "residual_max": run.energy.residual_max,
-        },
-        "momentum": {
-            "linear_scale": run.momentum.linear_scale,
-            "linear_residual_max": run.momentum.linear_residual_max,
-            "angular_scale": run.momentum.angular_scale,
-            "angular_residual_max": run.momentum.angular_residual_max,
-        },
-        "audit": {
-            "curvature_drift_max": run.audit.curvature_drift_max,
-            "membrane_drift_max": run.audit.membrane_drift_max,
-        },
+        "energy": energy(run),
+        "momentum": momentum(run),
+        "audit": audit(run),
         "projectile": named(&run.projectiles, |p| &p.name, projectile),
         "contact": named(&run.contacts, |c| &c.name, contact::value),
         "contact_residual_max": run.contact_residual_max,
@@ -82,6 +67,35 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         summary["error"] = Value::from(error.to_string());
     }
     summary
+}
+
+fn energy(run: &RunSummary) -> Value {
+    json!({
+        "initial": run.energy.initial,
+        "final": run.energy.final_,
+        "work_loads": run.energy.work_loads,
+        "work_supports": run.energy.work_supports,
+        "loss_impacts": run.energy.loss_impacts,
+        "loss_damping": run.energy.loss_damping,
+        "scale": run.energy.scale,
+        "residual_max": run.energy.residual_max,
+    })
+}
+
+fn momentum(run: &RunSummary) -> Value {
+    json!({
+        "linear_scale": run.momentum.linear_scale,
+        "linear_residual_max": run.momentum.linear_residual_max,
+        "angular_scale": run.momentum.angular_scale,
+        "angular_residual_max": run.momentum.angular_residual_max,
+    })
+}
+
+fn audit(run: &RunSummary) -> Value {
+    json!({
+        "curvature_drift_max": run.audit.curvature_drift_max,
+        "membrane_drift_max": run.audit.membrane_drift_max,
+    })
 }
 
 /// Writes `summary.json` into `dir`.
@@ -107,7 +121,7 @@ pub fn read_summary(dir: impl AsRef<Path>) -> Result<Value, Error> {
     }
 }
 
-fn status(termination: &Termination) -> &'static str {
+pub(crate) fn status(termination: &Termination) -> &'static str {
     match termination {
         Termination::Unsolved => "unsolved",
         Termination::Completed => "completed",

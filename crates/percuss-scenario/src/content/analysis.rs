@@ -9,6 +9,7 @@ use crate::measure::{self, Ratio};
 use crate::node::{Body, Node, Reader};
 use crate::point::{Point, PointText};
 use crate::quantity::{Quantity, Vector};
+use crate::reach::Reached;
 use crate::table::{Braces, exclude};
 use crate::words::{Started, Word};
 use crate::write::Writer;
@@ -106,6 +107,13 @@ impl Format for Modal {
     fn schema() -> Json {
         let (one, list) = (Quantity::<Ratio>::schema(), List::<Quantity<Ratio>>::schema());
         json!({ "anyOf": [one, list] })
+    }
+
+    fn reach<'c>(value: &'c mut ModalRatios, path: &[String]) -> Reached<'c> {
+        match value {
+            ModalRatios::All(ratio) => Quantity::<Ratio>::reach(ratio, path),
+            ModalRatios::Each(ratios) => List::<Quantity<Ratio>>::reach(ratios, path),
+        }
     }
 }
 

@@ -7,8 +7,9 @@ use crate::format::{Flag, Format, Inline, List, Maybe};
 use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
+use crate::reach::{self, Reached};
 use crate::suggest;
-use crate::table::Braces;
+use crate::table::{Braces, Part};
 use crate::write::{self, Writer};
 
 kinds! {
@@ -121,6 +122,13 @@ impl Format for FunctionText {
 
     fn schema() -> Json {
         json!({ "anyOf": [{ "const": "constant" }, Braces::<Course>::schema()] })
+    }
+
+    fn reach<'c>(value: &'c mut Function, path: &[String]) -> Reached<'c> {
+        match path {
+            [] => reach::end::<Self>(value, path),
+            _ => Part::reach(value, path),
+        }
     }
 }
 

@@ -204,8 +204,8 @@ impl<S: Number> Log<S> {
         log.open.impulse += h * force;
         log.open.given[0] += force * guide.along(&engine.increment);
         log.open.given[1] += -(force * state.increment);
-        log.open.deepest.take(&path, time);
-        log.deepest.take(&path, time);
+        log.open.deepest.take_positive(&path, time);
+        log.deepest.take_positive(&path, time);
         for lane in 0..S::LANES {
             if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
                 let ends = path.crossing(lane);
@@ -313,6 +313,16 @@ impl<S: Number> Top<S> {
                 self.look_inside(path, start, lane);
             }
         }
+    }
+
+    /// The same for a value that counts only where it is positive: a lane that stands open leaves no trace.
+    #[inline(always)]
+    fn take_positive(&mut self, path: &Path<S>, start: S) {
+        let old = *self;
+        self.take(path, start);
+        let new = *self;
+        self.value = old.value.if_less(new.value, new.value, old.value);
+        self.time = old.value.if_less(new.value, new.time, old.time);
     }
 
     fn look_inside(&mut self, path: &Path<S>, start: S, lane: usize) {

@@ -1,0 +1,54 @@
+//! `percuss sweep`.
+
+use std::sync::OnceLock;
+
+use percuss_study::{Done, Folder, Study, sweep};
+
+use crate::arguments::Sweep;
+use crate::interrupt;
+use crate::outcome::{Failure, Status};
+use crate::progress::Progress;
+use crate::{scenario, terminal};
+
+mod outcome;
+
+/// Runs a study, or what is left of it.
+pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
+    let study = Study::load(&arguments.study)?;
+    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.study, ""));
+    let folder = Folder::open(&out, &study)?;
+    interrupt::install()?;
+    let all = 0..study.shard_count();
+    let shards: Vec<u64> = match arguments.shard {
+        Some(share) => all.filter(|shard| shard % share.of == share.part - 1).collect(),
+        None => all.collect(),
+    };
+    let bar = OnceLock::new();
+    let tell = |progress: percuss_study::Progress| {
+        let new = || Progress::of_runs(progress.wanted, progress.before, !arguments.quiet);
+        bar.get_or_init(new).reach(progress.done);
+        !interrupt::requested()
+    };
+    let jobs = arguments.jobs.map_or(0, |jobs| jobs as usize);
+    let done = sweep(&study, &folder, &shards, jobs, &tell)?;
+    drop(bar);
+    match done {
+        Done::Stopped => {
+            let again = "the same command goes on where it was";
+            terminal::warning(&format!("interrupted; what is done is kept, {again}"));
+            return Ok(Status::Interrupted);
+        }
+        Done::Part => {
+            if !arguments.quiet {
+                terminal::tell("this part is done; others are not yet");
+            }
+            return Ok(Status::Done);
+        }
+        Done::All => {}
+    }
+    folder.finish(&study)?;
+    let table = folder.results(&study)?;
+    folder.write(percuss_study::REPORT, percuss_study::report(&study, &table).as_bytes())?;
+    outcome::tell(&study, &table, arguments, &out)?;
+    Ok(Status::Done)
+}

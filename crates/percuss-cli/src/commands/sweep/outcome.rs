@@ -1,0 +1,95 @@
+//! What a study came to, on the terminal.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use percuss_study::{RESULTS, Study, Table};
+use serde_json::{Map, Value, json};
+
+use crate::arguments::Sweep;
+use crate::number::{count, number};
+use crate::outcome::Failure;
+use crate::terminal;
+
+/// Reasons shown; the table has all of them.
+const REASONS_SHOWN: usize = 3;
+
+/// Says how the runs went and where the results are.
+pub fn tell(study: &Study, table: &Table, arguments: &Sweep, out: &Path) -> Result<(), Failure> {
+    let statuses = statuses(table);
+    if arguments.json {
+        let results: Map<String, Value> = ranges(study, table)
+            .map(|(name, unit, [min, mean, max])| {
+                let range = json!({ "unit": unit, "min": min, "mean": mean, "max": max });
+                (name.to_string(), range)
+            })
+            .collect();
+        let value = json!({ "runs": table.rows(), "status": statuses, "results": results });
+        terminal::print(&format!("{value:#}\n"))?;
+    } else if !arguments.quiet {
+        let completed = statuses.get("completed").copied().unwrap_or(0);
+        let runs = count(table.rows(), "run");
+        terminal::tell(&format!("{runs}, {completed} completed"));
+        for (name, unit, [min, mean, max]) in ranges(study, table) {
+            let [min, mean, max] = [min, mean, max].map(number);
+            let unit = if unit == "1" { "" } else { unit };
+            terminal::tell(&format!("  {name}: {min} to {max} {unit}, mean {mean}"));
+        }
+        terminal::tell(&format!("{} and report.html", out.join(RESULTS).display()));
+    }
+    if !arguments.quiet {
+        warn(table);
+        for result in study.results() {
+            let values = table.numbers(&result.name).unwrap_or_default();
+            if statuses.contains_key("completed") && values.iter().all(|x| x.is_nan()) {
+                let path = result.path.path();
+                terminal::warning(&format!("{}: no run has {path}", result.name));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// How often each status occurs.
+fn statuses(table: &Table) -> BTreeMap<&str, usize> {
+    let mut out = BTreeMap::new();
+    for status in table.texts("status").unwrap_or_default() {
+        *out.entry(status.as_str()).or_default() += 1;
+    }
+    out
+}
+
+/// Name, unit, and smallest, mean and largest value of every result that has values.
+fn ranges<'s>(
+    study: &'s Study,
+    table: &'s Table,
+) -> impl Iterator<Item = (&'s str, &'static str, [f64; 3])> {
+    study.results().iter().filter_map(|result| {
+        let values = table.numbers(&result.name)?;
+        let values: Vec<f64> = values.into_iter().filter(|x| x.is_finite()).collect();
+        let min = values.iter().copied().reduce(f64::min)?;
+        let max = values.iter().copied().reduce(f64::max)?;
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        Some((result.name.as_str(), result.path.unit(), [min, mean, max]))
+    })
+}
+
+/// The most frequent reasons why runs did not end well.
+fn warn(table: &Table) {
+    let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+    for reason in table.texts("reason").unwrap_or_default().iter().filter(|r| !r.is_empty()) {
+        *reasons.entry(reason).or_default() += 1;
+    }
+    let mut reasons: Vec<(&str, usize)> = reasons.into_iter().collect();
+    reasons.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+    for (reason, times) in reasons.iter().take(REASONS_SHOWN) {
+        terminal::warning(&format!("{}: {reason}", count(*times, "run")));
+    }
+    if reasons.len() > REASONS_SHOWN {
+        let more = reasons[REASONS_SHOWN..].iter().map(|(_, times)| times).sum();
+        terminal::warning(&format!(
+            "{} for other reasons; see the column `reason`",
+            count(more, "run")
+        ));
+    }
+}

@@ -1,0 +1,116 @@
+//! What `percuss sweep` promises.
+
+mod common;
+
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use common::Desk;
+
+const STUDY: &str = r#"
+title = "Peak force over speed and mass"
+base = "elastic.toml"
+seed = 11
+
+[parameter.speed]
+path = "projectile.mass.velocity[1]"
+distribution = { kind = "uniform", from = "10 m/s", to = "30 m/s" }
+
+[parameter.mass]
+path = "projectile.mass.mass"
+range = { from = "400 kg", to = "600 kg" }
+
+[design]
+kind = "sobol"
+runs = 96
+
+[results]
+peak_force = "contact.mass.peak_force.value"
+"#;
+
+fn desk() -> Desk {
+    let desk = Desk::new();
+    std::fs::write(desk.path("study.toml"), STUDY).expect("a study");
+    desk
+}
+
+#[test]
+fn a_study_killed_three_times_ends_in_the_same_bytes() {
+    let desk = desk();
+    desk.percuss(&["sweep", "study.toml", "--out", "whole"])
+        .ends_with(0)
+        .tells("96 runs, 96 completed");
+    let whole = std::fs::read(desk.path("whole/results.parquet")).expect("results");
+    // Whatever the speed of the machine, some are killed at the start and some on the way.
+    for pause in [30, 150, 400] {
+        let mut sweep = Command::new(env!("CARGO_BIN_EXE_percuss"))
+            .args(["sweep", "study.toml", "--out", "killed", "--quiet"])
+            .current_dir(desk.path("."))
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("percuss");
+        std::thread::sleep(Duration::from_millis(pause));
+        sweep.kill().expect("SIGKILL");
+        sweep.wait().expect("an end");
+    }
+    desk.percuss(&["sweep", "study.toml", "--out", "killed"]).ends_with(0);
+    let killed = std::fs::read(desk.path("killed/results.parquet")).expect("results");
+    assert!(whole == killed, "other bytes after three kills");
+    assert!(desk.path("killed/report.html").exists());
+}
+
+#[test]
+fn parts_of_a_study_make_the_whole() {
+    let desk = desk();
+    desk.percuss(&["sweep", "study.toml", "--out", "whole", "--quiet"]).ends_with(0);
+    for part in ["2/3", "1/3"] {
+        desk.percuss(&["sweep", "study.toml", "--out", "parts", "--shard", part])
+            .ends_with(0)
+            .tells("this part is done; others are not yet");
+        assert!(!desk.path("parts/results.parquet").exists());
+    }
+    desk.percuss(&["sweep", "study.toml", "--out", "parts", "--shard", "3/3"]).ends_with(0);
+    let results =
+        |name: &str| std::fs::read(desk.path(name).join("results.parquet")).expect("results");
+    assert!(results("whole") == results("parts"));
+    desk.percuss(&["sweep", "study.toml", "--shard", "4/3"]).ends_with(2).tells("such as 3/20");
+}
+
+#[test]
+fn a_changed_study_does_not_mix_with_an_old_one() {
+    let desk = desk();
+    desk.percuss(&["sweep", "study.toml", "--out", "out", "--quiet"]).ends_with(0);
+    let changed = STUDY.replace("seed = 11", "seed = 12");
+    std::fs::write(desk.path("study.toml"), changed).expect("a study");
+    desk.percuss(&["sweep", "study.toml", "--out", "out"])
+        .ends_with(2)
+        .tells("holds another study")
+        .tells("--out");
+}
+
+#[test]
+fn check_warns_of_runs_that_are_no_sound_scenarios() {
+    let desk = desk();
+    desk.percuss(&["check", "study.toml"]).ends_with(0);
+    let bad = STUDY.replace("from = \"400 kg\"", "from = \"-100 kg\"");
+    std::fs::write(desk.path("bad.toml"), bad).expect("a study");
+    desk.percuss(&["check", "bad.toml"])
+        .ends_with(0)
+        .tells("will be rows with a reason instead of results")
+        .tells("projectile.mass.mass");
+    desk.percuss(&["sweep", "bad.toml", "--out", "bad"]).ends_with(0).tells("warning: 1 run: ");
+}
+
+#[test]
+fn faults_of_a_study_are_told_by_line() {
+    let desk = desk();
+    let bad =
+        STUDY.replace("velocity[1]", "velocty[1]").replace("peak_force.value", "peak_forc.value");
+    std::fs::write(desk.path("bad.toml"), bad).expect("a study");
+    desk.percuss(&["sweep", "bad.toml"])
+        .ends_with(2)
+        .tells("bad.toml:7:8: parameter.speed.path: found the unknown key `velocty`")
+        .tells("did you mean `velocity`?")
+        .tells("did you mean `peak_force`?");
+    assert!(!desk.path("runs").exists());
+}

@@ -1,0 +1,317 @@
+//! Single numbers of a summary by their path, as in `summary.json`, without writing all of it.
+
+use percuss::{
+    ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak, RunSummary,
+};
+use serde_json::Value;
+
+use super::{audit, contact, energy, momentum, point, projectile, section_forces, support};
+
+/// Parts of a summary that stand once, by their names.
+const PLAIN: [&str; 8] = [
+    "time",
+    "steps",
+    "solver_steps",
+    "step_cuts",
+    "newton_iterations",
+    "factorizations",
+    "rows",
+    "contact_residual_max",
+];
+/// Parts of a summary that are tables.
+const TABLES: [&str; 3] = ["energy", "momentum", "audit"];
+/// Parts of a summary with one table a name.
+const NAMED: [&str; 5] = ["projectile", "contact", "point", "support", "section_forces"];
+
+/// The path of a number in a summary: `contact.mass.peak_force.value`, `projectile.mass.velocity_final[1]`.
+///
+/// Entries of lists are counted from zero; one that a run does not have, a second impact say, is NaN.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SummaryPath {
+    path: String,
+    part: String,
+    /// Name of the projectile, contact, ...; empty for other parts.
+    name: String,
+    /// Keys and indices within the part.
+    keys: Vec<String>,
+}
+
+/// A number picked, and its unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picked {
+    /// The path.
+    pub path: String,
+    /// Unit, `1` for a pure number.
+    pub unit: &'static str,
+}
+
+impl SummaryPath {
+    /// Finds a path in the summaries of runs such as `sample`; the error lists all paths there are.
+    ///
+    /// # Errors
+    /// If no such run has a number there.
+    pub fn find(path: &str, sample: &RunSummary) -> Result<Self, Vec<Picked>> {
+        let all = summary_paths(sample);
+        let wanted = unnumbered(&spelled(path));
+        if !all.iter().any(|one| unnumbered(&one.path) == wanted) {
+            return Err(all);
+        }
+        Self::split(path, sample).ok_or(all)
+    }
+
+    fn split(path: &str, sample: &RunSummary) -> Option<Self> {
+        let (part, rest) = path.split_once('.').unwrap_or((path, ""));
+        let (name, rest) = if NAMED.contains(&part) {
+            let names = names(part, sample);
+            let under = |name: &&String| rest.strip_prefix(name.as_str())?.strip_prefix('.');
+            let name = names.iter().filter(|n| under(n).is_some()).max_by_key(|n| n.len())?;
+            (name.clone(), under(&name)?)
+        } else {
+            (String::new(), rest)
+        };
+        let (path, part) = (path.into(), part.into());
+        Some(Self { path, part, name, keys: keys(rest) })
+    }
+
+    /// The path as given.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// Unit of the number, as channels spell it; `1` for a pure number.
+    pub fn unit(&self) -> &'static str {
+        let mut keys: Vec<&str> = vec![&self.part];
+        keys.extend(self.keys.iter().map(String::as_str));
+        unit(&keys)
+    }
+
+    /// Whether it lies in the section forces or the reactions of supports, which a run may leave out.
+    pub fn is_of_forces(&self) -> bool {
+        ["section_forces", "support"].contains(&self.part.as_str())
+    }
+
+    fn is_within(&self, other: &Self) -> bool {
+        self.part == other.part && self.name == other.name
+    }
+
+    fn look_up(&self, part: &Value) -> f64 {
+        let mut at = part;
+        for key in &self.keys {
+            let next = match key.parse::<usize>() {
+                Ok(index) if at.is_array() => at.get(index),
+                _ => at.get(key),
+            };
+            let Some(next) = next else { return f64::NAN };
+            at = next;
+        }
+        at.as_f64().unwrap_or(f64::NAN)
+    }
+}
+
+/// The numbers at these paths; a part of the summary that several of them lie in is looked at once.
+pub fn pick(paths: &[SummaryPath], run: &RunSummary) -> Vec<f64> {
+    let mut parts: Vec<(&SummaryPath, Value)> = Vec::new();
+    let number = |path| {
+        let known = parts.iter().position(|(other, _)| SummaryPath::is_within(path, other));
+        let at = known.unwrap_or_else(|| {
+            parts.push((path, part(&path.part, &path.name, run)));
+            parts.len() - 1
+        });
+        path.look_up(&parts[at].1)
+    };
+    paths.iter().map(number).collect()
+}
+
+/// Every number that a summary of such runs can have; of lists that grow with a run the first entry.
+pub fn summary_paths(sample: &RunSummary) -> Vec<Picked> {
+    let full = with_every_event(&sample.contacts);
+    let mut all = Vec::new();
+    for key in PLAIN {
+        all.push(Picked { path: key.into(), unit: unit(&[key]) });
+    }
+    for key in TABLES {
+        leaves(key, &[key], &part(key, "", sample), &mut all);
+    }
+    for key in NAMED {
+        for name in names(key, sample) {
+            let value = match full.iter().find(|c| key == "contact" && c.name == name) {
+                Some(full) => contact::value(full),
+                None => part(key, &name, sample),
+            };
+            leaves(&format!("{key}.{name}"), &[key], &value, &mut all);
+        }
+    }
+    all
+}
+
+/// Names under a part of the summary.
+fn names(part: &str, run: &RunSummary) -> Vec<String> {
+    match part {
+        "projectile" => run.projectiles.iter().map(|p| p.name.clone()).collect(),
+        "contact" => run.contacts.iter().map(|c| c.name.clone()).collect(),
+        "point" => run.points.iter().map(|p| p.name.clone()).collect(),
+        "support" => run.supports.iter().map(|s| s.name.clone()).collect(),
+        "section_forces" => run.section_forces.iter().map(|s| s.name.clone()).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// A part of the summary as it stands in `summary.json`.
+fn part(part: &str, name: &str, run: &RunSummary) -> Value {
+    fn one<'a, T>(all: &'a [T], is: impl Fn(&T) -> bool, value: fn(&'a T) -> Value) -> Value {
+        all.iter().find(|one| is(one)).map_or(Value::Null, value)
+    }
+    match part {
+        "time" => run.time.into(),
+        "steps" => run.steps.into(),
+        "solver_steps" => run.solver_steps.into(),
+        "step_cuts" => run.step_cuts.into(),
+        "newton_iterations" => run.newton_iterations.into(),
+        "factorizations" => run.factorizations.into(),
+        "rows" => run.rows.into(),
+        "contact_residual_max" => run.contact_residual_max.into(),
+        "energy" => energy(run),
+        "momentum" => momentum(run),
+        "audit" => audit(run),
+        "projectile" => one(&run.projectiles, |p| p.name == name, projectile),
+        "contact" => one(&run.contacts, |c| c.name == name, contact::value),
+        "point" => one(&run.points, |p| p.name == name, point),
+        "support" => one(&run.supports, |s| s.name == name, support),
+        "section_forces" => one(&run.section_forces, |s| s.name == name, section_forces),
+        _ => Value::Null,
+    }
+}
+
+/// The contacts with an interval and an impact each, so that every key shows.
+fn with_every_event(contacts: &[percuss::ContactSummary]) -> Vec<percuss::ContactSummary> {
+    let (nan, place, energy) = (f64::NAN, ContactPlace::default(), EnergySplit::default());
+    let interval = ContactInterval {
+        start: 0.0,
+        end: 0.0,
+        impulse: 0.0,
+        peak_force: Peak { value: 0.0, time: 0.0 },
+        approach_velocity: nan,
+        separation_velocity: nan,
+        place,
+        place_end: place,
+        energy,
+    };
+    let impact = Impact {
+        time: 0.0,
+        impulse: 0.0,
+        tangential_impulse: 0.0,
+        approach_velocity: nan,
+        separation_velocity: nan,
+        place,
+        energy,
+        tamed: false,
+    };
+    let full = |contact: &percuss::ContactSummary| {
+        let mut contact = contact.clone();
+        match &mut contact.record {
+            ContactRecord::Smooth { intervals, .. } => *intervals = vec![interval],
+            ContactRecord::Nonsmooth { impacts, intervals, .. } => {
+                *impacts = vec![impact];
+                *intervals = vec![interval];
+            }
+        }
+        contact
+    };
+    contacts.iter().map(full).collect()
+}
+
+/// Every number in a value; unset ones are numbers too.
+fn leaves(path: &str, keys: &[&str], value: &Value, all: &mut Vec<Picked>) {
+    let below = |key: &str| [keys, &[key]].concat().iter().map(|k| k.to_string()).collect();
+    let mut go = |path: String, key: &str, value: &Value| {
+        let keys: Vec<String> = below(key);
+        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+        leaves(&path, &keys, value, all);
+    };
+    match value {
+        Value::Object(map) => map.iter().for_each(|(k, v)| go(format!("{path}.{k}"), k, v)),
+        Value::Array(list) => {
+            let each = list.iter().enumerate();
+            each.for_each(|(i, v)| go(format!("{path}[{i}]"), &i.to_string(), v));
+        }
+        Value::Number(_) | Value::Null => all.push(Picked { path: path.into(), unit: unit(keys) }),
+        Value::String(_) | Value::Bool(_) => {}
+    }
+}
+
+/// Keys and indices of a path within a part.
+fn keys(path: &str) -> Vec<String> {
+    let parts = path.split(['.', '[']).filter(|part| !part.is_empty());
+    parts.map(|part| part.trim_end_matches(']').to_string()).collect()
+}
+
+/// The path with `.1` written `[1]`.
+fn spelled(path: &str) -> String {
+    let mut out = String::new();
+    for (i, part) in path.split('.').enumerate() {
+        match part.parse::<usize>() {
+            Ok(index) if i > 0 => out.push_str(&format!("[{index}]")),
+            _ if i > 0 => out.push_str(&format!(".{part}")),
+            _ => out.push_str(part),
+        }
+    }
+    out
+}
+
+/// The path of the first entry wherever a list grows with the run.
+fn unnumbered(path: &str) -> String {
+    let mut out = path.to_string();
+    for list in [".intervals[", ".impacts["] {
+        if let Some((before, after)) = out.clone().split_once(list)
+            && let Some((index, rest)) = after.split_once(']')
+            && index.parse::<usize>().is_ok()
+        {
+            out = format!("{before}{list}0]{rest}");
+        }
+    }
+    out
+}
+
+/// Unit of the number at these keys.
+fn unit(keys: &[&str]) -> &'static str {
+    let last = keys.iter().rev().find(|key| key.parse::<usize>().is_err()).copied().unwrap_or("");
+    let has = |key: &str| keys.contains(&key);
+    match last {
+        "value" if has("displacement_max") => "m",
+        "value" if has("stress") => "Pa",
+        "value" if has("strain") => "1",
+        "value" if has("moment") || has("moment_max") => "N*m",
+        "value" => "N",
+        "time" | "start" | "end" => "s",
+        "s" | "position" => "m",
+        "approach_velocity" | "separation_velocity" | "velocity_final" => "m/s",
+        "spin_final" => "rad/s",
+        "impulse" | "tangential_impulse" | "impulse_total" => "N*s",
+        "momentum_transferred" | "linear_scale" => "kg*m/s",
+        "angular_scale" => "kg*m^2/s",
+        "effective_mass" | "effective_mass_limit" => "kg",
+        "energy_transferred" | "given" | "lost" | "stored" => "J",
+        "residual_max" => "1",
+        _ if has("energy") => "J",
+        "curvature_drift_max" => "1/m",
+        _ => "1",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_may_write_indices_either_way() {
+        assert_eq!(
+            spelled("projectile.mass.velocity_final.1"),
+            "projectile.mass.velocity_final[1]"
+        );
+        assert_eq!(unnumbered("contact.m.intervals[12].impulse"), "contact.m.intervals[0].impulse");
+        assert_eq!(
+            keys("intervals[12].place.position[0]"),
+            ["intervals", "12", "place", "position", "0"]
+        );
+    }
+}

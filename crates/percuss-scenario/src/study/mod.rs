@@ -1,0 +1,129 @@
+//! Study files: a base scenario, what varies in it, and the results wanted.
+//!
+//! A study is read by the machinery that reads scenarios, so its faults are told the same way. What its values mean, their
+//! dimensions among it, is for the scenario to say; who runs the study asks it.
+
+mod content;
+mod given;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use percuss::Fault;
+use serde_json::{Value as Json, json};
+use toml::de::DeTable;
+
+pub use content::{
+    Correlation, Design, Distribution, Parameter, Range, Sampling, Spacing, StudyContent,
+};
+pub use given::Given;
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::scenario::{folder, parse, place};
+use crate::source::{Places, Source};
+use crate::table::Part;
+use crate::write::Writer;
+
+/// A study file that has been read, with the faults found so far.
+#[derive(Clone, Debug)]
+pub struct StudyFile {
+    /// What the file contains; harmless values stand in for those at fault.
+    pub content: StudyContent,
+    source: Source,
+    places: Places,
+    folder: PathBuf,
+    faults: Vec<Diagnostic>,
+    tainted: BTreeSet<String>,
+}
+
+impl StudyFile {
+    /// Reads a study from a file.
+    ///
+    /// # Errors
+    /// If the file cannot be read, is not UTF-8 or not TOML.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, Diagnostics> {
+        let path = path.as_ref();
+        Self::read_from(Source::load(path)?, folder(path))
+    }
+
+    /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
+    ///
+    /// # Errors
+    /// If the text is empty or not TOML.
+    pub fn read(text: &str, name: &str) -> Result<Self, Diagnostics> {
+        Self::read_from(Source::new(name, text), folder(Path::new(name)))
+    }
+
+    fn read_from(source: Source, folder: &Path) -> Result<Self, Diagnostics> {
+        let expected = "a study, with `base`, [parameter.NAME], [design] and [results]";
+        let parsed = parse::<StudyContent>(&source, folder, expected)?;
+        let faults = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
+        let (content, places, tainted) = (parsed.content, parsed.places, parsed.tainted);
+        Ok(Self { content, places, folder: folder.into(), faults, tainted, source })
+    }
+
+    /// Name of the file, as given.
+    pub fn name(&self) -> &str {
+        &self.source.name
+    }
+
+    /// Folder that the path of the base scenario starts from.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Whether a value at this path could not be read, so that nothing more is to be said of it.
+    pub fn is_tainted(&self, path: &str) -> bool {
+        let within = |t: &String| t == path || path.starts_with(&format!("{t}."));
+        self.tainted.iter().any(within)
+    }
+
+    /// All faults together: those of reading, and further ones at their places in the file.
+    ///
+    /// # Errors
+    /// If there are any.
+    pub fn settle(&self, more: Vec<Fault>) -> Result<(), Diagnostics> {
+        let mut all = self.faults.clone();
+        let more = more.into_iter().filter(|fault| !self.is_tainted(&fault.path));
+        all.extend(more.map(|fault| {
+            let span = self.places.find(&fault.path).unwrap_or(0..0);
+            Diagnostic::at(&self.source, span, fault.path, fault.found, fault.expected)
+        }));
+        if all.is_empty() { Ok(()) } else { Err(Diagnostics::new(self.source.clone(), all)) }
+    }
+}
+
+impl StudyContent {
+    /// The study as a file.
+    pub fn to_toml(&self) -> String {
+        let mut out = Writer::default();
+        self.write(&mut out);
+        out.finish()
+    }
+}
+
+impl Distribution {
+    /// One of its values.
+    pub fn example(&self) -> &Given {
+        match self {
+            Self::Uniform { from, .. } => from,
+            Self::Normal { mean, .. } | Self::Lognormal { mean, .. } => mean,
+        }
+    }
+}
+
+/// JSON Schema of the study file, for completion in editors.
+pub fn study_schema() -> Json {
+    let mut schema = crate::schema::of_table::<StudyContent>();
+    schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
+    schema["title"] = json!("Percuss study");
+    schema
+}
+
+/// Whether a text is meant to be a study and not a scenario: it names a base or parameters.
+pub fn is_study(text: &str) -> bool {
+    let (root, _) = DeTable::parse_recoverable(text);
+    let root = root.get_ref();
+    ["base", "parameter", "design"].iter().any(|key| root.get(*key).is_some())
+        && root.get("beam").is_none()
+}

@@ -1,0 +1,141 @@
+//! Scenarios that differ in some values, made without reading the file again where that is possible.
+
+use percuss::Fault;
+use toml::de::DeValue;
+
+use crate::content::Content;
+use crate::diagnostic::Diagnostics;
+use crate::node::{Node, Reader};
+use crate::overrides::apply_overrides;
+use crate::reach::{Lost, Reached, steps};
+use crate::scenario::{Scenario, read};
+use crate::table::Part;
+
+/// A value of a scenario, by its path: `projectile.mass.velocity[1]`, `beam.girder.points[1][0]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    path: String,
+    steps: Vec<String>,
+    anew: bool,
+}
+
+impl Field {
+    /// The path as given.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// Whether the file has to be read anew to change it: it decides what else stands in its table (`kind`), is a word, or
+    /// stands in a table that the file does not have.
+    pub fn is_read_anew(&self) -> bool {
+        self.anew
+    }
+}
+
+impl Scenario {
+    /// Finds the value at a path.
+    ///
+    /// # Errors
+    /// The first step of the path that leads nowhere, with the names that would lead on.
+    pub fn field(&self, path: &str) -> Result<Field, Fault> {
+        let steps = steps(path);
+        let mut content = self.content.clone();
+        let anew = match content.reach(&steps) {
+            Ok(_) => false,
+            Err(Lost::Anew) => true,
+            Err(Lost::Table) => {
+                let found = format!("`{path}`, which is a table");
+                return Err(Fault::new(path, found, "the path of a value in it"));
+            }
+            Err(Lost::Unknown { depth, found, known }) => {
+                let word = steps.get(depth).map_or("", String::as_str);
+                let found = format!("{found} in the path `{path}`");
+                return Err(Fault::new(path, found, Lost::expected(&known, word)));
+            }
+        };
+        Ok(Field { path: path.into(), steps, anew })
+    }
+
+    /// The number at a field and its SI unit, empty for a pure number; `None` where no number stands.
+    pub fn number(&mut self, field: &Field) -> Option<(f64, &'static str)> {
+        let slot = self.content.reach(&field.steps).ok()?;
+        Some((slot.number()?, slot.unit()?))
+    }
+
+    /// Puts a number in its place, in SI units.
+    ///
+    /// # Errors
+    /// If no such number can stand there.
+    pub fn set_number(&mut self, field: &Field, number: f64) -> Result<(), Fault> {
+        let fault = |expected| Fault::new(&field.path, number.to_string(), expected);
+        let mut slot = self.slot(field)?;
+        slot.set(number).map_err(fault)
+    }
+
+    /// Puts a value in its place, as TOML, read as if it stood in the file.
+    ///
+    /// # Errors
+    /// If the file could not have it there, what was found and what would be right.
+    pub fn set_toml(&mut self, field: &Field, toml: &str) -> Result<(), Fault> {
+        let Ok(value) = DeValue::parse(toml) else {
+            return Err(Fault::new(&field.path, toml, "a value as it stands in a file"));
+        };
+        let content = self.content.clone();
+        let mut reader = Reader::of_content(toml, &content);
+        let path = field.path.clone();
+        let node = Node { path, span: value.span(), value: value.get_ref() };
+        if self.slot(field)?.read(&node, &mut reader) {
+            return Ok(());
+        }
+        let first = reader.faults.into_iter().next();
+        let (found, expected) =
+            first.map_or_else(|| (node.found(), "another value".into()), |f| (f.found, f.expected));
+        Err(Fault::new(&field.path, found, expected))
+    }
+
+    /// Reads the file anew with other values, each a path and a value as TOML.
+    ///
+    /// # Errors
+    /// Every fault of the changed file.
+    pub fn anew(&self, changes: &[(&str, &str)]) -> Result<Self, Diagnostics> {
+        let name = self.source.name.as_str();
+        let changes: Vec<String> = changes.iter().map(|(p, v)| format!("{p}={v}")).collect();
+        let text = apply_overrides(&self.source.text, name, &changes)?;
+        read(&text, name)
+    }
+
+    /// The scenario as one text that names no other files: as it was read where it names none, else with their values and
+    /// every default written out.
+    pub fn self_contained(&self) -> String {
+        match self.names_files {
+            false => self.source.text.clone(),
+            true => self.to_toml(),
+        }
+    }
+
+    fn slot(&mut self, field: &Field) -> Result<Box<dyn crate::reach::Slot + '_>, Fault> {
+        let reached: Reached<'_> = self.content.reach(&field.steps);
+        reached.map_err(|_| {
+            Fault::new(&field.path, "no such value in this scenario", "a value of the scenario")
+        })
+    }
+}
+
+impl<'s> Reader<'s> {
+    /// A reader of one value for a scenario that has been read.
+    fn of_content(text: &'s str, content: &'s Content) -> Self {
+        fn names<T>(all: &[crate::Named<T>]) -> Vec<&str> {
+            all.iter().map(|one| one.name.as_str()).collect()
+        }
+        let mut reader = Self::default();
+        reader.text = text;
+        reader.name_all([
+            ("material", names(&content.material)),
+            ("section", names(&content.section)),
+            ("beam", names(&content.beam)),
+            ("obstacle", names(&content.obstacle)),
+            ("projectile", names(&content.projectile)),
+        ]);
+        reader
+    }
+}

@@ -1,0 +1,104 @@
+//! From the inputs of a run to its model.
+
+use std::collections::HashMap;
+
+use percuss_scenario::{Compiled, Diagnostics, Scenario};
+
+use crate::parameter::{Input, Variation};
+use crate::study::Study;
+
+/// Prepares runs one after the other.
+///
+/// Numbers are set in a scenario kept for the purpose; only where words change is the text read anew, once for each combination.
+pub(crate) struct Preparer<'s> {
+    study: &'s Study,
+    scenarios: HashMap<Vec<&'s str>, Result<Scenario, String>>,
+}
+
+impl<'s> Preparer<'s> {
+    pub fn new(study: &'s Study) -> Self {
+        Self { study, scenarios: HashMap::new() }
+    }
+
+    /// The model of a run.
+    ///
+    /// # Errors
+    /// Why there is none, in one line.
+    pub fn prepare(&mut self, inputs: &[Input<'s>]) -> Result<Compiled, String> {
+        let word = |input: &Input<'s>| match input {
+            Input::Word(word) => Some(*word),
+            Input::Number(_) => None,
+        };
+        let words: Vec<&str> = inputs.iter().filter_map(word).collect();
+        let study = self.study;
+        let scenario = self.scenarios.entry(words).or_insert_with(|| with_words(study, inputs));
+        let scenario = scenario.as_mut().map_err(|reason| reason.clone())?;
+        for (parameter, input) in self.study.parameters.iter().zip(inputs) {
+            if let Input::Number(number) = input {
+                scenario.set_number(&parameter.field, *number).map_err(|fault| {
+                    format!("{}: found {}, expected {}", fault.path, fault.found, fault.expected)
+                })?;
+            }
+        }
+        scenario.compile().map_err(|diagnostics| in_one_line(&diagnostics))
+    }
+}
+
+/// A run that cannot be simulated, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Invalid {
+    /// Its number.
+    pub run: u64,
+    /// Why, in one line.
+    pub reason: String,
+}
+
+impl Study {
+    /// Prepares at most so many runs, evenly chosen, and tells of those that are no sound scenario; and how many were prepared.
+    pub fn check_sample(&self, most: u64) -> (Vec<Invalid>, u64) {
+        let runs = self.run_count();
+        let looked_at = runs.min(most.max(1));
+        let mut preparer = Preparer::new(self);
+        let mut invalid = Vec::new();
+        for k in 0..looked_at {
+            let run = (u128::from(k) * u128::from(runs) / u128::from(looked_at)) as u64;
+            if let Err(reason) = preparer.prepare(&self.inputs(run)) {
+                invalid.push(Invalid { run, reason });
+            }
+        }
+        (invalid, looked_at)
+    }
+}
+
+/// The scenario with the words of a run.
+fn with_words(study: &Study, inputs: &[Input<'_>]) -> Result<Scenario, String> {
+    let change = |(parameter, input): (&'_ crate::Parameter, &Input<'_>)| match input {
+        Input::Word(word) => Some((parameter.field.path().to_string(), word.to_string())),
+        Input::Number(_) => None,
+    };
+    let changes: Vec<_> = study.parameters.iter().zip(inputs).filter_map(change).collect();
+    if changes.is_empty() {
+        return Ok(study.scenario.clone());
+    }
+    let changes: Vec<(&str, &str)> =
+        changes.iter().map(|(p, v)| (p.as_str(), v.as_str())).collect();
+    let mut scenario = study.scenario.anew(&changes).map_err(|d| in_one_line(&d))?;
+    // A number along a beam is a fraction or a length, as in the study.
+    for parameter in &study.parameters {
+        if !matches!(parameter.variation, Variation::Words(_)) {
+            scenario
+                .set_toml(&parameter.field, &parameter.example)
+                .map_err(|f| format!("{}: found {}, expected {}", f.path, f.found, f.expected))?;
+        }
+    }
+    Ok(scenario)
+}
+
+/// Faults without their places: the text they lie in is not the user's file.
+pub(crate) fn in_one_line(diagnostics: &Diagnostics) -> String {
+    let one = |d: &percuss_scenario::Diagnostic| {
+        let path = if d.path.is_empty() { String::new() } else { format!("{}: ", d.path) };
+        format!("{path}found {}, expected {}", d.message, d.help)
+    };
+    diagnostics.all().iter().map(one).collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,37 @@
+//! The page of a study.
+
+mod figures;
+mod tables;
+
+use percuss_output::report::sheet::{Block, Sheet, render};
+
+use crate::column::Table;
+use crate::study::Study;
+
+/// The page of a study as HTML, with everything it needs in it, made from its table alone.
+pub fn report(study: &Study, table: &Table) -> String {
+    let title = match study.title() {
+        "" => "Percuss study",
+        title => title,
+    };
+    let completed = table.texts("status").unwrap_or_default();
+    let completed = completed.iter().filter(|status| *status == "completed").count();
+    let runs = table.rows();
+    let status = match runs - completed {
+        0 => format!("{runs} runs, all completed"),
+        lost => format!("{runs} runs, {completed} completed, {lost} not: see the end of this page"),
+    };
+    let mut blocks = vec![Block::Heading("Results".into())];
+    blocks.extend(tables::results(study, table));
+    blocks.extend(tables::indices(study, table));
+    blocks.extend(figures::responses(study, table));
+    blocks.extend(figures::maps(study, table));
+    blocks.extend(figures::distributions(study, table));
+    blocks.extend(tables::audit(table));
+    blocks.extend(tables::failures(study, table));
+    blocks.push(Block::Heading("Study".into()));
+    blocks.push(tables::parameters(study));
+    let summary = "Study and scenario as they were run".to_string();
+    blocks.push(Block::Listing { summary, text: study.to_toml() });
+    render(&Sheet { title: title.into(), status, alarming: completed < runs, blocks })
+}

@@ -1,0 +1,188 @@
+//! Shards: a few hundred runs, the unit of work.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use percuss::{Detail, Fault, Model, RunSummary, Settings, Termination, simulate_batch};
+use percuss_output::{SummaryPath, pick};
+use percuss_scenario::Compiled;
+
+use crate::column::{Table, Values};
+use crate::error::Error;
+use crate::parameter::Input;
+use crate::parquet;
+use crate::prepare::Preparer;
+use crate::study::Study;
+
+/// Runs given to the solver together.
+const GROUP_RUNS: usize = 64;
+
+/// Rows of some consecutive runs of a study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shard {
+    /// Its number.
+    pub index: u64,
+    /// Its rows, one a run.
+    pub table: Table,
+}
+
+/// A run before it has its row.
+type Ready = Result<Compiled, String>;
+/// What became of a run: its summary, or why there is none and whether the scenario is to blame.
+type Outcome = Result<RunSummary, String>;
+
+impl Study {
+    /// Does the runs of a shard, one after the other; the same bits wherever and whenever it is called.
+    pub fn run_shard(&self, index: u64) -> Shard {
+        self.run_shard_while(index, &|| true).unwrap_or_else(|| Shard::empty(self, index))
+    }
+
+    /// The same, unless `goes_on` says no on the way; it is asked every few runs.
+    pub fn run_shard_while(&self, index: u64, goes_on: &dyn Fn() -> bool) -> Option<Shard> {
+        let mut shard = Shard::empty(self, index);
+        let mut preparer = Preparer::new(self);
+        let paths: Vec<SummaryPath> = self.results.iter().map(|r| r.path.clone()).collect();
+        let forces = paths.iter().any(SummaryPath::is_of_forces);
+        let detail = if forces { Detail::Full } else { Detail::Motion };
+        let runs: Vec<u64> = self.runs_of(index).collect();
+        for group in runs.chunks(GROUP_RUNS) {
+            if !goes_on() {
+                return None;
+            }
+            let inputs: Vec<Vec<Input<'_>>> = group.iter().map(|run| self.inputs(*run)).collect();
+            let ready: Vec<Ready> = inputs.iter().map(|inputs| preparer.prepare(inputs)).collect();
+            let outcomes = simulate(&ready, detail);
+            for ((run, inputs), outcome) in group.iter().zip(&inputs).zip(outcomes) {
+                shard.push(*run, inputs, outcome, &paths);
+            }
+        }
+        Some(shard)
+    }
+}
+
+/// Simulates those that are ready; the others keep their reasons.
+fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
+    let sound: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
+    let mut done = batch(&sound, detail).into_iter();
+    let outcome = |run: &Ready| match run {
+        Err(reason) => (Err(reason.clone()), "invalid"),
+        Ok(_) => match done.next() {
+            Some(Ok(summary)) => {
+                let status = match summary.termination {
+                    Termination::Completed => "completed",
+                    _ => "failed",
+                };
+                (Ok(summary), status)
+            }
+            Some(Err((reason, status))) => (Err(reason), status),
+            None => (Err("no result".to_string()), "failed"),
+        },
+    };
+    ready.iter().map(outcome).collect()
+}
+
+/// Simulates all; if the solver breaks down on one of them, each alone, so that only that one is lost.
+fn batch(runs: &[&Compiled], detail: Detail) -> Vec<Result<RunSummary, (String, &'static str)>> {
+    let given: Vec<(&Model, &Settings)> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
+    let told = |faults: Vec<Fault>| {
+        let one = |f: &Fault| format!("{}: found {}, expected {}", f.path, f.found, f.expected);
+        (faults.iter().map(one).collect::<Vec<_>>().join("; "), "invalid")
+    };
+    let done = catch_unwind(AssertUnwindSafe(|| simulate_batch(&given, detail)));
+    match (done, runs) {
+        (Ok(done), _) => done.into_iter().map(|one| one.map_err(told)).collect(),
+        (Err(_), [_]) => vec![Err(("the solver broke down".to_string(), "failed"))],
+        (Err(_), _) => runs.iter().flat_map(|run| batch(&[run], detail)).collect(),
+    }
+}
+
+impl Shard {
+    fn empty(study: &Study, index: u64) -> Self {
+        let (columns, values) = study.layout().into_iter().unzip();
+        Self { index, table: Table { columns, values } }
+    }
+
+    /// Appends the row of a run.
+    fn push(
+        &mut self,
+        run: u64,
+        inputs: &[Input<'_>],
+        (outcome, status): (Outcome, &str),
+        paths: &[SummaryPath],
+    ) {
+        let mut row = Row(self.table.values.iter_mut());
+        row.whole(i64::try_from(run).unwrap_or(i64::MAX));
+        for input in inputs {
+            match input {
+                Input::Number(number) => row.number(*number),
+                Input::Word(word) => row.text(word_of(word)),
+            }
+        }
+        let summary = outcome.as_ref().ok();
+        // What a run that failed has reached on its way is not a result.
+        match summary.filter(|_| status == "completed") {
+            Some(summary) => pick(paths, summary).into_iter().for_each(|x| row.number(x)),
+            None => paths.iter().for_each(|_| row.number(f64::NAN)),
+        }
+        row.text(status.to_string());
+        row.text(match &outcome {
+            Err(reason) => reason.clone(),
+            Ok(summary) => match &summary.termination {
+                Termination::Failed(error) => error.to_string(),
+                _ => String::new(),
+            },
+        });
+        row.number(summary.map_or(f64::NAN, |s| s.time));
+        row.number(summary.map_or(f64::NAN, |s| s.energy.residual_max));
+        row.number(summary.map_or(f64::NAN, |s| s.momentum.linear_residual_max));
+        row.number(summary.map_or(f64::NAN, |s| s.momentum.angular_residual_max));
+        row.whole(summary.map_or(0, |s| s.steps as i64));
+        row.whole(summary.map_or(0, |s| s.step_cuts as i64));
+        row.whole(summary.map_or(0, |s| s.newton_iterations as i64));
+    }
+
+    /// The shard as a file.
+    ///
+    /// # Errors
+    /// If the table cannot be encoded.
+    pub fn to_parquet(&self, study: &Study) -> Result<Vec<u8>, Error> {
+        parquet::shard_bytes(self, study)
+    }
+
+    /// Reads the shard from a file.
+    ///
+    /// # Errors
+    /// If it is damaged, or of another study.
+    pub fn from_parquet(bytes: &[u8], study: &Study) -> Result<Self, Error> {
+        parquet::shard_from(bytes, study)
+    }
+}
+
+/// A text without its quotes; other values as they stand.
+fn word_of(toml: &str) -> String {
+    let bare = toml.trim();
+    let quoted = |mark: char| bare.strip_prefix(mark)?.strip_suffix(mark);
+    quoted('"').or_else(|| quoted('\'')).unwrap_or(bare).to_string()
+}
+
+/// A row being filled from left to right.
+struct Row<'t>(std::slice::IterMut<'t, Values>);
+
+impl Row<'_> {
+    fn whole(&mut self, value: i64) {
+        if let Some(Values::Whole(column)) = self.0.next() {
+            column.push(value);
+        }
+    }
+
+    fn number(&mut self, value: f64) {
+        if let Some(Values::Number(column)) = self.0.next() {
+            column.push(value);
+        }
+    }
+
+    fn text(&mut self, value: String) {
+        if let Some(Values::Text(column)) = self.0.next() {
+            column.push(value);
+        }
+    }
+}

@@ -1,0 +1,357 @@
+//! What studies promise.
+
+use percuss_study::{Folder, Input, RESULTS, Shard, Study, merge, sweep};
+
+/// A cantilever struck at its end by a mass behind a spring; a run takes some hundred steps.
+const BASE: &str = r#"
+[material.m]
+preset = "steel"
+[section.s]
+shape = "rectangle"
+width = "10 cm"
+depth = "10 cm"
+[beam.b]
+points = [[0, 0], [1, 0]]
+elements = 4
+material = "m"
+section = "s"
+[support.left]
+at = "b.start"
+kind = "clamp"
+[projectile.p]
+kind = "elastic"
+mass = 10
+stiffness = 1e6
+velocity = [0, 1]
+strikes = "b.end"
+[time]
+end = 5e-3
+step = 5e-5
+"#;
+
+fn study(rest: &str) -> Study {
+    read(rest).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+fn read(rest: &str) -> Result<Study, percuss_scenario::Diagnostics> {
+    Study::from_toml(&format!("scenario = '''{BASE}'''\n{rest}"), "study.toml")
+}
+
+const SAMPLED: &str = r#"
+seed = 3
+[parameter.speed]
+path = "projectile.p.velocity[1]"
+distribution = { kind = "uniform", from = "1 m/s", to = "3 m/s" }
+[parameter.mass]
+path = "projectile.p.mass"
+distribution = { kind = "normal", mean = "10 kg", deviation = "2 kg", truncated = ["5 kg", "15 kg"] }
+[design]
+kind = "sobol"
+runs = 600
+[results]
+force = "contact.p.peak_force.value"
+deflection = "point.b.end.displacement_max.component_2.value"
+end = "contact.p.intervals[0].end"
+never = "contact.p.intervals[7].end"
+"#;
+
+#[test]
+fn a_study_read_again_is_the_same_study() {
+    let first = study(SAMPLED);
+    let again = Study::from_toml(&first.to_toml(), "again.toml").expect("sound");
+    assert_eq!(first.fingerprint(), again.fingerprint());
+    assert_eq!(first.to_toml(), again.to_toml());
+    assert_ne!(first.fingerprint(), study(&SAMPLED.replace("seed = 3", "seed = 4")).fingerprint());
+    for run in [0, 17, 599] {
+        assert_eq!(first.inputs(run), again.inputs(run));
+    }
+}
+
+#[test]
+fn a_run_of_a_study_is_the_run_of_the_changed_file() {
+    let study = study(SAMPLED);
+    let shard = study.run_shard(1);
+    let run = study.runs_of(1).start + 3;
+    let [Input::Number(speed), Input::Number(mass)] = study.inputs(run)[..] else {
+        panic!("two numbers");
+    };
+    let changes =
+        [format!("projectile.p.velocity=[0, {speed:?}]"), format!("projectile.p.mass={mass:?}")];
+    let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("sound");
+    let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile()).expect("sound");
+    let detail = percuss::Detail::Motion;
+    let alone = percuss::simulate_batch(&[(&compiled.model, &compiled.settings)], detail);
+    let alone = alone.into_iter().next().expect("a run").expect("a summary");
+    let percuss::ContactRecord::Smooth { peak_force, intervals } = &alone.contacts[0].record else {
+        panic!("a smooth contact");
+    };
+    let number = |name: &str| shard.table.numbers(name).expect(name)[3].to_bits();
+    assert_eq!(number("force"), peak_force.value.to_bits());
+    assert_eq!(number("end"), intervals[0].end.to_bits());
+    assert_eq!(number("deflection"), alone.points[0].displacement_max[1].value.to_bits());
+    assert_eq!(number("audit.energy_residual"), alone.energy.residual_max.to_bits());
+    assert!(shard.table.numbers("never").expect("a column")[3].is_nan());
+}
+
+#[test]
+fn runs_side_by_side_tell_what_each_tells_alone() {
+    // Long enough that the first ones are far away while the last ones still touch.
+    let base = BASE.replace("end = 5e-3", "end = 40e-3");
+    let speed = r#"
+        [parameter.speed]
+        path = "projectile.p.velocity[1]"
+        range = { from = 0.5, to = 5, count = 20 }
+        [parameter.mass]
+        path = "projectile.p.mass"
+        range = { from = 1, to = 30, count = 3 }
+        [design]
+        kind = "grid"
+        [results]
+        force = "contact.p.peak_force.value"
+        time = "contact.p.peak_force.time"
+        last = "projectile.p.velocity_final[1]"
+    "#;
+    let read = |more: &str| {
+        let text = format!("scenario = \"\"\"{base}\"\"\"\n{speed}\n{more}");
+        Study::from_toml(&text, "study").unwrap_or_else(|faults| panic!("{faults}"))
+    };
+    // Section forces are told by single runs only.
+    let (lanes, single) = (read(""), read("moment = \"section_forces.b.moment_max.value\""));
+    for shard in 0..lanes.shard_count() {
+        let (lanes, single) = (lanes.run_shard(shard).table, single.run_shard(shard).table);
+        for name in ["force", "time", "last"] {
+            let (a, b) = (lanes.numbers(name).expect(name), single.numbers(name).expect(name));
+            for (row, (a, b)) in a.iter().zip(&b).enumerate() {
+                // Two orders of summation over 800 steps.
+                assert!((a - b).abs() < 1e-8 * b.abs(), "shard {shard}, row {row}: {name} {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn threads_workers_and_order_leave_no_trace_in_the_results() {
+    let study = study(SAMPLED);
+    let desk = tempfile::tempdir().expect("a directory");
+    let results = |name: &str, jobs: usize| {
+        let folder = Folder::open(desk.path().join(name), &study).expect("a folder");
+        let shards: Vec<u64> = (0..study.shard_count()).collect();
+        sweep(&study, &folder, &shards, jobs, &|_| true).expect("done");
+        folder.finish(&study).expect("written");
+        std::fs::read(desk.path().join(name).join(RESULTS)).expect("a table")
+    };
+    let one = results("one", 1);
+    assert!(one == results("three", 3), "other bytes on three threads");
+
+    let remote = Study::from_toml(&study.to_toml(), "remote").expect("sound");
+    let backwards: Vec<Vec<u8>> = (0..remote.shard_count())
+        .rev()
+        .map(|index| remote.run_shard(index).to_parquet(&remote).expect("bytes"))
+        .collect();
+    let shards = backwards.iter().rev().map(|bytes| Shard::from_parquet(bytes, &study));
+    let mut merged = Vec::new();
+    merge(&study, shards, &mut merged).expect("merged");
+    assert!(one == merged, "other bytes from elsewhere");
+}
+
+#[test]
+fn damaged_shards_and_those_of_other_studies_are_done_again() {
+    let study = study(SAMPLED);
+    let desk = tempfile::tempdir().expect("a directory");
+    let folder = Folder::open(desk.path().join("out"), &study).expect("a folder");
+    let shards: Vec<u64> = (0..study.shard_count()).collect();
+    sweep(&study, &folder, &shards, 2, &|_| true).expect("done");
+    folder.finish(&study).expect("written");
+    let table = desk.path().join("out").join(RESULTS);
+    let before = std::fs::read(&table).expect("a table");
+
+    let shard = |k: u64| desk.path().join(format!("out/shards/shard-{k:06}.parquet"));
+    let mut bytes = std::fs::read(shard(2)).expect("a shard");
+    let middle = bytes.len() / 3;
+    bytes[middle] ^= 1;
+    std::fs::write(shard(2), &bytes).expect("written");
+    std::fs::write(shard(3), b"").expect("written");
+    std::fs::copy(shard(5), shard(4)).expect("copied");
+    assert!([2, 3, 4].iter().all(|k| !folder.has(&study, *k)));
+    assert!(folder.finish(&study).is_err());
+    sweep(&study, &folder, &shards, 2, &|_| true).expect("done");
+    folder.finish(&study).expect("written");
+    assert!(before == std::fs::read(&table).expect("a table"));
+}
+
+#[test]
+fn a_directory_of_another_study_is_left_alone() {
+    let desk = tempfile::tempdir().expect("a directory");
+    Folder::open(desk.path().join("out"), &study(SAMPLED)).expect("a folder");
+    let other = study(&SAMPLED.replace("seed = 3", "seed = 4"));
+    let refused = Folder::open(desk.path().join("out"), &other).expect_err("refused").to_string();
+    assert!(refused.contains("another study") && refused.contains("--out"), "{refused}");
+    std::fs::create_dir(desk.path().join("mine")).expect("a directory");
+    std::fs::write(desk.path().join("mine/letter.txt"), "dear").expect("written");
+    assert!(Folder::open(desk.path().join("mine"), &other).expect_err("refused").is_unfit());
+}
+
+#[test]
+fn a_run_that_is_no_sound_scenario_is_a_row_with_a_reason() {
+    let study = study(
+        r#"
+        [parameter.mass]
+        path = "projectile.p.mass"
+        values = [10, -1, 5]
+        [design]
+        kind = "grid"
+        [results]
+        force = "contact.p.peak_force.value"
+        "#,
+    );
+    let (invalid, looked_at) = study.check_sample(100);
+    assert_eq!((invalid.len(), invalid[0].run, looked_at), (1, 1, 3));
+    let table = study.run_shard(0).table;
+    assert_eq!(table.texts("status").expect("texts"), ["completed", "invalid", "completed"]);
+    let reason = &table.texts("reason").expect("texts")[1];
+    assert!(reason.starts_with("projectile.p.mass: found -1"), "{reason}");
+    let force = table.numbers("force").expect("numbers");
+    assert!(force[0].is_finite() && force[1].is_nan() && force[2].is_finite());
+}
+
+#[test]
+fn words_lists_points_and_counts_vary_too() {
+    let study = study(
+        r#"
+        [parameter.scheme]
+        path = "integrator.scheme"
+        values = ["energy-momentum", "midpoint"]
+        [parameter.place]
+        path = "projectile.p.strikes"
+        range = { from = "50 cm", to = "1 m", count = 2 }
+        [parameter.elements]
+        path = "beam.b.elements"
+        values = [2, 4]
+        [parameter.length]
+        path = "beam.b.points[1][0]"
+        values = ["1 m", "1.5 m"]
+        [parameter.material]
+        path = "material.m.preset"
+        values = ["steel", "aluminium"]
+        [design]
+        kind = "grid"
+        [results]
+        energy = "energy.initial"
+        force = "contact.p.peak_force.value"
+        steps = "steps"
+        "#,
+    );
+    assert_eq!(study.run_count(), 32);
+    let shards = (0..study.shard_count()).map(|k| study.run_shard(k).table);
+    let tables: Vec<_> = shards.collect();
+    let rows =
+        |name: &str| tables.iter().flat_map(|t| t.numbers(name).expect(name)).collect::<Vec<_>>();
+    let reasons: Vec<_> = tables.iter().flat_map(|t| t.texts("reason").expect("texts")).collect();
+    assert!(reasons.iter().all(|reason| reason.is_empty()), "{reasons:?}");
+    let force = rows("force");
+    // The last parameter changes fastest: steel and aluminium side by side, and what else differs.
+    for (parameter, stride) in [("material", 1), ("length", 2), ("elements", 4), ("place", 8)] {
+        assert_ne!(force[0], force[stride], "{parameter} changes nothing");
+    }
+    assert_eq!(rows("place")[8], 1.0);
+    assert_eq!(tables[2].texts("scheme").expect("texts")[0], "midpoint");
+    assert_eq!(tables[0].columns[2].unit, "m");
+}
+
+#[track_caller]
+fn refused(rest: &str, wanted: &[&str]) {
+    let faults = read(rest).expect_err("faults").to_string();
+    for text in wanted {
+        assert!(faults.contains(text), "no {text:?} in\n{faults}");
+    }
+}
+
+#[test]
+fn every_fault_is_told_with_what_would_be_right() {
+    refused(
+        r#"
+        [parameter.speed]
+        path = "projectile.p.velocty[1]"
+        values = [1]
+        [parameter.who]
+        path = "projectile.q.mass"
+        values = [1]
+        [parameter.far]
+        path = "projectile.p.velocity[2]"
+        values = [1]
+        [parameter.mass]
+        path = "projectile.p.mass"
+        range = { from = "1 m", to = "2 kg" }
+        [parameter.young]
+        path = "material.m.young"
+        distribution = { kind = "normal", mean = "200 GPa", deviation = "-1 GPa" }
+        [design]
+        kind = "sobol"
+        runs = 0
+        [results]
+        force = "contact.p.peak_forc.value"
+        table = "contact.p.peak_force"
+        deep = "steps.more"
+        mass = "time"
+        "#,
+        &[
+            "`velocity`?)",
+            "the unknown name `q`",
+            "`p`",
+            "the entry `2` of a list of 2",
+            "\"1 m\", which is a length (m), expected a mass (kg)",
+            "a deviation above zero",
+            "design.runs: found 0",
+            "did you mean `peak_force`?",
+            "which is a table of the summary, expected one of `value`, `time`",
+            "`more` behind a number",
+            "the name `mass`, which another column",
+        ],
+    );
+    refused("[design]\nkind = \"grid\"\n[results]\nt = \"time\"\n", &["parameter"]);
+    refused(
+        "[parameter.m]\npath = \"projectile.p.mass\"\ndistribution = { kind = \"normal\", mean = 1, deviation = 1 }\n\
+         [design]\nkind = \"grid\"\n[results]\nt = \"time\"\n",
+        &["a distribution in a grid"],
+    );
+}
+
+#[test]
+fn correlations_are_checked() {
+    let with = |correlation: &str| {
+        format!("correlation = [{correlation}]\n{}", SAMPLED.trim_start_matches("\nseed = 3"))
+    };
+    refused(
+        &with(r#"{ between = ["speed", "mas"], coefficient = 0.5 }"#),
+        &["the unknown parameter \"mas\"", "`mass`"],
+    );
+    refused(
+        &with(r#"{ between = ["speed", "mass"], coefficient = 1.5 }"#),
+        &["a coefficient from -1 to 1"],
+    );
+    let correlated = study(&with(r#"{ between = ["speed", "mass"], coefficient = 0.9 }"#));
+    let pairs: Vec<(f64, f64)> = (0..600)
+        .map(|run| match correlated.inputs(run)[..] {
+            [Input::Number(speed), Input::Number(mass)] => (speed - 2.0, mass - 10.0),
+            _ => panic!("two numbers"),
+        })
+        .collect();
+    let moment = |f: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(f).sum::<f64>();
+    let r = moment(&|p| p.0 * p.1) / (moment(&|p| p.0 * p.0) * moment(&|p| p.1 * p.1)).sqrt();
+    // A uniform and a truncated normal variable correlate a little less than the Gaussian ones behind them.
+    assert!((0.82..0.9).contains(&r), "{r}");
+}
+
+#[test]
+fn every_study_at_hand_is_sound_and_so_are_its_runs() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/studies");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("studies") {
+        let path = entry.expect("an entry").path();
+        let study = Study::load(&path).unwrap_or_else(|faults| panic!("{faults}"));
+        let (invalid, _) = study.check_sample(20);
+        assert!(invalid.is_empty(), "{}: {invalid:?}", path.display());
+        count += 1;
+    }
+    assert!(count >= 4, "{count}");
+}
