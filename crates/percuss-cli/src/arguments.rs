@@ -196,6 +196,10 @@ pub struct Sweep {
     /// Do only every N-th part of the work, beginning with part I (from 1 to N); the last one puts all together
     #[arg(long, value_name = "I/N", value_parser = share)]
     pub shard: Option<Share>,
+    /// Run it on the Dask cluster of this scheduler, such as tcp://head:8786; needs Python with percuss and Dask, and takes any
+    /// fsspec location for --out
+    #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["jobs", "shard", "json"])]
+    pub scheduler: Option<String>,
     /// Print counts and the results' ranges as JSON to standard output, and no table
     #[arg(long)]
     pub json: bool,

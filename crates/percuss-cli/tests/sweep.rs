@@ -114,3 +114,18 @@ fn faults_of_a_study_are_told_by_line() {
         .tells("did you mean `peak_force`?");
     assert!(!desk.path("runs").exists());
 }
+
+#[test]
+fn a_cluster_without_python_is_told_of() {
+    let desk = desk();
+    let mut sweep =
+        desk.command(&["sweep", "study.toml", "--scheduler", "tcp://127.0.0.1:1", "--out", "out"]);
+    let ended = sweep.env("PERCUSS_PYTHON", "/nowhere/python").output().expect("percuss");
+    let said = String::from_utf8_lossy(&ended.stderr);
+    assert_eq!(ended.status.code(), Some(2), "{said}");
+    assert!(
+        said.contains("needs Python with percuss and Dask") && said.contains("/nowhere/python"),
+        "{said}"
+    );
+    assert!(!desk.path("out").exists());
+}

@@ -8,6 +8,7 @@ mod comparison;
 mod csv_text;
 mod directory;
 mod envelopes;
+mod equilibrium;
 mod error;
 mod files;
 mod history;
@@ -21,6 +22,7 @@ mod summary;
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
 pub use directory::{Results, RunDirectory};
 pub use envelopes::{BeamEnvelope, read_envelopes, write_envelopes};
+pub use equilibrium::equilibrium_value;
 pub use error::Error;
 pub use history::{
     Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,

@@ -9,6 +9,7 @@ use toml::de::DeTable;
 use crate::compile;
 use crate::content::{Content, ProjectileKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::given::Given;
 use crate::node::{About, Body, Raw, Reader};
 use crate::source::{Places, Source};
 use crate::syntax;
@@ -21,6 +22,7 @@ pub struct Scenario {
     pub(crate) content: Content,
     pub(crate) source: Arc<Source>,
     pub(crate) places: Arc<Places>,
+    pub(crate) given: Arc<Given>,
     /// Whether the file names others, such as tables of values.
     pub(crate) names_files: bool,
 }
@@ -36,6 +38,12 @@ impl Scenario {
         let mut out = Writer::default();
         self.content.write(&mut out);
         out.finish()
+    }
+
+    /// The same scenario with functions for the places where it says `"given"`.
+    pub fn with_given(mut self, given: Given) -> Self {
+        self.given = Arc::new(given);
+        self
     }
 
     /// The same scenario with another coefficient of restitution for every rigid projectile.
@@ -114,7 +122,8 @@ fn read_from(source: Source, folder: &Path) -> Result<Scenario, Diagnostics> {
     let Parsed { content, places, faults, tainted, names_files } = parsed;
     if faults.is_empty() {
         let (source, places) = (Arc::new(source), Arc::new(places));
-        return Ok(Scenario { content, source, places, names_files });
+        let given = Arc::default();
+        return Ok(Scenario { content, source, places, given, names_files });
     }
     let mut all: Vec<Diagnostic> = faults.into_iter().map(|raw| place(&source, raw)).collect();
     all.extend(compile::sound_part(&content, &tainted, &source, &places));

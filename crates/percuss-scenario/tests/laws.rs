@@ -4,7 +4,7 @@ mod common;
 
 use common::{BEAM, TIME, bad, contact, elastic, faults, free, good, guided, projectile};
 use percuss_scenario::content::{Law, Potential, ProjectileKind, Touch};
-use percuss_scenario::read;
+use percuss_scenario::{Given, read};
 
 #[test]
 fn elastic_projectiles_follow_a_law() {
@@ -34,6 +34,32 @@ fn elastic_projectiles_follow_a_law() {
     let text = [BEAM, &elastic("law = \"table\"\nfile = \"crush.csv\""), TIME].concat();
     let written = read(&text, folder).unwrap_or_else(|e| panic!("{e}")).to_toml();
     assert!(written.contains("penetrations = [0, 0.001, 0.005]"), "{written}");
+}
+
+#[test]
+fn a_program_gives_what_a_file_cannot_hold() {
+    let load =
+        "[load.push]\nkind = \"point\"\nat = \"b.mid\"\nforce = [0, 1]\nfunction = \"given\"\n";
+    let text = [BEAM, &elastic("law = \"given\""), load, TIME].concat();
+    let scenario = read(&text, "f.toml").unwrap_or_else(|e| panic!("{e}"));
+    assert!(
+        scenario.to_toml().contains("law = \"given\"")
+            && scenario.to_toml().contains("function = \"given\"")
+    );
+    let alone = scenario.compile().map(drop).unwrap_err().to_string();
+    assert!(alone.contains("projectile.p.law: found \"given\", and no function given"), "{alone}");
+    assert!(
+        alone.contains("load.push.function: found \"given\", and no function given"),
+        "{alone}"
+    );
+    let given = Given::default()
+        .with_potential("projectile.p", percuss::Potential::function(|p| p * p, |p| 2.0 * p))
+        .with_function("load.push.function", percuss::TimeFunction::function(f64::sin));
+    assert!(scenario.with_given(given).compile().is_ok());
+    // What is given later is no fault of a text that has others.
+    let bad = text.replace("mass = 1", "mass = \"heavy\"");
+    let faults = read(&bad, "f.toml").map(drop).unwrap_err().to_string();
+    assert!(faults.contains("heavy") && !faults.contains("given"), "{faults}");
 }
 
 #[test]

@@ -27,8 +27,8 @@ mod summary;
 pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
 pub use analysis::{
     BucklingMode, Detail, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,
-    equilibrium_in, equilibrium_path, mechanisms, modes_about, natural_frequencies, simulate,
-    simulate_batch,
+    equilibrium_in, equilibrium_path, mechanisms, modes_about, natural_frequencies,
+    reference_state, simulate, simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
 pub use ensemble::{Sensitivities, Variation, sensitivities};

@@ -1,5 +1,7 @@
 //! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
 
+use crate::state::State;
+
 /// A column of the history.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Channel {
@@ -42,6 +44,11 @@ pub trait Recorder {
     fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
         let _ = values;
         Ok(())
+    }
+
+    /// Called right before every row, with the state the row is taken from: for shapes of the whole structure.
+    fn state(&mut self, state: &State) {
+        let _ = state;
     }
 
     /// Called after every step, recorded or not, with the time reached \[s\].

@@ -63,6 +63,7 @@ fn a_disc_that_slides_over_element_borders_keeps_energy_and_momenta() {
         linear(2e4),
         Potential::Hertz { stiffness: 1e5 },
         Potential::Table { penetration: vec![0.0, 0.02, 0.1], force: vec![0.0, 200.0, 3000.0] },
+        Potential::function(|p| 2e5 * p.powi(3), |p| 6e5 * p * p),
     ] {
         let law = TouchLaw::Smooth(SmoothLaw::elastic(potential));
         let summary = run(&thrown(0.05, [8.0, -4.0], law), 0.3, 1e-3);
@@ -216,6 +217,19 @@ fn a_start_inside_is_refused_with_depth_place_and_cure() {
     assert!(found[0].contains("`deep` starts 0.030000 m inside `floor`, at [2.000000, 0.050000]"));
     assert!(found[1].contains("`deep` starts 0.030000 m inside `girder`, at [2.000000, 0.000000]"));
     assert!(found[1].contains("move `deep` by [0.000000, 0.030000] m"), "{}", found[1]);
+}
+
+#[test]
+fn a_force_given_as_code_is_that_of_its_potential() {
+    let law = |force: fn(f64) -> f64| {
+        TouchLaw::Smooth(SmoothLaw::elastic(Potential::function(|p| 1.0 + 1e4 * p * p, force)))
+    };
+    let found = |force| faults(&thrown(0.05, [0.0, -1.0], law(force))).join("\n");
+    assert!(thrown(0.05, [0.0, -1.0], law(|p| 2e4 * p)).build().is_ok());
+    assert!(found(|p| 1e4 * p).contains("contact.throw.law: found at"), "{}", found(|p| 1e4 * p));
+    assert!(found(|p| -2e4 * p).contains("never a pull"));
+    assert!(found(|p| 5.0 + 2e4 * p).contains("a force of 5 N at no penetration"));
+    assert!(found(|_| f64::NAN).contains("contact.throw.law"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `percuss modes`.
 
-use percuss::{Mode, Model, Settings, Simulation, Start, State, equilibrium, modes_about};
+use percuss::{Mode, Start, equilibrium, modes_about, reference_state};
 use percuss_output::{ModesInfo, Results, RunDirectory, modes_value, write_modes};
 
 use crate::arguments::{About, Modes};
@@ -19,7 +19,8 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         Start::Static => About::Static,
     });
     let state = match about {
-        About::Reference => reference(model),
+        About::Reference => reference_state(model)
+            .map_err(|_| "the reference configuration cannot be set up".to_owned()),
         About::Static => {
             ready.refuse_mechanism(&arguments.set)?;
             equilibrium(model).map(|found| found.state).map_err(|error| error.to_string())
@@ -68,18 +69,6 @@ fn word(about: About) -> &'static str {
         About::Reference => "reference",
         About::Static => "static",
     }
-}
-
-/// The reference configuration at rest.
-fn reference(model: &Model) -> Result<State, String> {
-    let simulation = Simulation::new(model, &Settings::new(1.0, 1.0));
-    let mut state = simulation
-        .map(|s| s.state().clone())
-        .map_err(|_| "the reference configuration cannot be set up".to_owned())?;
-    // A beam in flight is taken as it would vibrate at rest.
-    state.velocity.fill([0.0; 4]);
-    state.spin.iter_mut().for_each(|spin| spin.fill(0.0));
-    Ok(state)
 }
 
 fn table(about: About, modes: &[Mode]) -> String {

@@ -3,7 +3,7 @@
 mod print;
 
 use percuss::{BucklingMode, Error, Path, buckling, equilibrium, equilibrium_path};
-use percuss_output::{Results, RunDirectory, path_value, write_path};
+use percuss_output::{Results, RunDirectory, equilibrium_value, path_value, write_path};
 use serde_json::Value;
 
 use crate::arguments::Static;
@@ -26,7 +26,7 @@ pub fn run(arguments: &Static) -> Result<Status, Failure> {
     };
     let linear = buckling(model, 1);
     if arguments.json {
-        terminal::print(&format!("{:#}\n", print::json(&found, &linear)))?;
+        terminal::print(&format!("{:#}\n", equilibrium_value(&found, &linear)))?;
     } else {
         terminal::print(&print::table(&found, &linear))?;
     }
@@ -82,7 +82,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
 }
 
 fn as_json(path: &Path, linear: &[BucklingMode]) -> Value {
-    let mut value = print::json(&path.end, linear);
+    let mut value = equilibrium_value(&path.end, linear);
     value["path"] = path_value(path);
     value
 }

@@ -10,12 +10,16 @@ use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
 use crate::{scenario, terminal};
 
+mod cluster;
 mod outcome;
 
 /// Runs a study, or what is left of it.
 pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     let study = Study::load(&arguments.study)?;
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.study, ""));
+    if let Some(scheduler) = &arguments.scheduler {
+        return cluster::sweep(&arguments.study, scheduler, &out, arguments.quiet);
+    }
     let folder = Folder::open(&out, &study)?;
     interrupt::install()?;
     let all = 0..study.shard_count();

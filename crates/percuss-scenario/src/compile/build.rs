@@ -8,21 +8,22 @@ use super::{contact, law};
 use crate::content::{
     self, Anchor, Content, JointKind, LoadKind, ModalRatios, ProjectileKind, SupportKind, Touch,
 };
+use crate::given::Given;
 use crate::node::count;
 use crate::table::Named;
 
 /// Everything the file defines, and the faults that the core would not find or not find in its place.
-pub(super) fn definitions(content: &Content) -> (ModelBuilder, Vec<Fault>) {
+pub(super) fn definitions(content: &Content, given: Option<&Given>) -> (ModelBuilder, Vec<Fault>) {
     let (mut builder, mut faults) = (ModelBuilder::new(), Vec::new());
     let Some(beams) = Beams::add(content, &mut builder, &mut faults) else {
         faults.push(Fault::new("beam", "no beam", "at least one beam [beam.NAME]"));
         return (builder, faults);
     };
-    supports(content, &beams, &mut builder, &mut faults);
+    supports(content, given, &beams, &mut builder, &mut faults);
     connections(content, &beams, &mut builder);
-    guided(content, &beams, &mut builder, &mut faults);
-    contact::add(content, &beams, &mut builder, &mut faults);
-    loads(content, &beams, &mut builder, &mut faults);
+    guided(content, given, &beams, &mut builder, &mut faults);
+    contact::add(content, given, &beams, &mut builder, &mut faults);
+    loads(content, given, &beams, &mut builder, &mut faults);
     let end = content.path.until.iter().map(|reach| &reach.point);
     for at in content.record.points.iter().chain(end) {
         builder.record_point(beams.point(at));
@@ -35,6 +36,7 @@ pub(super) fn definitions(content: &Content) -> (ModelBuilder, Vec<Fault>) {
 
 fn supports(
     content: &Content,
+    given: Option<&Given>,
     beams: &Beams<'_>,
     builder: &mut ModelBuilder,
     faults: &mut Vec<Fault>,
@@ -44,7 +46,7 @@ fn supports(
         let motion = table.motion.as_ref().map(|motion| percuss::Motion {
             displacement: motion.displacement,
             rotation: motion.rotation,
-            function: function(&path, &motion.function, faults),
+            function: function(&path, &motion.function, given, faults),
         });
         builder.support(percuss::Support {
             name: name.clone(),
@@ -89,6 +91,7 @@ fn connections(content: &Content, beams: &Beams<'_>, builder: &mut ModelBuilder)
 /// Projectiles that are guided to a point.
 fn guided(
     content: &Content,
+    given: Option<&Given>,
     beams: &Beams<'_>,
     builder: &mut ModelBuilder,
     faults: &mut Vec<Fault>,
@@ -97,7 +100,7 @@ fn guided(
         let Touch::Point { strikes, standoff, rear, local_mass } = &table.contact else { continue };
         let kind = match &table.kind {
             ProjectileKind::Elastic { law } => {
-                let law = law::smooth(&format!("projectile.{name}"), law, faults);
+                let law = law::smooth(&format!("projectile.{name}"), law, given, faults);
                 percuss::ProjectileKind::Elastic { law }
             }
             ProjectileKind::Rigid { restitution } => {
@@ -125,6 +128,7 @@ fn guided(
 
 fn loads(
     content: &Content,
+    given: Option<&Given>,
     beams: &Beams<'_>,
     builder: &mut ModelBuilder,
     faults: &mut Vec<Fault>,
@@ -133,7 +137,7 @@ fn loads(
         builder.load(percuss::Load {
             name: name.clone(),
             kind: load_kind(&table.kind, beams),
-            function: function(&format!("load.{name}.function"), &table.function, faults),
+            function: function(&format!("load.{name}.function"), &table.function, given, faults),
             from: table.from,
             until: table.until,
         });

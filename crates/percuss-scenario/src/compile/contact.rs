@@ -11,6 +11,7 @@ use super::law;
 use crate::content::{
     Content, ObstacleKind, Party, PartyKind, Projectile, ProjectileKind, Strikes, Touch,
 };
+use crate::given::Given;
 use crate::table::Named;
 
 /// Found and expected.
@@ -19,20 +20,22 @@ type Clash = (String, String);
 /// Adds free projectiles, obstacles and contacts.
 pub(super) fn add(
     content: &Content,
+    given: Option<&Given>,
     beams: &Beams<'_>,
     builder: &mut ModelBuilder,
     faults: &mut Vec<Fault>,
 ) {
     let discs = discs(content, beams, builder, faults);
-    let obstacles = obstacles(content, beams, builder, faults);
+    let obstacles = obstacles(content, given, beams, builder, faults);
     let parties = Parties { content, beams, discs, obstacles };
-    let mut contacts = Contacts { builder, faults, pairs: HashMap::new(), names: HashMap::new() };
+    let mut contacts =
+        Contacts { given, builder, faults, pairs: HashMap::new(), names: HashMap::new() };
     for Named { name, table } in &content.projectile {
         contacts.of_projectile(name, table, &parties);
     }
     for Named { name, table } in &content.contact {
         let path = format!("contact.{name}");
-        let law = law::touch(&path, &table.law, contacts.faults);
+        let law = law::touch(&path, &table.law, given, contacts.faults);
         let (between, points_per_element) = (table.between.clone(), table.points_per_element);
         let key = "between";
         let wanted =
@@ -81,6 +84,7 @@ fn discs<'c>(
 /// Adds the obstacles.
 fn obstacles<'c>(
     content: &'c Content,
+    given: Option<&Given>,
     beams: &Beams<'_>,
     builder: &mut ModelBuilder,
     faults: &mut Vec<Fault>,
@@ -108,6 +112,7 @@ fn obstacles<'c>(
             function: function(
                 &format!("obstacle.{name}.motion.function"),
                 &motion.function,
+                given,
                 faults,
             ),
         });
@@ -204,6 +209,7 @@ struct Wanted<'a> {
 
 /// Contacts made, each pair once and each name once.
 struct Contacts<'b> {
+    given: Option<&'b Given>,
     builder: &'b mut ModelBuilder,
     faults: &'b mut Vec<Fault>,
     /// Paths of the tables they come from.
@@ -218,7 +224,7 @@ impl Contacts<'_> {
         let path = format!("projectile.{name}");
         let law = match &table.kind {
             ProjectileKind::Elastic { law } => {
-                TouchLaw::Smooth(law::smooth(&path, law, self.faults))
+                TouchLaw::Smooth(law::smooth(&path, law, self.given, self.faults))
             }
             ProjectileKind::Rigid { restitution } => {
                 let sliding = sliding.clone().unwrap_or_default();

@@ -3,17 +3,24 @@
 use percuss::{Fault, TimeFunction};
 
 use crate::content::Function;
+use crate::given::Given;
 use crate::node::count;
 
 /// The function of the core; one at fault becomes a constant, so that the rest can be checked.
-pub(super) fn function(path: &str, function: &Function, faults: &mut Vec<Fault>) -> TimeFunction {
-    match found(path, function) {
-        None => convert(function),
-        Some(fault) => {
-            faults.push(fault);
-            TimeFunction::Constant
-        }
-    }
+pub(super) fn function(
+    path: &str,
+    function: &Function,
+    given: Option<&Given>,
+    faults: &mut Vec<Fault>,
+) -> TimeFunction {
+    let converted = match (function, given) {
+        (Function::Given, Some(given)) => given.function(path),
+        _ => found(path, function).map_or_else(|| Ok(convert(function)), Err),
+    };
+    converted.unwrap_or_else(|fault| {
+        faults.push(fault);
+        TimeFunction::Constant
+    })
 }
 
 fn found(path: &str, function: &Function) -> Option<Fault> {
@@ -65,6 +72,7 @@ fn convert(function: &Function) -> TimeFunction {
         Function::Table { times: Some(times), values: Some(values), smooth, .. } => {
             TimeFunction::Table { times: times.clone(), values: values.clone(), smooth: *smooth }
         }
+        Function::Given => TimeFunction::Constant, // nobody asks what is given
         Function::Table { .. } => TimeFunction::Constant, // a fault of reading
     }
 }

@@ -3,21 +3,38 @@
 use percuss::{Fault, HertzBody, RigidLaw, SmoothLaw, TouchLaw, hunt_crossley};
 
 use crate::content::{HertzBodies, Law, Potential, Rebound, Sliding, Smooth};
+use crate::given::Given;
 
 /// The law of the contact at `path`.
-pub(super) fn touch(path: &str, law: &Law, faults: &mut Vec<Fault>) -> TouchLaw {
+pub(super) fn touch(
+    path: &str,
+    law: &Law,
+    given: Option<&Given>,
+    faults: &mut Vec<Fault>,
+) -> TouchLaw {
     match law {
         Law::Rigid { restitution, sliding } => TouchLaw::Rigid(rigid(*restitution, sliding)),
-        Law::Smooth(law) => TouchLaw::Smooth(smooth(path, law, faults)),
+        Law::Smooth(law) => TouchLaw::Smooth(smooth(path, law, given, faults)),
     }
 }
 
 /// The smooth law of the table at `path`; after a fault a harmless one.
-pub(super) fn smooth(path: &str, law: &Smooth, faults: &mut Vec<Fault>) -> SmoothLaw {
+pub(super) fn smooth(
+    path: &str,
+    law: &Smooth,
+    given: Option<&Given>,
+    faults: &mut Vec<Fault>,
+) -> SmoothLaw {
+    let own = match (&law.potential, given) {
+        (Potential::Given, Some(given)) => {
+            given.potential(path).map_err(|fault| faults.push(fault)).ok()
+        }
+        _ => None,
+    };
     let mut fault = |key: &str, found: String, expected: &str| {
         faults.push(Fault::new(format!("{path}.{key}"), found, expected));
     };
-    let potential = potential(&law.potential, &mut fault);
+    let potential = own.unwrap_or_else(|| potential(&law.potential, &mut fault));
     let dissipation = match &law.rebound {
         Some(rebound) => dissipation(rebound, &mut fault),
         None => law.dissipation.unwrap_or(0.0),
@@ -46,7 +63,7 @@ fn potential(
             let (penetration, force) = (penetrations.clone(), forces.clone());
             percuss::Potential::Table { penetration, force }
         }
-        Potential::Table { .. } => percuss::Potential::Linear { stiffness: 1.0 },
+        Potential::Table { .. } | Potential::Given => percuss::Potential::Linear { stiffness: 1.0 },
     }
 }
 

@@ -20,6 +20,7 @@ use locate::in_file_words;
 
 use crate::content::{self, Content, Impacts, Law, ProjectileKind, Reach};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::given::Given;
 use crate::scenario::Scenario;
 use crate::source::{Places, Source};
 use crate::table::Named;
@@ -49,7 +50,7 @@ impl Scenario {
         let settings = settings(content);
         let mut faults = comparison_faults(content);
         let path = path(content).map_err(|fault| faults.push(fault)).unwrap_or_default();
-        match build(content) {
+        match build(content, Some(&self.given)) {
             Ok(model) => {
                 faults.extend(settings.validate(&model));
                 if faults.is_empty() {
@@ -86,7 +87,7 @@ pub(crate) fn sound_part(
     let mut faults = comparison_faults(&content);
     faults.extend(path(&content).err());
     if !content.beam.is_empty() {
-        faults.extend(build(&content).err().unwrap_or_default());
+        faults.extend(build(&content, None).err().unwrap_or_default());
     }
     faults.extend(settings_alone(&content, &settings(&content)));
     follow::keep_sound(&content, tainted, &mut faults);
@@ -193,8 +194,9 @@ fn path(content: &Content) -> Result<PathSettings, Fault> {
     }
 }
 
-fn build(content: &Content) -> Result<Model, Vec<Fault>> {
-    let (builder, mut faults) = build::definitions(content);
+/// The model; functions given where none are looked at are left to a sound text.
+fn build(content: &Content, given: Option<&Given>) -> Result<Model, Vec<Fault>> {
+    let (builder, mut faults) = build::definitions(content, given);
     if content.beam.is_empty() {
         return Err(faults);
     }

@@ -6,7 +6,7 @@ use super::build;
 fn everything() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/everything.toml");
     let scenario = crate::load(path).unwrap_or_else(|e| panic!("{e}"));
-    let (builder, faults) = build::definitions(scenario.content());
+    let (builder, faults) = build::definitions(scenario.content(), None);
     assert_eq!(faults, []);
     format!("{builder:?}")
 }
@@ -98,7 +98,7 @@ fn a_hinge_without_stiffness_is_a_hinge() {
     let text = std::fs::read_to_string(path).unwrap();
     let text = text.replace("stiffness = \"2 kN*m/rad\"\ndamping = \"4 N*m*s/rad\"\n", "");
     let scenario = crate::read(&text, path).unwrap_or_else(|e| panic!("{e}"));
-    let builder = build::definitions(scenario.content()).0;
+    let builder = build::definitions(scenario.content(), None).0;
     assert!(format!("{builder:?}").contains("kind: Hinge"));
 }
 
@@ -118,7 +118,7 @@ fn a_projectile_flies_at_a_point_from_the_standoff_of_its_surface() {
     let at = |section: &str, projectile: &str| {
         let text = text(&format!("{straight} {section}"), projectile);
         let scenario = crate::read(&text, "f").unwrap_or_else(|e| panic!("{e}"));
-        let (builder, faults) = build::definitions(scenario.content());
+        let (builder, faults) = build::definitions(scenario.content(), None);
         assert_eq!(faults, []);
         let text = format!("{builder:?}");
         let position = text.split("radius: ").nth(1).and_then(|t| t.split("position: [").nth(1));

@@ -55,6 +55,8 @@ kinds! {
             /// A natural cubic spline through the values instead of straight lines.
             smooth: bool as Flag = false,
         },
+        /// A function that the program which reads the scenario gives.
+        Given = "given",
     }
 }
 
@@ -83,7 +85,8 @@ impl FunctionText {
         let kinds = Function::kinds();
         let known = kinds.variants.iter().find(|v| v.word == word);
         if known.is_some_and(|v| v.layout.keys.is_empty()) {
-            return Some(Function::Constant);
+            let given = known.is_some_and(|v| v.word == "given");
+            return Some(if given { Function::Given } else { Function::Constant });
         }
         let expected = match known {
             Some(variant) => {
@@ -121,7 +124,7 @@ impl Format for FunctionText {
     }
 
     fn schema() -> Json {
-        json!({ "anyOf": [{ "const": "constant" }, Braces::<Course>::schema()] })
+        json!({ "anyOf": [{ "enum": ["constant", "given"] }, Braces::<Course>::schema()] })
     }
 
     fn reach<'c>(value: &'c mut Function, path: &[String]) -> Reached<'c> {
@@ -136,6 +139,7 @@ impl Inline for FunctionText {
     fn text(value: &Function) -> Option<String> {
         match value {
             Function::Constant => Some(write::text("constant")),
+            Function::Given => Some(write::text("given")),
             kind => Braces::<Course>::text(&Course { kind: kind.clone() }),
         }
     }

@@ -35,6 +35,8 @@ kinds! {
             /// Instead of both: path of a CSV file with two columns, penetration (m) and force (N).
             file: Option<[Vec<f64>; 2]> as Maybe<File<Characteristic>> = None,
         },
+        /// By a function that the program which reads the scenario gives.
+        Given = "given",
     }
 }
 
@@ -89,7 +91,7 @@ fn settle_smooth(law: &mut Smooth, body: &Body<'_>, reader: &mut Reader<'_>) {
         law.dissipation.get_or_insert(0.0);
     }
     match &mut law.potential {
-        Potential::Linear { .. } => {}
+        Potential::Linear { .. } | Potential::Given => {}
         Potential::Hertz { .. } => {
             let keys = ["hertz_stiffness", "hertz"];
             exclude(body, keys, reader);

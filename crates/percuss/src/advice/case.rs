@@ -300,7 +300,7 @@ pub fn rigid_blow(law: &TouchLaw, mass: f64, speed: f64) -> Option<Blow> {
         Potential::Table { penetration, force } if speed > 0.0 => {
             table_blow(penetration, force, mass, speed)
         }
-        Potential::Table { .. } => return None,
+        Potential::Table { .. } | Potential::Function(_) => return None,
     };
     (blow.duration.is_finite() && blow.duration > 0.0).then_some(blow)
 }

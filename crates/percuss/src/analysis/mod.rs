@@ -20,4 +20,5 @@ pub use buckling::{BucklingMode, buckling};
 pub use modes::{Mode, modes_about, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};
 pub use simulation::{Simulation, simulate};
+pub use start::reference_state;
 pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};

@@ -350,6 +350,7 @@ impl<'m> Simulation<'m> {
         self.row_impulse.fill([0.0; 2]);
         self.rows += 1;
         self.row_time = self.state.time;
+        recorder.state(&self.state);
         recorder.row(&self.row).map_err(Error::recorder)
     }
 

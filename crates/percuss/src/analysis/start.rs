@@ -13,6 +13,17 @@ use crate::state::State;
 use crate::step::commit;
 use crate::step::tangent::project_node;
 
+/// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
+///
+/// # Errors
+/// What overlaps.
+pub fn reference_state(model: &Model) -> Result<State, Vec<Fault>> {
+    let mut state = Simulation::new(model, &Settings::new(1.0, 1.0))?.state().clone();
+    state.velocity.fill([0.0; 4]);
+    state.spin.iter_mut().for_each(|spin| spin.fill(0.0));
+    Ok(state)
+}
+
 impl Simulation<'_> {
     /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
     /// of a rigid motion between neighbouring nodes. Opens the books anew.

@@ -1,6 +1,7 @@
 //! Smooth contact laws: a potential of the penetration p, and what is dissipated on top of it.
 
-use crate::model::{ContactForce, Potential, SmoothLaw};
+use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
+use crate::model::{ContactForce, Potential, PotentialFunction, SmoothLaw};
 
 /// Force over a step and its derivative with respect to the penetration at its end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,6 +22,7 @@ impl Potential {
             Self::Linear { stiffness } => 0.5 * stiffness * p * p,
             Self::Hertz { stiffness } => 0.4 * stiffness * p * p * p.sqrt(),
             Self::Table { .. } => p * self.mean_force(0.0, p),
+            Self::Function(own) => (own.energy)(p) - own.rest,
         }
     }
 
@@ -31,6 +33,7 @@ impl Potential {
             Self::Linear { stiffness } => stiffness * p,
             Self::Hertz { stiffness } => stiffness * p * p.sqrt(),
             Self::Table { penetration, force } => line(penetration, force, p),
+            Self::Function(own) => (own.force)(p),
         }
     }
 
@@ -45,6 +48,10 @@ impl Potential {
             Self::Table { penetration, force } => {
                 let k = interval(penetration, p);
                 (force[k + 1] - force[k]) / (penetration[k + 1] - penetration[k])
+            }
+            Self::Function(own) => {
+                let e = 1e-6 * p;
+                ((own.force)(p + e) - (own.force)(p - e)) / (2.0 * e)
             }
         }
     }
@@ -77,6 +84,7 @@ impl Potential {
                 }
                 sum
             }
+            Self::Function(own) => own.mean_force(q0, q1),
         }
     }
 
@@ -91,7 +99,7 @@ impl Potential {
         // Of the way over the step, the share inside.
         let share = if p0 >= 0.0 && p1 >= 0.0 { 1.0 } else { (q1 - q0) / step };
         let force = mean * share;
-        let close = step.abs() <= 1e-6 * (q0 + q1);
+        let close = step.abs() <= CLOSE * (q0 + q1);
         let slope = if close {
             0.5 * self.stiffness(0.5 * (q0 + q1))
         } else {
@@ -104,6 +112,27 @@ impl Potential {
     pub fn collocated(&self, p0: f64, p1: f64, theta: f64) -> StepForce {
         let p = p0 + theta * (p1 - p0);
         StepForce { force: self.force(p), dissipated: 0.0, slope: theta * self.stiffness(p) }
+    }
+}
+
+/// Penetrations nearer to each other than this share of their sum are not subtracted.
+const CLOSE: f64 = 1e-6;
+/// Difference of two potentials that rounding alone can make, relative to the larger one.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+impl PotentialFunction {
+    /// The difference quotient of the energies; where rounding is all that they differ by from the integral of the force, that
+    /// integral: it does the same work and loses no digits in short steps \[N\].
+    fn mean_force(&self, q0: f64, q1: f64) -> f64 {
+        let step = q1 - q0;
+        let points = gauss_points().into_iter().zip(GAUSS_WEIGHTS);
+        let mean: f64 = points.map(|(x, w)| w * (self.force)(q0 + x * step)).sum();
+        if step.abs() <= CLOSE * (q0 + q1) {
+            return mean;
+        }
+        let (a, b) = ((self.energy)(q0) - self.rest, (self.energy)(q1) - self.rest);
+        let rounding = ROUNDING * (a.abs().max(b.abs()) + self.rest.abs());
+        if (b - a - mean * step).abs() <= rounding { mean } else { (b - a) / step }
     }
 }
 
@@ -150,7 +179,7 @@ impl SmoothLaw {
 mod tests {
     use super::*;
 
-    fn potentials() -> [Potential; 3] {
+    fn potentials() -> [Potential; 5] {
         [
             Potential::Linear { stiffness: 7.5e5 },
             Potential::Hertz { stiffness: 2e6 },
@@ -158,6 +187,8 @@ mod tests {
                 penetration: vec![0.0, 0.01, 0.05, 0.06],
                 force: vec![0.0, 2e3, 5e3, 2e4],
             },
+            Potential::function(|p| 1e6 * p.powi(3), |p| 3e6 * p * p),
+            Potential::function(|p| 4e4 * (0.5 * p).sinh().powi(2), |p| 2e4 * p.sinh()),
         ]
     }
 

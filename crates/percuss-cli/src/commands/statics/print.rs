@@ -1,47 +1,13 @@
-//! An equilibrium and a path, as text and as JSON.
+//! An equilibrium and a path, as text.
 
-use percuss::{BucklingMode, Equilibrium, Path, SectionForceSummary, SectionPeak, SectionRange};
-use serde_json::{Map, Value, json};
+use percuss::{BucklingMode, Equilibrium, Path, SectionPeak, SectionRange};
 
 use crate::number::{count, number};
 
 /// Limit points printed.
 const LISTED: usize = 20;
 
-/// Everything about an equilibrium.
-pub fn json(found: &Equilibrium, linear: &[BucklingMode]) -> Value {
-    let points = found.points.iter().map(|(name, u)| (name.clone(), json!({ "displacement": u })));
-    let supports = found.reactions.iter().map(|(name, [f1, f2, moment])| {
-        (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
-    });
-    let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
-    json!({
-        "stable": found.stable,
-        "load_steps": found.load_steps,
-        "newton_iterations": found.newton_iterations,
-        "point": points.collect::<Map<_, _>>(),
-        "support": supports.collect::<Map<_, _>>(),
-        "section_forces": forces.collect::<Map<_, _>>(),
-        "linear_buckling": linear.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
-    })
-}
-
-fn section_forces(beam: &SectionForceSummary) -> Value {
-    let peak = |p: SectionPeak| json!({ "value": p.value, "s": p.s });
-    let range = |r: &SectionRange| json!({ "min": peak(r.min), "max": peak(r.max) });
-    json!({
-        "moment_max": peak(beam.moment.largest()),
-        "axial_max": peak(beam.axial.largest()),
-        "shear_max": peak(beam.shear.largest()),
-        "moment": range(&beam.moment),
-        "axial": range(&beam.axial),
-        "shear": range(&beam.shear),
-        "stress": range(&beam.stress),
-        "strain": range(&beam.strain),
-    })
-}
-
-/// The same for people.
+/// An equilibrium for people.
 pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
     let steps = count(found.load_steps, "load step");
     let mut text =

@@ -110,11 +110,40 @@ pub(super) fn check_smooth(law: &SmoothLaw, path: &impl Fn(&str) -> String, out:
             out.positive(path("stiffness"), *stiffness, "a Hertz stiffness", "N/m^1.5");
         }
         Potential::Table { penetration, force } => check_table(penetration, force, path, out),
+        Potential::Function(own) => check_given(own, path, out),
     }
     out.not_negative(path("dissipation"), law.dissipation, "a factor", "s/m");
     if law.dissipation > 0.0 && law.force == ContactForce::Midpoint {
         let found = "dissipation with the force in the middle of the step";
         out.add(path("force"), found, "a conserving force: its books close");
+    }
+}
+
+/// Penetrations at which functions are looked at \[m\]; the widths of the differences there, and what these and the force may
+/// differ by, relative. Enough to see a wrong sign or factor, coarse enough for steep laws with kinks and few digits.
+const LOOKED_AT: [f64; 3] = [1e-5, 1e-4, 1e-3];
+const WIDTH: f64 = 0.02;
+const SLOPE_ERROR: f64 = 0.1;
+
+/// Whether a force given as code is that of its potential, and no pull.
+fn check_given(law: &PotentialFunction, path: &impl Fn(&str) -> String, out: &mut Faults) {
+    let expected =
+        "a force of zero at no penetration, never a pull, and the derivative of the energy";
+    let (energy, force) = (&law.energy, &law.force);
+    let at_rest = force(0.0);
+    if at_rest != 0.0 {
+        return out.add(path("law"), format!("a force of {at_rest} N at no penetration"), expected);
+    }
+    for p in LOOKED_AT {
+        let e = WIDTH * p;
+        let slope = (energy(p + e) - energy(p - e)) / (2.0 * e);
+        let rounding = 8.0 * f64::EPSILON * energy(p).abs() / e;
+        let near = (force(p) - slope).abs() <= SLOPE_ERROR * force(p).abs() + rounding;
+        if !(near && force(p) >= 0.0) {
+            let found =
+                format!("at {p} m a force of {} N and an energy of slope {slope} N", force(p));
+            return out.add(path("law"), found, expected);
+        }
     }
 }
 

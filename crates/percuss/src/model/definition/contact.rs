@@ -1,5 +1,8 @@
 //! What moves freely and strikes, what stands in the way, and what acts where two things touch.
 
+use std::fmt;
+use std::sync::Arc;
+
 use super::{BeamId, Motion, PointRef};
 
 /// Index of a disc, given by [`ModelBuilder::disc`](crate::ModelBuilder::disc).
@@ -121,6 +124,31 @@ pub enum Potential {
         /// Forces, from zero on, never falling \[N\].
         force: Vec<f64>,
     },
+    /// Any other, given as code.
+    Function(PotentialFunction),
+}
+
+/// A potential given as code: energy \[J\] and force \[N\] at a penetration \[m\] of zero or above.
+#[derive(Clone)]
+pub struct PotentialFunction {
+    /// Energy at a penetration, but for a constant.
+    pub(crate) energy: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
+    /// Force at a penetration: the derivative of the energy.
+    pub(crate) force: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
+    /// Energy at no penetration \[J\].
+    pub(crate) rest: f64,
+}
+
+impl fmt::Debug for PotentialFunction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("PotentialFunction")
+    }
+}
+
+impl PartialEq for PotentialFunction {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.energy, &other.energy) && Arc::ptr_eq(&self.force, &other.force)
+    }
 }
 
 /// A smooth contact law: a potential, and what it dissipates.
@@ -246,6 +274,17 @@ impl Potential {
         let compliance: f64 = bodies.iter().map(|b| (1.0 - b.poisson * b.poisson) / b.young).sum();
         let curvature: f64 = bodies.iter().map(|b| 1.0 / b.radius).sum();
         Self::Hertz { stiffness: 4.0 / 3.0 / compliance / curvature.sqrt() }
+    }
+
+    /// A potential given as code: `energy` \[J\] and `force` \[N\] at a penetration \[m\] of zero or above. They must depend on
+    /// nothing else; the force is the derivative of the energy, zero at no penetration and never a pull.
+    pub fn function(
+        energy: impl Fn(f64) -> f64 + Send + Sync + 'static,
+        force: impl Fn(f64) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        let rest = energy(0.0);
+        let (energy, force) = (Arc::new(energy), Arc::new(force));
+        Self::Function(PotentialFunction { energy, force, rest })
     }
 }
 

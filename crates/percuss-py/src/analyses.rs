@@ -1,0 +1,83 @@
+//! Natural modes and static equilibrium for Python.
+
+use percuss::{Start, buckling, equilibrium, equilibrium_path, modes_about, reference_state};
+use percuss_output::{ModesInfo, equilibrium_value, modes_value, path_value};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::analysis_error;
+use crate::ready::Source;
+use crate::structure::{beams, shaped};
+
+/// The `count` lowest modes: `summary` (JSON), `displacement`, `shapes` (n_mode, n_node, 4), `beams`.
+///
+/// `about` is `"reference"`, `"static"` or none for what the scenario starts from.
+#[pyfunction]
+#[pyo3(signature = (source, count, about))]
+pub fn modes<'py>(
+    py: Python<'py>,
+    source: Source,
+    count: usize,
+    about: Option<&str>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let ready = source.ready(py)?;
+    let (compiled, model) = (&ready.compiled, &ready.compiled.model);
+    let loaded = about.map_or(compiled.settings.start == Start::Static, |word| word == "static");
+    let state = if loaded {
+        ready.refuse_mechanism(py)?;
+        let found = py.detach(|| equilibrium(model));
+        found.map_err(|error| analysis_error(py, error.to_string()))?.state
+    } else {
+        reference_state(model).map_err(|faults| ready.refuse(py, faults))?
+    };
+    let modes = py.detach(|| modes_about(model, &state, count));
+    source.raised().map_or(Ok(()), Err)?;
+    if modes.is_empty() {
+        return Err(analysis_error(py, "no modes found: the tangent is singular".into()));
+    }
+    let info = ModesInfo {
+        title: &compiled.title,
+        about: if loaded { "static" } else { "reference" },
+        model,
+        displacement: &state.displacement,
+        modes: &modes,
+    };
+    let result = PyDict::new(py);
+    result.set_item("summary", modes_value(&info).to_string())?;
+    let displacement = state.displacement.as_flattened().to_vec();
+    result.set_item("displacement", shaped(py, displacement, &[state.displacement.len(), 4])?)?;
+    let nodes = modes[0].shape.len();
+    let shapes = modes.iter().flat_map(|mode| mode.shape.as_flattened()).copied().collect();
+    result.set_item("shapes", shaped(py, shapes, &[modes.len(), nodes, 4])?)?;
+    result.set_item("beams", beams(py, model)?)?;
+    Ok(result)
+}
+
+/// Static equilibrium, or with `path` the path to it by arc length: `summary` (JSON), `displacement`, `beams`.
+#[pyfunction]
+#[pyo3(name = "static", signature = (source, path))]
+pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bound<'py, PyDict>> {
+    let ready = source.ready(py)?;
+    ready.refuse_mechanism(py)?;
+    let model = &ready.compiled.model;
+    let solved = py.detach(|| {
+        if !path {
+            let found = equilibrium(model)?;
+            let value = equilibrium_value(&found, &buckling(model, 1));
+            return Ok((value, found.state));
+        }
+        let followed = equilibrium_path(model, &ready.compiled.path)?;
+        let mut value = equilibrium_value(&followed.end, &buckling(model, 1));
+        value["path"] = path_value(&followed);
+        Ok((value, followed.end.state))
+    });
+    source.raised().map_or(Ok(()), Err)?;
+    let (value, state) =
+        solved.map_err(|error: percuss::Error| analysis_error(py, error.to_string()))?;
+    let result = PyDict::new(py);
+    result.set_item("summary", value.to_string())?;
+    let displacement = state.displacement.as_flattened().to_vec();
+    result.set_item("displacement", shaped(py, displacement, &[state.displacement.len(), 4])?)?;
+    result.set_item("beams", beams(py, model)?)?;
+    Ok(result)
+}

@@ -1,0 +1,52 @@
+//! A run on disk, as `percuss run` leaves it.
+
+use std::path::{Path, PathBuf};
+
+use percuss::RunSummary;
+use percuss_output::report::{self, ReportData};
+use percuss_output::{
+    Error, HistoryFormat, HistoryWriter, RunDirectory, write_envelopes, write_impacts,
+    write_summary,
+};
+use pyo3::PyResult;
+use serde_json::Value;
+
+use crate::error::output_error;
+
+/// A directory of results being filled.
+pub struct Directory {
+    directory: RunDirectory,
+    report: bool,
+}
+
+impl Directory {
+    /// Prepares it; `scenario` is the text with every default written out.
+    pub fn create(target: &Path, scenario: &str, report: bool) -> PyResult<Self> {
+        let directory = RunDirectory::create(target).map_err(|error| output_error(&error))?;
+        std::fs::write(directory.path().join("scenario.toml"), scenario)?;
+        Ok(Self { directory, report })
+    }
+
+    /// What writes its history.
+    pub fn history(&self, scenario: String) -> HistoryWriter {
+        HistoryWriter::new(self.directory.path(), HistoryFormat::Parquet, scenario)
+    }
+
+    /// Completes it and puts it in place.
+    pub fn finish(
+        self,
+        history: HistoryWriter,
+        run: &RunSummary,
+        summary: &Value,
+    ) -> Result<PathBuf, Error> {
+        let dir = self.directory.path();
+        history.finish()?;
+        write_summary(dir, summary)?;
+        write_envelopes(dir, &run.section_forces)?;
+        write_impacts(dir, &run.contacts)?;
+        if self.report {
+            report::write(dir, &ReportData::read(dir)?)?;
+        }
+        self.directory.commit()
+    }
+}

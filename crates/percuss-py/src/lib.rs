@@ -1,0 +1,31 @@
+//! The native module of the Python package `percuss`: scenarios in, arrays out. What users see is made of it in
+//! `python/percuss`, whose `_percuss.pyi` tells the types.
+
+mod analyses;
+mod directory;
+mod edit;
+mod error;
+mod given;
+mod ready;
+mod recorder;
+mod run;
+mod structure;
+mod study;
+
+/// `percuss._percuss`.
+#[pyo3::pymodule]
+mod _percuss {
+    #[pymodule_export]
+    use super::analyses::{modes, statics};
+    #[pymodule_export]
+    use super::edit::{remove, set};
+    #[pymodule_export]
+    use super::ready::{check, written};
+    #[pymodule_export]
+    use super::run::run;
+    #[pymodule_export]
+    use super::study::Study;
+
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

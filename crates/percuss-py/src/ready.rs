@@ -1,0 +1,90 @@
+//! A scenario ready to run: text, changes and functions in, model and settings out.
+
+use percuss::{Fault, mechanisms};
+use percuss_scenario::{Compiled, Diagnostics, Scenario, apply_overrides};
+use pyo3::prelude::*;
+
+use crate::error::scenario_error;
+use crate::given::Given;
+
+/// What a Python scenario hands over: its text, its name in messages (files that it names lie where it lies), changes of the form
+/// `path=value`, functions behind paths.
+#[derive(Debug, FromPyObject)]
+pub struct Source(String, String, Vec<String>, Given);
+
+/// A scenario and what it compiles to.
+#[derive(Debug)]
+pub struct Ready {
+    pub scenario: Scenario,
+    pub compiled: Compiled,
+}
+
+impl Source {
+    /// Reads and compiles.
+    ///
+    /// # Errors
+    /// `ScenarioError` with every fault.
+    pub fn ready(&self, py: Python<'_>) -> PyResult<Ready> {
+        py.detach(|| self.compile()).map_err(|faults| scenario_error(py, &faults))
+    }
+
+    /// What a function of the user's raised, if one did.
+    pub fn raised(&self) -> Option<PyErr> {
+        self.3.raised()
+    }
+
+    /// Functions behind paths.
+    pub fn given(&self) -> &Given {
+        &self.3
+    }
+
+    fn compile(&self) -> Result<Ready, Diagnostics> {
+        let scenario = self.read()?.with_given(self.3.to_core());
+        let compiled = scenario.compile()?;
+        Ok(Ready { scenario, compiled })
+    }
+
+    fn read(&self) -> Result<Scenario, Diagnostics> {
+        let Self(text, name, changes, _) = self;
+        match apply_overrides(text, name, changes) {
+            Ok(text) => percuss_scenario::read(&text, name),
+            // Syntax errors keep changes from being made; `read` reports more than these.
+            Err(faults) if faults.name() == name => {
+                Err(percuss_scenario::read(text, name).err().unwrap_or(faults))
+            }
+            Err(faults) => Err(faults),
+        }
+    }
+}
+
+impl Ready {
+    /// Faults that an analysis found, each with its place in the text.
+    pub fn refuse(&self, py: Python<'_>, faults: Vec<Fault>) -> PyErr {
+        scenario_error(py, &self.scenario.diagnostics(faults))
+    }
+
+    /// Refuses a structure that can move without being strained: it has no static equilibrium.
+    pub fn refuse_mechanism(&self, py: Python<'_>) -> PyResult<()> {
+        match mechanisms(&self.compiled.model) {
+            loose if loose.is_empty() => Ok(()),
+            loose => Err(self.refuse(py, loose)),
+        }
+    }
+}
+
+/// Raises `ScenarioError` if anything is wrong with a scenario; what the advisor says, (verdict, contact, text) each.
+#[pyfunction]
+pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<(&'static str, String, String)>> {
+    let ready = source.ready(py)?;
+    let Compiled { model, settings, .. } = &ready.compiled;
+    percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(py, faults))?;
+    let advice = py.detach(|| percuss::advise(model, settings));
+    source.raised().map_or(Ok(()), Err)?;
+    Ok(advice.into_iter().map(|a| (a.verdict.name(), a.contact, a.text)).collect())
+}
+
+/// The scenario as a file with every default written out, in SI units.
+#[pyfunction]
+pub fn written(py: Python<'_>, source: Source) -> PyResult<String> {
+    Ok(source.ready(py)?.scenario.to_toml())
+}

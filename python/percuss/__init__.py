@@ -1,0 +1,46 @@
+"""Percuss: impact on geometrically exact beams, with books that close.
+
+    import percuss
+
+    scenario = percuss.load("plank.toml")
+    scenario["projectile.mass.velocity"] = [0, "30 m/s"]
+    result = percuss.run(scenario)
+    result["contact.mass.force"].max()
+    result.plot.energy()
+
+Names and units are those of the scenario file; a bare number is SI.
+"""
+
+from ._analyses import Equilibrium, Modes, modes, static
+from ._converge import Convergence, converge
+from ._errors import AnalysisError, Fault, ScenarioError, StudyError
+from ._percuss import VERSION as __version__
+from ._percuss import Study
+from ._result import Result
+from ._run import run
+from ._scenario import Advice, Potential, Scenario, load
+from ._study import Sweep
+from ._sweep import sweep
+
+__all__ = [
+    "Advice",
+    "AnalysisError",
+    "Convergence",
+    "Equilibrium",
+    "Fault",
+    "Modes",
+    "Potential",
+    "Result",
+    "Scenario",
+    "ScenarioError",
+    "Study",
+    "StudyError",
+    "Sweep",
+    "__version__",
+    "converge",
+    "load",
+    "modes",
+    "run",
+    "static",
+    "sweep",
+]

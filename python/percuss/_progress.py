@@ -1,0 +1,81 @@
+"""Progress bars in terminals and notebooks."""
+
+from __future__ import annotations
+
+import sys
+import time
+from types import TracebackType
+from typing import Any, Literal
+
+_PATIENCE = 1.0
+"""Shorter runs show nothing [s]."""
+
+
+class Progress:
+    """A bar that appears once something takes a while: tqdm's if it is there, else one line of text."""
+
+    def __init__(self, wanted: bool | None, total: float = 1.0, unit: str = "", name: str = "percuss") -> None:
+        self.total = total
+        self._wanted = _is_watched() if wanted is None else wanted
+        self._begun = time.monotonic()
+        self._bar: Any = None
+        self._label = (name, unit)
+        self._done = 0.0
+
+    def __enter__(self) -> Progress:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> Literal[False]:
+        if self._bar is not None:
+            if kind is None:
+                self._show(self.total)
+            self._bar.close()
+        return False
+
+    def to(self, done: float, total: float | None = None) -> None:
+        """So much is done."""
+        if total is not None:
+            self.total = total
+        if not self._wanted or time.monotonic() - self._begun < _PATIENCE:
+            return
+        if self._bar is None:
+            self._bar = _bar(*self._label, self.total)
+        self._show(done)
+
+    def _show(self, done: float) -> None:
+        self._bar.update(done - self._done)
+        self._done = done
+
+
+def _is_watched() -> bool:
+    return sys.stderr.isatty() or "ipykernel" in sys.modules
+
+
+def _bar(name: str, unit: str, total: float) -> Any:
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return _Line(name, unit, total)
+    form = "{desc} {percentage:3.0f} %|{bar}| {n:.4g}/{total:.4g} {unit} [{elapsed}<{remaining}]"
+    return tqdm(desc=name, total=total, unit=unit, bar_format=form)
+
+
+class _Line:
+    """A line of text on standard error."""
+
+    def __init__(self, name: str, unit: str, total: float) -> None:
+        self._name, self._unit, self._total = name, unit, total
+        self._begun, self._done = time.monotonic(), 0.0
+
+    def update(self, step: float) -> None:
+        self._done += step
+        share = min(self._done / self._total, 1.0)
+        spent = time.monotonic() - self._begun
+        left = f"{spent * (1 / share - 1):.0f} s left" if share > 0 else ""
+        filled = "#" * round(24 * share)
+        print(f"\r{self._name} [{filled:24}] {100 * share:3.0f} % {left:12}", end="", file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        print(file=sys.stderr)

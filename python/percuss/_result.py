@@ -1,0 +1,169 @@
+"""What a run leaves."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from functools import cached_property
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arrow
+from ._structure import Beams, Shapes
+
+if TYPE_CHECKING:
+    from ._plot import Plots
+
+Column = NDArray[np.float64]
+
+
+class Result:
+    """A run: ``result["contact.mass.force"]`` is a column of its history as an array.
+
+    Arrays are those that the run filled, without a copy, and cannot be written to. pyarrow, pandas and polars take a result
+    as a table: ``pyarrow.table(result)``, ``pandas.DataFrame.from_arrow(result)``, ``polars.DataFrame(result)``.
+    """
+
+    def __init__(self, state: dict[str, Any]) -> None:
+        self.__setstate__(state)
+
+    @classmethod
+    def _of(cls, native: dict[str, Any]) -> Result:
+        return cls(native)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self._native
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self._native = state
+        self._columns: dict[str, Column] = dict(zip(state["names"], state["columns"]))
+        for array in [*state["columns"], state["shape_times"], state["shapes"]]:
+            array.flags.writeable = False  # lost on the way through a pickle
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Result, (self._native,))
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns of the history."""
+        return tuple(self._native["names"])
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Unit of every column."""
+        return dict(zip(self._native["names"], self._native["units"]))
+
+    @property
+    def descriptions(self) -> dict[str, str]:
+        """What every column holds."""
+        return dict(zip(self._native["names"], self._native["descriptions"]))
+
+    @property
+    def time(self) -> Column:
+        """Times of the rows [s]."""
+        return self._columns["time"]
+
+    def __getitem__(self, name: str) -> Column:
+        try:
+            return self._columns[name]
+        except KeyError:
+            raise KeyError(f"no column {name!r}{_nearest(name, self._columns)}") from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._columns
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def keys(self) -> tuple[str, ...]:
+        """The same as :attr:`columns`: a result is a mapping of columns."""
+        return self.columns
+
+    def __len__(self) -> int:
+        """Number of rows."""
+        return len(self.time)
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """What the run amounts to, as in ``summary.json``; see docs/results.md."""
+        summary: dict[str, Any] = json.loads(self._native["summary"])
+        return summary
+
+    @property
+    def status(self) -> str:
+        """``completed``, ``interrupted`` or ``failed``."""
+        return str(self.summary["status"])
+
+    @property
+    def scenario(self) -> str:
+        """The scenario that was run, as a file with every default written out."""
+        return str(self._native["scenario"])
+
+    @property
+    def shapes(self) -> Shapes:
+        """Shapes of the structure over time, those that were kept."""
+        return Shapes(Beams(self._native["beams"]), self._native["shape_times"], self._native["shapes"])
+
+    @property
+    def plot(self) -> Plots:
+        """Figures: ``result.plot.energy()``, ``.force()``, ``.beam(t)``, ``.animation()``."""
+        from ._plot import Plots
+
+        return Plots(self)
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        return _arrow.table(self).__arrow_c_stream__(requested_schema)
+
+    def __arrow_c_schema__(self) -> object:
+        return _arrow.table(self).schema.__arrow_c_schema__()
+
+    def __repr__(self) -> str:
+        books = self.summary["energy"]["residual_max"]
+        title = self.summary["title"]
+        return (
+            f"<percuss.Result {title + ': ' if title else ''}{self.status}, {len(self)} rows, "
+            f"{len(self.columns)} columns, energy residual {books:.1e}>"
+        )
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><th>{escape(what)}</th><td>{escape(value)}</td></tr>" for what, value in self._facts())
+        title = escape(self.summary["title"] or "percuss run")
+        return f"<table><caption><b>{title}</b></caption><tbody>{rows}</tbody></table>"
+
+    def _facts(self) -> Iterator[tuple[str, str]]:
+        """What is worth a line."""
+        run = self.summary
+        yield "status", f"{run['status']} at t = {run['time']:.6g} s, {run['steps']} steps"
+        if "error" in run:
+            yield "error", run["error"]
+        energy, momentum = run["energy"], run["momentum"]
+        yield "energy", f"{_number(energy['initial'])} J to {_number(energy['final'])} J"
+        yield (
+            "books, residuals (relative)",
+            f"energy {_number(energy['residual_max'])}, linear momentum {_number(momentum['linear_residual_max'])}, "
+            f"angular {_number(momentum['angular_residual_max'])}",
+        )
+        for name, contact in run["contact"].items():
+            if "peak_force" in contact and contact["peak_force"]["value"] is not None:
+                peak = contact["peak_force"]
+                yield f"contact {name}", f"peak force {_number(peak['value'])} N at {_number(peak['time'])} s"
+            elif "impact_count" in contact:
+                yield f"contact {name}", f"{contact['impact_count']} impacts"
+        for name, point in run["point"].items():
+            peaks = [point["displacement_max"][f"component_{i}"]["value"] for i in (1, 2)]
+            yield f"point {name}", f"largest displacements {_number(peaks[0])} m, {_number(peaks[1])} m"
+        yield "history", f"{len(self)} rows, {len(self.columns)} columns"
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.6g}"
+
+
+def _nearest(name: str, names: Any) -> str:
+    from difflib import get_close_matches
+
+    close = get_close_matches(name, names, n=3)
+    return f"; did you mean {' or '.join(map(repr, close))}?" if close else "; `columns` lists them"

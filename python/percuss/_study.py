@@ -1,0 +1,151 @@
+"""Studies: many runs of one scenario, some of whose values change from run to run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from functools import cached_property, lru_cache
+from html import escape
+from pathlib import Path
+from typing import Any, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _arrow, _percuss, _toml
+from ._result import _nearest
+from ._scenario import Scenario
+
+StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
+"""A study, the path of its file, or nested dictionaries with the file's names."""
+
+
+def study_of(study: StudySource | None, parts: Mapping[str, Any]) -> _percuss.Study:
+    """The study meant; ``parts`` are its tables, which stand over those of ``study``."""
+    if isinstance(study, _percuss.Study) and not parts:
+        return study
+    if study is None:
+        return _percuss.Study(_text(parts), "study")
+    if isinstance(study, _percuss.Study):
+        raise TypeError("a study that has been read takes no further tables")
+    if isinstance(study, Mapping):
+        return _percuss.Study(_text({**study, **parts}), "study")
+    if parts:
+        raise TypeError(f"{', '.join(parts)}: the study's file says this; give one or the other")
+    path = Path(study)
+    return _percuss.Study(path.read_text(encoding="utf-8-sig"), os.fspath(path))
+
+
+def _text(tables: Mapping[str, Any]) -> str:
+    """A study as a file."""
+    known = ("title", "base", "scenario", "seed", "parameter", "correlation", "design", "results")
+    names = {"parameters": "parameter", "correlations": "correlation"}
+    text = ""
+    for key, value in sorted(tables.items(), key=lambda item: isinstance(item[1], Mapping)):
+        key = names.get(key, key)
+        if key not in known:
+            raise TypeError(f"{key!r} is no part of a study{_nearest(key, known)}")
+        if key == "scenario":
+            value = value if isinstance(value, str) else _base(value)
+        if key in ("base",):
+            value = os.fspath(value)
+        text += f"{key} = {_toml.value(value)}\n"
+    return text
+
+
+def _base(scenario: Any) -> str:
+    """The text of a base scenario, which then names no file."""
+    base = scenario if isinstance(scenario, Scenario) else Scenario.from_dict(scenario)
+    if base._given:
+        paths = ", ".join(base._given)
+        raise ValueError(f"{paths}: functions of Python have no place in a study, whose text goes to other processes")
+    return base.to_toml()
+
+
+class Sweep:
+    """The table of a study: one row a run. pyarrow, pandas and polars take it as a table."""
+
+    def __init__(self, study: _percuss.Study, columns: list[tuple[str, str, str, str, Any]], path: str) -> None:
+        self.study = study
+        """The study."""
+        self.path = path
+        """Where ``results.parquet`` lies; empty if nowhere."""
+        self._native = columns
+        self._columns = {name: values for name, _, _, _, values in columns}
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns: ``run``, parameters, results, ``status``, ``reason``, audit."""
+        return tuple(self._columns)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Unit of every column."""
+        return {name: unit for name, unit, _, _, _ in self._native}
+
+    @property
+    def descriptions(self) -> dict[str, str]:
+        """What every column holds."""
+        return {name: about for name, _, _, about, _ in self._native}
+
+    def names(self, role: str) -> tuple[str, ...]:
+        """Columns of a role: ``input``, ``result``, ``audit``."""
+        return tuple(name for name, _, own, _, _ in self._native if own == role)
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        try:
+            return np.asarray(self._columns[name])
+        except KeyError:
+            raise KeyError(f"no column {name!r}{_nearest(name, self._columns)}") from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._columns
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def keys(self) -> tuple[str, ...]:
+        """The same as :attr:`columns`: a sweep is a mapping of columns."""
+        return self.columns
+
+    def __len__(self) -> int:
+        """Number of runs."""
+        return len(self._columns["run"])
+
+    @cached_property
+    def failures(self) -> dict[int, str]:
+        """Runs that did not complete, and why."""
+        ends = zip(self["run"].tolist(), self["status"].tolist(), self["reason"].tolist())
+        return {run: f"{status}: {reason}" for run, status, reason in ends if status != "completed"}
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        return _arrow.study_table(self).__arrow_c_stream__(requested_schema)
+
+    def __arrow_c_schema__(self) -> object:
+        return _arrow.study_table(self).schema.__arrow_c_schema__()
+
+    def __repr__(self) -> str:
+        failed = f", {len(self.failures)} of them not completed" if self.failures else ""
+        return f"<percuss.Sweep {self.study.title}: {len(self)} runs{failed}; {', '.join(self.names('result'))}>"
+
+    def _repr_html_(self) -> str:
+        rows = ""
+        for name in self.names("input") + self.names("result"):
+            values = self[name]
+            if values.dtype.kind == "f" and np.isfinite(values).any():
+                low, mid, high = np.nanmin(values), np.nanmean(values), np.nanmax(values)
+                cells = f"<td>{low:.6g}</td><td>{mid:.6g}</td><td>{high:.6g}</td>"
+                rows += f"<tr><th>{escape(name)}</th>{cells}<td>{escape(self.units[name])}</td></tr>"
+        head = "<tr><th></th><th>smallest</th><th>mean</th><th>largest</th><th></th></tr>"
+        return f"<table><caption>{escape(repr(self)[1:-1])}</caption>{head}{rows}</table>"
+
+
+@lru_cache(maxsize=4)
+def _read(text: str) -> _percuss.Study:
+    """A study on a worker, read once."""
+    return _percuss.Study(text, "study")
+
+
+def run_shard(text: str, index: int) -> bytes:
+    """The runs of a shard: what workers do, wherever they are."""
+    return _read(text).run_shard(index)

@@ -1,0 +1,157 @@
+"""Studies on one machine, on an executor, on a Dask cluster: the same shards, the same bytes."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor, as_completed
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+from . import _percuss
+from ._errors import MissingError, StudyError
+from ._progress import Progress
+from ._storage import Local, Remote, Store
+from ._study import StudySource, Sweep, run_shard, study_of
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+
+def sweep(
+    study: StudySource | None = None,
+    *,
+    out: str | os.PathLike[str] | None = None,
+    client: Client | None = None,
+    executor: Executor | None = None,
+    jobs: int = 0,
+    progress: bool | None = None,
+    **tables: Any,
+) -> Sweep:
+    """Does every run of a study and returns its table.
+
+    ``study`` is the path of a study file or nested dictionaries with its names; or give its tables as keywords::
+
+        percuss.sweep(
+            scenario=scenario,
+            parameters={"speed": {"path": "projectile.mass.velocity[1]", "range": {"from": 1, "to": 40, "count": 40}}},
+            design={"kind": "grid"},
+            results={"peak": "contact.mass.peak_force.value"},
+        )
+
+    By default it runs on all cores, or ``jobs`` of them. ``client`` runs it on a Dask cluster, ``executor`` on anything that is
+    a ``concurrent.futures.Executor``: a process pool, mpi4py's. Whoever runs it, the table has the same bytes.
+
+    ``out`` keeps the study: shards as they are done, ``results.parquet`` and ``report.html`` at the end. What was interrupted or killed goes on
+    from there. It is a directory, or with a cluster any location that fsspec knows, such as ``s3://bucket/study``.
+    """
+    if client is not None and executor is not None:
+        raise TypeError("client and executor: give one of the two")
+    read = study_of(study, tables)
+    with _directory(out) as place:
+        store = _store(place, read)
+        with Progress(progress, read.run_count, "runs", "sweep") as bar:
+            if client is None and executor is None and isinstance(store, Local):
+                read.sweep(store.path, jobs, bar.to)
+            else:
+                _collect(read, store, _source(client, executor), bar)
+        if out is not None:
+            store.report()
+        return Sweep(read, store.results(), "" if out is None else store.results_path)
+
+
+@contextmanager
+def _directory(out: str | os.PathLike[str] | None) -> Iterator[str]:
+    """``out``, or one that goes away afterwards."""
+    if out is not None:
+        yield os.fspath(out)
+        return
+    with tempfile.TemporaryDirectory(prefix="percuss-") as place:
+        yield os.path.join(place, "study")
+
+
+def _store(place: str, study: _percuss.Study) -> Store:
+    return Remote(place, study) if "://" in place else Local(place, study)
+
+
+class _Here:
+    """Shards one after the other in this process."""
+
+    def shards(self, text: str, wanted: list[int]) -> Iterator[tuple[int, bytes]]:
+        for index in wanted:
+            yield index, run_shard(text, index)
+
+
+class _OnExecutor:
+    """Shards on an executor."""
+
+    def __init__(self, executor: Executor) -> None:
+        self._executor = executor
+
+    def shards(self, text: str, wanted: list[int]) -> Iterator[tuple[int, bytes]]:
+        futures = {self._executor.submit(run_shard, text, index): index for index in wanted}
+        try:
+            for future in as_completed(futures):
+                yield futures[future], future.result()
+        finally:
+            for future in futures:
+                future.cancel()
+
+
+class _OnDask:
+    """Shards on a Dask cluster, which repeats those of workers that die."""
+
+    def __init__(self, client: Client) -> None:
+        self._client = client
+
+    def shards(self, text: str, wanted: list[int]) -> Iterator[tuple[int, bytes]]:
+        try:
+            from distributed import as_completed as as_dask_completes
+        except ImportError as error:
+            raise MissingError.of("distributed", "a sweep on a cluster", "dask") from error
+        futures = {}
+        for index in wanted:
+            # Each call has keys of its own: nothing that failed or was cancelled before is asked for again.
+            future = self._client.submit(run_shard, text, index, pure=False, retries=2)
+            futures[future.key] = (index, future)
+        try:
+            waiting = [future for _, future in futures.values()]
+            for future in as_dask_completes(waiting, loop=self._client.loop):
+                index, _ = futures.pop(future.key)
+                yield index, future.result()
+        finally:
+            self._client.cancel([future for _, future in futures.values()])
+
+
+def _source(client: Client | None, executor: Executor | None) -> _Here | _OnExecutor | _OnDask:
+    if client is not None:
+        return _OnDask(client)
+    return _Here() if executor is None else _OnExecutor(executor)
+
+
+def _collect(study: _percuss.Study, store: Store, source: _Here | _OnExecutor | _OnDask, bar: Progress) -> None:
+    """Has the shards that are missing done, keeps each as it comes, and puts them together."""
+    wanted = [index for index in range(study.shard_count) if not store.has(index)]
+    done = study.run_count - _runs(study, wanted)
+    left = set(wanted)
+    shards: Iterable[tuple[int, bytes]] = source.shards(study.text, wanted) if wanted else ()
+    try:
+        for index, data in shards:
+            store.keep(index, data)
+            left.discard(index)
+            done += _runs(study, [index])
+            bar.to(done)
+    except (KeyboardInterrupt, MissingError):
+        raise
+    except Exception as error:
+        kept = study.shard_count - len(left)
+        raise StudyError(
+            f"the sweep ended early, with {kept} of {study.shard_count} shards kept in {store.path}: "
+            f"{type(error).__name__}: {error}; the same call goes on from there"
+        ) from error
+    store.finish()
+
+
+def _runs(study: _percuss.Study, shards: Iterable[int]) -> int:
+    return sum(end - start for start, end in map(study.runs_of, shards))
