@@ -63,7 +63,7 @@ fn results(s: &RunSummary) -> [f64; 5] {
     [top, s.projectiles[0].velocity_final[1], force, impulse, start]
 }
 
-fn check(law: Law, end: f64) {
+fn check(law: Law, end: f64, tolerance: f64) {
     let base = PARAMETERS.map(|(_, value)| value);
     let settings = Settings::new(end, 1e-4);
     let moved = |i: usize, by: f64| {
@@ -87,15 +87,21 @@ fn check(law: Law, end: f64) {
         assert!((a - b).abs() <= 1e-6 * b.abs(), "{a} {b}");
     }
     for (i, (name, value)) in PARAMETERS.iter().enumerate() {
-        // Differences of fourth order, over changes so small that results still are quartics: least where it strikes.
-        let change = if i == 9 { 1e-6 } else { 2e-5 } * value;
+        // Differences of fourth order: over changes so small that results still are quartics, least where it strikes, and large
+        // enough for the digits that instants of impact are located to.
+        let share = match *name {
+            "young" | "height of the far end" | "speed" | "standoff" => 2e-4,
+            "where it strikes" => 1e-6,
+            _ => 2e-5,
+        };
+        let change = share * value;
         let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| run(&moved(i, k * change)));
         let derivative = results(&found.derivatives[i]);
         for k in 0..5 {
             let difference = (8.0 * (c[k] - b[k]) - (d[k] - a[k])) / (12.0 * change);
             let scale = difference.abs().max(1e-3 * (single[k] / value).abs());
             assert!(
-                (derivative[k] - difference).abs() <= 1e-6 * scale,
+                (derivative[k] - difference).abs() <= tolerance * scale,
                 "result {k} by {name}: {} {difference}",
                 derivative[k]
             );
@@ -105,13 +111,14 @@ fn check(law: Law, end: f64) {
 
 #[test]
 fn derivatives_through_elastic_contact() {
-    check(Law::Linear, 0.11);
-    check(Law::Hertz, 0.11);
+    check(Law::Linear, 0.11, 1e-6);
+    check(Law::Hertz, 0.11, 1e-6);
 }
 
 #[test]
 fn derivatives_through_impacts_jump_where_these_move() {
-    check(Law::Rigid, 0.03);
+    // The differences are no better: instants of impact are located to a thousandth of a pulse in every run.
+    check(Law::Rigid, 0.03, 3e-6);
 }
 
 #[test]
