@@ -19,6 +19,7 @@ from ._percuss import Study
 from ._result import Result
 from ._run import run
 from ._scenario import Advice, Potential, Scenario, load
+from ._sensitivity import Sensitivity, sensitivity
 from ._study import Sweep
 from ._sweep import sweep
 
@@ -33,6 +34,7 @@ __all__ = [
     "Result",
     "Scenario",
     "ScenarioError",
+    "Sensitivity",
     "Study",
     "StudyError",
     "Sweep",
@@ -41,6 +43,7 @@ __all__ = [
     "load",
     "modes",
     "run",
+    "sensitivity",
     "static",
     "sweep",
 ]

@@ -50,6 +50,10 @@ Examples:
   percuss static arch.toml --path --out results/arch
   percuss static arch.toml --path --set path.factor=2";
 
+const SENSITIVITY: &str = "\
+Every operation of the run is differentiated, the instants of impacts included (forward mode): the derivatives are those of \
+the computed run, not differences of runs. Beams on fixed supports struck by guided projectiles can be differentiated, with the \
+energy-momentum scheme.";
 const MODES: &str = "\
 A frequency of zero is a motion of a rigid body or of a mechanism. About a static equilibrium stresses
 count; a mode that grows says that the equilibrium is unstable.
@@ -111,6 +115,9 @@ pub enum Command {
     /// Run a study: many runs of one scenario, some of whose values change from run to run
     #[command(after_help = format!("{SWEEP}\n\n{EXIT_STATUS}"))]
     Sweep(Sweep),
+    /// Derivatives of a run's results with respect to numbers of its scenario, impacts included
+    #[command(after_help = format!("{SENSITIVITY}\n\n{EXIT_STATUS}"))]
+    Sensitivity(Sensitivity),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
     /// Rebuild report.html and the figures of a finished run
@@ -253,6 +260,26 @@ pub struct Static {
     /// Directory of the path; an earlier one in it is replaced [default: runs/ and the name of FILE with -path]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, requires = "path")]
     pub out: Option<PathBuf>,
+}
+
+/// Arguments of `sensitivity`.
+#[derive(Args, Debug)]
+pub struct Sensitivity {
+    /// Scenario file
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Number of the scenario, such as projectile.mass.velocity[1]; may be given again
+    #[arg(long, short, value_name = "PATH", required = true)]
+    pub parameter: Vec<String>,
+    /// Number of the summary, such as contact.mass.peak_force.value; may be given again [default: peaks, impulses, velocities at the end]
+    #[arg(long, short, value_name = "PATH")]
+    pub result: Vec<String>,
+    /// Change a value of the scenario, such as beam.girder.elements=20; may be given again
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Print values and derivatives as JSON to standard output, and no table
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `modes`.

@@ -9,6 +9,7 @@ mod given;
 mod ready;
 mod recorder;
 mod run;
+mod sensitivity;
 mod structure;
 mod study;
 
@@ -23,6 +24,8 @@ mod _percuss {
     use super::ready::{check, written};
     #[pymodule_export]
     use super::run::run;
+    #[pymodule_export]
+    use super::sensitivity::sensitivity;
     #[pymodule_export]
     use super::study::Study;
 

@@ -286,7 +286,7 @@ fn checked(within: Option<[f64; 2]>) -> Result<[f64; 2], Fault> {
 }
 
 /// A path into the summary; else what was found and what would be right at the first step that leads nowhere.
-fn result(path: &str, sample: &RunSummary) -> Result<SummaryPath, (String, String)> {
+pub(crate) fn result(path: &str, sample: &RunSummary) -> Result<SummaryPath, (String, String)> {
     let all = match SummaryPath::find(path, sample) {
         Ok(path) => return Ok(path),
         Err(all) => all,

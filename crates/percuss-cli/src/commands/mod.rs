@@ -7,6 +7,7 @@ pub mod new;
 pub mod report;
 pub mod run;
 pub mod schema;
+pub mod sensitivity;
 pub mod statics;
 pub mod sweep;
 pub mod verify;

@@ -282,11 +282,7 @@ fn map(map: &Map) -> String {
     let scaled =
         |point: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| point[k] * scales[k].factor) };
     let points: Vec<[f64; 3]> = map.points.iter().map(scaled).collect();
-    let (x, y, z) = on_grid(&points).unwrap_or_else(|| {
-        let (x, y) = (cells(&points, 0), cells(&points, 1));
-        let z = interpolated(&points, &x, &y);
-        (x, y, z)
-    });
+    let Grid { x, y, z } = on_grid(&points).unwrap_or_else(|| interpolated(&points));
     let plot = ContourPlot::new().with_grid(z, x, y).with_filled().with_n_levels(12);
     let plots = vec![Plot::Contour(plot.with_legend(caption(2, &map.value)))];
     let layout = Layout::auto_from_plots(&plots)
@@ -307,8 +303,16 @@ fn map(map: &Map) -> String {
     )
 }
 
-/// Abscissae, ordinates and values row by row, where the points are those of a full grid.
-fn on_grid(points: &[[f64; 3]]) -> Option<(Vec<f64>, Vec<f64>, Vec<Vec<f64>>)> {
+/// Values over two abscissae.
+struct Grid {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    /// Row by row, shape (n_y, n_x).
+    z: Vec<Vec<f64>>,
+}
+
+/// The points as they are, where they make a full grid.
+fn on_grid(points: &[[f64; 3]]) -> Option<Grid> {
     let places = |k: usize| {
         let mut all: Vec<f64> = points.iter().map(|point| point[k]).collect();
         all.sort_by(f64::total_cmp);
@@ -324,7 +328,7 @@ fn on_grid(points: &[[f64; 3]]) -> Option<(Vec<f64>, Vec<f64>, Vec<Vec<f64>>)> {
     for point in points {
         z[at(&y, point[1])?][at(&x, point[0])?] = point[2];
     }
-    z.iter().flatten().all(|value| value.is_finite()).then_some((x, y, z))
+    z.iter().flatten().all(|value| value.is_finite()).then_some(Grid { x, y, z })
 }
 
 /// Places of the cells along an axis.
@@ -336,7 +340,8 @@ fn cells(points: &[[f64; 3]], k: usize) -> Vec<f64> {
 }
 
 /// Values at the cells by the nearest points, each weighted by the inverse square of its distance (Shepard 1968).
-fn interpolated(points: &[[f64; 3]], x: &[f64], y: &[f64]) -> Vec<Vec<f64>> {
+fn interpolated(points: &[[f64; 3]]) -> Grid {
+    let (x, y) = (cells(points, 0), cells(points, 1));
     let width = (x[CELLS - 1] - x[0]).max(f64::MIN_POSITIVE);
     let height = (y[CELLS - 1] - y[0]).max(f64::MIN_POSITIVE);
     let value = |x: f64, y: f64| {
@@ -352,5 +357,6 @@ fn interpolated(points: &[[f64; 3]], x: &[f64], y: &[f64]) -> Vec<Vec<f64>> {
         let sum: f64 = near.iter().map(|(square, value)| weight(*square) * value).sum();
         sum / near.iter().map(|(square, _)| weight(*square)).sum::<f64>()
     };
-    y.iter().map(|&y| x.iter().map(|&x| value(x, y)).collect()).collect()
+    let z = y.iter().map(|&y| x.iter().map(|&x| value(x, y)).collect()).collect();
+    Grid { x, y, z }
 }

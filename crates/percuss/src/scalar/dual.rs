@@ -44,6 +44,7 @@ impl<const P: usize> Sub for Dual<P> {
     }
 }
 
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule")]
 impl<const P: usize> Mul for Dual<P> {
     type Output = Self;
     #[inline(always)]
@@ -60,6 +61,7 @@ impl<const P: usize> Mul<f64> for Dual<P> {
     }
 }
 
+#[expect(clippy::suspicious_arithmetic_impl, reason = "the quotient rule")]
 impl<const P: usize> Div for Dual<P> {
     type Output = Self;
     #[inline(always)]

@@ -1,0 +1,36 @@
+//! Derivatives of results for Python.
+
+use percuss_study::{Differentiated, SensitivityError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::{analysis_error, scenario_error};
+use crate::ready::Source;
+use crate::structure::shaped;
+
+/// Values of parameters and results and the derivatives: `parameters` and `results` (lists of path, value, unit),
+/// `derivatives` (n_result, n_parameter).
+#[pyfunction]
+pub fn sensitivity<'py>(
+    py: Python<'py>,
+    source: Source,
+    parameters: Vec<String>,
+    results: Vec<String>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let ready = source.ready(py)?;
+    let found = py.detach(|| percuss_study::sensitivity(&ready.scenario, &parameters, &results));
+    let found = found.map_err(|error| match error {
+        SensitivityError::Faults(faults) => scenario_error(py, &faults),
+        SensitivityError::Run(reason) => analysis_error(py, reason),
+    })?;
+    let list = |all: &[Differentiated]| -> Vec<(String, f64, String)> {
+        all.iter().map(|x| (x.path.clone(), x.value, x.unit.clone())).collect()
+    };
+    let result = PyDict::new(py);
+    result.set_item("parameters", list(&found.parameters))?;
+    result.set_item("results", list(&found.results))?;
+    let shape = [found.results.len(), found.parameters.len()];
+    let derivatives = found.derivatives.into_iter().flatten().collect();
+    result.set_item("derivatives", shaped(py, derivatives, &shape)?)?;
+    Ok(result)
+}

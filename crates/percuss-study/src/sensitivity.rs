@@ -1,0 +1,161 @@
+//! Derivatives of a run's results with respect to values of its scenario.
+
+use percuss::{Fault, sensitivities};
+use percuss_output::{pick, summary_paths};
+use percuss_scenario::{Diagnostics, Scenario};
+
+use crate::prepare::in_one_line;
+use crate::resolve::result;
+
+/// Change of a parameter over which the numbers of the model are differentiated, as a share of its size. They are smooth
+/// functions of it: the error of the fourth-order difference lies at round-off.
+const SHARE: f64 = 1e-3;
+
+/// What results are differentiated where none are named: how their paths end.
+const USUAL: [&str; 7] = [
+    ".displacement_max.component_1.value",
+    ".displacement_max.component_2.value",
+    ".velocity_final[0]",
+    ".velocity_final[1]",
+    ".peak_force.value",
+    ".impulse_total",
+    ".intervals[0].impulse",
+];
+
+/// A parameter, where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Differentiated {
+    /// Path of the parameter, or of the result in the summary.
+    pub path: String,
+    /// Value.
+    pub value: f64,
+    /// SI unit, empty or `1` for a pure number.
+    pub unit: String,
+}
+
+/// Results of a run and their derivatives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensitivity {
+    /// Parameters.
+    pub parameters: Vec<Differentiated>,
+    /// Results.
+    pub results: Vec<Differentiated>,
+    /// Derivatives, shape (n_result, n_parameter), in SI units of both.
+    pub derivatives: Vec<Vec<f64>>,
+}
+
+/// Why there are no derivatives.
+#[derive(Debug)]
+pub enum SensitivityError {
+    /// The scenario, or a path.
+    Faults(Diagnostics),
+    /// The run, or a part of the model that cannot be differentiated.
+    Run(String),
+}
+
+impl From<Diagnostics> for SensitivityError {
+    fn from(faults: Diagnostics) -> Self {
+        Self::Faults(faults)
+    }
+}
+
+/// Runs a scenario and differentiates results, by their paths in the summary, with respect to numbers of the scenario, by
+/// theirs. Without results, peaks, impulses and velocities at the end.
+///
+/// # Errors
+/// Faults of the scenario and of the paths, with the names that would lead on; what of the model cannot be differentiated.
+pub fn sensitivity(
+    scenario: &Scenario,
+    parameters: &[String],
+    results: &[String],
+) -> Result<Sensitivity, SensitivityError> {
+    let compiled = scenario.compile()?;
+    let mut faults = Vec::new();
+    let mut differentiated = Vec::new();
+    let mut variations = Vec::new();
+    for path in parameters {
+        match vary(scenario, path) {
+            Ok((parameter, variation)) => {
+                differentiated.push(parameter);
+                variations.push(variation);
+            }
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(scenario.diagnostics(faults).into());
+    }
+    let found = sensitivities(&compiled.model, &compiled.settings, &variations)
+        .map_err(SensitivityError::Run)?;
+    let mut paths = Vec::new();
+    for path in wanted(results, &found.summary) {
+        match result(&path, &found.summary) {
+            Ok(path) if path.is_of_forces() => {
+                return Err(SensitivityError::Run(format!(
+                    "derivatives are not known for section forces and reactions (`{}`)",
+                    path.path()
+                )));
+            }
+            Ok(path) => paths.push(path),
+            Err((found, expected)) => faults.push(Fault::new(path, found, expected)),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(scenario.diagnostics(faults).into());
+    }
+    let values = pick(&paths, &found.summary);
+    let by: Vec<Vec<f64>> = found.derivatives.iter().map(|d| pick(&paths, d)).collect();
+    let results = paths.iter().zip(&values).map(|(path, value)| Differentiated {
+        path: path.path().into(),
+        value: *value,
+        unit: path.unit().into(),
+    });
+    let derivatives = (0..paths.len()).map(|k| by.iter().map(|column| column[k]).collect());
+    Ok(Sensitivity {
+        parameters: differentiated,
+        results: results.collect(),
+        derivatives: derivatives.collect(),
+    })
+}
+
+/// The results asked for, or the usual ones.
+fn wanted(results: &[String], summary: &percuss::RunSummary) -> Vec<String> {
+    if !results.is_empty() {
+        return results.to_vec();
+    }
+    let usual = |path: &String| {
+        let inner = path.contains("intervals") && !path.ends_with(".intervals[0].impulse");
+        USUAL.iter().any(|end| path.ends_with(end)) && !inner && moves(path, summary)
+    };
+    summary_paths(summary).into_iter().map(|one| one.path).filter(usual).collect()
+}
+
+/// Whether a result is more than round-off.
+fn moves(path: &str, summary: &percuss::RunSummary) -> bool {
+    let found = result(path, summary);
+    found.is_ok_and(|path| pick(&[path], summary)[0].abs() > 1e-12)
+}
+
+/// A parameter, and the models it makes when it changes.
+fn vary(scenario: &Scenario, path: &str) -> Result<(Differentiated, percuss::Variation), Fault> {
+    let field = scenario.field(path)?;
+    let mut scenario = scenario.clone();
+    let Some((value, unit)) = scenario.number(&field) else {
+        return Err(Fault::new(path, "no number of this scenario", "a number it has"));
+    };
+    let change = SHARE * if value == 0.0 { 1.0 } else { value.abs() };
+    let mut model = |k: f64| {
+        scenario.set_number(&field, value + k * change)?;
+        let compiled = scenario.compile();
+        compiled.map(|compiled| compiled.model).map_err(|faults| {
+            let found = format!(
+                "a value next to one that the scenario cannot have ({})",
+                in_one_line(&faults)
+            );
+            Fault::new(path, found, "a value that may change to either side")
+        })
+    };
+    let models = [model(-2.0)?, model(-1.0)?, model(1.0)?, model(2.0)?];
+    let parameter = Differentiated { path: path.into(), value, unit: unit.into() };
+    Ok((parameter, percuss::Variation { models, change }))
+}
