@@ -46,7 +46,7 @@ fn settle_study(_: &mut StudyContent, body: &Body<'_>, reader: &mut Reader<'_>) 
 table! {
     /// A value of the scenario that changes from run to run.
     pub struct Parameter {
-        /// Where it stands in the scenario: "projectile.mass.velocity[1]", entries of lists counted from zero.
+        /// Where it stands in the scenario: `projectile.mass.velocity[1]`, entries of lists counted from zero.
         path: String as Text,
         /// The values it takes, as they would stand in the scenario.
         values: Option<Vec<Given>> as Maybe<List<Anything>> = None,
