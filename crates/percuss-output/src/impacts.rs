@@ -72,7 +72,7 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
         numbers: [
             i.end,
             i.impulse,
-            f64::NAN,
+            i.tangential_impulse,
             i.peak_force.value,
             i.peak_force.time,
             i.approach_velocity,

@@ -85,6 +85,7 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
         start: 0.1,
         end: 0.2,
         impulse: 3.0,
+        tangential_impulse: -0.5,
         peak_force: Peak::default(),
         approach_velocity: 0.0,
         separation_velocity: 0.0,
@@ -103,5 +104,6 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
     for column in ["force_peak_N", "force_peak_time_s", "restitution", "place_m", "x_m", "tamed"] {
         assert_eq!(field(&rows[0], column), "", "{column}");
     }
+    assert_eq!(field(&rows[0], "friction_impulse_N_s"), "-0.5");
     Ok(())
 }

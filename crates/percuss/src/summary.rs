@@ -130,6 +130,8 @@ pub struct ContactInterval {
     pub end: f64,
     /// Impulse handed over in it, along the normal \[N s\].
     pub impulse: f64,
+    /// Impulse of friction in it, along the tangent; NaN under a smooth law, which knows none \[N s\].
+    pub tangential_impulse: f64,
     /// Largest force of a smooth contact in it; unset for persistent contact of rigid bodies, which has none but means over
     /// steps.
     pub peak_force: Peak,

@@ -181,6 +181,10 @@ fn a_disc_rolls_down_an_incline_without_slipping() {
     assert!(
         (summary.projectiles[0].spin_final + expected / radius).abs() < 1e-2 * expected / radius
     );
+    // Friction carries a third of the weight's part along the slope.
+    let friction = intervals(&summary, 0)[0].tangential_impulse;
+    let expected = 2.0 * 9.81 * slope.sin() / 3.0;
+    assert!((friction.abs() - expected).abs() < 1e-2 * expected, "{friction} {expected}");
 }
 
 /// Faults as `path: found; expected`.

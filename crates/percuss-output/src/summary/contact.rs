@@ -52,6 +52,9 @@ fn interval(interval: &ContactInterval) -> Value {
     if interval.peak_force != Peak::default() && !interval.peak_force.value.is_nan() {
         value["peak_force"] = peak(&interval.peak_force);
     }
+    if !interval.tangential_impulse.is_nan() {
+        value["tangential_impulse"] = interval.tangential_impulse.into();
+    }
     value
 }
 

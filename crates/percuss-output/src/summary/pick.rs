@@ -189,6 +189,7 @@ fn with_every_event(contacts: &[percuss::ContactSummary]) -> Vec<percuss::Contac
         start: 0.0,
         end: 0.0,
         impulse: 0.0,
+        tangential_impulse: 0.0,
         peak_force: Peak { value: 0.0, time: 0.0 },
         approach_velocity: nan,
         separation_velocity: nan,

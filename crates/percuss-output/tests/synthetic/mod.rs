@@ -345,6 +345,7 @@ pub fn smooth() -> ContactRecord {
             start: 0.01,
             end: f64::NAN,
             impulse: 19_550.4,
+            tangential_impulse: f64::NAN,
             peak_force,
             approach_velocity: 20.0,
             separation_velocity: f64::NAN,

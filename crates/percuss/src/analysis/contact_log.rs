@@ -187,11 +187,13 @@ impl ContactLog {
             let open = self.open[i].is_some();
             if !open && normal > 0.0 && intervals.len() < ContactRecord::IMPACTS_KEPT {
                 self.open[i] = Some(intervals.len());
-                intervals.push(opened(span.start, -before, place(model, state, i)));
+                let opened = opened(span.start, -before, place(model, state, i));
+                intervals.push(ContactInterval { tangential_impulse: 0.0, ..opened });
             }
             if let Some(open) = self.open[i] {
                 let interval = &mut intervals[open];
                 interval.impulse += normal;
+                interval.tangential_impulse += tangential;
                 (0..2).for_each(|p| interval.energy.given[p] += energy.given[p]);
                 interval.energy.lost += energy.lost;
                 interval.place_end = place(model, state, i);
@@ -226,6 +228,7 @@ fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInt
         start,
         end: f64::NAN,
         impulse: 0.0,
+        tangential_impulse: f64::NAN,
         peak_force: Peak::default(),
         approach_velocity,
         separation_velocity: f64::NAN,

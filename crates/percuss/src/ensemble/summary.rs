@@ -130,6 +130,7 @@ impl<S: Number> Telling<'_, S> {
             start: read(closed.start),
             end: read(closed.end),
             impulse: read(closed.impulse),
+            tangential_impulse: f64::NAN,
             peak_force,
             approach_velocity: read(closed.approach),
             separation_velocity: read(closed.separation),
