@@ -10,7 +10,10 @@ fn numbers(scenario: &mut Scenario) -> Vec<(String, f64)> {
     for line in text.lines() {
         if let Some(table) = line.strip_prefix('[').and_then(|l| l.strip_suffix(']')) {
             header = table.to_string();
-        } else if let Some((key, _)) = line.split_once(" = ") {
+        } else if let Some((key, value)) = line.split_once(" = ") {
+            if value.starts_with('{') {
+                continue; // a table in one line
+            }
             let path = if header.is_empty() { key.to_string() } else { format!("{header}.{key}") };
             let Ok(field) = scenario.field(&path) else { panic!("no field {path}") };
             if let Some((number, _)) = scenario.number(&field) {
