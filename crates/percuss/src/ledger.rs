@@ -157,10 +157,10 @@ impl Measures {
                     }
                 }
                 let spin = state.spin[e][j];
-                rotation += row.weight * row.law.rotary * spin * spin;
-                axial += row.weight * row.law.axial * eps * eps;
-                bending += row.weight * row.law.bending * kappa * kappa;
-                angular += row.weight * row.law.rotary * spin;
+                rotation += row.weighed.rotary * spin * spin;
+                axial += row.weighed.axial * eps * eps;
+                bending += row.weighed.bending * kappa * kappa;
+                angular += row.weighed.rotary * spin;
             }
             if let Some(samples) = &table.membrane {
                 let mut eps = samples.strains(span.measure, &u);

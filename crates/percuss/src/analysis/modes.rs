@@ -190,8 +190,7 @@ pub(super) fn strain_energy(model: &Model, shape: &[[f64; 4]]) -> f64 {
             let (da, db) =
                 (form_a(row.tangent).on(dg, dp), form_b(row.tangent, row.bend).on(dg, dp));
             let (eps, kappa) = (c.alpha * da, c.c1 * db + c.c2 * da);
-            let stress = row.law.axial * eps * eps + row.law.bending * kappa * kappa;
-            energy += 0.5 * row.weight * stress;
+            energy += 0.5 * (row.weighed.axial * eps * eps + row.weighed.bending * kappa * kappa);
         }
         if let Some(samples) = &table.membrane {
             let along = |i: usize| dot(samples.tangent[i], u.at(&samples.rows[i]));

@@ -145,7 +145,7 @@ pub fn element(span: &Span, k: usize, state: &State, before: Before) -> ElementF
         length += row.weight;
         if let Some((spin, h)) = before {
             inertia +=
-                GAUSS_WEIGHTS[j] * row.law.rotary * (state.spin[index][j] - spin[index][j]) / h;
+                GAUSS_WEIGHTS[j] * row.section.rotary * (state.spin[index][j] - spin[index][j]) / h;
         }
     }
     let ends = |v: [f64; GAUSS]| {

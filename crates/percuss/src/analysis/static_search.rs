@@ -146,7 +146,7 @@ impl<'m> StaticSearch<'m> {
             for (row, stored) in table.rows.iter().zip(stored.iter_mut()) {
                 let point = step_point(row, &u, &d);
                 let (slope, bend) = (c.at(&row.first), c.at(&row.second));
-                let s = collocation::foresee(&row.law, &point, slope, bend);
+                let s = collocation::foresee(&row.weighed, &point, slope, bend);
                 *stored = [s.membrane, s.bending];
             }
             let Some(samples) = &table.membrane else { continue };

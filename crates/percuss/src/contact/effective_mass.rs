@@ -65,7 +65,7 @@ pub fn mass_band(model: &Model, u: &[[f64; 4]]) -> Chain {
         for row in &table.rows {
             let mut point =
                 PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
-            let block = turning(row.law.rotary, add(row.tangent, values.at(&row.first)));
+            let block = turning(row.weighed.rotary, add(row.tangent, values.at(&row.first)));
             for i in 0..2 {
                 for j in 0..2 {
                     point.tangent[i][j] = block[i][j];
@@ -132,8 +132,8 @@ fn limit(model: &Model, point: &MaterialPoint, direction: [f64; 2], on_mesh: f64
     }
     let beam = &model.beams[point.beam];
     let (span, k) = model.element_of(point.node);
-    let section = &span.table(k).rows[1];
-    let interior = 2.0 * (section.mass * section.law.rotary).sqrt();
+    let row = &span.table(k).rows[1];
+    let interior = 2.0 * (row.mass * row.section.rotary).sqrt();
     if is_free_end(model, beam, point) {
         0.5 * interior * cross(point.tangent, direction).abs()
     } else {

@@ -5,8 +5,8 @@
 use super::membrane::MembraneTable;
 use super::point::{PointResponse, SectionLaw, StepPoint};
 use crate::math::hermite::{self, GAUSS, GAUSS_WEIGHTS};
-use crate::math::vec2::{cross, norm};
-use crate::scalar::{Real, array};
+use crate::math::vec2::{cross, dot4, norm};
+use crate::scalar::Real;
 
 /// What is known of the beam at a Gauss point, and the derivatives of the interpolation there, acting on
 /// (u_b - u_a, u_a', u_b').
@@ -28,8 +28,9 @@ pub struct GaussRow<S = f64> {
     pub bend: [S; 2],
     /// Reference curvature X' x X'' \[1/m\].
     pub curvature: S,
-    /// Section constants of the kernels; no axial stiffness where membrane strains are those of [`MembraneTable`].
-    pub law: SectionLaw<S>,
+    /// Section constants times the weight, of which the kernels make integrated forces; no axial stiffness where membrane
+    /// strains are those of [`MembraneTable`].
+    pub weighed: SectionLaw<S>,
     /// Section constants.
     pub section: SectionLaw<S>,
     /// Mass rhoA per length \[kg/m\].
@@ -97,16 +98,21 @@ impl ElementTable {
             let (first, second) =
                 (first.map(|c| c / stretch), second.map(|c| c / (stretch * stretch)));
             let (tangent, bend) = (reference.at(&first), reference.at(&second));
-            let law =
-                SectionLaw { axial: if slender { 0.0 } else { values.law.axial }, ..values.law };
+            let weight = GAUSS_WEIGHTS[k] * length * stretch;
+            let weighed = SectionLaw {
+                axial: if slender { 0.0 } else { values.law.axial * weight },
+                bending: values.law.bending * weight,
+                rotary: values.law.rotary * weight,
+                ..values.law
+            };
             GaussRow {
                 first,
                 second,
-                weight: GAUSS_WEIGHTS[k] * length * stretch,
+                weight,
                 tangent,
                 bend,
                 curvature: cross(tangent, bend),
-                law,
+                weighed,
                 section: values.law,
                 mass: values.mass,
                 area: values.area,
@@ -118,6 +124,14 @@ impl ElementTable {
         });
         let membrane = slender.then(|| MembraneTable::new(length, &reference, &rows));
         Self { length, rows, mass, membrane }
+    }
+}
+
+impl<S: Copy> GaussRow<S> {
+    /// Reference tangent and curvature.
+    #[inline(always)]
+    pub fn reference(&self) -> ([S; 2], S) {
+        (self.tangent, self.curvature)
     }
 }
 
@@ -136,8 +150,7 @@ impl<S: Real> ElementTable<S> {
             let acc = [acc_a[i], acc_a[2 + i], acc_b[i], acc_b[2 + i]];
             let mut force = acc;
             for k in 0..4 {
-                force[k] =
-                    m[k][0] * acc[0] + m[k][1] * acc[1] + m[k][2] * acc[2] + m[k][3] * acc[3];
+                force[k] = dot4(&m[k], &acc);
             }
             on_a[i] += force[0];
             on_a[2 + i] += force[1];
@@ -173,9 +186,10 @@ impl<S: Real> ElementValues<S> {
     /// Combination with the coefficients of a [`GaussRow`].
     #[inline(always)]
     pub fn at(&self, c: &[S; 3]) -> [S; 2] {
+        let Self { chord, slope_a, slope_b } = self;
         [
-            self.chord[0] * c[0] + self.slope_a[0] * c[1] + self.slope_b[0] * c[2],
-            self.chord[1] * c[0] + self.slope_a[1] * c[1] + self.slope_b[1] * c[2],
+            (chord[0] * c[0]).add_product(slope_a[0], c[1]).add_product(slope_b[0], c[2]),
+            (chord[1] * c[0]).add_product(slope_a[1], c[1]).add_product(slope_b[1], c[2]),
         ]
     }
 }
@@ -215,14 +229,16 @@ impl<S: Real> ElementSums<S> {
         Self { force: [zero; 6], tangent: [[zero; 6]; 6] }
     }
 
-    /// Adds the response at a Gauss point, `B^T f w` and `B^T H B w`.
+    /// Adds the weighed response at a Gauss point, `B^T f` and `B^T H B`.
     #[inline(always)]
     pub fn add<const TANGENT: bool>(&mut self, row: &GaussRow<S>, point: &PointResponse<S>) {
-        let first: [S; 3] = array(|k| row.first[k] * row.weight);
-        let second: [S; 3] = array(|k| row.second[k] * row.weight);
+        let (first, second) = (&row.first, &row.second);
         for k in 0..3 {
             for i in 0..2 {
-                self.force[2 * k + i] += point.force_g[i] * first[k] + point.force_p[i] * second[k];
+                let force = &mut self.force[2 * k + i];
+                *force = force
+                    .add_product(point.force_g[i], first[k])
+                    .add_product(point.force_p[i], second[k]);
             }
         }
         if !TANGENT {
@@ -230,16 +246,18 @@ impl<S: Real> ElementSums<S> {
         }
         for l in 0..3 {
             for j in 0..2 {
-                // H B for column (l, j), weighted.
+                // H B for column (l, j).
                 let mut column = [first[l]; 4];
                 for i in 0..4 {
-                    column[i] =
-                        point.tangent[i][j] * first[l] + point.tangent[i][2 + j] * second[l];
+                    column[i] = (point.tangent[i][j] * first[l])
+                        .add_product(point.tangent[i][2 + j], second[l]);
                 }
                 for k in 0..3 {
                     for i in 0..2 {
-                        self.tangent[2 * k + i][2 * l + j] +=
-                            column[i] * row.first[k] + column[2 + i] * row.second[k];
+                        let entry = &mut self.tangent[2 * k + i][2 * l + j];
+                        *entry = entry
+                            .add_product(column[i], first[k])
+                            .add_product(column[2 + i], second[k]);
                     }
                 }
             }
@@ -282,10 +300,10 @@ impl<S: Real> ElementSums<S> {
         }
         for i in 0..2 {
             for (r, c, mr, mc) in [(0, 0, 0, 0), (0, 2, 0, 1), (2, 0, 1, 0), (2, 2, 1, 1)] {
-                aa[r + i][c + i] += slope * mass[mr][mc];
-                ab[r + i][c + i] += slope * mass[mr][mc + 2];
-                ba[r + i][c + i] += slope * mass[mr + 2][mc];
-                bb[r + i][c + i] += slope * mass[mr + 2][mc + 2];
+                aa[r + i][c + i] = aa[r + i][c + i].add_product(slope, mass[mr][mc]);
+                ab[r + i][c + i] = ab[r + i][c + i].add_product(slope, mass[mr][mc + 2]);
+                ba[r + i][c + i] = ba[r + i][c + i].add_product(slope, mass[mr + 2][mc]);
+                bb[r + i][c + i] = bb[r + i][c + i].add_product(slope, mass[mr + 2][mc + 2]);
             }
         }
         [aa, ab, ba, bb]
@@ -337,7 +355,13 @@ mod tests {
         match scheme {
             0 => {
                 let mut r = energy_momentum::response::<S, T>(&law, point, LAG);
-                rotary::add_step::<S, T>(&mut r, law.rotary, g0, point.d_slope, spin, h, 30.0);
+                rotary::Turn::new(g0, point.d_slope).add_inertia::<T>(
+                    &mut r,
+                    law.rotary,
+                    spin,
+                    h.recip(),
+                    30.0,
+                );
                 r
             }
             1 => strain_rate::response::<S, T>(&law, point, old, LAG),

@@ -96,10 +96,7 @@ impl<S: Real> MembraneTable<S> {
         theta: f64,
         sums: &mut ElementSums<S>,
     ) {
-        let force_of = |strain: [S; SAMPLES], i: usize| {
-            let q = &self.stiffness[i];
-            strain[0] * q[0] + strain[1] * q[1] + strain[2] * q[2]
-        };
+        let force_of = |strain: [S; SAMPLES], i: usize| dot3(strain, self.stiffness[i]);
         let strain = [points[0].strain, points[1].strain, points[2].strain];
         let geometric = [points[0].geometric, points[1].geometric, points[2].geometric];
         for i in 0..SAMPLES {
@@ -107,7 +104,8 @@ impl<S: Real> MembraneTable<S> {
             let n = force_of(strain, i) * p.alpha;
             for l in 0..3 {
                 for c in 0..2 {
-                    sums.force[2 * l + c] += n * p.g[c] * self.rows[i][l];
+                    let force = &mut sums.force[2 * l + c];
+                    *force = force.add_product(n * p.g[c], self.rows[i][l]);
                 }
             }
             if !TANGENT {
@@ -155,7 +153,8 @@ fn add_block<S: Real>(
             let factor = rows[i][l] * rows[k][r];
             for c in 0..2 {
                 for d in 0..2 {
-                    sums.tangent[2 * l + c][2 * r + d] += block[c][d] * factor;
+                    let entry = &mut sums.tangent[2 * l + c][2 * r + d];
+                    *entry = entry.add_product(block[c][d], factor);
                 }
             }
         }
@@ -282,5 +281,5 @@ fn alpha<S: Real>(measure: StrainMeasure, g: [S; 2]) -> (S, S) {
 
 #[inline(always)]
 fn dot3<S: Real>(a: [S; 3], b: [S; 3]) -> S {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    (a[0] * b[0]).add_product(a[1], b[1]).add_product(a[2], b[2])
 }

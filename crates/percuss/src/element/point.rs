@@ -73,15 +73,18 @@ impl<S: Real> Form<S> {
     #[inline(always)]
     pub fn plus(self, s: S, other: Self) -> Self {
         Self {
-            g: [self.g[0] + s * other.g[0], self.g[1] + s * other.g[1]],
-            p: [self.p[0] + s * other.p[0], self.p[1] + s * other.p[1]],
+            g: [self.g[0].add_product(s, other.g[0]), self.g[1].add_product(s, other.g[1])],
+            p: [self.p[0].add_product(s, other.p[0]), self.p[1].add_product(s, other.p[1])],
         }
     }
 
     /// `a form_a(g) + s b`.
     #[inline(always)]
     pub fn along(a: S, g: [S; 2], s: S, b: &Self) -> Self {
-        Self { g: [a * g[0] + s * b.g[0], a * g[1] + s * b.g[1]], p: [s * b.p[0], s * b.p[1]] }
+        Self {
+            g: [(a * g[0]).add_product(s, b.g[0]), (a * g[1]).add_product(s, b.g[1])],
+            p: [s * b.p[0], s * b.p[1]],
+        }
     }
 
     /// `s self`.
@@ -161,15 +164,11 @@ impl<S: Real> Stress<S> {
     /// Forces at the configuration (g, p) of evaluation.
     #[inline(always)]
     pub fn forces(&self, g: [S; 2], p: [S; 2]) -> PointResponse<S> {
-        let on_g = self.axial * self.alpha + self.moment * self.c2;
-        let on_p = self.moment * self.c1;
-        let b = form_b(g, p);
+        let on_g = (self.axial * self.alpha).add_product(self.moment, self.c2);
         let zero = on_g.constant(0.0);
-        PointResponse {
-            force_g: [on_g * g[0] + on_p * b.g[0], on_g * g[1] + on_p * b.g[1]],
-            force_p: [on_p * b.p[0], on_p * b.p[1]],
-            tangent: [[zero; 4]; 4],
-        }
+        let Form { g: force_g, p: force_p } =
+            Form::along(on_g, g, self.moment * self.c1, &form_b(g, p));
+        PointResponse { force_g, force_p, tangent: [[zero; 4]; 4] }
     }
 
     /// Forces and tangent: `X = alpha dN + N dalpha + c2 dB + B dc2`, `Y = c1 dB + B dc1`.
@@ -206,13 +205,13 @@ impl<S: Real> Stress<S> {
         let h = &mut response.tangent;
         for i in 0..2 {
             for j in 0..2 {
-                h[i][j] = g[i] * x.g[j] + b.g[i] * y.g[j];
-                h[i][2 + j] = g[i] * x.p[j] + b.g[i] * y.p[j];
+                h[i][j] = (g[i] * x.g[j]).add_product(b.g[i], y.g[j]);
+                h[i][2 + j] = (g[i] * x.p[j]).add_product(b.g[i], y.p[j]);
                 h[2 + i][j] = b.p[i] * y.g[j];
                 h[2 + i][2 + j] = b.p[i] * y.p[j];
             }
         }
-        let on_g = (self.axial * self.alpha + self.moment * self.c2) * theta;
+        let on_g = (self.axial * self.alpha).add_product(self.moment, self.c2) * theta;
         let on_p = (self.moment * self.c1) * theta;
         h[0][0] += on_g;
         h[1][1] += on_g;

@@ -1,53 +1,66 @@
 //! Rotary inertia: the moment `rhoI d(omega)/dt` on the rotation `dtheta = (g x dg) / a` of the tangent.
 
 use super::point::PointResponse;
-use crate::math::vec2::{add, cross, dot, rot90};
+use crate::math::vec2::{add, cross, dot, middle};
 use crate::scalar::Real;
 
-/// Angular rate at the midpoint of a step from g0 to g0 + dg: `w_m = (g_m x Dg) / (a_m h)`.
-#[inline(always)]
-pub fn mean_spin<S: Real>(g0: [S; 2], d_g: [S; 2], h: S) -> S {
-    let g = [g0[0] + d_g[0] * 0.5, g0[1] + d_g[1] * 0.5];
-    cross(g, d_g) / (dot(g, g) * h)
+/// How the tangent turns over a step at a point: from `g0` to `g0 + d_g`, through `g` in the middle.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn<S> {
+    /// Tangent at the start.
+    pub g0: [S; 2],
+    /// Its increment.
+    pub d_g: [S; 2],
+    /// Tangent in the middle.
+    pub g: [S; 2],
+    /// `1 / g.g`.
+    pub inv_a: S,
 }
 
-/// Adds rotary inertia over a step: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`, and mass-proportional damping
-/// `rhoI damping w_m`; returns `w_m`.
-#[inline(always)]
-pub fn add_step<S: Real, const TANGENT: bool>(
-    response: &mut PointResponse<S>,
-    rotary: S,
-    g0: [S; 2],
-    d_g: [S; 2],
-    spin_0: S,
-    h: S,
-    damping: f64,
-) -> S {
-    let rate = h.recip();
-    let g = [g0[0] + d_g[0] * 0.5, g0[1] + d_g[1] * 0.5];
-    let inv_a = dot(g, g).recip();
-    let spin = cross(g, d_g) * inv_a * rate;
-    let moment = rotary * ((spin - spin_0) * (rate + rate) + spin * damping);
-    let normal = [-g[1] * inv_a, g[0] * inv_a];
-    response.force_g = add(response.force_g, [moment * normal[0], moment * normal[1]]);
-    if TANGENT {
-        // d(g_m x Dg) = g0 x dg, d(a_m) = g_m . dg
-        let g0_turned = rot90(g0);
-        let d_spin = [
-            (g0_turned[0] * rate - spin * g[0]) * inv_a,
-            (g0_turned[1] * rate - spin * g[1]) * inv_a,
-        ];
-        let inertia = rotary * (rate + rate + rate.constant(damping));
-        add_moment_tangent(
-            response,
-            [inertia * d_spin[0], inertia * d_spin[1]],
-            moment,
-            g,
-            inv_a,
-            0.5,
-        );
+impl<S: Real> Turn<S> {
+    /// From the start and the increment.
+    #[inline(always)]
+    pub fn new(g0: [S; 2], d_g: [S; 2]) -> Self {
+        let g = middle(g0, d_g);
+        Self { g0, d_g, g, inv_a: dot(g, g).recip() }
     }
-    spin
+
+    /// Angular rate in the middle of a step of size `1 / rate`: `w_m = (g_m x Dg) / (a_m h)`.
+    #[inline(always)]
+    pub fn mean_spin(&self, rate: S) -> S {
+        cross(self.g, self.d_g) * self.inv_a * rate
+    }
+
+    /// Adds rotary inertia: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`, and mass-proportional damping
+    /// `rhoI damping w_m`; returns `w_m`.
+    #[inline(always)]
+    pub fn add_inertia<const TANGENT: bool>(
+        &self,
+        response: &mut PointResponse<S>,
+        rotary: S,
+        spin_0: S,
+        rate: S,
+        damping: f64,
+    ) -> S {
+        let (g, inv_a, spin) = (self.g, self.inv_a, self.mean_spin(rate));
+        let twice = rate + rate;
+        let damped = twice + rate.constant(damping);
+        let moment = rotary * (spin * damped).sub_product(spin_0, twice);
+        let turned = moment * inv_a;
+        response.force_g[0] = response.force_g[0].sub_product(turned, g[1]);
+        response.force_g[1] = response.force_g[1].add_product(turned, g[0]);
+        if TANGENT {
+            // d(g_m x Dg) = g0 x dg, d(a_m) = g_m . dg
+            let (inertia, g0) = (rotary * damped, self.g0);
+            let (along, across) = (inertia * inv_a * spin, inertia * inv_a * rate);
+            let slope = [
+                (across * -g0[1]).sub_product(along, g[0]),
+                (across * g0[0]).sub_product(along, g[1]),
+            ];
+            add_moment_tangent(response, slope, moment, g, inv_a, 0.5);
+        }
+        spin
+    }
 }
 
 /// Adds rotary inertia at one configuration: `rhoI theta_ddot (g x dg)/a` with
@@ -99,14 +112,13 @@ pub fn add_moment_tangent<S: Real>(
     inv_a: S,
     theta: f64,
 ) {
-    let normal = [-g[1] * inv_a, g[0] * inv_a];
-    let turned = moment * inv_a * theta;
-    for i in 0..2 {
-        for j in 0..2 {
-            response.tangent[i][j] +=
-                normal[i] * (slope[j] - moment * inv_a * g[j] * (2.0 * theta));
+    let (normal, turned) = ([-g[1] * inv_a, g[0] * inv_a], moment * inv_a);
+    for j in 0..2 {
+        let along = slope[j].sub_product(turned, g[j] * (2.0 * theta));
+        for i in 0..2 {
+            response.tangent[i][j] = response.tangent[i][j].add_product(normal[i], along);
         }
     }
-    response.tangent[0][1] += -turned;
-    response.tangent[1][0] += turned;
+    response.tangent[0][1] += turned * -theta;
+    response.tangent[1][0] += turned * theta;
 }

@@ -3,6 +3,7 @@
 //! Lanes cannot search for pivots each on its own. In a step of a transient the blocks are dominated by masses, so there is no need;
 //! where a pivot fails all the same, the run's residual tells and it is left to the solver that searches.
 
+use crate::math::vec2::dot4;
 use crate::scalar::Number;
 
 type Block<S> = [[S; 4]; 4];
@@ -14,7 +15,7 @@ pub struct Band<S> {
     pub diag: Vec<Block<S>>,
     /// Block in row i, column i + 1; after factorisation `pivot^-1 upper`.
     pub upper: Vec<Block<S>>,
-    /// Block in row i + 1, column i.
+    /// Block in row i + 1, column i; after factorisation `lower pivot^-1`.
     pub lower: Vec<Block<S>>,
 }
 
@@ -33,9 +34,10 @@ impl<S: Number> Band<S> {
             let inverse = inverse(&self.diag[i]);
             self.diag[i] = inverse;
             if i + 1 < n {
-                let gain = product(&inverse, &self.upper[i]);
-                subtract_product(&mut self.diag[i + 1], &self.lower[i], &gain);
-                self.upper[i] = gain;
+                let gain = product(&self.lower[i], &inverse);
+                subtract_product(&mut self.diag[i + 1], &gain, &self.upper[i]);
+                self.lower[i] = gain;
+                self.upper[i] = product(&inverse, &self.upper[i]);
             }
         }
     }
@@ -44,30 +46,31 @@ impl<S: Number> Band<S> {
     #[inline(always)]
     pub fn solve(&self, x: &mut [[S; 4]]) {
         let n = x.len();
+        for i in 1..n {
+            let before = x[i - 1];
+            subtract_applied(&mut x[i], &self.lower[i - 1], &before);
+        }
         for i in 0..n {
-            if i > 0 {
-                let carry = apply(&self.lower[i - 1], &x[i - 1]);
-                subtract(&mut x[i], &carry);
-            }
             x[i] = apply(&self.diag[i], &x[i]);
         }
         for i in (0..n.saturating_sub(1)).rev() {
-            let carry = apply(&self.upper[i], &x[i + 1]);
-            subtract(&mut x[i], &carry);
+            let after = x[i + 1];
+            subtract_applied(&mut x[i], &self.upper[i], &after);
         }
     }
 
-    /// Takes over a lane of another matrix.
-    pub fn set_lane(&mut self, lane: usize, from: &Self) {
+    /// Takes over the lanes of another matrix in which `which` is positive.
+    #[inline(always)]
+    pub fn take(&mut self, from: &Self, which: S) {
+        let zero = which.constant(0.0);
         for (mine, other) in [
             (&mut self.diag, &from.diag),
             (&mut self.upper, &from.upper),
             (&mut self.lower, &from.lower),
         ] {
-            for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
-                for (mine, other) in mine.iter_mut().zip(other) {
-                    mine.set_lane(lane, *other, lane);
-                }
+            let mine = mine.as_flattened_mut().as_flattened_mut();
+            for (mine, other) in mine.iter_mut().zip(other.as_flattened().as_flattened()) {
+                *mine = zero.if_less(which, *other, *mine);
             }
         }
     }
@@ -78,7 +81,7 @@ impl<S: Number> Band<S> {
 fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
     let mut m = *a;
     for k in 0..4 {
-        let pivot = m[k][k].recip();
+        let pivot = m[k][k].ordinary_recip();
         m[k][k] = pivot.constant(1.0);
         for j in 0..4 {
             m[k][j] = m[k][j] * pivot;
@@ -88,7 +91,7 @@ fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
                 let factor = m[i][k];
                 m[i][k] = factor.constant(0.0);
                 for j in 0..4 {
-                    m[i][j] = m[i][j] - factor * m[k][j];
+                    m[i][j] = m[i][j].sub_product(factor, m[k][j]);
                 }
             }
         }
@@ -101,7 +104,10 @@ fn product<S: Number>(a: &Block<S>, b: &Block<S>) -> Block<S> {
     let mut c = *a;
     for i in 0..4 {
         for j in 0..4 {
-            c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j];
+            c[i][j] = (a[i][0] * b[0][j])
+                .add_product(a[i][1], b[1][j])
+                .add_product(a[i][2], b[2][j])
+                .add_product(a[i][3], b[3][j]);
         }
     }
     c
@@ -111,16 +117,19 @@ fn product<S: Number>(a: &Block<S>, b: &Block<S>) -> Block<S> {
 fn subtract_product<S: Number>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
     for i in 0..4 {
         for j in 0..4 {
-            c[i][j] = c[i][j]
-                - (a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + a[i][3] * b[3][j]);
+            for k in 0..4 {
+                c[i][j] = c[i][j].sub_product(a[i][k], b[k][j]);
+            }
         }
     }
 }
 
 #[inline(always)]
-fn subtract<S: Number>(x: &mut [S; 4], y: &[S; 4]) {
+fn subtract_applied<S: Number>(x: &mut [S; 4], a: &Block<S>, y: &[S; 4]) {
     for k in 0..4 {
-        x[k] = x[k] - y[k];
+        for i in 0..4 {
+            x[i] = x[i].sub_product(a[i][k], y[k]);
+        }
     }
 }
 
@@ -128,7 +137,7 @@ fn subtract<S: Number>(x: &mut [S; 4], y: &[S; 4]) {
 fn apply<S: Number>(a: &Block<S>, x: &[S; 4]) -> [S; 4] {
     let mut y = *x;
     for i in 0..4 {
-        y[i] = a[i][0] * x[0] + a[i][1] * x[1] + a[i][2] * x[2] + a[i][3] * x[3];
+        y[i] = dot4(&a[i], x);
     }
     y
 }

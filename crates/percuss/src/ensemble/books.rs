@@ -3,7 +3,7 @@
 use super::engine::{Engine, interpolate};
 use crate::element::beam::ElementValues;
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, cross};
+use crate::math::vec2::{add, cross, dot4, sub};
 use crate::scalar::{Number, array};
 
 /// Energies and momenta of a state.
@@ -94,12 +94,9 @@ impl<S: Number> Books<S> {
     #[inline(always)]
     pub fn book(&mut self, engine: &Engine<S>) {
         let h = engine.h;
-        for hold in &engine.numbers.holds {
-            let (n, r) = (hold.node, &engine.residual[hold.node]);
-            let mut free = *r;
-            hold.project(&mut free);
-            let reaction: [S; 4] = array(|k| r[k] - free[k]);
-            let (x, g) = engine.middle(n);
+        for k in 0..engine.reactions.len() {
+            let reaction = engine.reactions[k];
+            let (x, g) = engine.middle(engine.numbers.holds[k].node);
             let moment = cross(g, [reaction[2], reaction[3]]);
             self.impulse = array(|i| self.impulse[i] + h * reaction[i]);
             self.angular_impulse += h * (cross(x, [reaction[0], reaction[1]]) + moment);
@@ -126,7 +123,7 @@ impl<S: Number> Books<S> {
         self.rescale();
         let (start, now) = (&self.start, &self.now);
         let energy = now.energy - start.energy + self.loss_impacts;
-        let linear = array(|i| now.linear[i] - start.linear[i] - self.impulse[i]);
+        let linear = sub(sub(now.linear, start.linear), self.impulse);
         let angular = now.angular - start.angular - self.angular_impulse;
         self.energy_residual = self.energy_residual.max(energy.abs());
         self.linear_residual = self.linear_residual.max(hypot(linear));
@@ -170,7 +167,7 @@ impl<S: Number> Engine<S> {
                 table.add_inertia(va, vb, &mut pa, &mut pb);
                 for (node, p, v) in [(a, &pa, va), (a + 1, &pb, vb)] {
                     let (frame, u) = (&self.numbers.nodes[node], &self.displacement[node]);
-                    twice += p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
+                    twice += dot4(p, v);
                     linear = add(linear, [p[0], p[1]]);
                     let at = |i: usize| frame[i] + u[i];
                     angular +=
@@ -179,12 +176,13 @@ impl<S: Number> Engine<S> {
                 for j in 0..GAUSS {
                     let (row, at) = (&table.rows[j], &self.start[element][j]);
                     let spin = self.spin[element][j];
-                    let turning = row.law.rotary * spin;
-                    twice += row.weight
-                        * (turning * spin
-                            + row.law.axial * at.membrane * at.membrane
-                            + row.law.bending * at.bending * at.bending);
-                    angular += row.weight * turning;
+                    let law = &row.weighed;
+                    let turning = law.rotary * spin;
+                    twice = twice
+                        .add_product(turning, spin)
+                        .add_product(law.axial * at.membrane, at.membrane)
+                        .add_product(law.bending * at.bending, at.bending);
+                    angular += turning;
                 }
                 if let Some(samples) = &table.membrane {
                     let u = &self.displacement;
@@ -221,8 +219,9 @@ impl<S: Number> Engine<S> {
     pub fn commit(&mut self) {
         let rate = self.h.recip();
         let twice = rate + rate;
-        for ((u, v), d) in self.displacement.iter_mut().zip(&mut self.velocity).zip(&self.increment)
-        {
+        for n in 0..self.increment.len() {
+            let (u, v) = (&mut self.displacement[n], &mut self.velocity[n]);
+            let d = &self.increment[n];
             for i in 0..4 {
                 u[i] += d[i];
                 v[i] = d[i] * twice - v[i];
@@ -230,7 +229,8 @@ impl<S: Number> Engine<S> {
         }
         std::mem::swap(&mut self.start, &mut self.end);
         std::mem::swap(&mut self.spin, &mut self.end_spin);
-        for (guide, state) in self.numbers.guides.iter().zip(&mut self.guides) {
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
             state.way += state.increment;
             state.velocity = state.increment * twice - state.velocity;
             state.gap += state.gap_change;

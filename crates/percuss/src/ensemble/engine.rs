@@ -3,9 +3,11 @@
 use super::band::Band;
 use super::numbers::{GuideNumbers, HoldNumbers, Numbers};
 use crate::element::beam::{ElementSums, ElementValues};
-use crate::element::energy_momentum::{End, between};
-use crate::element::rotary;
+use crate::element::energy_momentum::{End, Step};
+use crate::element::point::SectionLaw;
 use crate::math::hermite::GAUSS;
+use crate::math::vec2::{dot, dot4};
+use crate::model::StrainMeasure;
 use crate::scalar::{Number, array};
 
 /// Runs side by side (or one, with its derivatives), in a step of their own each.
@@ -25,11 +27,15 @@ pub struct Engine<S> {
     pub end_spin: Vec<[S; GAUSS]>,
     /// Guided projectiles.
     pub guides: Vec<GuideState<S>>,
-    /// Increment over the step, residual and correction.
+    /// Reactions of the supports in the directions held \[N, N m\].
+    pub reactions: Vec<[S; 4]>,
+    /// Increment over the step, residual in the free directions, and correction.
     pub increment: Vec<[S; 4]>,
     pub residual: Vec<[S; 4]>,
     pub correction: Vec<[S; 4]>,
-    pub band: Band<S>,
+    /// The tangent, once assembled and then factored, and the factors in use.
+    pub tangent: Band<S>,
+    pub factors: Band<S>,
     /// The rigid projectile that strikes in the step at hand, if one does; runs side by side have none.
     pub striking: Option<usize>,
 }
@@ -52,9 +58,9 @@ pub struct GuideState<S> {
     /// Force \[N\], its slope by the penetration at the end of the step \[N/m\].
     pub force: S,
     pub slope: S,
-    /// Slope the factors were made with, and the share of it that the beam feels.
-    pub factored_slope: S,
-    pub factored_inertia: S,
+    /// Slope, and inertia with the slope, of the tangent assembled last; and of the factors in use.
+    pub assembled: [S; 2],
+    pub factored: [S; 2],
     /// Impulse of a rigid contact that strikes in this step \[N s\].
     pub impulse: S,
 }
@@ -69,9 +75,9 @@ impl<S: Number> Engine<S> {
             let mut ends = Vec::new();
             for span in &engine.spans {
                 ends.extend((0..span.count).map(|k| {
-                    span.table(k).rows.map(|row| {
-                        End::new(span.measure, row.tangent, row.curvature, [zero; 2], row.bend)
-                    })
+                    span.table(k)
+                        .rows
+                        .map(|row| End::new(span.measure, row.reference(), [zero; 2], row.bend))
                 }));
             }
             ends
@@ -87,10 +93,12 @@ impl<S: Number> Engine<S> {
             end: start.clone(),
             start,
             guides,
+            reactions: vec![[zero; 4]; numbers.holds.len()],
             increment: still.clone(),
             residual: still.clone(),
             correction: still,
-            band: Band::zeros(nodes, zero),
+            tangent: Band::zeros(nodes, zero),
+            factors: Band::zeros(nodes, zero),
             striking: None,
             numbers,
         }
@@ -125,83 +133,92 @@ impl<S: Number> Engine<S> {
         self.numbers = self.numbers.with(&numbers);
     }
 
-    /// Residual at the increment as it stands, and the assembled tangent if `TANGENT`; held components are still in both.
+    /// Residual and reactions at the increment as it stands, and the assembled tangent if `TANGENT`, which still knows held
+    /// components.
     #[inline(always)]
     pub fn evaluate<const TANGENT: bool>(&mut self) {
         self.beams::<TANGENT>();
         self.contacts::<TANGENT>();
+        for k in 0..self.numbers.holds.len() {
+            let hold = &self.numbers.holds[k];
+            let free = &mut self.residual[hold.node];
+            let all = *free;
+            hold.project(free);
+            for i in 0..4 {
+                self.reactions[k][i] = all[i] - free[i];
+            }
+        }
     }
 
     #[inline(always)]
     fn beams<const TANGENT: bool>(&mut self) {
+        let mut element = 0;
+        for i in 0..self.numbers.spans.len() {
+            // Each measure has code of its own, without a branch at every Gauss point.
+            match self.numbers.spans[i].measure {
+                StrainMeasure::Green => self.span::<TANGENT>(i, element, StrainMeasure::Green),
+                StrainMeasure::Engineering => {
+                    self.span::<TANGENT>(i, element, StrainMeasure::Engineering);
+                }
+            }
+            element += self.numbers.spans[i].count;
+        }
+    }
+
+    /// Residual and tangent of a span, whose first element is the one of the given number.
+    #[inline(always)]
+    fn span<const TANGENT: bool>(&mut self, i: usize, first: usize, measure: StrainMeasure) {
+        let span = &self.numbers.spans[i];
         let zero = self.h.constant(0.0);
         let rate = self.h.recip();
         let twice = rate + rate;
         let inertia_slope = twice * rate;
-        let mut element = 0;
-        for span in &self.numbers.spans {
-            self.residual[span.first] = [zero; 4];
+        self.residual[span.first] = [zero; 4];
+        if TANGENT {
+            self.tangent.diag[span.first] = [[zero; 4]; 4];
+        }
+        let mut start = self.inertia(span.first, rate);
+        for k in 0..span.count {
+            let (a, element, table) = (span.first + k, first + k, span.table(k));
+            let end = self.inertia(a + 1, rate);
+            let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
+            let mut sums = ElementSums::zero(rate);
+            for j in 0..GAUSS {
+                let (row, old) = (&table.rows[j], &self.start[element][j]);
+                let (d_slope, d_bend) = (step.at(&row.first), step.at(&row.second));
+                let new = Step::new(measure, row.reference(), old, d_slope, d_bend);
+                let law = SectionLaw { measure, ..row.weighed };
+                let mut point = new.response::<TANGENT>(&law, old, 0.0);
+                let spin = self.spin[element][j];
+                let mean = new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin, rate, 0.0);
+                self.end_spin[element][j] = (-spin).add_scaled(mean, 2.0);
+                self.end[element][j] = new.end;
+                sums.add::<TANGENT>(row, &point);
+            }
+            if let Some(samples) = &table.membrane {
+                let u = &self.displacement;
+                let steps = samples.step(&ElementValues::new(&u[a], &u[a + 1]), &step);
+                let points = std::array::from_fn(|i| steps[i].invariant(measure, 0.0));
+                samples.add::<TANGENT>(&points, 0.5, &mut sums);
+            }
+            let [mut on_a, mut on_b] = sums.nodal_force();
+            table.add_inertia(&start, &end, &mut on_a, &mut on_b);
+            for i in 0..4 {
+                self.residual[a][i] += on_a[i];
+            }
+            self.residual[a + 1] = on_b;
             if TANGENT {
-                self.band.diag[span.first] = [[zero; 4]; 4];
-            }
-            let mut start = self.inertia(span.first, rate);
-            for k in 0..span.count {
-                let (a, table) = (span.first + k, span.table(k));
-                let end = self.inertia(a + 1, rate);
-                let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-                let mut sums = ElementSums::zero(rate);
-                for j in 0..GAUSS {
-                    let (row, old) = (&table.rows[j], &self.start[element][j]);
-                    let (d_slope, d_bend) = (step.at(&row.first), step.at(&row.second));
-                    let new = End::new(
-                        span.measure,
-                        row.tangent,
-                        row.curvature,
-                        [old.slope[0] + d_slope[0], old.slope[1] + d_slope[1]],
-                        [old.bend[0] + d_bend[0], old.bend[1] + d_bend[1]],
-                    );
-                    let mut point =
-                        between::<S, TANGENT>(&row.law, old, &new, d_slope, d_bend, 0.0);
-                    let spin = self.spin[element][j];
-                    let mean = rotary::add_step::<S, TANGENT>(
-                        &mut point,
-                        row.law.rotary,
-                        old.g,
-                        d_slope,
-                        spin,
-                        self.h,
-                        0.0,
-                    );
-                    self.end_spin[element][j] = mean + mean - spin;
-                    self.end[element][j] = new;
-                    sums.add::<TANGENT>(row, &point);
-                }
-                if let Some(samples) = &table.membrane {
-                    let u = &self.displacement;
-                    let steps = samples.step(&ElementValues::new(&u[a], &u[a + 1]), &step);
-                    let points = std::array::from_fn(|i| steps[i].invariant(span.measure, 0.0));
-                    samples.add::<TANGENT>(&points, 0.5, &mut sums);
-                }
-                let [mut on_a, mut on_b] = sums.nodal_force();
-                table.add_inertia(&start, &end, &mut on_a, &mut on_b);
+                let [aa, ab, ba, bb] = sums.nodal_tangent(&table.mass, inertia_slope);
                 for i in 0..4 {
-                    self.residual[a][i] += on_a[i];
-                }
-                self.residual[a + 1] = on_b;
-                if TANGENT {
-                    let [aa, ab, ba, bb] = sums.nodal_tangent(&table.mass, inertia_slope);
-                    for i in 0..4 {
-                        for j in 0..4 {
-                            self.band.diag[a][i][j] += aa[i][j];
-                        }
+                    for j in 0..4 {
+                        self.tangent.diag[a][i][j] += aa[i][j];
                     }
-                    self.band.upper[a] = ab;
-                    self.band.lower[a] = ba;
-                    self.band.diag[a + 1] = bb;
                 }
-                start = end;
-                element += 1;
+                self.tangent.upper[a] = ab;
+                self.tangent.lower[a] = ba;
+                self.tangent.diag[a + 1] = bb;
             }
+            start = end;
         }
     }
 
@@ -217,7 +234,8 @@ impl<S: Number> Engine<S> {
     fn contacts<const TANGENT: bool>(&mut self) {
         let rate = self.h.recip();
         let twice = rate + rate;
-        for (guide, state) in self.numbers.guides.iter().zip(&mut self.guides) {
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
             let a = guide.node;
             let moved = guide.along(&self.increment);
             state.gap_change = moved - state.increment;
@@ -228,22 +246,22 @@ impl<S: Number> Engine<S> {
             let row = guide.row();
             for (i, c) in row.iter().enumerate() {
                 let target = &mut self.residual[a + i / 4][i % 4];
-                *target = *target - push * *c;
+                *target = target.sub_product(push, *c);
             }
             if TANGENT {
                 let inertia = guide.mass * twice * rate;
-                state.factored_slope = state.slope;
-                state.factored_inertia = inertia + state.slope;
-                let felt = state.slope * inertia / state.factored_inertia;
+                state.assembled = [state.slope, inertia + state.slope];
+                let felt = state.slope * inertia / state.assembled[1];
                 for i in 0..8 {
                     for j in 0..8 {
                         let block = match (i / 4, j / 4) {
-                            (0, 0) => &mut self.band.diag[a],
-                            (0, _) => &mut self.band.upper[a],
-                            (_, 0) => &mut self.band.lower[a],
-                            _ => &mut self.band.diag[a + 1],
+                            (0, 0) => &mut self.tangent.diag[a],
+                            (0, _) => &mut self.tangent.upper[a],
+                            (_, 0) => &mut self.tangent.lower[a],
+                            _ => &mut self.tangent.diag[a + 1],
                         };
-                        block[i % 4][j % 4] += felt * row[i] * row[j];
+                        let entry = &mut block[i % 4][j % 4];
+                        *entry = entry.add_product(felt * row[i], row[j]);
                     }
                 }
             }
@@ -258,12 +276,12 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Holds what is held, and factors.
+    /// Holds what is held in the tangent, and factors it.
     #[inline(always)]
     pub fn factor(&mut self) {
-        let last = self.band.diag.len() - 1;
+        let last = self.tangent.diag.len() - 1;
         for hold in &self.numbers.holds {
-            let (n, band) = (hold.node, &mut self.band);
+            let (n, band) = (hold.node, &mut self.tangent);
             // Held directions weigh as much as the others, or round-off in them would move.
             let own = &band.diag[n];
             let weight = own[0][0] + own[1][1] + own[2][2] + own[3][3];
@@ -272,7 +290,8 @@ impl<S: Number> Engine<S> {
             for normal in &hold.normals {
                 for i in 0..4 {
                     for j in 0..4 {
-                        band.diag[n][i][j] += weight * normal[i] * normal[j];
+                        let entry = &mut band.diag[n][i][j];
+                        *entry = entry.add_product(weight * normal[i], normal[j]);
                     }
                 }
             }
@@ -285,28 +304,33 @@ impl<S: Number> Engine<S> {
                 hold.project_rows(&mut band.lower[n - 1]);
             }
         }
-        self.band.factor();
+        self.tangent.factor();
     }
 
     /// Correction of the increments by the factors.
     #[inline(always)]
     pub fn correct(&mut self) {
-        for (c, r) in self.correction.iter_mut().zip(&self.residual) {
-            *c = array(|i| -r[i]);
+        for n in 0..self.residual.len() {
+            for i in 0..4 {
+                self.correction[n][i] = -self.residual[n][i];
+            }
         }
-        for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
-            let push = state.factored_slope * state.residual / state.factored_inertia;
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &self.guides[k]);
+            let [slope, inertia] = state.factored;
+            let push = slope * state.residual / inertia;
             for (i, c) in guide.row().iter().enumerate() {
                 let target = &mut self.correction[guide.node + i / 4][i % 4];
-                *target = *target - push * *c;
+                *target = target.sub_product(push, *c);
             }
         }
         Self::project(&self.numbers.holds, &mut self.correction);
-        self.band.solve(&mut self.correction);
-        for (guide, state) in self.numbers.guides.iter().zip(&mut self.guides) {
+        self.factors.solve(&mut self.correction);
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
             let moved = guide.along(&self.correction);
-            state.correction =
-                (state.factored_slope * moved - state.residual) / state.factored_inertia;
+            let [slope, inertia] = state.factored;
+            state.correction = (slope * moved - state.residual) / inertia;
         }
     }
 }
@@ -381,9 +405,9 @@ impl<S: Number> HoldNumbers<S> {
 /// Takes a direction out of a vector.
 #[inline(always)]
 fn remove<S: Number>(normal: &[S; 4], x: &mut [S; 4]) {
-    let along = normal[0] * x[0] + normal[1] * x[1] + normal[2] * x[2] + normal[3] * x[3];
+    let along = dot4(normal, x);
     for k in 0..4 {
-        x[k] = x[k] - along * normal[k];
+        x[k] = x[k].sub_product(along, normal[k]);
     }
 }
 
@@ -399,7 +423,7 @@ impl<S: Number> GuideNumbers<S> {
     #[inline(always)]
     pub fn along(&self, nodal: &[[S; 4]]) -> S {
         let w = self.value(nodal);
-        self.direction[0] * w[0] + self.direction[1] * w[1]
+        dot(self.direction, w)
     }
 
     /// Nodal values interpolated to the struck point.
@@ -413,10 +437,7 @@ impl<S: Number> GuideNumbers<S> {
 #[inline(always)]
 pub fn interpolate<S: Number>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
     let (a, b) = (&nodal[node], &nodal[node + 1]);
-    [
-        n[0] * a[0] + n[1] * a[2] + n[2] * b[0] + n[3] * b[2],
-        n[0] * a[1] + n[1] * a[3] + n[2] * b[1] + n[3] * b[3],
-    ]
+    [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
 }
 
 impl<S: Number> GuideState<S> {
@@ -433,8 +454,8 @@ impl<S: Number> GuideState<S> {
             gap_change: zero,
             force: zero,
             slope: zero,
-            factored_slope: zero,
-            factored_inertia: guide.mass,
+            assembled: [zero, guide.mass],
+            factored: [zero, guide.mass],
             impulse: zero,
         }
     }
@@ -456,22 +477,14 @@ impl<S: Number> GuideState<S> {
 
 fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {
     let pairs = |e: &End<S>| {
-        let (s, b, g) = (e.slope, e.bend, e.g);
-        [s[0], s[1], b[0], b[1], g[0], g[1], e.stretch, e.inverse, e.b, e.membrane, e.bending]
+        let ([s0, s1], [b0, b1]) = (e.slope, e.bend);
+        [s0, s1, b0, b1, e.stretch, e.inverse, e.b, e.membrane, e.bending]
     };
     let mut values = pairs(mine);
     for (value, other) in values.iter_mut().zip(pairs(from)) {
         value.set_lane(lane, other, from_lane);
     }
-    let [s0, s1, b0, b1, g0, g1, stretch, inverse, b, membrane, bending] = values;
-    *mine = End {
-        slope: [s0, s1],
-        bend: [b0, b1],
-        g: [g0, g1],
-        stretch,
-        inverse,
-        b,
-        membrane,
-        bending,
-    };
+    let [s0, s1, b0, b1, stretch, inverse, b, membrane, bending] = values;
+    let (slope, bend) = ([s0, s1], [b0, b1]);
+    *mine = End { slope, bend, stretch, inverse, b, membrane, bending };
 }

@@ -44,11 +44,12 @@ impl<S: Number> Engine<S> {
             self.correction[guide.node + i / 4][i % 4] = *c;
         }
         Self::project(&self.numbers.holds, &mut self.correction);
-        self.band.solve(&mut self.correction);
+        self.factors.solve(&mut self.correction);
         for (j, (guide, state)) in self.numbers.guides.iter().zip(&mut self.guides).enumerate() {
             let own = if j == k { zero.constant(-1.0) } else { zero };
             let moved = guide.along(&self.correction);
-            state.correction = (state.factored_slope * moved + own) / state.factored_inertia;
+            let [slope, inertia] = state.factored;
+            state.correction = (slope * moved + own) / inertia;
         }
         let guide = &self.numbers.guides[k];
         guide.along(&self.correction) - self.guides[k].correction

@@ -1,11 +1,14 @@
 //! Newton's iteration of the runs of an ensemble: each converges on its own, by the tests of a single run.
 
-use super::band::Band;
 use super::books::Books;
-use super::engine::{Engine, GuideState};
-use crate::scalar::{Number, array};
+use super::engine::Engine;
+use crate::scalar::Number;
 use crate::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
 use crate::step::watch::{WORK_TOLERANCE, Watch};
+
+/// Factors of the tangent serve at most so many steps: masses dominate it, so it changes little, and renewing it costs as much as
+/// two corrections.
+const MOST_SERVICE: usize = 8;
 
 /// The iteration of one lane.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +20,12 @@ pub struct Search {
     /// Still to be corrected.
     seeking: bool,
     watch: Watch,
+    /// The size of the step that the tangent was factored for \[s\], the steps it has served, and those it may serve.
+    factored_for: f64,
+    served: usize,
+    service: usize,
+    /// Whether the tangent is to be factored anew.
+    renew: bool,
     /// Corrections and factorisations of the run so far.
     pub iterations: usize,
     pub factorizations: usize,
@@ -30,6 +39,10 @@ impl Search {
             failed: false,
             seeking: false,
             watch: Watch::new(0.0),
+            factored_for: f64::NAN,
+            served: 0,
+            service: MOST_SERVICE,
+            renew: false,
             iterations: 0,
             factorizations: 0,
         }
@@ -55,12 +68,10 @@ impl<S: Number> Engine<S> {
             play.max(books.linear_scale)
         };
         for (i, lane) in lanes.iter_mut().enumerate() {
-            lane.watch = Watch::new(books.energy_scale.lane(i));
-            (lane.seeking, lane.failed) = (lane.live, false);
+            lane.begin(books.energy_scale.lane(i), self.h.lane(i), S::DERIVES);
         }
-        let (mut assemble, mut seen) = (true, false);
+        let (mut assemble, mut seen) = (lanes.iter().any(|l| l.renew), false);
         let mut corrections = 0;
-        let mut kept = None;
         while corrections < MOST_ITERATIONS {
             if assemble {
                 self.evaluate::<true>();
@@ -77,14 +88,17 @@ impl<S: Number> Engine<S> {
                     break;
                 }
             }
-            let stale = |l: &Search| l.seeking && corrections > 0 && !l.watch.contracts();
-            if !assemble && lanes.iter().any(stale) {
-                (assemble, seen) = (true, true);
-                kept = Some((self.band.clone(), self.guides.clone()));
-                continue;
+            if !assemble && corrections > 0 {
+                for lane in &mut *lanes {
+                    lane.judge();
+                }
+                if lanes.iter().any(|l| l.renew) {
+                    (assemble, seen) = (true, true);
+                    continue;
+                }
             }
             if assemble {
-                self.renew(lanes, kept.take(), stale);
+                self.renew(lanes);
             }
             self.correct_and_strike();
             corrections += 1;
@@ -108,22 +122,25 @@ impl<S: Number> Engine<S> {
     /// The increments if nothing accelerates.
     #[inline(always)]
     fn predict(&mut self) {
-        for (d, v) in self.increment.iter_mut().zip(&self.velocity) {
-            *d = array(|i| self.h * v[i]);
+        let twice = self.h + self.h;
+        for n in 0..self.increment.len() {
+            for i in 0..4 {
+                let before = self.increment[n][i];
+                self.increment[n][i] = (-before).add_product(twice, self.velocity[n][i]);
+            }
         }
         Self::project(&self.numbers.holds, &mut self.increment);
         for guide in &mut self.guides {
-            guide.increment = self.h * guide.velocity;
+            guide.increment = self.h * guide.velocity * 2.0 - guide.increment;
         }
     }
 
     #[inline(always)]
-    fn unbalanced(&mut self) -> Unbalanced<S> {
+    fn unbalanced(&self) -> Unbalanced<S> {
         let zero = self.h.constant(0.0);
-        self.correction.copy_from_slice(&self.residual);
-        Self::project(&self.numbers.holds, &mut self.correction);
         let (mut work, mut sum) = (zero, [zero; 2]);
-        for (r, d) in self.correction.iter().zip(&self.increment) {
+        for n in 0..self.increment.len() {
+            let (r, d) = (&self.residual[n], &self.increment[n]);
             for i in 0..4 {
                 work += (r[i] * d[i]).abs();
             }
@@ -131,7 +148,8 @@ impl<S: Number> Engine<S> {
                 sum[i] += r[i];
             }
         }
-        for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &self.guides[k]);
             work += (state.residual * state.increment).abs();
             for i in 0..2 {
                 sum[i] += state.residual * guide.direction[i];
@@ -141,25 +159,26 @@ impl<S: Number> Engine<S> {
         Unbalanced { work, impulse }
     }
 
-    /// Factors the tangent; in lanes that still converge well with the factors kept, these stay.
+    /// Factors the tangent as assembled last, for the lanes that want it renewed; in the others the factors stay.
     #[inline(always)]
-    fn renew(
-        &mut self,
-        lanes: &mut [Search],
-        kept: Option<(Band<S>, Vec<GuideState<S>>)>,
-        stale: impl Fn(&Search) -> bool,
-    ) {
+    fn renew(&mut self, lanes: &mut [Search]) {
         self.factor();
-        for (i, lane) in lanes.iter_mut().enumerate() {
-            let renewed = kept.is_none() || stale(lane);
-            lane.factorizations += usize::from(renewed && lane.live);
-            if let (false, Some((band, guides))) = (renewed, &kept) {
-                self.band.set_lane(i, band);
-                for (mine, old) in self.guides.iter_mut().zip(guides) {
-                    mine.factored_slope.set_lane(i, old.factored_slope, i);
-                    mine.factored_inertia.set_lane(i, old.factored_inertia, i);
+        let zero = self.h.constant(0.0);
+        if lanes.iter().all(|l| l.renew || !l.live) {
+            std::mem::swap(&mut self.factors, &mut self.tangent);
+            self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
+        } else {
+            let renew = zero.constants(|i| f64::from(u8::from(lanes[i].renew)));
+            self.factors.take(&self.tangent, renew);
+            for guide in &mut self.guides {
+                for (mine, new) in guide.factored.iter_mut().zip(guide.assembled) {
+                    *mine = zero.if_less(renew, new, *mine);
                 }
             }
+        }
+        for (i, lane) in lanes.iter_mut().enumerate().filter(|(_, l)| l.renew) {
+            lane.factorizations += 1;
+            (lane.renew, lane.served, lane.factored_for) = (false, 0, self.h.lane(i));
         }
     }
 
@@ -169,7 +188,8 @@ impl<S: Number> Engine<S> {
         let zero = self.h.constant(0.0);
         let seeking = zero.constants(|i| f64::from(u8::from(lanes[i].seeking)));
         let (mut work, mut size, mut step) = (zero, zero, zero);
-        for ((d, c), r) in self.increment.iter_mut().zip(&self.correction).zip(&self.residual) {
+        for n in 0..self.increment.len() {
+            let (d, c, r) = (&mut self.increment[n], &self.correction[n], &self.residual[n]);
             for i in 0..4 {
                 work += (c[i] * r[i]).abs();
                 size = size.max(c[i].abs());
@@ -201,6 +221,8 @@ impl<S: Number> Engine<S> {
     fn follow(&mut self) {
         self.evaluate::<true>();
         self.factor();
+        std::mem::swap(&mut self.factors, &mut self.tangent);
+        self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
         self.correct_and_strike();
         for (d, c) in self.increment.iter_mut().zip(&self.correction) {
             (0..4).for_each(|i| d[i] += c[i]);
@@ -213,6 +235,27 @@ impl<S: Number> Engine<S> {
 }
 
 impl Search {
+    /// Begins a step of size `h`.
+    fn begin(&mut self, energy: f64, h: f64, derives: bool) {
+        self.watch = Watch::new(energy);
+        (self.seeking, self.failed) = (self.live, false);
+        self.served += 1;
+        // Derivatives need the tangent at the solution anyway.
+        let due = derives || self.served >= self.service;
+        self.renew = self.live && (due || self.factored_for != h);
+        if due {
+            self.service = MOST_SERVICE.min(self.service + 1);
+        }
+    }
+
+    /// Wants the tangent renewed if the iteration no longer contracts well.
+    fn judge(&mut self) {
+        self.renew = self.seeking && !self.watch.contracts();
+        if self.renew {
+            self.service = 1.max(self.service / 2);
+        }
+    }
+
     /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done.
     fn weigh(&mut self, work: f64, impulse: f64, corrections: usize) {
         self.watch.unbalanced(work);

@@ -188,7 +188,7 @@ fn map_row<S: Copy, T>(row: &GaussRow<S>, f: &mut impl FnMut(S) -> T) -> GaussRo
         tangent: row.tangent.map(&mut *f),
         bend: row.bend.map(&mut *f),
         curvature: f(row.curvature),
-        law: map_law(&row.law, f),
+        weighed: map_law(&row.weighed, f),
         section: map_law(&row.section, f),
         mass: f(row.mass),
         area: f(row.area),

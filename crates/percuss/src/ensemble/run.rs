@@ -39,11 +39,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
             })
             .collect();
         let mut keep = |index: usize, summary| done[index] = summary;
-        if group.len() == 1 {
-            Ensemble::of(&group, 0.0).run(&group, &mut keep);
-        } else {
-            side_by_side(SideBySide { runs: &group, keep: &mut keep });
-        }
+        side_by_side(SideBySide { runs: &group, keep: &mut keep });
     }
     done
 }
@@ -57,7 +53,7 @@ struct Run<'a> {
     numbers: Numbers<f64>,
 }
 
-/// Runs a group in the widest registers that the processor has.
+/// Runs a group in the widest registers that the processor has: a single run too, for the same bits.
 fn side_by_side(group: SideBySide) {
     #[cfg(target_arch = "x86_64")]
     {
@@ -70,7 +66,7 @@ fn side_by_side(group: SideBySide) {
             return Simd::vectorize(family, group);
         }
     }
-    Ensemble::of(group.runs, 0.0).run(group.runs, group.keep);
+    pulp::WithSimd::with_simd(group, pulp::Scalar::new());
 }
 
 /// Runs in lanes, compiled for each of the register widths that processors have.

@@ -4,12 +4,12 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use pulp::{Simd, bytemuck};
 
-use super::{Number, Real};
+use super::{Number, Real, quotient};
 
 /// As many numbers side by side as a vector register of the processor family `P` holds.
 ///
-/// Each lane sees exactly the operations that a single `f64` would, no fused ones among them: its bits depend neither on its
-/// neighbours nor on how wide the registers are.
+/// Each lane sees the same operations whatever the registers, products fused with sums where a kernel says so: its bits depend
+/// neither on its neighbours nor on how wide the registers are.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))] // a load never straddles two cache lines
 pub struct Lanes<P: Simd> {
@@ -100,6 +100,22 @@ impl<P: Simd> Real for Lanes<P> {
     fn sqrt(self) -> Self {
         self.with(self.family.sqrt_f64s(self.value))
     }
+    #[inline(always)]
+    fn ordinary_sqrt(self) -> Self {
+        self.with(quotient::root(self.family, self.value))
+    }
+    #[inline(always)]
+    fn ordinary_recip(self) -> Self {
+        self.with(quotient::reciprocal(self.family, self.value))
+    }
+    #[inline(always)]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        self.with(self.family.mul_add_f64s(a.value, b.value, self.value))
+    }
+    #[inline(always)]
+    fn sub_product(self, a: Self, b: Self) -> Self {
+        self.add_product(-a, b)
+    }
 }
 
 impl<P: Simd> Number for Lanes<P> {
@@ -116,6 +132,15 @@ impl<P: Simd> Number for Lanes<P> {
     fn if_less(self, other: Self, a: Self, b: Self) -> Self {
         let less = self.family.less_than_f64s(self.value, other.value);
         self.with(self.family.select_f64s(less, a.value, b.value))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        let magnitude = self.family.splat_f64s(f64::from_bits(u64::MAX >> 1));
+        self.with(self.family.and_f64s(self.value, magnitude))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.with(self.family.max_f64s(other.value, self.value))
     }
     #[inline(always)]
     fn constants(self, value: impl Fn(usize) -> f64) -> Self {

@@ -3,6 +3,7 @@
 
 mod dual;
 mod lanes;
+mod quotient;
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -31,6 +32,40 @@ pub trait Real:
     fn recip(self) -> Self {
         self.constant(1.0) / self
     }
+    /// Square root of an ordinary number: positive, neither infinite nor subnormal.
+    #[inline(always)]
+    fn ordinary_sqrt(self) -> Self {
+        self.sqrt()
+    }
+    /// Reciprocal of an ordinary number: neither it nor its reciprocal is zero, infinite or subnormal.
+    #[inline(always)]
+    fn ordinary_recip(self) -> Self {
+        self.recip()
+    }
+    /// `self + a b`; lanes round once, which is what processors do fastest.
+    #[inline(always)]
+    fn add_product(self, a: Self, b: Self) -> Self {
+        self + a * b
+    }
+    /// `self + factor a`, likewise.
+    #[inline(always)]
+    fn add_scaled(self, a: Self, factor: f64) -> Self {
+        self.add_product(a, a.constant(factor))
+    }
+    /// `self - a b`, likewise.
+    #[inline(always)]
+    fn sub_product(self, a: Self, b: Self) -> Self {
+        self - a * b
+    }
+}
+
+/// The reciprocals of three ordinary numbers by that of their product: divisions cost as much as a dozen products.
+#[inline(always)]
+pub fn reciprocals<S: Real>([x, y, z]: [S; 3]) -> [S; 3] {
+    let xy = x * y;
+    let all = (xy * z).ordinary_recip();
+    let z_all = all * z;
+    [z_all * y, z_all * x, all * xy]
 }
 
 /// An array by its index. A plain loop: what the library's `from_fn` and `map` become is not always inlined, and what is not

@@ -4,7 +4,8 @@ use super::integration::{Integration, MidpointForces, Rule};
 use crate::element::beam::{ElementSums, ElementValues, GaussRow, step_point};
 use crate::element::membrane::{MembranePoint, MembraneStep};
 use crate::element::point::{PointResponse, StepPoint, Strains};
-use crate::element::{collocation, energy_momentum, rotary, strain_rate};
+use crate::element::rotary::{self, Turn};
+use crate::element::{collocation, energy_momentum, strain_rate};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
@@ -51,7 +52,7 @@ pub fn beams<const TANGENT: bool>(
             chain,
             |point, place| {
                 let mut r =
-                    energy_momentum::response::<f64, TANGENT>(&place.row.law, point, place.lag);
+                    energy_momentum::response::<f64, TANGENT>(&place.row.weighed, point, place.lag);
                 add_rotary::<TANGENT>(&mut r, point, place, state, h);
                 r
             },
@@ -61,7 +62,7 @@ pub fn beams<const TANGENT: bool>(
             residual,
             chain,
             |point, place| {
-                let (law, old) = (&place.row.law, stored(place));
+                let (law, old) = (&place.row.weighed, stored(place));
                 let mut r = strain_rate::response::<f64, TANGENT>(law, point, old, place.lag);
                 add_rotary::<TANGENT>(&mut r, point, place, state, h);
                 r
@@ -72,7 +73,8 @@ pub fn beams<const TANGENT: bool>(
             residual,
             chain,
             |point, place| {
-                let mut r = collocation::damped::<f64, TANGENT>(&place.row.law, point, place.lag);
+                let mut r =
+                    collocation::damped::<f64, TANGENT>(&place.row.weighed, point, place.lag);
                 add_rotary::<TANGENT>(&mut r, point, place, state, h);
                 r
             },
@@ -82,7 +84,7 @@ pub fn beams<const TANGENT: bool>(
             residual,
             chain,
             |point, place| {
-                let law = &place.row.law;
+                let law = &place.row.weighed;
                 collocation::foreseeing::<f64, TANGENT>(law, point, stored(place))
             },
             |step, measure, place| MembranePoint {
@@ -96,7 +98,7 @@ pub fn beams<const TANGENT: bool>(
                 residual,
                 chain,
                 |point, place| {
-                    let law = &place.row.law;
+                    let law = &place.row.weighed;
                     let mut r = collocation::response::<f64, TANGENT>(law, point, theta);
                     ends.add_alpha_rotary::<TANGENT>(&mut r, point, place);
                     r
@@ -117,8 +119,8 @@ fn add_rotary<const TANGENT: bool>(
 ) {
     let g0 = add(point.tangent, point.slope_0);
     let spin = state.spin[place.element][place.gauss];
-    let (rotary, damping) = (place.row.law.rotary, place.damping);
-    rotary::add_step::<f64, TANGENT>(response, rotary, g0, point.d_slope, spin, h, damping);
+    let (rotary, damping) = (place.row.weighed.rotary, place.damping);
+    Turn::new(g0, point.d_slope).add_inertia::<TANGENT>(response, rotary, spin, h.recip(), damping);
 }
 
 /// The start of the step and the increment that leads to its end.
@@ -233,7 +235,7 @@ impl Ends<'_> {
         let slopes = [theta, rate, rule.inertia_slope() + place.damping * rate];
         rotary::add_collocated::<f64, TANGENT>(
             response,
-            place.row.law.rotary,
+            place.row.weighed.rotary,
             g,
             g_dot,
             g_ddot,

@@ -10,8 +10,9 @@ use super::workspace::Workspace;
 use crate::contact::row::Row;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
+use crate::element::rotary::Turn;
 use crate::element::strain::strains;
-use crate::element::{rotary, strain_rate};
+use crate::element::strain_rate;
 use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::Model;
 use crate::model::frozen::{Coordinate, MaterialPoint, Place, Span};
@@ -209,8 +210,8 @@ impl Entry<'_> {
         for row in &table.rows {
             let point = step_point(row, &old, &step);
             let g0 = add(point.tangent, point.slope_0);
-            let spin = rotary::mean_spin(g0, point.d_slope, h);
-            let moment = -span.mass_damping * row.law.rotary * row.weight * spin;
+            let spin = Turn::new(g0, point.d_slope).mean_spin(h.recip());
+            let moment = -span.mass_damping * row.weighed.rotary * spin;
             sum.work += moment * spin * h;
             sum.angular_impulse += h * moment;
         }
@@ -240,11 +241,10 @@ impl Entry<'_> {
                 Strains { membrane: s1.membrane - s0.membrane, bending: s1.bending - s0.bending }
             } else {
                 let none = Strains { membrane: 0.0, bending: 0.0 };
-                strain_rate::advance(&row.law, &point, none)
+                strain_rate::advance(&row.weighed, &point, none)
             };
-            loss += row.weight
-                * (row.law.axial * change.membrane.powi(2)
-                    + row.law.bending * change.bending.powi(2));
+            loss += row.weighed.axial * change.membrane.powi(2)
+                + row.weighed.bending * change.bending.powi(2);
         }
         if let Some(samples) = &table.membrane {
             let change = if invariant {

@@ -7,7 +7,8 @@ use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
-use crate::element::{rotary, strain_rate};
+use crate::element::rotary::Turn;
+use crate::element::strain_rate;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, dot};
 use crate::model::Model;
@@ -60,7 +61,7 @@ fn advance_masses(model: &Model, state: &mut State, rule: &Integration, work: &W
     for (i, mass) in model.masses.iter().enumerate() {
         let p = &mass.point;
         let g0 = add(p.tangent, p.gradient(&state.displacement));
-        let mean = rotary::mean_spin(g0, p.gradient(&work.increment), rule.h);
+        let mean = Turn::new(g0, p.gradient(&work.increment)).mean_spin(rule.h.recip());
         state.mass_spin[i] = 2.0 * mean - state.mass_spin[i];
     }
 }
@@ -77,13 +78,13 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
         for j in 0..GAUSS {
             let point = step_point(&table.rows[j], &old, &step);
             let g0 = add(point.tangent, point.slope_0);
-            let mean = rotary::mean_spin(g0, point.d_slope, rule.h);
+            let mean = Turn::new(g0, point.d_slope).mean_spin(rule.h.recip());
             let spin = &mut state.spin[element][j];
             *spin = 2.0 * mean - *spin;
             if let Some(stored) = state.strain.get_mut(element) {
                 let [membrane, bending] = stored[j];
                 let old = Strains { membrane, bending };
-                let new = strain_rate::advance(&table.rows[j].law, &point, old);
+                let new = strain_rate::advance(&table.rows[j].weighed, &point, old);
                 // Slender elements store membrane strains elsewhere; see below.
                 let slender = table.membrane.is_some();
                 stored[j] = [if slender { membrane } else { new.membrane }, new.bending];

@@ -3,7 +3,7 @@
 use super::integration::{Integration, Rule};
 use super::tangent::Tangent;
 use crate::element::point::PointResponse;
-use crate::element::rotary;
+use crate::element::rotary::{self, Turn};
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
 use crate::model::frozen::MassData;
@@ -58,13 +58,12 @@ fn rotary_response<const TANGENT: bool>(
     let d = p.gradient(increment);
     match rule.rule {
         Rule::Midpoint(_) => {
-            rotary::add_step::<f64, TANGENT>(
+            let (rotary, spin) = (mass.rotary_inertia, state.mass_spin[i]);
+            Turn::new(g0, d).add_inertia::<TANGENT>(
                 &mut response,
-                mass.rotary_inertia,
-                g0,
-                d,
-                state.mass_spin[i],
-                rule.h,
+                rotary,
+                spin,
+                rule.h.recip(),
                 0.0,
             );
         }

@@ -93,11 +93,13 @@ impl Watch {
         self.size = size;
         self.near = size <= NEAR * step;
         let round_off = size <= ROUND_OFF * reach.max(step);
-        // What the next correction would find unbalanced, were there no round-off.
-        let ahead = size * self.rate * self.stiffness * step;
+        // What will be left unbalanced: as the worse of two rates has it, and, on meshes so fine that what is seen unbalanced is
+        // round-off, as the largest stiffness seen has it.
+        let rate = self.rate.max(self.unbalanced / self.before);
+        let left = (self.unbalanced * rate).min(size * self.rate * self.stiffness * step);
         let predicted = self.rate <= CONTRACTION
             && self.stiffness > 0.0
-            && ahead <= WORK_TOLERANCE * self.energy;
+            && left <= WORK_TOLERANCE * self.energy;
         let floor = (STALLED * step).max(ROUND_OFF * places);
         let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= floor;
         self.settled = round_off || predicted || stalled;
