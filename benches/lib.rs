@@ -31,6 +31,43 @@ pub fn elastic_example(elements: usize) -> Model {
     b.build().expect("a sound scene")
 }
 
+/// Discs that slide along a clamped beam of 60 elements, pressed on by their weight; or as many far from it.
+///
+/// # Panics
+/// Never: the definitions are sound.
+pub fn sliding_discs(count: usize, touching: bool) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("composite", 0.2e10, 3e3));
+    let section = b.section(Section { depth: Some(0.1), ..Section::new("plank", 0.1, 8.33e-5) });
+    let girder = b.beam(Beam::new("girder", &[[0.0, 0.0], [10.0, 0.0]], 60, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        let at = PointRef { label: name.into(), beam: girder, along: Along::Fraction(f) };
+        b.support(Support::new(name, at, SupportKind::Clamp));
+    }
+    let (stiffness, mass, radius) = (1e6, 10.0, 0.02);
+    for k in 0..count {
+        let away = if touching { 0.0 } else { 1e3 };
+        let disc = b.disc(Disc {
+            name: format!("disc {k}"),
+            mass,
+            inertia: None,
+            radius,
+            position: [0.5 + 8.0 * k as f64 / count as f64, 0.05 + radius + away],
+            velocity: [1.0, 0.0],
+            spin: 0.0,
+        });
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
+        b.contact(Contact::new(
+            format!("contact {k}"),
+            [Party::Disc(disc), Party::Beam(girder)],
+            law,
+        ));
+    }
+    let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
+    b.load(Load::new("gravity", kind));
+    b.build().expect("a sound scene")
+}
+
 /// A frame of storeys and bays of 3 m, `elements` in each member, joints rigid and feet clamped, its lowest left column struck.
 ///
 /// # Panics

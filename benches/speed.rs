@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use percuss::*;
-use percuss_bench::{elastic_example, frame};
+use percuss_bench::{elastic_example, frame, sliding_discs};
 use percuss_output::{HistoryFormat, HistoryWriter};
 
 /// Repetitions of each measurement; the least is printed, as the one least disturbed.
@@ -59,6 +59,8 @@ fn main() {
         scaling(&elastic_example(19_950));
         scaling(&frame(10, 10, 95));
     }
+    surface_contacts();
+    ensembles();
     println!("peak memory");
     for elements in [6, 60_000] {
         let program = std::env::current_exe().expect("this program");
@@ -94,6 +96,57 @@ fn scaling(model: &Model) {
         per(steps as f64),
         iterations / steps as f64,
         factorizations / steps as f64,
+    );
+}
+
+/// What a disc costs on the face of a beam, and what many cost that touch nothing.
+fn surface_contacts() {
+    println!("discs on a beam of 60 elements, step 1e-4 s");
+    // Microseconds and iterations a step.
+    let measure = |count: usize, touching: bool| {
+        let model = sliding_discs(count, touching);
+        let settings = Settings::new(0.1, 1e-4);
+        let mut iterations = 0.0;
+        let us = least(|| {
+            let start = Instant::now();
+            let summary = simulate(&model, &settings, &mut NoRecorder).expect("sound settings");
+            iterations = summary.newton_iterations as f64 / summary.steps as f64;
+            start.elapsed().as_secs_f64() / summary.steps as f64 * 1e6
+        });
+        (us, iterations)
+    };
+    let (alone, few) = measure(0, false);
+    println!("  no disc                   {alone:6.2} us per step ({few:.2} iterations)");
+    for count in [1, 8] {
+        let (us, iterations) = measure(count, true);
+        let each = (us / iterations - alone / few) / count as f64;
+        println!(
+            "  {count} sliding                 {us:6.2} us per step ({iterations:.2} iterations), \
+             {each:.2} us per contact and iteration"
+        );
+    }
+    let (us, _) = measure(200, false);
+    println!(
+        "  200 far away              {us:6.2} us per step, {:+.1} %",
+        (us / alone - 1.0) * 100.0
+    );
+}
+
+/// Runs of one shape side by side, as studies are.
+fn ensembles() {
+    let model = elastic_example(6);
+    let settings = Settings::new(0.15, 1e-4);
+    let runs = vec![(&model, &settings); 64];
+    let seconds = least(|| {
+        let start = Instant::now();
+        assert!(simulate_batch(&runs, Detail::Motion).iter().all(Result::is_ok));
+        start.elapsed().as_secs_f64()
+    });
+    println!(
+        "a study of the elastic example, 6 elements, 1500 steps, one core\n  {:.0} runs a second, {:.2} us \
+         per step and run",
+        64.0 / seconds,
+        seconds / (64.0 * 1500.0) * 1e6
     );
 }
 

@@ -32,7 +32,7 @@ const MOST_IMPACTS: usize = 64;
 #[derive(Clone, Debug)]
 pub struct Variation {
     /// The model with the parameter less twice, less once, plus once, plus twice its change. What a model is made of is a
-    /// smooth function of its parameters: its derivative is the fourth-order difference, exact to some twelve digits.
+    /// smooth function of its parameters: its derivative is the fourth-order difference.
     pub models: [Model; 4],
     /// Change of the parameter.
     pub change: f64,
