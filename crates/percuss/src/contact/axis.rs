@@ -19,8 +19,16 @@ pub struct AxisElement {
     pub length: f64,
     /// Arc length from the start of the beam \[m\].
     pub s: f64,
-    /// Distance of either face from the axis \[m\].
-    pub half_depth: f64,
+    /// Distance of either face from the axis at both ends, linear between \[m\].
+    pub half_depths: [f64; 2],
+}
+
+impl AxisElement {
+    /// Distance of either face from the axis at a share of the element \[m\].
+    pub fn half_depth(&self, xi: f64) -> f64 {
+        let [a, b] = self.half_depths;
+        a + xi * (b - a)
+    }
 }
 
 /// A point of an axis: the number of its element and the share of it.
@@ -43,10 +51,16 @@ pub struct Nearest {
 }
 
 /// An element in a configuration: position and slope at both ends.
+///
+/// Its faces envelop the circles about its points with the half depth as their radius. The point nearest to a place is that
+/// whose circle is, so on a tapered element the normal leans back from the thick end.
 #[derive(Clone, Copy)]
 pub struct Placed {
     ends: [[f64; 4]; 2],
     length: f64,
+    /// Half depth at the first end, and its growth per length.
+    half_depth: f64,
+    taper: f64,
 }
 
 impl Placed {
@@ -57,7 +71,18 @@ impl Placed {
             let (x, g) = (frame.position, frame.tangent);
             [x[0] + u[0], x[1] + u[1], g[0] + u[2], g[1] + u[3]]
         };
-        Self { ends: [end(element.node), end(element.node + 1)], length: element.length }
+        let [half_depth, last] = element.half_depths;
+        Self {
+            ends: [end(element.node), end(element.node + 1)],
+            length: element.length,
+            half_depth,
+            taper: (last - half_depth) / element.length,
+        }
+    }
+
+    /// Distance of `y` from the circle about a point.
+    fn away(&self, y: [f64; 2], xi: f64) -> f64 {
+        norm(sub(self.position(xi), y)) - self.half_depth - self.taper * xi * self.length
     }
 
     fn combine(&self, n: &[f64; 4]) -> [f64; 2] {
@@ -80,7 +105,7 @@ impl Placed {
         self.combine(&hermite::curvature(xi, self.length))
     }
 
-    /// A bound from below of the distance of its points from `y`: its control points lie about its middle.
+    /// A bound from below of the distance of its circles from `y`: its control points lie about its middle.
     fn least_distance(&self, y: [f64; 2]) -> f64 {
         let [a, b] = &self.ends;
         let half = [0.5 * (b[0] - a[0]), 0.5 * (b[1] - a[1])];
@@ -90,7 +115,7 @@ impl Placed {
         let p = [third * a[2] - half[0], third * a[3] - half[1]];
         let q = [half[0] - third * b[2], half[1] - third * b[3]];
         let reach = dot(half, half).max(dot(p, p)).max(dot(q, q)).sqrt();
-        norm(sub(y, middle)) - reach
+        norm(sub(y, middle)) - reach - self.half_depth - (self.taper * self.length).max(0.0)
     }
 
     /// Whether a place at most `away` from it has one point of it that is nearest in its neighbourhood, not several: the square
@@ -109,31 +134,32 @@ impl Placed {
     }
 
     /// The share nearest to `y` of all. Where the element is bent so much that there may be several feet, each is looked for.
-    fn nearest(&self, y: [f64; 2]) -> f64 {
-        let away = |xi: f64| norm(sub(self.position(xi), y));
+    fn nearest(&self, y: [f64; 2], side: f64) -> f64 {
+        let away = |xi: f64| self.away(y, xi);
         let coarse: [f64; 5] = std::array::from_fn(|k| away(0.25 * k as f64));
         let (best, least) = least_of(&coarse);
-        if self.has_one_foot(least) {
-            return self.descend(y, 0.25 * best as f64);
+        if self.has_one_foot(least + self.half_depth + (self.taper * self.length).max(0.0)) {
+            return self.descend(y, 0.25 * best as f64, side);
         }
         let fine: [f64; FEET + 1] = std::array::from_fn(|k| away(k as f64 / FEET as f64));
         let nearer = |k: usize, other: Option<&f64>| other.is_none_or(|other| fine[k] <= *other);
         let valleys = (0..=FEET).filter(|k| {
             nearer(*k, k.checked_sub(1).map(|before| &fine[before])) && nearer(*k, fine.get(k + 1))
         });
-        let feet = valleys.map(|k| self.descend(y, k as f64 / FEET as f64));
+        let feet = valleys.map(|k| self.descend(y, k as f64 / FEET as f64, side));
         feet.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0.5)
     }
 
     /// The share nearest to `y` in the neighbourhood of another one: Newton's iteration on the square of the distance, downhill,
-    /// within the element.
-    fn descend(&self, y: [f64; 2], mut xi: f64) -> f64 {
+    /// within the element. What is on the other side of the axis than `side` has gone through: it is nearest where it is deepest.
+    fn descend(&self, y: [f64; 2], mut xi: f64, side: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         for iteration in 0..PATIENCE + 55 {
             let (e, t, c) = (sub(self.position(xi), y), self.tangent(xi), self.bend(xi));
-            let slope = dot(e, t) * self.length;
+            let slope = self.onward(y, xi, side) * self.length;
+            let leaning = if self.taper == 0.0 { 0.0 } else { self.leaning(e, t, side) };
             // Gauss-Newton where the square of the distance is not convex.
-            let (full, safe) = (dot(t, t) + dot(e, c), dot(t, t));
+            let (full, safe) = (dot(t, t) + dot(e, c) - leaning, dot(t, t));
             let bend = if full > 0.1 * safe { full } else { safe } * self.length * self.length;
             if slope > 0.0 {
                 high = xi
@@ -165,9 +191,22 @@ impl Placed {
     }
 
     /// How the distance from `y` changes along the axis: negative where it is nearer further on.
-    fn onward(&self, y: [f64; 2], xi: f64) -> f64 {
-        dot(sub(self.position(xi), y), self.tangent(xi))
+    fn onward(&self, y: [f64; 2], xi: f64, side: f64) -> f64 {
+        let (e, t) = (sub(self.position(xi), y), self.tangent(xi));
+        let level = dot(e, t);
+        if self.taper == 0.0 { level } else { level - self.taper * norm(e) * through(e, t, side) }
     }
+
+    /// What the taper adds to the derivative of that.
+    fn leaning(&self, e: [f64; 2], t: [f64; 2], side: f64) -> f64 {
+        let away = norm(e);
+        if away > 0.0 { self.taper * through(e, t, side) * dot(e, t) / away } else { 0.0 }
+    }
+}
+
+/// Whether what an axis is away from by `-e` lies on the given side (1) or has gone through (-1); without a side it lies outside.
+fn through(e: [f64; 2], tangent: [f64; 2], side: f64) -> f64 {
+    if cross(e, tangent) * side < 0.0 { -1.0 } else { 1.0 }
 }
 
 /// Index and value of the least.
@@ -195,26 +234,32 @@ impl Axis<'_> {
     }
 
     /// The point nearest to `y` of all; `None` if all elements are left out. The search starts near `guess`.
-    pub fn nearest(&self, y: [f64; 2], at: &Configuration, guess: AxisPoint) -> Option<Nearest> {
+    pub fn nearest(
+        &self,
+        y: [f64; 2],
+        at: &Configuration,
+        guess: AxisPoint,
+        side: f64,
+    ) -> Option<Nearest> {
         let mut best = (f64::INFINITY, None);
         if guess.element < self.elements.len() && !self.left_out(guess.element) {
-            let near = self.near(y, at, guess);
-            let place = self.placed(near.element, at).position(near.xi);
-            best = (norm(sub(place, y)), Some(near));
+            let near = self.near(y, at, guess, side);
+            best = (self.placed(near.element, at).away(y, near.xi), Some(near));
         }
         let local = best.1;
         let found = local.map(|p| p.element);
         for element in (0..self.elements.len()).filter(|k| !self.left_out(*k)) {
             let placed = self.placed(element, at);
+            let deepest = self.elements[element].half_depths.into_iter().fold(0.0, f64::max);
             if placed.least_distance(y) > best.0
-                || (Some(element) == found && placed.has_one_foot(best.0))
+                || (Some(element) == found && placed.has_one_foot(best.0 + deepest))
             {
                 continue;
             }
-            let xi = placed.nearest(y);
-            let away = norm(sub(placed.position(xi), y));
+            let xi = placed.nearest(y, side);
+            let away = placed.away(y, xi);
             // Of two as near, the one found first: at a node both elements say the same.
-            if away < best.0 * (1.0 - 1e-14) {
+            if away + 1e-14 * norm(sub(placed.position(xi), y)) < best.0 {
                 best = (away, Some(AxisPoint { element, xi }));
             }
         }
@@ -223,12 +268,12 @@ impl Axis<'_> {
     }
 
     /// The point nearest to `y` in the neighbourhood of another one: downhill along the axis.
-    pub fn near(&self, y: [f64; 2], at: &Configuration, from: AxisPoint) -> AxisPoint {
+    pub fn near(&self, y: [f64; 2], at: &Configuration, from: AxisPoint, side: f64) -> AxisPoint {
         let (mut element, mut guess, mut way) = (from.element, from.xi, 0_i8);
         loop {
             let placed = self.placed(element, at);
-            let xi = placed.descend(y, guess);
-            let onward = placed.onward(y, xi);
+            let xi = placed.descend(y, guess, side);
+            let onward = placed.onward(y, xi, side);
             let (next, start) = if xi == 1.0 && onward < 0.0 && way >= 0 {
                 way = 1;
                 (element + 1, 0.0)
@@ -242,7 +287,7 @@ impl Axis<'_> {
                 return AxisPoint { element, xi };
             }
             // At a corner the next element may lead away again: then the corner is nearest.
-            let ahead = self.placed(next, at).onward(y, start);
+            let ahead = self.placed(next, at).onward(y, start, side);
             if ahead * f64::from(way) >= 0.0 {
                 return AxisPoint { element, xi };
             }

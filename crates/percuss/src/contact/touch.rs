@@ -85,10 +85,10 @@ impl Pair {
                 let axis = Axis { nodes: &model.nodes, elements, skip: *skip };
                 let (point, leapt_from) = match reach {
                     Reach::All => {
-                        let found = axis.nearest(y, at, memory.near)?;
+                        let found = axis.nearest(y, at, memory.near, memory.side)?;
                         (found.point, found.leapt_from)
                     }
-                    Reach::Near => (axis.near(y, at, memory.near), None),
+                    Reach::Near => (axis.near(y, at, memory.near, memory.side), None),
                 };
                 let side = leapt_from.map_or(memory.side, |from| {
                     // What was outside of one arm is outside of the other, whichever way that one runs.
@@ -201,15 +201,15 @@ impl Pair {
             })
         };
         let hold = Hold::Beam { shape, slope, tangent: reference(&slope) };
-        let distance = sign * distance;
+        let (distance, half_depth) = (sign * distance, element.half_depth(point.xi));
         let slides = point.xi > 0.0 && point.xi < 1.0;
         Touch {
-            gap: distance - self.reach - element.half_depth,
-            apart: distance.abs() - self.reach - element.half_depth,
+            gap: distance - self.reach - half_depth,
+            apart: distance.abs() - self.reach - half_depth,
             normal,
             foot: Centre { position: reference(&shape), node: element.node, hold },
             foot_place,
-            radius: element.half_depth,
+            radius: half_depth,
             memory: Memory { side, near: point },
             s: element.s + point.xi * element.length,
             bend: if slides {
@@ -278,14 +278,16 @@ impl Pair {
             Bend::Curve { distance, tangent, bend } => {
                 let Hold::Beam { shape, slope, .. } = &touch.foot.hold else { return row };
                 let onward = weigh(slope, touch.foot.node, nodal);
-                let slack = dot(tangent, tangent) - distance * dot(n, bend);
-                if slack <= 1e-3 * dot(tangent, tangent) {
+                // Across the normal; on a tapered beam the tangent is not.
+                let across = rot90(n);
+                let level = dot(across, tangent);
+                let slack = level * level - distance * dot(n, bend);
+                if slack <= 1e-3 * level * level {
                     return row;
                 }
-                let slide = (dot(tangent, drift) + distance * dot(n, onward)) / slack;
-                let t2 = dot(tangent, tangent);
+                let slide = (level * dot(across, drift) + distance * dot(n, onward)) / slack;
                 let turned = dot(n, [onward[0] + slide * bend[0], onward[1] + slide * bend[1]]);
-                let turn = scale(-turned / t2, tangent);
+                let turn = scale(-turned / level, across);
                 self.source.add_force(&mut row, turn);
                 let on = |v: f64, s: f64| {
                     let f = [0, 1].map(|i| -v * turn[i] - s * slide * n[i]);

@@ -8,7 +8,7 @@ use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs};
 use crate::contact::axis::AxisElement;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
-use crate::math::hermite;
+use crate::math::hermite::{self, GAUSS};
 use crate::math::vec2::norm;
 
 /// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
@@ -260,16 +260,29 @@ fn section_values(material: &Material, section: &Section, fraction: f64) -> Sect
 fn axis(model: &Model, first_span: usize) -> Vec<AxisElement> {
     let element = |span: &Span, k: usize| {
         let rows = &span.table(k).rows;
-        let depth: f64 = rows.iter().map(|r| r.half_depth).sum::<f64>() / rows.len() as f64;
+        // Linear through the outer Gauss points.
+        let (first, last) = (rows[0].half_depth, rows[GAUSS - 1].half_depth);
+        let inset = hermite::gauss_points()[0];
+        let beyond = (last - first) * inset / (1.0 - 2.0 * inset);
+        let known = |depth: f64| if depth.is_nan() { 0.0 } else { depth };
         AxisElement {
             node: span.nodes.start + k,
             length: span.table(k).length,
             s: span.stations[k],
-            half_depth: if depth.is_nan() { 0.0 } else { depth },
+            half_depths: [known(first - beyond), known(last + beyond)],
         }
     };
-    let spans = &model.spans[first_span..];
-    spans.iter().flat_map(|span| (0..span.elements.len()).map(move |k| element(span, k))).collect()
+    let mut axis = Vec::new();
+    for span in &model.spans[first_span..] {
+        let from = axis.len();
+        axis.extend((0..span.elements.len()).map(|k| element(span, k)));
+        // A station within an element bends its face; where it meets its neighbours both give way.
+        for k in from + 1..axis.len() {
+            let mean = 0.5 * (axis[k - 1].half_depths[1] + axis[k].half_depths[0]);
+            (axis[k - 1].half_depths[1], axis[k].half_depths[0]) = (mean, mean);
+        }
+    }
+    axis
 }
 
 /// The material point meant by a (checked) reference; points within a billionth of an element of a node are that node, at a

@@ -327,7 +327,7 @@ impl Pairs<'_> {
         let axis = &self.model.beams[beam].axis;
         let first = self.found.len();
         self.points_on_axis(beam, beam, points, 0, true);
-        let deep = axis.iter().map(|e| e.half_depth).fold(0.0, f64::max);
+        let deep = axis.iter().flat_map(|e| e.half_depths).fold(0.0, f64::max);
         let long = axis.iter().map(|e| e.length).fold(0.0, f64::max);
         let apart = (OWN_NEIGHBOURHOOD[0] * long).max(OWN_NEIGHBOURHOOD[1] * deep);
         for pair in &mut self.found[first..] {
@@ -346,9 +346,9 @@ impl Pairs<'_> {
         let data = &self.model.beams[beam];
         let inner = data.axis.iter().flat_map(|e| {
             let at = move |k: usize| e.s + e.length * k as f64 / points as f64;
-            (0..points).map(move |k| (at(k), e.half_depth))
+            (0..points).map(move |k| (at(k), e.half_depth(k as f64 / points as f64)))
         });
-        let last = data.axis.last().map(|e| (data.length, e.half_depth));
+        let last = data.axis.last().map(|e| (data.length, e.half_depth(1.0)));
         inner.chain(last).map(|(s, half)| (point_at(self.model, beam, s), half)).collect()
     }
 }
@@ -357,7 +357,7 @@ impl Pairs<'_> {
 fn half_depth(model: &Model, point: &MaterialPoint) -> f64 {
     let axis = &model.beams[point.beam].axis;
     let element = axis.iter().find(|e| e.node == point.node);
-    element.map_or(0.0, |e| e.half_depth)
+    element.map_or(0.0, |e| e.half_depth(((point.s - e.s) / e.length).clamp(0.0, 1.0)))
 }
 
 impl Model {
