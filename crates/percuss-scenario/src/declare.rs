@@ -62,7 +62,7 @@ macro_rules! reach_key {
             return <$format as crate::format::Format>::reach($value, rest)
                 .map_err(crate::reach::Lost::deeper);
         })*
-        #[allow(unused_mut)]
+        #[allow(unused_mut, reason = "not every table has what changes it")]
         let mut known: Vec<String> = vec![$(stringify!($key).to_string()),*];
         $(match crate::table::Part::reach($part, $path) {
             Err(crate::reach::Lost::Unknown { depth: 0, known: more, .. }) => known.extend(more),
@@ -114,7 +114,7 @@ macro_rules! table {
             fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
                 $(let $key = read_key!(body, reader, $key, $format $(, $default)?);)*
                 $($(let $part = <$part_type as crate::table::Part>::read(body, reader);)+)?
-                #[allow(unused_mut)]
+                #[allow(unused_mut, reason = "not every table has what changes it")]
                 let mut table = Self { $($key,)* $($($part: $part?,)+)? };
                 $($settle(&mut table, body, reader);)?
                 Some(table)

@@ -20,12 +20,17 @@ pub struct Search {
     /// Still to be corrected.
     seeking: bool,
     watch: Watch,
+    /// Impulse left unbalanced, relative to the momentum in play.
+    impulse: f64,
     /// The size of the step that the tangent was factored for \[s\], the steps it has served, and those it may serve.
     factored_for: f64,
     served: usize,
     service: usize,
     /// Whether the tangent is to be factored anew.
     renew: bool,
+    /// Size of the last step \[s\], and whether this one has the same.
+    size: f64,
+    steady: bool,
     /// Corrections and factorisations of the run so far.
     pub iterations: usize,
     pub factorizations: usize,
@@ -39,10 +44,13 @@ impl Search {
             failed: false,
             seeking: false,
             watch: Watch::new(0.0),
+            impulse: 0.0,
             factored_for: f64::NAN,
             served: 0,
             service: MOST_SERVICE,
             renew: false,
+            size: f64::NAN,
+            steady: false,
             iterations: 0,
             factorizations: 0,
         }
@@ -61,15 +69,15 @@ impl<S: Number> Engine<S> {
     /// Finds the increments of the step at hand; lanes in which there is none are marked.
     #[inline(always)]
     pub fn solve(&mut self, books: &Books<S>, lanes: &mut [Search]) {
-        self.predict();
+        for (i, lane) in lanes.iter_mut().enumerate() {
+            lane.begin(books.energy_scale.lane(i), self.h.lane(i), S::DERIVES);
+        }
+        self.predict(lanes);
         let reach = largest(&self.displacement);
         let momentum = {
             let play = (self.numbers.total_mass * books.energy_scale * 2.0).sqrt();
             play.max(books.linear_scale)
         };
-        for (i, lane) in lanes.iter_mut().enumerate() {
-            lane.begin(books.energy_scale.lane(i), self.h.lane(i), S::DERIVES);
-        }
         let (mut assemble, mut seen) = (lanes.iter().any(|l| l.renew), false);
         let mut corrections = 0;
         while corrections < MOST_ITERATIONS {
@@ -119,19 +127,20 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// The increments if nothing accelerates.
+    /// The increments if accelerations stay as they were in a step of the same size, or are zero.
     #[inline(always)]
-    fn predict(&mut self) {
-        let twice = self.h + self.h;
+    fn predict(&mut self, lanes: &[Search]) {
+        let steady = self.h.constants(|i| f64::from(u8::from(lanes[i].steady)));
         for n in 0..self.increment.len() {
             for i in 0..4 {
-                let before = self.increment[n][i];
-                self.increment[n][i] = (-before).add_product(twice, self.velocity[n][i]);
+                let free = self.h * self.velocity[n][i];
+                self.increment[n][i] = free.add_product(steady, free - self.increment[n][i]);
             }
         }
         Self::project(&self.numbers.holds, &mut self.increment);
         for guide in &mut self.guides {
-            guide.increment = self.h * guide.velocity * 2.0 - guide.increment;
+            let free = self.h * guide.velocity;
+            guide.increment = free.add_product(steady, free - guide.increment);
         }
     }
 
@@ -239,6 +248,8 @@ impl Search {
     fn begin(&mut self, energy: f64, h: f64, derives: bool) {
         self.watch = Watch::new(energy);
         (self.seeking, self.failed) = (self.live, false);
+        self.steady = self.size == h && !derives;
+        self.size = h;
         self.served += 1;
         // Derivatives need the tangent at the solution anyway.
         let due = derives || self.served >= self.service;
@@ -256,15 +267,19 @@ impl Search {
         }
     }
 
-    /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done.
+    /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done. Without joints the work and the impulse
+    /// left by a correction that contracted well are known from those before it, round-off apart.
     fn weigh(&mut self, work: f64, impulse: f64, corrections: usize) {
         self.watch.unbalanced(work);
+        let impulse_left = std::mem::replace(&mut self.impulse, impulse) * self.watch.left_share();
         if !work.is_finite() {
             (self.seeking, self.failed) = (false, true);
         } else if corrections > 0 {
             let small = |most: f64| impulse <= most || impulse.is_nan();
-            let exact = work <= WORK_TOLERANCE * self.watch.energy && small(IMPULSE_TOLERANCE);
-            if exact || self.watch.settled() && small(MOST_IMPULSE) {
+            let enough = WORK_TOLERANCE * self.watch.energy;
+            let exact = work <= enough && small(IMPULSE_TOLERANCE);
+            let gone = self.watch.work_left() <= enough && impulse_left <= IMPULSE_TOLERANCE;
+            if exact || (gone || self.watch.settled()) && small(MOST_IMPULSE) {
                 self.seeking = false;
             }
         }

@@ -31,6 +31,8 @@ pub struct Watch {
     size: f64,
     rate: f64,
     rate_before: f64,
+    /// The worse of that ratio and the one of the unbalanced work, as they were known with the last correction.
+    contraction: f64,
     /// Whether it was small against the step.
     near: bool,
     /// Whether further corrections would move nothing but round-off.
@@ -49,6 +51,7 @@ impl Watch {
             size: infinity,
             rate: infinity,
             rate_before: infinity,
+            contraction: infinity,
             near: false,
             settled: false,
         }
@@ -76,6 +79,16 @@ impl Watch {
         self.settled && self.unbalanced <= MOST_ROUND_OFF * self.energy
     }
 
+    /// The share that the last correction leaves of what was unbalanced before it; one, unless the iteration contracts well.
+    pub fn left_share(&self) -> f64 {
+        if self.contraction <= CONTRACTION { self.contraction } else { 1.0 }
+    }
+
+    /// Work that the last correction leaves unbalanced, by that share; round-off is not in it \[J\].
+    pub fn work_left(&self) -> f64 {
+        self.before * self.left_share()
+    }
+
     /// Takes in the energy in play, once the first correction has shown it.
     pub fn play(&mut self, energy: f64) {
         self.energy = energy;
@@ -93,13 +106,12 @@ impl Watch {
         self.size = size;
         self.near = size <= NEAR * step;
         let round_off = size <= ROUND_OFF * reach.max(step);
-        // What will be left unbalanced: as the worse of two rates has it, and, on meshes so fine that what is seen unbalanced is
-        // round-off, as the largest stiffness seen has it.
-        let rate = self.rate.max(self.unbalanced / self.before);
-        let left = (self.unbalanced * rate).min(size * self.rate * self.stiffness * step);
+        self.contraction = self.rate.max(self.unbalanced / self.before);
+        // What the next correction would find unbalanced, were there no round-off.
+        let ahead = size * self.rate * self.stiffness * step;
         let predicted = self.rate <= CONTRACTION
             && self.stiffness > 0.0
-            && left <= WORK_TOLERANCE * self.energy;
+            && ahead <= WORK_TOLERANCE * self.energy;
         let floor = (STALLED * step).max(ROUND_OFF * places);
         let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= floor;
         self.settled = round_off || predicted || stalled;
