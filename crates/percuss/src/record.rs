@@ -46,6 +46,11 @@ pub trait Recorder {
         Ok(())
     }
 
+    /// Whether rows are wanted; if not, [`Recorder::row`] is not called and their values are not worked out.
+    fn wants_rows(&self) -> bool {
+        true
+    }
+
     /// Called right before every row, with the state the row is taken from: for shapes of the whole structure.
     fn state(&mut self, state: &State) {
         let _ = state;
@@ -62,7 +67,11 @@ pub trait Recorder {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoRecorder;
 
-impl Recorder for NoRecorder {}
+impl Recorder for NoRecorder {
+    fn wants_rows(&self) -> bool {
+        false
+    }
+}
 
 /// Keeps every row in memory.
 #[derive(Clone, Debug, Default)]

@@ -2,7 +2,6 @@
 
 use super::contact_log;
 use super::section_forces::{self, Before};
-use crate::contact::configuration::Configuration;
 use crate::contact::pair::Target;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
@@ -129,33 +128,34 @@ fn slides(model: &Model, contact: &ContactData) -> bool {
     })
 }
 
-/// The nearest pair of a contact.
+/// The nearest pair of a contact: gap, and arc length along the beam where that can change.
 struct Nearest {
     gap: f64,
-    place: f64,
+    s: f64,
 }
 
 /// The nearest pair of a contact where the state stands; of pairs that sleep, those that could be nearer are looked at.
 fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> Nearest {
-    let at = Configuration::of(&state.displacement);
-    let mut best = (f64::INFINITY, None);
+    let slides = slides(model, contact);
+    let mut best = Nearest { gap: f64::INFINITY, s: f64::NAN };
     for i in contact.pairs.clone() {
         let pair = &model.pairs[i];
-        let gap = match search.least_gap(pair, i) {
-            None => state.pairs[i].gap,
-            Some(least) if least < best.0 => {
-                let touch = pair.touch(model, &at, &state.pairs[i].memory, Reach::All);
-                touch.map_or(f64::INFINITY, |t| t.gap)
+        let least = search.least_gap(pair, i);
+        if least.unwrap_or(state.pairs[i].gap) >= best.gap {
+            continue;
+        }
+        // The foot of a pair that sleeps may have leapt.
+        let reach = if least.is_some() { Reach::All } else { Reach::Near };
+        if least.is_none() && !slides {
+            best.gap = state.pairs[i].gap;
+        } else if let Some(touch) = contact_log::touch(model, state, i, reach) {
+            if touch.gap < best.gap {
+                let s = if slides { contact_log::along(pair, &touch) } else { f64::NAN };
+                best = Nearest { gap: touch.gap, s };
             }
-            Some(_) => continue,
-        };
-        if gap < best.0 {
-            best = (gap, Some(i));
         }
     }
-    let place = best.1.filter(|_| slides(model, contact));
-    let place = place.map_or(f64::NAN, |i| contact_log::place(model, state, i).s);
-    Nearest { gap: best.0, place }
+    best
 }
 
 /// Whether the section at a point has a depth, and so extreme fibres.
@@ -208,7 +208,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             row.push(since.impulse[k][1]);
         }
         if slides(model, contact) {
-            row.push(nearest.place);
+            row.push(nearest.s);
         }
     }
     for p in &model.points {

@@ -4,7 +4,7 @@ use super::monitor::Part;
 use crate::contact::configuration::Configuration;
 use crate::contact::pair::Pair;
 use crate::contact::row::Row;
-use crate::contact::touch::Reach;
+use crate::contact::touch::{Reach, Touch};
 use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::model::frozen::ContactData;
@@ -256,18 +256,25 @@ fn add_energy(
     energy.given[1 - pair.source_party] += force * row.on(&work.increment) - on_source;
 }
 
+/// Pair `i` where the state stands.
+pub fn touch(model: &Model, state: &State, i: usize, reach: Reach) -> Option<Touch> {
+    let at = Configuration::of(&state.displacement);
+    model.pairs[i].touch(model, &at, &state.pairs[i].memory, reach)
+}
+
+/// Arc length of a contact along its beam; of two beams, along the first one.
+pub fn along(pair: &Pair, touch: &Touch) -> f64 {
+    let on_source = pair.source_party == 0 && !pair.s.is_nan();
+    if on_source || touch.s.is_nan() { pair.s } else { touch.s }
+}
+
 /// Where pair `i` is nearest.
-pub fn place(model: &Model, state: &State, i: usize) -> ContactPlace {
-    let (pair, at) = (&model.pairs[i], Configuration::of(&state.displacement));
-    let memory = &state.pairs[i].memory;
-    let Some(touch) = pair.touch(model, &at, memory, Reach::Near) else {
+fn place(model: &Model, state: &State, i: usize) -> ContactPlace {
+    let Some(touch) = touch(model, state, i, Reach::Near) else {
         return ContactPlace::default();
     };
     let position = [0, 1].map(|i| touch.foot_place[i] + touch.radius * touch.normal[i]);
-    // Of two beams, the place on the first one.
-    let on_source = pair.source_party == 0 && !pair.s.is_nan();
-    let s = if on_source || touch.s.is_nan() { pair.s } else { touch.s };
-    ContactPlace { s, position }
+    ContactPlace { s: along(&model.pairs[i], &touch), position }
 }
 
 /// Instants at which the force of a contact may be largest.

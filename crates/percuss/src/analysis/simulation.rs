@@ -346,12 +346,17 @@ impl<'m> Simulation<'m> {
             before: self.monitor.before(),
             iterations,
         };
-        channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);
+        if recorder.wants_rows() {
+            channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);
+        }
         self.row_impulse.fill([0.0; 2]);
         self.rows += 1;
         self.row_time = self.state.time;
         recorder.state(&self.state);
-        recorder.row(&self.row).map_err(Error::recorder)
+        if recorder.wants_rows() {
+            recorder.row(&self.row).map_err(Error::recorder)?;
+        }
+        Ok(())
     }
 
     /// Adds the reactions of an accepted part of a step.

@@ -11,11 +11,15 @@ use crate::step::commit;
 use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw};
 use crate::step::integration::Integration;
 use crate::step::newton::{Failure, StepProblem};
+use crate::step::workspace::Workspace;
 
 /// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
 const AHEAD: f64 = 2.0;
-/// Looks along a path before a passage counts as found.
+/// Looks along a path; what has not been seen inside by then is taken to slide along the face.
 const LOOKS: usize = 200;
+/// What is inside for less of its way than this share of the distance at which centre and axis touch has only grazed the face,
+/// no deeper than about a thousandth of that distance.
+const GRAZE: f64 = 0.1;
 
 impl Simulation<'_> {
     /// Solves a step of size `h` without accepting it.
@@ -43,6 +47,7 @@ impl Simulation<'_> {
                 active,
                 law,
                 feedback: (h / self.settings.step).min(1.0),
+                arcs: self.search.arcs(),
             };
             problem.solve(&mut self.work, &mut self.effort)?;
             self.search.within(self.model, &self.work.increment, 1.0, &mut self.reached);
@@ -87,10 +92,16 @@ impl Simulation<'_> {
         matches!(contact.law, TouchLaw::Smooth(_))
     }
 
+    /// The end of the step solved last.
+    fn end_of_step(&self) -> Configuration<'_> {
+        let Workspace { increment, arcs, .. } = &self.work;
+        Configuration { start: &self.state.displacement, increment, share: 1.0, arcs }
+    }
+
     /// Gap of pair `i` at the end of the step solved last, and its rate.
     pub(super) fn gap_next(&self, h: f64, i: usize) -> [f64; 2] {
         let (pair, d) = (&self.model.pairs[i], &self.work.increment);
-        let at = Configuration { start: &self.state.displacement, increment: d, share: 1.0 };
+        let at = self.end_of_step();
         let seen = &self.state.pairs[i];
         let Some(touch) = pair.at_end(self.model, &at, &seen.memory, seen.gap) else {
             return [f64::INFINITY, 0.0];
@@ -126,22 +137,26 @@ impl Simulation<'_> {
 
     /// Follows pair `i` along the straight path of the step, never further than it is apart.
     fn passage(&self, i: usize) -> Option<(f64, Memory)> {
-        let (pair, d) = (&self.model.pairs[i], &self.work.increment);
+        let pair = &self.model.pairs[i];
         let seen = &self.state.pairs[i];
         if !pair.target.has_sides() || seen.gap <= 0.0 || seen.gap.is_nan() {
             return None;
         }
-        let at = Configuration { start: &self.state.displacement, increment: d, share: 1.0 };
+        let at = self.end_of_step();
         let way = self.search.way(&pair.movers);
         let mut memory = seen.memory;
+        let chord = GRAZE * pair.thickness(self.model, &memory);
+        if seen.gap + chord > way {
+            return None;
+        }
         let last = pair.at_end(self.model, &at, &memory, seen.gap)?;
         // Inside where it is looked for, or outside at both ends and not fast enough to have been inside.
         let inside = last.gap <= 0.0;
         let entered = inside && last.memory.side == memory.side;
-        if entered || seen.gap + last.apart.max(0.0) > way {
+        if entered || seen.gap + chord + last.apart.max(0.0) > way {
             return None;
         }
-        let floor = (1e-6 * way).max(1e-9 * seen.gap);
+        let floor = chord.max(1e-6 * way).max(1e-9 * seen.gap);
         let (mut share, mut apart) = (0.0, seen.gap);
         for _ in 0..LOOKS {
             share += apart.max(floor) / way;
@@ -193,11 +208,14 @@ impl Simulation<'_> {
         let (model, state) = (self.model, &mut self.state);
         for &i in self.reached.iter().filter(|i| model.pairs[**i].target.has_sides()) {
             let seen = &mut state.pairs[i];
-            let increment = &self.work.increment;
-            let at = Configuration { start: &state.displacement, increment, share: 1.0 };
-            if let Some(touch) = model.pairs[i].at_end(model, &at, &seen.memory, seen.gap) {
-                seen.memory = touch.memory;
-            }
+            let Workspace { increment, arcs, smooth, .. } = &self.work;
+            let at = Configuration { start: &state.displacement, increment, share: 1.0, arcs };
+            let known =
+                smooth.binary_search_by_key(&i, |c| c.pair).ok().and_then(|k| smooth[k].end);
+            let end = known.or_else(|| {
+                model.pairs[i].at_end(model, &at, &seen.memory, seen.gap).map(|touch| touch.memory)
+            });
+            seen.memory = end.unwrap_or(seen.memory);
         }
         self.looked.clear();
     }

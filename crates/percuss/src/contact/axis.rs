@@ -2,11 +2,12 @@
 
 use super::configuration::Configuration;
 use crate::element::beam::NodeFrame;
-use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 
 /// Iterations after which a foot is closed in on by halves.
 const PATIENCE: usize = 40;
+/// A step by which Newton's iteration for a foot has settled: it converges quadratically, so what is left is round-off.
+const SETTLED: f64 = 1e-9;
 /// Places at which the feet on a strongly bent element are looked for.
 const FEET: usize = 32;
 
@@ -31,6 +32,36 @@ impl AxisElement {
     }
 }
 
+/// The elements of a beam's axis.
+#[derive(Clone, Debug)]
+pub struct AxisElements {
+    list: Vec<AxisElement>,
+    /// Length of the longest \[m\].
+    pub longest: f64,
+    /// Largest half depth \[m\].
+    pub deepest: f64,
+}
+
+impl AxisElements {
+    /// Of a list in order.
+    pub fn new(list: Vec<AxisElement>) -> Self {
+        let most = |of: fn(&AxisElement) -> f64| list.iter().map(of).fold(0.0, f64::max);
+        Self {
+            longest: most(|e| e.length),
+            deepest: most(|e| e.half_depths[0].max(e.half_depths[1])),
+            list,
+        }
+    }
+}
+
+impl std::ops::Deref for AxisElements {
+    type Target = [AxisElement];
+
+    fn deref(&self) -> &[AxisElement] {
+        &self.list
+    }
+}
+
 /// A point of an axis: the number of its element and the share of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AxisPoint {
@@ -51,94 +82,152 @@ pub struct Nearest {
 }
 
 /// An element in a configuration: position and slope at both ends.
-///
-/// Its faces envelop the circles about its points with the half depth as their radius. The point nearest to a place is that
-/// whose circle is, so on a tapered element the normal leans back from the thick end.
 #[derive(Clone, Copy)]
-pub struct Placed {
-    ends: [[f64; 4]; 2],
+struct Ends {
+    nodes: [[f64; 4]; 2],
     length: f64,
-    /// Half depth at the first end, and its growth per length.
-    half_depth: f64,
-    taper: f64,
 }
 
-impl Placed {
-    /// Of an element.
-    pub fn new(element: &AxisElement, nodes: &[NodeFrame], at: &Configuration) -> Self {
+impl Ends {
+    fn new(element: &AxisElement, nodes: &[NodeFrame], at: &Configuration) -> Self {
         let end = |n: usize| {
             let (frame, u) = (&nodes[n], at.node(n));
             let (x, g) = (frame.position, frame.tangent);
             [x[0] + u[0], x[1] + u[1], g[0] + u[2], g[1] + u[3]]
         };
-        let [half_depth, last] = element.half_depths;
-        Self {
-            ends: [end(element.node), end(element.node + 1)],
-            length: element.length,
-            half_depth,
-            taper: (last - half_depth) / element.length,
-        }
+        Self { nodes: [end(element.node), end(element.node + 1)], length: element.length }
     }
 
-    /// Distance of `y` from the circle about a point.
-    fn away(&self, y: [f64; 2], xi: f64) -> f64 {
-        norm(sub(self.position(xi), y)) - self.half_depth - self.taper * xi * self.length
+    /// A bound from above of its length: control vectors of the derivative bound it.
+    fn longest(&self) -> f64 {
+        self.length * self.onward().into_iter().map(norm).fold(0.0, f64::max)
     }
 
-    fn combine(&self, n: &[f64; 4]) -> [f64; 2] {
-        let [a, b] = &self.ends;
-        [0, 1].map(|i| n[0] * a[i] + n[1] * a[2 + i] + n[2] * b[i] + n[3] * b[2 + i])
+    /// Control vectors of the derivative with respect to arc length of the reference.
+    fn onward(&self) -> [[f64; 2]; 3] {
+        let [a, b] = &self.nodes;
+        let inner = |i: usize| 3.0 * (b[i] - a[i]) / self.length - a[2 + i] - b[2 + i];
+        [[a[2], a[3]], [inner(0), inner(1)], [b[2], b[3]]]
     }
 
-    /// Position at a share of the element.
-    pub fn position(&self, xi: f64) -> [f64; 2] {
-        self.combine(&hermite::shape(xi, self.length))
-    }
-
-    /// Derivative with respect to arc length of the reference.
-    pub fn tangent(&self, xi: f64) -> [f64; 2] {
-        self.combine(&hermite::slope(xi, self.length))
-    }
-
-    /// Second derivative with respect to arc length of the reference.
-    pub fn bend(&self, xi: f64) -> [f64; 2] {
-        self.combine(&hermite::curvature(xi, self.length))
-    }
-
-    /// A bound from below of the distance of its circles from `y`: its control points lie about its middle.
-    fn least_distance(&self, y: [f64; 2]) -> f64 {
-        let [a, b] = &self.ends;
-        let half = [0.5 * (b[0] - a[0]), 0.5 * (b[1] - a[1])];
+    /// A bound from below of the distance of its axis from `y`, squared: the axis lies in the box about its control points.
+    fn least_distance_squared(&self, y: [f64; 2]) -> f64 {
+        let [a, b] = &self.nodes;
         let third = self.length / 3.0;
-        let middle = [a[0] + half[0], a[1] + half[1]];
-        // Inner control points, seen from the middle.
-        let p = [third * a[2] - half[0], third * a[3] - half[1]];
-        let q = [half[0] - third * b[2], half[1] - third * b[3]];
-        let reach = dot(half, half).max(dot(p, p)).max(dot(q, q)).sqrt();
-        norm(sub(y, middle)) - reach - self.half_depth - (self.taper * self.length).max(0.0)
+        let mut squared = 0.0;
+        for i in 0..2 {
+            let (p, q) = (a[i] + third * a[2 + i], b[i] - third * b[2 + i]);
+            let (low, high) = (a[i].min(b[i]).min(p.min(q)), a[i].max(b[i]).max(p.max(q)));
+            let outside = (low - y[i]).max(y[i] - high).max(0.0);
+            squared += outside * outside;
+        }
+        squared
     }
 
     /// Whether a place at most `away` from it has one point of it that is nearest in its neighbourhood, not several: the square
     /// of the distance is convex throughout. So it is wherever the element is bent by less than about a radian.
     fn has_one_foot(&self, away: f64) -> bool {
-        let [a, b] = &self.ends;
+        let [a, b] = &self.nodes;
         let chord = [b[0] - a[0], b[1] - a[1]];
         let span = norm(chord);
-        let (first, last) = ([a[2], a[3]], [b[2], b[3]]);
-        // Control vectors of the derivative bound it, as its ends bound the second derivative.
-        let inner = [0, 1].map(|i| 3.0 * chord[i] / self.length - first[i] - last[i]);
-        let onward = [first, inner, last].map(|t| dot(t, chord) / span);
-        let least = onward.into_iter().fold(f64::INFINITY, f64::min);
-        let bend = norm(self.bend(0.0)).max(norm(self.bend(1.0)));
-        least > 0.0 && least * least > (away + 2.0 * span) * bend
+        // Control vectors bound the derivative, as its ends bound the second derivative.
+        let [first, inner, last] = self.onward();
+        let least = dot(first, chord).min(dot(inner, chord)).min(dot(last, chord)) / span;
+        let turn = norm(sub(inner, first)).max(norm(sub(last, inner)));
+        least > 0.0 && least * least > (away + 2.0 * span) * 2.0 * turn / self.length
+    }
+}
+
+/// The axis of an element in a configuration: a cubic in the share of the element.
+///
+/// Its faces envelop the circles about its points with the half depth as their radius. The point nearest to a place is that
+/// whose circle is, so on a tapered element the normal leans back from the thick end.
+#[derive(Clone, Copy)]
+pub struct Placed {
+    /// Coefficients of the powers of the share.
+    powers: [[f64; 2]; 4],
+    length: f64,
+    /// Half depth at the first end, and its growth to the other.
+    half_depth: f64,
+    growth: f64,
+}
+
+/// A place of an element as a point sees it.
+#[derive(Clone, Copy)]
+struct Seen {
+    /// From the point to the place.
+    away: [f64; 2],
+    /// Derivative with respect to the share.
+    tangent: [f64; 2],
+}
+
+impl Placed {
+    /// Of an element.
+    pub fn new(element: &AxisElement, nodes: &[NodeFrame], at: &Configuration) -> Self {
+        Self::between(element, &Ends::new(element, nodes, at))
+    }
+
+    fn between(element: &AxisElement, ends: &Ends) -> Self {
+        let [a, b] = &ends.nodes;
+        let mut powers = [[0.0; 2]; 4];
+        for i in 0..2 {
+            let (g, h) = (ends.length * a[2 + i], ends.length * b[2 + i]);
+            let rise = b[i] - a[i];
+            powers[0][i] = a[i];
+            powers[1][i] = g;
+            powers[2][i] = 3.0 * rise - 2.0 * g - h;
+            powers[3][i] = g + h - 2.0 * rise;
+        }
+        let [half_depth, last] = element.half_depths;
+        Self { powers, length: ends.length, half_depth, growth: last - half_depth }
+    }
+
+    /// Distance of `y` from the circle about a point.
+    fn away(&self, y: [f64; 2], xi: f64) -> f64 {
+        norm(sub(self.position(xi), y)) - self.half_depth - self.growth * xi
+    }
+
+    /// Position at a share of the element.
+    pub fn position(&self, xi: f64) -> [f64; 2] {
+        let [a, b, c, d] = &self.powers;
+        let at = |i: usize| a[i] + xi * (b[i] + xi * (c[i] + xi * d[i]));
+        [at(0), at(1)]
+    }
+
+    /// Derivative with respect to the share.
+    fn onward(&self, xi: f64) -> [f64; 2] {
+        let [_, b, c, d] = &self.powers;
+        let at = |i: usize| b[i] + xi * (2.0 * c[i] + 3.0 * xi * d[i]);
+        [at(0), at(1)]
+    }
+
+    /// Second derivative with respect to the share.
+    fn turning(&self, xi: f64) -> [f64; 2] {
+        let [_, _, c, d] = &self.powers;
+        let at = |i: usize| 2.0 * c[i] + 6.0 * xi * d[i];
+        [at(0), at(1)]
+    }
+
+    /// Derivative with respect to arc length of the reference.
+    pub fn tangent(&self, xi: f64) -> [f64; 2] {
+        scale(1.0 / self.length, self.onward(xi))
+    }
+
+    /// Second derivative with respect to arc length of the reference.
+    pub fn bend(&self, xi: f64) -> [f64; 2] {
+        scale(1.0 / (self.length * self.length), self.turning(xi))
+    }
+
+    fn seen(&self, y: [f64; 2], xi: f64) -> Seen {
+        Seen { away: sub(self.position(xi), y), tangent: self.onward(xi) }
     }
 
     /// The share nearest to `y` of all. Where the element is bent so much that there may be several feet, each is looked for.
-    fn nearest(&self, y: [f64; 2], side: f64) -> f64 {
+    fn nearest(&self, ends: &Ends, y: [f64; 2], side: f64) -> f64 {
         let away = |xi: f64| self.away(y, xi);
         let coarse: [f64; 5] = std::array::from_fn(|k| away(0.25 * k as f64));
         let (best, least) = least_of(&coarse);
-        if self.has_one_foot(least + self.half_depth + (self.taper * self.length).max(0.0)) {
+        if ends.has_one_foot(least + self.half_depth + self.growth.max(0.0)) {
             return self.descend(y, 0.25 * best as f64, side);
         }
         let fine: [f64; FEET + 1] = std::array::from_fn(|k| away(k as f64 / FEET as f64));
@@ -155,21 +244,20 @@ impl Placed {
     fn descend(&self, y: [f64; 2], mut xi: f64, side: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         for iteration in 0..PATIENCE + 55 {
-            let (e, t, c) = (sub(self.position(xi), y), self.tangent(xi), self.bend(xi));
-            let slope = self.onward(y, xi, side) * self.length;
-            let leaning = if self.taper == 0.0 { 0.0 } else { self.leaning(e, t, side) };
+            let seen = self.seen(y, xi);
+            let slope = self.slope(&seen, side);
+            let safe = dot(seen.tangent, seen.tangent);
+            let full = safe + dot(seen.away, self.turning(xi)) - self.leaning(&seen, side);
             // Gauss-Newton where the square of the distance is not convex.
-            let (full, safe) = (dot(t, t) + dot(e, c) - leaning, dot(t, t));
-            let bend = if full > 0.1 * safe { full } else { safe } * self.length * self.length;
+            let convex = full > 0.1 * safe;
             if slope > 0.0 {
                 high = xi
             } else {
                 low = xi
             }
-            let mut next = xi - slope / bend;
+            let mut next = xi - slope / if convex { full } else { safe };
             // Where the distance hardly changes, next to a centre of curvature, Newton's iteration crawls.
-            let crawls = iteration >= PATIENCE;
-            if crawls {
+            if iteration >= PATIENCE {
                 next = 0.5 * (low + high);
             } else if !(next >= low && next <= high) {
                 // Out of the bracket: to its end if that is the element's, else to its middle.
@@ -183,30 +271,36 @@ impl Placed {
             }
             let step = (next - xi).abs();
             xi = next;
-            if step <= 1e-15 {
+            if step <= if convex { SETTLED } else { 1e-15 } {
                 break;
             }
         }
         xi
     }
 
-    /// How the distance from `y` changes along the axis: negative where it is nearer further on.
-    fn onward(&self, y: [f64; 2], xi: f64, side: f64) -> f64 {
-        let (e, t) = (sub(self.position(xi), y), self.tangent(xi));
-        let level = dot(e, t);
-        if self.taper == 0.0 { level } else { level - self.taper * norm(e) * through(e, t, side) }
+    /// How half the square of the distance changes with the share: negative where it is nearer further on.
+    fn slope(&self, seen: &Seen, side: f64) -> f64 {
+        let level = dot(seen.away, seen.tangent);
+        if self.growth == 0.0 {
+            return level;
+        }
+        level - self.growth * norm(seen.away) * through(seen, side)
     }
 
-    /// What the taper adds to the derivative of that.
-    fn leaning(&self, e: [f64; 2], t: [f64; 2], side: f64) -> f64 {
-        let away = norm(e);
-        if away > 0.0 { self.taper * through(e, t, side) * dot(e, t) / away } else { 0.0 }
+    /// What the taper takes from the derivative of that.
+    fn leaning(&self, seen: &Seen, side: f64) -> f64 {
+        if self.growth == 0.0 {
+            return 0.0;
+        }
+        let distance = norm(seen.away);
+        let level = dot(seen.away, seen.tangent);
+        if distance > 0.0 { self.growth * through(seen, side) * level / distance } else { 0.0 }
     }
 }
 
-/// Whether what an axis is away from by `-e` lies on the given side (1) or has gone through (-1); without a side it lies outside.
-fn through(e: [f64; 2], tangent: [f64; 2], side: f64) -> f64 {
-    if cross(e, tangent) * side < 0.0 { -1.0 } else { 1.0 }
+/// Whether a point lies on the given side of an axis (1) or has gone through (-1); without a side it lies outside.
+fn through(seen: &Seen, side: f64) -> f64 {
+    if cross(seen.away, seen.tangent) * side < 0.0 { -1.0 } else { 1.0 }
 }
 
 /// Index and value of the least.
@@ -219,9 +313,16 @@ fn least_of(values: &[f64]) -> (usize, f64) {
 #[derive(Clone, Copy)]
 pub struct Axis<'a> {
     pub nodes: &'a [NodeFrame],
-    pub elements: &'a [AxisElement],
+    pub elements: &'a AxisElements,
     /// Elements left out, for a beam against itself.
     pub skip: [usize; 2],
+    /// Length that none of the elements exceeds \[m\].
+    pub arc: f64,
+}
+
+/// A bound of the length of a beam's longest element.
+pub fn longest_arc(elements: &[AxisElement], nodes: &[NodeFrame], at: &Configuration) -> f64 {
+    elements.iter().map(|e| Ends::new(e, nodes, at).longest()).fold(0.0, f64::max)
 }
 
 impl Axis<'_> {
@@ -248,19 +349,32 @@ impl Axis<'_> {
         }
         let local = best.1;
         let found = local.map(|p| p.element);
-        for element in (0..self.elements.len()).filter(|k| !self.left_out(*k)) {
-            let placed = self.placed(element, at);
-            let deepest = self.elements[element].half_depths.into_iter().fold(0.0, f64::max);
-            if placed.least_distance(y) > best.0
-                || (Some(element) == found && placed.has_one_foot(best.0 + deepest))
-            {
+        let mut next = 0;
+        while next < self.elements.len() {
+            let k = next;
+            next += 1;
+            if self.left_out(k) {
+                next = self.skip[1];
                 continue;
             }
-            let xi = placed.nearest(y, side);
+            let element = &self.elements[k];
+            let ends = Ends::new(element, self.nodes, at);
+            let within = best.0 + self.elements.deepest;
+            let squared = ends.least_distance_squared(y);
+            if within < 0.0 || squared > within * within {
+                // Elements that follow cannot come nearer faster than the axis is long.
+                next += ((squared.sqrt() - within) / self.arc) as usize;
+                continue;
+            }
+            if Some(k) == found && ends.has_one_foot(within) {
+                continue;
+            }
+            let placed = Placed::between(element, &ends);
+            let xi = placed.nearest(&ends, y, side);
             let away = placed.away(y, xi);
             // Of two as near, the one found first: at a node both elements say the same.
             if away + 1e-14 * norm(sub(placed.position(xi), y)) < best.0 {
-                best = (away, Some(AxisPoint { element, xi }));
+                best = (away, Some(AxisPoint { element: k, xi }));
             }
         }
         let leapt_from = local.filter(|_| best.1 != local);
@@ -273,11 +387,11 @@ impl Axis<'_> {
         loop {
             let placed = self.placed(element, at);
             let xi = placed.descend(y, guess, side);
-            let onward = placed.onward(y, xi, side);
-            let (next, start) = if xi == 1.0 && onward < 0.0 && way >= 0 {
+            let slope = |placed: &Placed, xi: f64| placed.slope(&placed.seen(y, xi), side);
+            let (next, start) = if xi == 1.0 && way >= 0 && slope(&placed, xi) < 0.0 {
                 way = 1;
                 (element + 1, 0.0)
-            } else if xi == 0.0 && onward > 0.0 && way <= 0 {
+            } else if xi == 0.0 && way <= 0 && slope(&placed, xi) > 0.0 {
                 way = -1;
                 (element.wrapping_sub(1), 1.0)
             } else {
@@ -287,7 +401,7 @@ impl Axis<'_> {
                 return AxisPoint { element, xi };
             }
             // At a corner the next element may lead away again: then the corner is nearest.
-            let ahead = self.placed(next, at).onward(y, start, side);
+            let ahead = slope(&self.placed(next, at), start);
             if ahead * f64::from(way) >= 0.0 {
                 return AxisPoint { element, xi };
             }
@@ -305,24 +419,31 @@ impl Axis<'_> {
     /// Sign of the side on which `y` lies, seen along the axis at its nearest point; zero beyond an end.
     pub fn side(&self, y: [f64; 2], at: &Configuration, point: AxisPoint) -> f64 {
         let placed = self.placed(point.element, at);
-        let away = sub(y, placed.position(point.xi));
-        let mut tangent = placed.tangent(point.xi);
+        self.side_of(sub(y, placed.position(point.xi)), placed.tangent(point.xi), at, point)
+    }
+
+    /// The same, where the place lies away from its nearest point, at which the tangent is given.
+    pub fn side_of(
+        &self,
+        away: [f64; 2],
+        tangent: [f64; 2],
+        at: &Configuration,
+        point: AxisPoint,
+    ) -> f64 {
         let onward = dot(away, tangent);
-        let beyond = |k: usize| k >= self.elements.len() || self.left_out(k);
         let neighbour = if point.xi == 1.0 && onward > 0.0 {
-            Some((point.element + 1, 0.0))
+            (point.element + 1, 0.0)
         } else if point.xi == 0.0 && onward < 0.0 {
-            Some((point.element.wrapping_sub(1), 1.0))
+            (point.element.wrapping_sub(1), 1.0)
         } else {
-            None
+            return if cross(tangent, away) < 0.0 { -1.0 } else { 1.0 };
         };
-        if let Some((k, xi)) = neighbour {
-            if beyond(k) {
-                return 0.0;
-            }
-            let other = self.placed(k, at).tangent(xi);
-            tangent = add(scale(1.0 / norm(tangent), tangent), scale(1.0 / norm(other), other));
+        let (k, xi) = neighbour;
+        if k >= self.elements.len() || self.left_out(k) {
+            return 0.0;
         }
-        if cross(tangent, away) < 0.0 { -1.0 } else { 1.0 }
+        let other = self.placed(k, at).tangent(xi);
+        let mean = add(scale(1.0 / norm(tangent), tangent), scale(1.0 / norm(other), other));
+        if cross(mean, away) < 0.0 { -1.0 } else { 1.0 }
     }
 }

@@ -9,12 +9,14 @@ pub struct Configuration<'a> {
     pub increment: &'a [[f64; 4]],
     /// Share of the increment.
     pub share: f64,
+    /// Length that no element of a beam exceeds at any share, one a beam \[m\]; empty if not known. It is for speed alone.
+    pub arcs: &'a [f64],
 }
 
 impl<'a> Configuration<'a> {
     /// Displacements as they stand.
     pub fn of(displacement: &'a [[f64; 4]]) -> Self {
-        Self { start: displacement, increment: &[], share: 0.0 }
+        Self { start: displacement, increment: &[], share: 0.0, arcs: &[] }
     }
 
     /// The same step, seen at another share.
@@ -30,6 +32,7 @@ impl<'a> Configuration<'a> {
             return *u;
         }
         let d = &self.increment[n];
-        std::array::from_fn(|i| u[i] + self.share * d[i])
+        let s = self.share;
+        [u[0] + s * d[0], u[1] + s * d[1], u[2] + s * d[2], u[3] + s * d[3]]
     }
 }

@@ -26,6 +26,8 @@ pub struct StepGap {
     pub row: Row,
     /// The pair in the middle of the step.
     pub middle: Touch,
+    /// What to remember at its end.
+    pub end: Memory,
     /// Gradients in the middle and at the end, where they differ from the form.
     gradients: Option<[Row; 2]>,
 }
@@ -56,10 +58,10 @@ impl Pair {
         let middle = self.touch(model, &mid, memory, Reach::Near)?;
         if let Target::Guided { .. } = self.target {
             // The gap is linear: its gradient is the same everywhere.
-            let gap = self.touch(model, &end, memory, Reach::Near)?.gap;
+            let last = self.touch(model, &end, memory, Reach::Near)?;
             let row = self.normal_row(&middle, &mid);
-            let gaps = [gap_0, gap];
-            return Some(StepGap { gaps, row, middle, gradients: None });
+            let gaps = [gap_0, last.gap];
+            return Some(StepGap { gaps, row, middle, end: last.memory, gradients: None });
         }
         let last = self.at_end_from(model, at, memory, &middle, gap_0)?;
         let middle_row = self.normal_row(&middle, &mid);
@@ -79,7 +81,7 @@ impl Pair {
             // A difference of gaps is known no better than the positions they are taken from.
             let place = norm(middle.foot_place) + self.reach;
             if miss.abs() <= ROUND_OFF * place {
-                return Some(StepGap { gaps, row, middle, gradients });
+                return Some(StepGap { gaps, row, middle, end: last.memory, gradients });
             }
             // The ends of the step may know other nodes.
             for (node, _) in end_row.iter() {
@@ -87,7 +89,7 @@ impl Pair {
             }
             correct(model, &mut row, at, miss);
         }
-        Some(StepGap { gaps, row, middle, gradients })
+        Some(StepGap { gaps, row, middle, end: last.memory, gradients })
     }
 }
 
@@ -145,8 +147,7 @@ impl Pair {
             Target::Segment { ends } => of(&ends[0]).max(of(&ends[1])),
             Target::Axis { beam, .. } => {
                 let beam = &model.beams[*beam];
-                let long = beam.axis.iter().map(|e| e.length).fold(0.0, f64::max);
-                at.share * farthest(&at.increment[beam.nodes.clone()], long)
+                at.share * farthest(&at.increment[beam.nodes.clone()], beam.axis.longest)
             }
         };
         of(&self.source) + target

@@ -7,6 +7,7 @@ use super::axis::AxisPoint;
 use super::configuration::Configuration;
 use super::row::Row;
 use crate::math::vec2::{cross, scale};
+use crate::model::Model;
 
 /// A point that follows one node, or the two of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -140,6 +141,15 @@ pub struct Memory {
     pub side: f64,
     /// Where on the axis it was nearest.
     pub near: AxisPoint,
+}
+
+impl Pair {
+    /// Distance of the source's centre from the target's middle where they touch \[m\].
+    pub fn thickness(&self, model: &Model, memory: &Memory) -> f64 {
+        let Target::Axis { beam, .. } = &self.target else { return self.reach };
+        let element = model.beams[*beam].axis.get(memory.near.element);
+        self.reach + element.map_or(0.0, |e| e.half_depth(memory.near.xi))
+    }
 }
 
 impl Target {

@@ -4,6 +4,8 @@
 //! step; a pair sleeps until the sum of both has reached the gap it was last seen at. Sleep changes no result: pairs that wake are
 //! looked at where they stand.
 
+use super::axis::longest_arc;
+use super::configuration::Configuration;
 use super::pair::Pair;
 use super::touch::Reach;
 use crate::math::vec2::norm;
@@ -27,6 +29,15 @@ pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
     value.sqrt() + 8.0 / 27.0 * long * slope.sqrt()
 }
 
+/// Lengths that no element exceeds while its nodes move by any share of `increment`, from those where they start: its control
+/// polygon grows by no more than twice the largest movement of values and 4/3 of its length times that of slopes.
+pub fn longest_arcs(model: &Model, start: &[f64], increment: &[[f64; 4]], arcs: &mut Vec<f64>) {
+    arcs.clear();
+    arcs.extend(start.iter().zip(&model.beams).map(|(arc, beam)| {
+        arc + 4.5 * farthest(&increment[beam.nodes.clone()], beam.axis.longest)
+    }));
+}
+
 /// Sleeping and waking pairs.
 #[derive(Clone, Debug, Default)]
 pub struct Search {
@@ -40,8 +51,8 @@ pub struct Search {
     /// Ways of the movers in the step at hand, and the longest \[m\].
     step: Vec<f64>,
     longest: f64,
-    /// Longest element of each beam \[m\].
-    element: Vec<f64>,
+    /// Length that no element of a beam exceeds where the state stands, one a beam \[m\].
+    arcs: Vec<f64>,
     /// Pairs looked at where the state stands.
     awake: Vec<usize>,
     /// Of these, the ones so near that they are looked at in every step; the others sleep.
@@ -54,7 +65,6 @@ impl Search {
     /// All pairs awake.
     pub fn new(model: &Model) -> Self {
         let movers = model.beams.len() + model.bodies.len();
-        let long = |b: &BeamData| b.axis.iter().map(|e| e.length).fold(0.0, f64::max);
         Self {
             travelled: vec![0.0; movers],
             wake: vec![f64::NEG_INFINITY; model.pairs.len()],
@@ -62,7 +72,7 @@ impl Search {
             first: f64::NEG_INFINITY,
             step: vec![0.0; movers],
             longest: 0.0,
-            element: model.beams.iter().map(long).collect(),
+            arcs: Vec::new(),
             awake: Vec::new(),
             restless: Vec::new(),
             guided: model.pairs.len() == model.projectiles.len(),
@@ -97,8 +107,8 @@ impl Search {
     fn measure(&mut self, model: &Model, nodal: &[[f64; 4]], factor: f64) {
         let beams = model.beams.len();
         let mut most = 0.0_f64;
-        for ((way, beam), long) in self.step.iter_mut().zip(&model.beams).zip(&self.element) {
-            *way = factor * farthest(&nodal[beam.nodes.clone()], *long);
+        for (way, beam) in self.step.iter_mut().zip(&model.beams) {
+            *way = factor * farthest(&nodal[beam.nodes.clone()], beam.axis.longest);
             most = most.max(*way);
         }
         let first = model.beam_node_count();
@@ -121,6 +131,12 @@ impl Search {
     /// have not sleep on.
     pub fn see(&mut self, model: &Model, state: &mut State, reach: Reach) {
         self.awake.clear();
+        if !self.guided {
+            let at = Configuration::of(&state.displacement);
+            let arc = |b: &BeamData| longest_arc(&b.axis, &model.nodes, &at);
+            self.arcs.clear();
+            self.arcs.extend(model.beams.iter().map(arc));
+        }
         let mut restless = std::mem::take(&mut self.restless);
         if self.guided {
             (0..model.pairs.len()).for_each(|i| self.see_one(model, state, i, reach));
@@ -155,6 +171,11 @@ impl Search {
         self.awake.push(i);
         let apart = state.see(model, i, reach);
         self.wake[i] = self.way_of(&model.pairs[i]) + (0.999 * apart - CLOSE).max(0.0);
+    }
+
+    /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing slides along beams \[m\].
+    pub fn arcs(&self) -> &[f64] {
+        &self.arcs
     }
 
     fn way_of(&self, pair: &Pair) -> f64 {

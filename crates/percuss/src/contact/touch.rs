@@ -82,7 +82,8 @@ impl Pair {
             Target::Segment { ends } => Some(self.segment(ends, y, at, memory)),
             Target::Axis { beam, skip } => {
                 let elements = &model.beams[*beam].axis;
-                let axis = Axis { nodes: &model.nodes, elements, skip: *skip };
+                let arc = at.arcs.get(*beam).copied().unwrap_or(f64::INFINITY);
+                let axis = Axis { nodes: &model.nodes, elements, skip: *skip, arc };
                 let (point, leapt_from) = match reach {
                     Reach::All => {
                         let found = axis.nearest(y, at, memory.near, memory.side)?;
@@ -177,8 +178,8 @@ impl Pair {
         let element = &axis.elements[point.element];
         let placed = Placed::new(element, axis.nodes, at);
         let (tangent, foot_place) = (placed.tangent(point.xi), placed.position(point.xi));
-        let seen = axis.side(y, at, point);
         let away = sub(y, foot_place);
+        let seen = axis.side_of(away, tangent, at, point);
         // Beyond an end there are no sides; a face once known stays known.
         let side = if seen == 0.0 || memory.side == 0.0 { seen } else { memory.side };
         let sign = if seen == 0.0 { 1.0 } else { side * seen };

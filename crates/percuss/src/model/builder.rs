@@ -5,7 +5,7 @@ use super::definition::*;
 use super::frozen::*;
 use super::mesh::SpanPlan;
 use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs};
-use crate::contact::axis::AxisElement;
+use crate::contact::axis::{AxisElement, AxisElements};
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
 use crate::math::hermite::{self, GAUSS};
@@ -257,7 +257,7 @@ fn section_values(material: &Material, section: &Section, fraction: f64) -> Sect
 }
 
 /// The elements of the spans from `first_span` on, as contact sees them.
-fn axis(model: &Model, first_span: usize) -> Vec<AxisElement> {
+fn axis(model: &Model, first_span: usize) -> AxisElements {
     let element = |span: &Span, k: usize| {
         let rows = &span.table(k).rows;
         // Linear through the outer Gauss points.
@@ -282,7 +282,7 @@ fn axis(model: &Model, first_span: usize) -> Vec<AxisElement> {
             (axis[k - 1].half_depths[1], axis[k].half_depths[0]) = (mean, mean);
         }
     }
-    axis
+    AxisElements::new(axis)
 }
 
 /// The material point meant by a (checked) reference; points within a billionth of an element of a node are that node, at a

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::definition::{InitialMotion, StrainMeasure};
 pub(crate) use super::striking::*;
 use super::time_function::Course;
-use crate::contact::axis::AxisElement;
+use crate::contact::axis::AxisElements;
 use crate::contact::pair::Pair;
 use crate::element::beam::{ElementTable, NodeFrame};
 use crate::linalg::block::Block;
@@ -66,7 +66,7 @@ pub(crate) struct BeamData {
     /// Arc length \[m\].
     pub length: f64,
     /// Its elements as contact sees them.
-    pub axis: Vec<AxisElement>,
+    pub axis: AxisElements,
 }
 
 /// A part of a beam without corner, of one material and one section.

@@ -6,8 +6,9 @@ use super::tangent::Tangent;
 use super::workspace::Workspace;
 use crate::contact::configuration::Configuration;
 use crate::contact::law::StepForce;
-use crate::contact::pair::Target;
+use crate::contact::pair::{Memory, Target};
 use crate::contact::row::Row;
+use crate::contact::search::longest_arcs;
 use crate::contact::touch::{Bend, Reach};
 use crate::linalg::block::ZERO;
 use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
@@ -58,6 +59,8 @@ pub struct SmoothContact {
     pub force: StepForce,
     /// Where the force acts: the form of the gap's change.
     pub row: Row,
+    /// What to remember at the end of the step, if that was looked at.
+    pub end: Option<Memory>,
 }
 
 /// A rigid contact in a step, as last evaluated.
@@ -72,8 +75,12 @@ pub struct RigidContact {
 }
 
 impl StepProblem<'_> {
-    fn configuration<'b>(&'b self, increment: &'b [[f64; 4]], share: f64) -> Configuration<'b> {
-        Configuration { start: &self.state.displacement, increment, share }
+    fn configuration<'b>(
+        &'b self,
+        increment: &'b [[f64; 4]],
+        arcs: &'b [f64],
+    ) -> Configuration<'b> {
+        Configuration { start: &self.state.displacement, increment, share: 1.0, arcs }
     }
 
     fn smooth_law(&self, pair: usize) -> Option<&SmoothLaw> {
@@ -89,6 +96,11 @@ impl StepProblem<'_> {
             TouchLaw::Rigid(law) => Some(*law),
             TouchLaw::Smooth(_) => None,
         }
+    }
+
+    /// Bounds the elements' lengths at the increment as it stands.
+    pub(super) fn measure_arcs(&self, work: &mut Workspace) {
+        longest_arcs(self.model, self.arcs, &work.increment, &mut work.arcs);
     }
 
     /// Forces of the smooth contacts.
@@ -112,10 +124,10 @@ impl StepProblem<'_> {
         work: &mut Workspace,
     ) -> Option<SmoothContact> {
         let (pair, seen) = (&self.model.pairs[index], &self.state.pairs[index]);
-        let Workspace { increment, tangent, .. } = work;
+        let Workspace { increment, tangent, arcs, .. } = work;
         let rule = &self.integration;
         let theta = rule.theta();
-        let at = self.configuration(increment, 1.0);
+        let at = self.configuration(increment, arcs);
         if let Rule::Alpha(_) = rule.rule {
             let mid = at.at(theta);
             let touch = pair.touch(self.model, &mid, &seen.memory, Reach::Near)?;
@@ -127,7 +139,7 @@ impl StepProblem<'_> {
                 let turn = turns.then_some(|n: Nodal| pair.turning(&touch, n));
                 add_tangent(tangent, &row, &row, slope, bend, turn);
             }
-            return Some(SmoothContact { pair: index, force, row });
+            return Some(SmoothContact { pair: index, force, row, end: None });
         }
         let projected = law.force == ContactForce::Conserving;
         let step = pair.over_step(self.model, &at, &seen.memory, seen.gap, projected)?;
@@ -146,7 +158,7 @@ impl StepProblem<'_> {
             let turn = turns.then_some(|n: Nodal| pair.turning(&step.middle, n));
             add_tangent(tangent, middle, end, force.slope, 0.5 * force.force, turn);
         }
-        Some(SmoothContact { pair: index, force, row })
+        Some(SmoothContact { pair: index, force, row, end: Some(step.end) })
     }
 
     /// Rows of the active rigid contacts at the increment as it stands, and their impulses' part of the residual.
@@ -154,7 +166,7 @@ impl StepProblem<'_> {
         let h = self.integration.h;
         for (a, contact) in self.active.iter().enumerate() {
             let impulse = work.rigid[a].impulse;
-            let Some(found) = self.rigid_contact(contact, &work.increment, impulse) else {
+            let Some(found) = self.rigid_contact(contact, work, impulse) else {
                 continue;
             };
             work.rigid[a] = found;
@@ -169,11 +181,11 @@ impl StepProblem<'_> {
     pub(super) fn rigid_contact(
         &self,
         contact: &ActiveContact,
-        increment: &[[f64; 4]],
+        work: &Workspace,
         impulse: [f64; 2],
     ) -> Option<RigidContact> {
         let (pair, seen) = (&self.model.pairs[contact.pair], &self.state.pairs[contact.pair]);
-        let at = self.configuration(increment, 1.0);
+        let at = self.configuration(&work.increment, &work.arcs);
         let mid = at.at(0.5);
         let (touch, normal) = match contact.phase {
             // What stays closed does so at the end of the step: the form must give the change of the gap.

@@ -40,6 +40,8 @@ pub struct StepProblem<'a> {
     pub law: ImpulseLaw,
     /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
     pub feedback: f64,
+    /// Length that no element of a beam exceeds at the start, one a beam; empty if nothing slides along beams \[m\].
+    pub arcs: &'a [f64],
 }
 
 /// What an iteration took.
@@ -203,8 +205,9 @@ impl StepProblem<'_> {
         work.rigid.clear();
         work.rigid_pairs.clear();
         work.rigid_pairs.extend(self.active.iter().map(|c| c.pair));
+        self.measure_arcs(work);
         for contact in self.active {
-            let found = self.rigid_contact(contact, &work.increment, [0.0; 2]);
+            let found = self.rigid_contact(contact, work, [0.0; 2]);
             work.rigid.push(found.unwrap_or_default());
         }
     }
@@ -239,6 +242,7 @@ impl StepProblem<'_> {
                 tangent.add_hessian(i, points, &k);
             }
         }
+        self.measure_arcs(work);
         self.smooth_contacts::<TANGENT>(work);
         self.rigid_contacts(work);
     }

@@ -14,6 +14,8 @@ pub struct Workspace {
     pub multiplier: Vec<f64>,
     /// Smooth contacts in the step.
     pub smooth: Vec<SmoothContact>,
+    /// Length that no element of a beam exceeds in the step, one a beam; empty if not known \[m\].
+    pub arcs: Vec<f64>,
     /// Active rigid contacts in the step, in the order of the problem's.
     pub rigid: Vec<RigidContact>,
     /// Their pairs.
@@ -43,6 +45,7 @@ impl Workspace {
             increment: vec![[0.0; 4]; n],
             multiplier: vec![0.0; model.constraints.len()],
             smooth: Vec::new(),
+            arcs: Vec::new(),
             rigid: Vec::new(),
             rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
