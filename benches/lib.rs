@@ -31,11 +31,40 @@ pub fn elastic_example(elements: usize) -> Model {
     b.build().expect("a sound scene")
 }
 
-/// Discs that slide along a clamped beam of 60 elements, pressed on by their weight; or as many far from it.
+/// A clamped beam that sways 1 m above a floor, some points of each element with a pair of their own.
 ///
 /// # Panics
 /// Never: the definitions are sound.
-pub fn sliding_discs(count: usize, touching: bool) -> Model {
+pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("composite", 0.2e10, 3e3));
+    let section = b.section(Section { depth: Some(0.1), ..Section::new("plank", 0.1, 8.33e-5) });
+    let points = vec![[0.0, 0.0], [3.0, 0.0]];
+    let girder = b.beam(Beam::new("girder", &points, elements, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        let at = PointRef { label: name.into(), beam: girder, along: Along::Fraction(f) };
+        b.support(Support::new(name, at, SupportKind::Clamp));
+    }
+    if points_per_element > 0 {
+        let floor = b.obstacle(Obstacle {
+            name: "floor".into(),
+            shape: ObstacleShape::HalfPlane { point: [0.0, -1.0], normal: [0.0, 1.0] },
+            motion: None,
+        });
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+        let between = [Party::Beam(girder), Party::Obstacle(floor)];
+        b.contact(Contact { points_per_element, ..Contact::new("floor", between, law) });
+    }
+    let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
+    b.load(Load::new("gravity", kind));
+    b.build().expect("a sound scene")
+}
+
+/// Discs that slide along a clamped beam of 60 elements, pressed on by their weight; or as far above it as given \[m\].
+///
+/// # Panics
+/// Never: the definitions are sound.
+pub fn sliding_discs(count: usize, above: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("composite", 0.2e10, 3e3));
     let section = b.section(Section { depth: Some(0.1), ..Section::new("plank", 0.1, 8.33e-5) });
@@ -46,13 +75,12 @@ pub fn sliding_discs(count: usize, touching: bool) -> Model {
     }
     let (stiffness, mass, radius) = (1e6, 10.0, 0.02);
     for k in 0..count {
-        let away = if touching { 0.0 } else { 1e3 };
         let disc = b.disc(Disc {
             name: format!("disc {k}"),
             mass,
             inertia: None,
             radius,
-            position: [0.5 + 8.0 * k as f64 / count as f64, 0.05 + radius + away],
+            position: [0.5 + 8.0 * k as f64 / count as f64, 0.05 + radius + above],
             velocity: [1.0, 0.0],
             spin: 0.0,
         });

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use percuss::*;
-use percuss_bench::{elastic_example, frame, sliding_discs};
+use percuss_bench::{above_floor, elastic_example, frame, sliding_discs};
 use percuss_output::{HistoryFormat, HistoryWriter};
 
 /// Repetitions of each measurement; the least is printed, as the one least disturbed.
@@ -99,12 +99,11 @@ fn scaling(model: &Model) {
     );
 }
 
-/// What a disc costs on the face of a beam, and what many cost that touch nothing.
+/// What a disc costs on the face of a beam, and what pairs cost that touch nothing.
 fn surface_contacts() {
     println!("discs on a beam of 60 elements, step 1e-4 s");
     // Microseconds and iterations a step.
-    let measure = |count: usize, touching: bool| {
-        let model = sliding_discs(count, touching);
+    let measure = |model: Model| {
         let settings = Settings::new(0.1, 1e-4);
         let mut iterations = 0.0;
         let us = least(|| {
@@ -115,21 +114,31 @@ fn surface_contacts() {
         });
         (us, iterations)
     };
-    let (alone, few) = measure(0, false);
+    let (alone, few) = measure(sliding_discs(0, 0.0));
     println!("  no disc                   {alone:6.2} us per step ({few:.2} iterations)");
     for count in [1, 8] {
-        let (us, iterations) = measure(count, true);
+        let (us, iterations) = measure(sliding_discs(count, 0.0));
         let each = (us / iterations - alone / few) / count as f64;
         println!(
             "  {count} sliding                 {us:6.2} us per step ({iterations:.2} iterations), \
              {each:.2} us per contact and iteration"
         );
     }
-    let (us, _) = measure(200, false);
+    let (us, _) = measure(sliding_discs(200, 1.0));
     println!(
-        "  200 far away              {us:6.2} us per step, {:+.1} %",
-        (us / alone - 1.0) * 100.0
+        "  200 free discs 1 m away   {us:6.2} us per step, {:.3} us per disc, its motion included",
+        (us - alone) / 200.0
     );
+    for elements in [6, 20, 60] {
+        let alone = measure(above_floor(elements, 0)).0;
+        let per_element = 200 / elements;
+        let (us, _) = measure(above_floor(elements, per_element));
+        println!(
+            "  {} points that touch no floor, {elements:>2} elements {us:6.2} us per step, {:+.1} %",
+            per_element * elements,
+            (us / alone - 1.0) * 100.0
+        );
+    }
 }
 
 /// Runs of one shape side by side, as studies are.

@@ -9,9 +9,10 @@ from typing import Any, NamedTuple, Union
 
 import numpy as np
 
+from ._columns import nearest
 from ._errors import AnalysisError
 from ._progress import Progress
-from ._result import Result, _nearest
+from ._result import Result
 from ._run import run
 from ._scenario import Scenario, Scenarios, changes_of, scenario_of
 
@@ -136,7 +137,7 @@ def _value(result: Result, what: Quantity) -> float:
         key = max(fit, key=len)
         found, rest = found[key], rest[len(key) + 1 :]
     if rest or not isinstance(found, (int, float)):
-        raise KeyError(f"{what!r} is neither a column nor a number of the summary{_nearest(what, result.columns)}")
+        raise KeyError(f"{what!r} is neither a column nor a number of the summary{nearest(what, result.columns)}")
     return float(found)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _arrow
+from ._columns import Columns
 from ._structure import Beams, Shapes
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 Column = NDArray[np.float64]
 
 
-class Result:
+class Result(Columns[np.float64]):
     """A run: ``result["contact.mass.force"]`` is a column of its history as an array.
 
     Arrays are those that the run filled, without a copy, and cannot be written to. pyarrow, pandas and polars take a result
@@ -65,22 +66,6 @@ class Result:
     def time(self) -> Column:
         """Times of the rows [s]."""
         return self._columns["time"]
-
-    def __getitem__(self, name: str) -> Column:
-        try:
-            return self._columns[name]
-        except KeyError:
-            raise KeyError(f"no column {name!r}{_nearest(name, self._columns)}") from None
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._columns
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
-
-    def keys(self) -> tuple[str, ...]:
-        """The same as :attr:`columns`: a result is a mapping of columns."""
-        return self.columns
 
     def __len__(self) -> int:
         """Number of rows."""
@@ -160,10 +145,3 @@ class Result:
 
 def _number(value: float | None) -> str:
     return "-" if value is None else f"{value:.6g}"
-
-
-def _nearest(name: str, names: Any) -> str:
-    from difflib import get_close_matches
-
-    close = get_close_matches(name, names, n=3)
-    return f"; did you mean {' or '.join(map(repr, close))}?" if close else "; `columns` lists them"

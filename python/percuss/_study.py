@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cached_property, lru_cache
 from html import escape
 from pathlib import Path
 from typing import Any, Union
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _arrow, _percuss, _toml
-from ._result import _nearest
+from ._columns import Columns, nearest
 from ._scenario import Scenario
 
 StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
@@ -44,7 +43,7 @@ def _text(tables: Mapping[str, Any]) -> str:
     for key, value in sorted(tables.items(), key=lambda item: isinstance(item[1], Mapping)):
         key = names.get(key, key)
         if key not in known:
-            raise TypeError(f"{key!r} is no part of a study{_nearest(key, known)}")
+            raise TypeError(f"{key!r} is no part of a study{nearest(key, known)}")
         if key == "scenario":
             value = value if isinstance(value, str) else _base(value)
         if key in ("base",):
@@ -62,7 +61,7 @@ def _base(scenario: Any) -> str:
     return base.to_toml()
 
 
-class Sweep:
+class Sweep(Columns[Any]):
     """The table of a study: one row a run. pyarrow, pandas and polars take it as a table."""
 
     def __init__(self, study: _percuss.Study, columns: list[tuple[str, str, str, str, Any]], path: str) -> None:
@@ -91,22 +90,6 @@ class Sweep:
     def names(self, role: str) -> tuple[str, ...]:
         """Columns of a role: ``input``, ``result``, ``audit``."""
         return tuple(name for name, _, own, _, _ in self._native if own == role)
-
-    def __getitem__(self, name: str) -> NDArray[Any]:
-        try:
-            return np.asarray(self._columns[name])
-        except KeyError:
-            raise KeyError(f"no column {name!r}{_nearest(name, self._columns)}") from None
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._columns
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
-
-    def keys(self) -> tuple[str, ...]:
-        """The same as :attr:`columns`: a sweep is a mapping of columns."""
-        return self.columns
 
     def __len__(self) -> int:
         """Number of runs."""

@@ -155,6 +155,7 @@ fn html(info: &ModesInfo<'_>, svg: &str) -> String {
     };
     let svg = svg.find("<svg").map_or(svg, |start| &svg[start..]);
     page::fill_holes(TEMPLATE, |hole| match hole {
+        "head" => page::HEAD.to_owned(),
         "title" => escape(title),
         "style" => page::STYLE.to_owned(),
         "about" => escape(about),

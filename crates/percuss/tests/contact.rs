@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{beam, plank};
+use common::{beam, disc, plank};
 use percuss::*;
 
 /// A free beam of 3 m, soft, along e1.
@@ -16,15 +16,7 @@ fn soft_bar(b: &mut ModelBuilder) -> BeamId {
 fn thrown(radius: f64, velocity: [f64; 2], law: TouchLaw) -> ModelBuilder {
     let mut b = ModelBuilder::new();
     let girder = soft_bar(&mut b);
-    let disc = b.disc(Disc {
-        name: "ball".into(),
-        mass: 5.0,
-        inertia: None,
-        radius,
-        position: [0.6, radius + 0.08],
-        velocity,
-        spin: 0.0,
-    });
+    let disc = b.disc(disc("ball", 5.0, radius, [0.6, radius + 0.08], velocity));
     b.contact(Contact::new("throw", [Party::Disc(disc), Party::Beam(girder)], law));
     b
 }
@@ -86,22 +78,14 @@ fn a_tapered_beam_is_struck_across_its_leaning_face() {
     let stations = vec![station(0.0, 0.05), station(2.0 / 3.0, 0.3), station(1.0, 0.3)];
     let section = b.section(Section { stations, ..Section::new("club", 0.01, 1e-4) });
     let club = b.beam(beam("club", [0.0, 0.0], [3.0, 0.0], 12, material, section));
-    let (radius, mass, speed) = (0.1, 0.01, 10.0);
-    let disc = b.disc(Disc {
-        name: "ball".into(),
-        mass,
-        inertia: None,
-        radius,
-        position: [1.1, 0.4],
-        velocity: [0.0, -speed],
-        spin: 0.0,
-    });
+    let speed = 10.0;
+    let disc = b.disc(disc("ball", 0.01, 0.1, [1.1, 0.4], [0.0, -speed]));
     let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(1e5)));
     b.contact(Contact::new("blow", [Party::Disc(disc), Party::Beam(club)], law));
     let summary = run(&b, 0.02, 1e-5);
     books_close(&summary, 1e-11);
-    // The face encloses circles whose radii grow by an eighth: it leans by asin(1/8), and the disc, a thousandth of the
-    // beam's mass, is thrown back from it as from a mirror.
+    // The face encloses circles whose radii grow by an eighth: it leans by asin(1/8), and the disc, a three-thousandth of
+    // the beam's mass, is thrown back from it as from a mirror.
     let lean = (0.125_f64).asin();
     let expected = [-speed * (2.0 * lean).sin(), speed * (2.0 * lean).cos()];
     let found = summary.projectiles[0].velocity_final;
@@ -124,15 +108,7 @@ fn a_disc_slides_over_the_stations_of_a_tapered_beam() {
         vec![station(0.0, 0.03), station(0.3, 0.03), station(0.6, 0.12), station(1.0, 0.08)];
     let section = b.section(Section { stations, ..Section::new("club", 0.01, 1e-5) });
     let club = b.beam(beam("club", [0.0, 0.0], [3.0, 0.0], 20, material, section));
-    let disc = b.disc(Disc {
-        name: "ball".into(),
-        mass: 2.0,
-        inertia: None,
-        radius: 0.1,
-        position: [0.5, 0.15],
-        velocity: [20.0, -2.0],
-        spin: 0.0,
-    });
+    let disc = b.disc(disc("ball", 2.0, 0.1, [0.5, 0.15], [20.0, -2.0]));
     let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(2e5)));
     b.contact(Contact::new("slide", [Party::Disc(disc), Party::Beam(club)], law));
     let summary = run(&b, 0.15, 1e-4);
@@ -225,15 +201,8 @@ fn a_disc_rolls_down_an_incline_without_slipping() {
         motion: None,
     });
     let radius = 0.1;
-    let disc = b.disc(Disc {
-        name: "wheel".into(),
-        mass: 2.0,
-        inertia: None,
-        radius,
-        position: [radius * normal[0], radius * normal[1]],
-        velocity: [0.0; 2],
-        spin: 0.0,
-    });
+    let place = normal.map(|n| radius * n);
+    let disc = b.disc(disc("wheel", 2.0, radius, place, [0.0; 2]));
     let law = RigidLaw { friction: 0.5, ..RigidLaw::frictionless(0.0) };
     let between = [Party::Disc(disc), Party::Obstacle(floor)];
     b.contact(Contact::new("roll", between, TouchLaw::Rigid(law)));
@@ -265,15 +234,7 @@ fn a_start_inside_is_refused_with_depth_place_and_cure() {
     let law = || TouchLaw::Rigid(RigidLaw::frictionless(0.5));
     let mut b = ModelBuilder::new();
     let girder = soft_bar(&mut b);
-    let disc = b.disc(Disc {
-        name: "deep".into(),
-        mass: 1.0,
-        inertia: None,
-        radius: 0.1,
-        position: [2.0, 0.12],
-        velocity: [0.0; 2],
-        spin: 0.0,
-    });
+    let disc = b.disc(disc("deep", 1.0, 0.1, [2.0, 0.12], [0.0; 2]));
     let floor = b.obstacle(Obstacle {
         name: "floor".into(),
         shape: ObstacleShape::HalfPlane { point: [0.0, 0.05], normal: [0.0, 2.0] },
@@ -353,15 +314,7 @@ fn a_moving_wall_does_its_work_on_the_books() {
                 },
             }),
         });
-        let disc = b.disc(Disc {
-            name: "ball".into(),
-            mass: 1.0,
-            inertia: None,
-            radius: 0.1,
-            position: [0.2, 0.3],
-            velocity: [0.0; 2],
-            spin: 0.0,
-        });
+        let disc = b.disc(disc("ball", 1.0, 0.1, [0.2, 0.3], [0.0; 2]));
         b.contact(Contact::new("throw", [Party::Disc(disc), Party::Obstacle(wall)], law));
         let summary = run(&b, 0.2, 1e-4);
         books_close(&summary, 1e-11);

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::beam;
+use common::{beam, disc};
 use percuss::*;
 
 /// Numbers that look random, the same every time.
@@ -27,15 +27,15 @@ fn bar(b: &mut ModelBuilder, young: f64, depth: f64) -> (MaterialId, SectionId) 
     (material, section)
 }
 
-fn disc(
+/// A disc whose mass follows from its area.
+fn ball(
     b: &mut ModelBuilder,
-    name: String,
+    name: &str,
     radius: f64,
     position: [f64; 2],
     velocity: [f64; 2],
 ) -> DiscId {
-    let mass = 300.0 * radius * radius;
-    b.disc(Disc { name, mass, inertia: None, radius, position, velocity, spin: 0.0 })
+    b.disc(disc(name, 300.0 * radius * radius, radius, position, velocity))
 }
 
 fn clamp(b: &mut ModelBuilder, beam: BeamId, fraction: f64, kind: SupportKind) {
@@ -68,7 +68,7 @@ fn friction_never_gives_energy_in_a_thousand_random_scenes() {
             let (along, down) = (r.between(-20.0, 20.0), r.between(-10.0, -1.0));
             let velocity =
                 [along * tilt.cos() - down * tilt.sin(), along * tilt.sin() + down * tilt.cos()];
-            let id = disc(&mut b, format!("d{k}"), radius, place, velocity);
+            let id = ball(&mut b, &format!("d{k}"), radius, place, velocity);
             b_contact(&mut b, &mut r, format!("c{k}"), [Party::Disc(id), Party::Beam(girder)]);
             discs.push(id);
         }
@@ -126,7 +126,7 @@ fn a_hundred_discs_and_twenty_stops_meet_their_conditions() {
     let mut discs = Vec::new();
     for k in 0..100 {
         let place = [0.05 + 0.1 * f64::from(k), 0.1 + 0.002 * f64::from(k % 7)];
-        let id = disc(&mut b, format!("d{k}"), 0.04, place, [0.0, -1.0 - 0.1 * f64::from(k % 3)]);
+        let id = ball(&mut b, &format!("d{k}"), 0.04, place, [0.0, -1.0 - 0.1 * f64::from(k % 3)]);
         let law = TouchLaw::Rigid(RigidLaw { friction: 0.2, ..RigidLaw::frictionless(0.3) });
         b.contact(Contact::new(format!("c{k}"), [Party::Disc(id), Party::Beam(girder)], law));
         discs.push(id);
@@ -162,15 +162,7 @@ fn nothing_passes_through_however_large_the_step() {
         let radius = if r.next() < 0.3 { 0.0 } else { r.between(0.01, 0.1) };
         let place = [r.between(0.5, 1.5), radius + 0.1 + r.between(0.0, 0.5)];
         let velocity = [r.between(-5.0, 5.0), r.between(-60.0, -10.0)];
-        let id = b.disc(Disc {
-            name: "ball".into(),
-            mass: 1.0,
-            inertia: None,
-            radius,
-            position: place,
-            velocity,
-            spin: 0.0,
-        });
+        let id = b.disc(disc("ball", 1.0, radius, place, velocity));
         let law = if scene % 2 == 0 {
             TouchLaw::Rigid(RigidLaw::frictionless(r.next()))
         } else {

@@ -10,6 +10,7 @@ use super::html::{self, escape};
 use super::{advice, audit, log, payload, results};
 
 const TEMPLATE: &str = include_str!("../../../../web/report.html");
+pub(crate) const HEAD: &str = include_str!("../../../../web/head.html");
 pub(crate) const STYLE: &str = include_str!("../../../../web/report.css");
 const SCRIPT: &str = include_str!("../../../../web/report.js");
 const UPLOT: &str = include_str!("../../../../web/vendor/uplot/uPlot.iife.min.js");
@@ -49,9 +50,10 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
     fill_holes(TEMPLATE, fill)
 }
 
-/// What every page with figures needs: looks, the library that draws, the script.
+/// What every page with figures needs: its head, looks, the library that draws, the script.
 pub(crate) fn page_parts(hole: &str) -> String {
     match hole {
+        "head" => HEAD.to_owned(),
         "style" => format!("{UPLOT_STYLE}\n{STYLE}"),
         "licence" => format!("/*!\nuPlot\n\n{UPLOT_LICENCE}*/"),
         "uplot" => UPLOT.to_owned(),

@@ -74,7 +74,8 @@ fn impact(impact: &Impact) -> Value {
 
 /// Apparent coefficient of restitution: separation over approach; NaN where nothing approached.
 pub(crate) fn restitution(approach: f64, separation: f64) -> f64 {
-    if approach > 0.0 { separation / approach } else { f64::NAN }
+    // What comes to rest and is thrown off later has approached by round-off.
+    if approach > 1e-9 * separation.abs() { separation / approach } else { f64::NAN }
 }
 
 fn place(place: &ContactPlace) -> Value {

@@ -205,7 +205,7 @@ fn build(content: &Content, given: Option<&Given>) -> Result<Model, Vec<Fault>> 
         Ok(_) => Err(faults),
         Err(mut found) => {
             // The file has been asked already, where what names an obstacle may be at fault itself.
-            found.retain(|fault| fault.found != "nothing touches it");
+            found.retain(|fault| fault.found != Fault::UNTOUCHED);
             faults.extend(found.into_iter().map(|fault| in_file_words(content, fault)));
             Err(faults)
         }

@@ -148,11 +148,11 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
         let reach = if least.is_some() { Reach::All } else { Reach::Near };
         if least.is_none() && !slides {
             best.gap = state.pairs[i].gap;
-        } else if let Some(touch) = contact_log::touch(model, state, i, reach) {
-            if touch.gap < best.gap {
-                let s = if slides { contact_log::along(pair, &touch) } else { f64::NAN };
-                best = Nearest { gap: touch.gap, s };
-            }
+        } else if let Some(touch) = contact_log::touch(model, state, i, reach)
+            && touch.gap < best.gap
+        {
+            let s = if slides { contact_log::along(pair, &touch) } else { f64::NAN };
+            best = Nearest { gap: touch.gap, s };
         }
     }
     best

@@ -14,6 +14,9 @@ pub struct Fault {
 }
 
 impl Fault {
+    /// What is found at an obstacle that no contact names. (Readers of files, who know which contacts were meant, say it better.)
+    pub const UNTOUCHED: &str = "nothing touches it";
+
     /// A fault at `path`.
     pub fn new(
         path: impl Into<String>,

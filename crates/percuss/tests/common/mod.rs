@@ -1,5 +1,7 @@
-//! Definitions the tests share: the paper's plank and projectiles.
+//! Definitions the tests share: the paper's plank and projectiles, a disc, a straight beam.
 #![allow(dead_code)] // each test file uses its own part
+
+pub mod straight;
 
 use percuss::*;
 
@@ -25,6 +27,11 @@ pub fn beam(
 /// A point at a fraction of a beam.
 pub fn at(label: &str, beam: BeamId, fraction: f64) -> PointRef {
     PointRef { label: label.into(), beam, along: Along::Fraction(fraction) }
+}
+
+/// A disc without spin, its mass spread evenly over it.
+pub fn disc(name: &str, mass: f64, radius: f64, position: [f64; 2], velocity: [f64; 2]) -> Disc {
+    Disc { name: name.into(), mass, inertia: None, radius, position, velocity, spin: 0.0 }
 }
 
 /// The paper's elastic projectile with a short standoff.

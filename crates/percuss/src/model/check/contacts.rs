@@ -2,6 +2,7 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
+use super::super::fault::Fault;
 use super::actions::check_function;
 use super::beams::check_point;
 use super::{Faults, quantity};
@@ -64,7 +65,7 @@ pub(super) fn check_obstacle(model: &ModelBuilder, obstacle: &Obstacle, out: &mu
     };
     if !model.contacts.iter().any(touched) {
         let path = format!("obstacle.{}", obstacle.name);
-        out.add(path, "nothing touches it", "a contact between it and a beam or a projectile");
+        out.add(path, Fault::UNTOUCHED, "a contact between it and a beam or a projectile");
     }
 }
 
