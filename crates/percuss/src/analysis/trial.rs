@@ -229,6 +229,9 @@ impl Simulation<'_> {
                 break;
             }
             let from = (time - step).max(0.0);
+            if hold.drives.iter().all(Vec::is_empty) {
+                continue; // it stands
+            }
             let rate = |motion: usize| {
                 let course = &self.model.motions[motion];
                 (course.value(time + step) - course.value(from)) / (time + step - from)

@@ -6,7 +6,7 @@
 
 use super::axis::longest_arc;
 use super::configuration::Configuration;
-use super::pair::Pair;
+use super::pair::{Pair, Target};
 use super::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::Model;
@@ -51,7 +51,7 @@ pub struct Search {
     /// Ways of the movers in the step at hand, and the longest \[m\].
     step: Vec<f64>,
     longest: f64,
-    /// Length that no element of a beam exceeds where the state stands, one a beam \[m\].
+    /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing is near a face \[m\].
     arcs: Vec<f64>,
     /// Pairs looked at where the state stands.
     awake: Vec<usize>,
@@ -131,12 +131,6 @@ impl Search {
     /// have not sleep on.
     pub fn see(&mut self, model: &Model, state: &mut State, reach: Reach) {
         self.awake.clear();
-        if !self.guided {
-            let at = Configuration::of(&state.displacement);
-            let arc = |b: &BeamData| longest_arc(&b.axis, &model.nodes, &at);
-            self.arcs.clear();
-            self.arcs.extend(model.beams.iter().map(arc));
-        }
         let mut restless = std::mem::take(&mut self.restless);
         if self.guided {
             (0..model.pairs.len()).for_each(|i| self.see_one(model, state, i, reach));
@@ -165,6 +159,18 @@ impl Search {
             }
         }
         self.restless = restless;
+        self.measure_arcs(model, state);
+    }
+
+    /// Bounds the beams' elements where something is near a face.
+    fn measure_arcs(&mut self, model: &Model, state: &State) {
+        self.arcs.clear();
+        let on_face = |i: &usize| matches!(model.pairs[*i].target, Target::Axis { .. });
+        if self.restless.iter().any(on_face) {
+            let at = Configuration::of(&state.displacement);
+            let arc = |b: &BeamData| longest_arc(&b.axis, &model.nodes, &at);
+            self.arcs.extend(model.beams.iter().map(arc));
+        }
     }
 
     fn see_one(&mut self, model: &Model, state: &mut State, i: usize, reach: Reach) {
@@ -173,7 +179,7 @@ impl Search {
         self.wake[i] = self.way_of(&model.pairs[i]) + (0.999 * apart - CLOSE).max(0.0);
     }
 
-    /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing slides along beams \[m\].
+    /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing is near a face \[m\].
     pub fn arcs(&self) -> &[f64] {
         &self.arcs
     }

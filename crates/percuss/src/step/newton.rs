@@ -40,7 +40,7 @@ pub struct StepProblem<'a> {
     pub law: ImpulseLaw,
     /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
     pub feedback: f64,
-    /// Length that no element of a beam exceeds at the start, one a beam; empty if nothing slides along beams \[m\].
+    /// Length that no element of a beam exceeds at the start, one a beam; empty if nothing is near a face \[m\].
     pub arcs: &'a [f64],
 }
 
