@@ -1,8 +1,8 @@
 //! A contact as hand formulas see it: what meets what, how fast, under which law.
 
 use super::formulas::{
-    Blow, InfiniteBeam, InfiniteBeamBlow, Span, TwoMassBlow, TwoMasses, hertz_blow, linear_blow,
-    reduced_mass, table_blow,
+    Blow, InfiniteBeam, InfiniteBeamBlow, Span, TwoMassBlow, TwoMasses, WaveControlled, hertz_blow,
+    linear_blow, reduced_mass, table_blow,
 };
 use super::structure::{BeamPlace, first_hit, gravity, nearest};
 use crate::contact::pair::Target;
@@ -258,10 +258,10 @@ impl Struck<'_> {
         Some((blow, span))
     }
 
-    /// The wave-controlled impact, where it is one: a single mass behind a linear spring without losses, across a beam that is
-    /// uniform and carries nothing at the place.
+    /// The wave-controlled impact, where it is one: a single mass under a smooth law, across a beam that is uniform and carries
+    /// nothing at the place. In closed form for a linear spring without losses.
     pub fn infinite_beam(&self, law: &TouchLaw, speed: f64) -> Option<InfiniteBeamBlow> {
-        let stiffness = linear_stiffness(law)?;
+        let TouchLaw::Smooth(smooth) = law else { return None };
         let model = self.place.model;
         let here = |s: f64| (s - self.place.s).abs() < 1e-6 * self.place.beam.length;
         let index = self.place.index;
@@ -271,8 +271,24 @@ impl Struck<'_> {
             return None;
         }
         let section = self.place.section();
-        let beam = InfiniteBeam::of(self.mass, stiffness, section.bending, section.mass);
-        Some(beam.blow(self.mass, stiffness, speed))
+        if let Some(stiffness) = linear_stiffness(law) {
+            let beam = InfiniteBeam::of(self.mass, stiffness, section.bending, section.mass);
+            return Some(beam.blow(self.mass, stiffness, speed));
+        }
+        if !(speed > 0.0) {
+            return None;
+        }
+        let lasts = rigid_blow(law, self.mass, speed)?.duration;
+        let case = WaveControlled {
+            mass: self.mass,
+            speed,
+            bending: section.bending,
+            mass_per_length: section.mass,
+        };
+        let force = |p: f64, rate: f64| {
+            (smooth.potential.force(p) * (1.0 + smooth.dissipation * rate)).max(0.0)
+        };
+        Some(case.blow(force, lasts))
     }
 }
 

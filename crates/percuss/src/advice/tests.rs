@@ -90,6 +90,26 @@ fn a_contact_without_returning_waves_follows_the_infinite_beam() {
     }
 }
 
+/// Hertz' law, also with Hunt and Crossley's losses, on a long beam: the simulation follows the integral equation.
+#[test]
+fn a_hertz_contact_without_returning_waves_follows_the_infinite_beam() {
+    for dissipation in [0.0, 30.0] {
+        let mut b = ModelBuilder::new();
+        let girder = plank(4.0, 160).on(&mut b);
+        hold(&mut b, girder, &SupportKind::Pin, &[0.0, 1.0]);
+        let potential = Potential::Hertz { stiffness: 5e9 };
+        let law = SmoothLaw { dissipation, ..SmoothLaw::elastic(potential) };
+        let kind = ProjectileKind::Elastic { law };
+        b.projectile(Projectile::new("ball", kind, 10.0, [0.0, 0.01], at(girder, 0.5)));
+        let all = compared(&b, &Settings::new(5e-3, 2.5e-6));
+        for name in ["largest contact force", "contact duration", "time from touch", "velocity"] {
+            let c = row(&all, "infinite beam", name);
+            assert!(c.difference_percent.abs() < 2e-3, "{c:#?}");
+            assert!(!c.holds_if.contains("not met"), "{c:#?}");
+        }
+    }
+}
+
 #[test]
 fn where_waves_return_in_time_only_the_rise_of_the_force_is_compared() {
     let mut b = ModelBuilder::new();

@@ -451,9 +451,13 @@ impl Model {
 
     /// Whether any force depends on a rate: such forces know the midpoint family of schemes only.
     pub(crate) fn has_viscous_parts(&self) -> bool {
+        self.has_viscous_structure() || self.contacts.iter().any(|c| c.law.dissipates())
+    }
+
+    /// The same, contacts left out.
+    pub(crate) fn has_viscous_structure(&self) -> bool {
         self.spans.iter().any(|s| s.retardation > 0.0)
             || self.connectors.iter().any(|c| c.damping > 0.0)
-            || self.contacts.iter().any(|c| c.law.dissipates())
             || self
                 .bodies
                 .iter()

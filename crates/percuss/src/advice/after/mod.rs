@@ -177,18 +177,29 @@ impl Desk<'_> {
         }
     }
 
-    /// Assumptions common to all formulas of a beam at rest: nothing but this contact acts.
+    /// Assumptions common to all formulas of a beam at rest without losses: nothing but this contact acts.
     pub fn undisturbed(&self) -> Assumptions {
+        let damped = self.is_damped() || self.model.has_viscous_parts();
+        self.at_rest().and("no damping", !damped)
+    }
+
+    /// The same where the formula knows the losses of the contact itself.
+    pub fn undisturbed_but_for_contact(&self) -> Assumptions {
+        self.at_rest().and("no damping but that of the contact", !self.is_damped())
+    }
+
+    fn is_damped(&self) -> bool {
+        self.model.has_viscous_structure() || self.model.spans.iter().any(|span| span.is_damped())
+    }
+
+    fn at_rest(&self) -> Assumptions {
         let (_, loads) = gravity(self.model);
         let motion = &self.model.initial_motion;
         let moves = motion.spin != 0.0 || self.model.supports.iter().any(|s| s.motion.is_some());
         let starts = self.others().filter_map(Touch::first).map(|touch| touch.time());
         let earlier = starts.into_iter().any(|time| time < self.touch.time());
-        let damped =
-            self.model.has_viscous_parts() || self.model.spans.iter().any(|span| span.is_damped());
-        Assumptions::default()
-            .and("nothing moves or loads the beam before the touch", !(loads || moves || earlier))
-            .and("no damping", !damped)
+        let still = !(loads || moves || earlier);
+        Assumptions::default().and("nothing moves or loads the beam before the touch", still)
     }
 
     /// The other contacts of what meets here; beams may be joined, so that all of them count as one.

@@ -1,7 +1,7 @@
 //! Formulas in which waves run away.
 
 use super::super::Comparison;
-use super::super::case::{Beams, Struck};
+use super::super::case::{Beams, Struck, linear_stiffness};
 use super::super::formulas::pulse_frequency;
 use super::super::words::digits;
 use super::{Assumptions, Desk, Formula, Quantity, against};
@@ -13,7 +13,7 @@ const ROTARY: f64 = 0.02;
 /// Slopes and strains below this are small.
 const SMALL: f64 = 0.05;
 
-/// The spring-mass projectile on a beam without end. Its force fits where the largest one comes before waves do; duration and
+/// The projectile on a beam without end. Its force fits where the largest one comes before waves do; duration and
 /// rebound where the whole contact does.
 pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let Some(blow) = struck.infinite_beam(desk.case.law, desk.speed) else { return Vec::new() };
@@ -29,7 +29,7 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let slope = desk.speed * blow.peak_time * wave_number;
     let undisturbed = back >= lasts && blow.duration.is_some();
     let assumptions = desk
-        .undisturbed()
+        .undisturbed_but_for_contact()
         .and(
             format!("no wave comes back from ends or supports: {}", against(back, lasts, "s")),
             back >= lasts,
@@ -44,7 +44,11 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
         .and(format!("small slopes: up to {}", digits(slope)), slope < SMALL);
     let formula = Formula {
         name: "infinite beam",
-        source: "closed form for a mass behind a linear spring on a Bernoulli beam without end",
+        source: if linear_stiffness(desk.case.law).is_some() {
+            "closed form for a mass behind a linear spring on a Bernoulli beam without end"
+        } else {
+            "Timoshenko's integral equation for a contact law on a Bernoulli beam without end"
+        },
         assumptions,
     };
     let mut quantities =

@@ -7,12 +7,14 @@ mod blow;
 mod infinite_beam;
 mod span;
 mod two_masses;
+mod wave_controlled;
 mod waves;
 
 pub use blow::{Blow, free_bar_mass, hertz_blow, linear_blow, reduced_mass, table_blow};
 pub use infinite_beam::{InfiniteBeam, InfiniteBeamBlow};
 pub use span::{Cox, Span, SpanKind, impact_factor};
 pub use two_masses::{TwoMassBlow, TwoMasses};
+pub use wave_controlled::WaveControlled;
 pub use waves::{BarBlow, UniformBeam, pulse_frequency};
 
 /// Asserts that two values agree to a relative tolerance.
