@@ -18,8 +18,6 @@ import pyarrow.parquet
 import pytest
 
 
-
-
 def table(path: Path) -> bytes:
     return (path / "results.parquet").read_bytes()
 
@@ -156,6 +154,35 @@ def write_study(study: dict, path: Path) -> Path:
     text = percuss._study._text({**study, "scenario": study["scenario"]})
     path.write_text(text)
     return path
+
+
+SWEEP = """
+import percuss, sys
+print("begun", flush=True)
+try:
+    percuss.sweep(sys.argv[1], out=sys.argv[2])
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_ctrl_c_ends_a_sweep_which_then_goes_on_from_there(study, tmp_path):
+    study["design"] = {"kind": "latin-hypercube", "runs": 4000}
+    path, there = write_study(study, tmp_path), tmp_path / "there"
+    process = subprocess.Popen([sys.executable, "-c", SWEEP, str(path), str(there)], stdout=subprocess.PIPE, text=True)
+    until = time.monotonic() + 60
+    while not list(there.glob("shards/*.parquet")) and time.monotonic() < until:
+        time.sleep(0.005)
+    process.send_signal(signal.SIGINT)
+    out, _ = process.communicate(timeout=60)
+    assert out == "begun\ninterrupted\n"
+    kept = {shard.name: shard.stat().st_mtime_ns for shard in there.glob("shards/*.parquet")}
+    done = percuss.sweep(path, out=there)
+    assert len(done) == 4000 and 0 < len(kept) < done.study.shard_count
+    assert all((there / "shards" / name).stat().st_mtime_ns == then for name, then in kept.items())
+    percuss.sweep(path, out=tmp_path / "here")
+    assert table(there) == table(tmp_path / "here")
 
 
 def command(*arguments: str, **more) -> subprocess.CompletedProcess[str]:
