@@ -98,9 +98,11 @@ impl Ends {
         Self { nodes: [end(element.node), end(element.node + 1)], length: element.length }
     }
 
-    /// A bound from above of its length: control vectors of the derivative bound it.
-    fn longest(&self) -> f64 {
-        self.length * self.onward().into_iter().map(norm).fold(0.0, f64::max)
+    /// A bound from above of its length, squared: control vectors of the derivative bound it.
+    fn longest_squared(&self) -> f64 {
+        let [a, b, c] = self.onward().map(|t| dot(t, t));
+        let most = if a > b { a } else { b };
+        self.length * self.length * if c > most { c } else { most }
     }
 
     /// Control vectors of the derivative with respect to arc length of the reference.
@@ -322,7 +324,8 @@ pub struct Axis<'a> {
 
 /// A bound of the length of a beam's longest element.
 pub fn longest_arc(elements: &[AxisElement], nodes: &[NodeFrame], at: &Configuration) -> f64 {
-    elements.iter().map(|e| Ends::new(e, nodes, at).longest()).fold(0.0, f64::max)
+    let squared = |e| Ends::new(e, nodes, at).longest_squared();
+    elements.iter().map(squared).fold(0.0, |most, x| if x > most { x } else { most }).sqrt()
 }
 
 impl Axis<'_> {
