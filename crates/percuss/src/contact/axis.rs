@@ -100,13 +100,13 @@ impl Ends {
 
     /// A bound from above of its length, squared: control vectors of the derivative bound it.
     fn longest_squared(&self) -> f64 {
-        let [a, b, c] = self.onward().map(|t| dot(t, t));
+        let [a, b, c] = self.control_vectors().map(|t| dot(t, t));
         let most = if a > b { a } else { b };
         self.length * self.length * if c > most { c } else { most }
     }
 
     /// Control vectors of the derivative with respect to arc length of the reference.
-    fn onward(&self) -> [[f64; 2]; 3] {
+    fn control_vectors(&self) -> [[f64; 2]; 3] {
         let [a, b] = &self.nodes;
         let inner = |i: usize| 3.0 * (b[i] - a[i]) / self.length - a[2 + i] - b[2 + i];
         [[a[2], a[3]], [inner(0), inner(1)], [b[2], b[3]]]
@@ -133,7 +133,7 @@ impl Ends {
         let chord = [b[0] - a[0], b[1] - a[1]];
         let span = norm(chord);
         // Control vectors bound the derivative, as its ends bound the second derivative.
-        let [first, inner, last] = self.onward();
+        let [first, inner, last] = self.control_vectors();
         let least = dot(first, chord).min(dot(inner, chord)).min(dot(last, chord)) / span;
         let turn = norm(sub(inner, first)).max(norm(sub(last, inner)));
         least > 0.0 && least * least > (away + 2.0 * span) * 2.0 * turn / self.length
