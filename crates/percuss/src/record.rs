@@ -63,7 +63,7 @@ pub trait Recorder {
     }
 }
 
-/// Records nothing.
+/// Records nothing, and asks for nothing: runs of which only the summary matters.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoRecorder;
 

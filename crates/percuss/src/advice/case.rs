@@ -275,7 +275,7 @@ impl Struck<'_> {
             let beam = InfiniteBeam::of(self.mass, stiffness, section.bending, section.mass);
             return Some(beam.blow(self.mass, stiffness, speed));
         }
-        if !(speed > 0.0) {
+        if speed <= 0.0 {
             return None;
         }
         let lasts = rigid_blow(law, self.mass, speed)?.duration;

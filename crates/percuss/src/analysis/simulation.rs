@@ -338,24 +338,22 @@ impl<'m> Simulation<'m> {
         }
         let iterations = self.effort.iterations - self.row_iterations;
         self.row_iterations = self.effort.iterations;
-        self.average_reactions();
-        let since = SinceLast {
-            impulse: &self.row_impulse,
-            search: &self.search,
-            reactions: &self.mean_reactions,
-            before: self.monitor.before(),
-            iterations,
-        };
-        if recorder.wants_rows() {
-            channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);
-        }
-        self.row_impulse.fill([0.0; 2]);
         self.rows += 1;
         self.row_time = self.state.time;
         recorder.state(&self.state);
         if recorder.wants_rows() {
+            self.average_reactions();
+            let since = SinceLast {
+                impulse: &self.row_impulse,
+                search: &self.search,
+                reactions: &self.mean_reactions,
+                before: self.monitor.before(),
+                iterations,
+            };
+            channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);
             recorder.row(&self.row).map_err(Error::recorder)?;
         }
+        self.row_impulse.fill([0.0; 2]);
         Ok(())
     }
 
