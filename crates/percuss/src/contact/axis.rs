@@ -8,6 +8,8 @@ use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 const PATIENCE: usize = 40;
 /// A step by which Newton's iteration for a foot has settled: it converges quadratically, so what is left is round-off.
 const SETTLED: f64 = 1e-9;
+/// Steps to a foot shorter than this do not leap over a crest of the distance.
+const CREST: f64 = 1e-6;
 /// Places at which the feet on a strongly bent element are looked for.
 const FEET: usize = 32;
 
@@ -245,8 +247,8 @@ impl Placed {
     /// within the element. What is on the other side of the axis than `side` has gone through: it is nearest where it is deepest.
     fn descend(&self, y: [f64; 2], mut xi: f64, side: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
+        let mut seen = self.seen(y, xi);
         for iteration in 0..PATIENCE + 55 {
-            let seen = self.seen(y, xi);
             let slope = self.slope(&seen, side);
             let safe = dot(seen.tangent, seen.tangent);
             let full = safe + dot(seen.away, self.turning(xi)) - self.leaning(&seen, side);
@@ -259,7 +261,8 @@ impl Placed {
             }
             let mut next = xi - slope / if convex { full } else { safe };
             // Where the distance hardly changes, next to a centre of curvature, Newton's iteration crawls.
-            if iteration >= PATIENCE {
+            let crawls = iteration >= PATIENCE;
+            if crawls {
                 next = 0.5 * (low + high);
             } else if !(next >= low && next <= high) {
                 // Out of the bracket: to its end if that is the element's, else to its middle.
@@ -271,13 +274,28 @@ impl Placed {
                     0.5 * (low + high)
                 };
             }
+            let mut there = self.seen(y, next);
+            // Beyond a crest lies the neighbourhood of another foot.
+            while !crawls
+                && (next - xi).abs() > CREST
+                && self.distance(&there, next, side) > self.distance(&seen, xi, side)
+            {
+                next = 0.5 * (xi + next);
+                there = self.seen(y, next);
+            }
             let step = (next - xi).abs();
-            xi = next;
+            (xi, seen) = (next, there);
             if step <= if convex { SETTLED } else { 1e-15 } {
                 break;
             }
         }
         xi
+    }
+
+    /// What is least at a foot.
+    fn distance(&self, seen: &Seen, xi: f64, side: f64) -> f64 {
+        let depth = if self.growth == 0.0 { 0.0 } else { self.growth * xi * through(seen, side) };
+        norm(seen.away) - depth
     }
 
     /// How half the square of the distance changes with the share: negative where it is nearer further on.
@@ -380,8 +398,12 @@ impl Axis<'_> {
                 best = (away, Some(AxisPoint { element: k, xi }));
             }
         }
-        let leapt_from = local.filter(|_| best.1 != local);
-        best.1.map(|point| Nearest { point, leapt_from })
+        if best.1 == local {
+            return local.map(|point| Nearest { point, leapt_from: None });
+        }
+        // The foot that the next search in its neighbourhood will find.
+        let point = best.1.map(|point| self.near(y, at, point, side))?;
+        Some(Nearest { point, leapt_from: local })
     }
 
     /// The point nearest to `y` in the neighbourhood of another one: downhill along the axis.
