@@ -37,3 +37,9 @@ fn an_iteration_that_comes_nearer_slowly_gets_there() {
 fn what_has_gone_through_or_lies_at_a_tight_bend_is_not_overlooked() {
     books_close(&run(include_str!("violent/knotted.toml")));
 }
+
+#[test]
+fn a_foot_does_not_leap_over_a_crest_on_an_element_bent_round_a_disc() {
+    // It gives up when the disc has gone far in, with closed books.
+    books_close(&run(include_str!("violent/wrapped.toml")));
+}
