@@ -7,6 +7,7 @@ pub mod effective_mass;
 pub mod impact;
 pub mod law;
 pub mod pair;
+pub mod placed;
 pub mod row;
 pub mod search;
 pub mod touch;

@@ -2,9 +2,10 @@
 //!
 //! The gap is signed by the side the source was on: what has gone through is deep inside, not on the other side.
 
-use super::axis::{Axis, AxisPoint, Placed};
+use super::axis::{Axis, AxisPoint};
 use super::configuration::Configuration;
 use super::pair::{Centre, Hold, Memory, Pair, Target};
+use super::placed::Placed;
 use super::row::Row;
 use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
