@@ -13,8 +13,8 @@ const ROTARY: f64 = 0.02;
 /// Slopes and strains below this are small.
 const SMALL: f64 = 0.05;
 
-/// The projectile on a beam without end. Its force fits where the largest one comes before waves do; duration and
-/// rebound where the whole contact does.
+/// The projectile on a beam without end. Its force fits where the largest one comes before waves do; duration and rebound where
+/// the whole contact does.
 pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let Some(blow) = struck.infinite_beam(desk.case.law, desk.speed) else { return Vec::new() };
     let Some(interval) = desk.interval() else { return Vec::new() };
