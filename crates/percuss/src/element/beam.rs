@@ -127,14 +127,6 @@ impl ElementTable {
     }
 }
 
-impl<S: Copy> GaussRow<S> {
-    /// Reference tangent and curvature.
-    #[inline(always)]
-    pub fn reference(&self) -> ([S; 2], S) {
-        (self.tangent, self.curvature)
-    }
-}
-
 impl<S: Real> ElementTable<S> {
     /// Adds the mass matrix times nodal accelerations to the forces on the two nodes.
     #[inline(always)]

@@ -1,6 +1,7 @@
 //! The invariant energy-momentum scheme: a discrete gradient written through the invariants
 //! `a = g.g` and `b = g x p`, with no strain history.
 
+use super::beam::{ElementValues, GaussRow};
 use super::point::{Form, PointResponse, SectionLaw, StepPoint, Stress, b_of, form_b};
 use super::rotary::Turn;
 use crate::math::vec2::{add, dot, middle};
@@ -21,10 +22,11 @@ pub fn response<S: Real, const TANGENT: bool>(
     point: &StepPoint<S>,
     lag: f64,
 ) -> PointResponse<S> {
-    let reference = (point.tangent, point.curvature);
-    let start = End::new(law.measure, reference, point.slope_0, point.bend_0);
-    Step::new(law.measure, reference, &start, point.d_slope, point.d_bend)
-        .response::<TANGENT>(law, &start, lag)
+    let start = End::new(law.measure, point.tangent, point.slope_0, point.bend_0);
+    let StepPoint { tangent, curvature, d_slope, d_bend, .. } = point;
+    let way = Way { tangent, curvature, start: &start, d_slope: *d_slope, d_bend: *d_bend };
+    let [quotients] = Quotients::of(law.measure, &[way]);
+    Step::new(law.measure, &way, &quotients).response::<TANGENT>(law, &start, lag)
 }
 
 /// One end of a step at a Gauss point.
@@ -38,68 +40,159 @@ pub struct End<S> {
     pub stretch: S,
     /// Its reciprocal, in engineering strains that of its square: `kappa = kappa0 - b inverse`.
     pub inverse: S,
-    /// Numerator of the bending strain, `b = x' x x''` \[1/m\].
-    pub b: S,
     /// Membrane strain \[1\].
     pub membrane: S,
+}
+
+/// What the bending strain is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Bent<S> {
+    /// Its numerator, `b = x' x x''` \[1/m\].
+    pub b: S,
     /// Bending strain \[1/m\].
-    pub bending: S,
+    pub strain: S,
 }
 
 impl<S: Real> End<S> {
-    /// From the reference tangent and curvature, and the displacement's first and second derivative.
+    /// From the reference tangent, and the displacement's first and second derivative.
     #[inline(always)]
-    pub fn new(
-        measure: StrainMeasure,
-        reference: ([S; 2], S),
-        slope: [S; 2],
-        bend: [S; 2],
-    ) -> Self {
-        let bare = Bare::new(reference.0, slope, bend);
-        let inverse = bare.divisor(measure).recip();
-        bare.end(measure, reference, inverse)
-    }
-}
-
-/// An end whose reciprocal is still to be found.
-struct Bare<S> {
-    slope: [S; 2],
-    bend: [S; 2],
-    g: [S; 2],
-    /// Square of the stretch, and the stretch.
-    a: S,
-    stretch: S,
-}
-
-impl<S: Real> Bare<S> {
-    #[inline(always)]
-    fn new(tangent: [S; 2], slope: [S; 2], bend: [S; 2]) -> Self {
+    pub fn new(measure: StrainMeasure, tangent: [S; 2], slope: [S; 2], bend: [S; 2]) -> Self {
         let g = add(tangent, slope);
         let a = dot(g, g);
-        Self { slope, bend, g, a, stretch: a.ordinary_sqrt() }
+        let [stretch] = S::ordinary_sqrts([a]);
+        let [inverse] = S::ordinary_recips([divisor(measure, a, stretch)]);
+        Self::with(measure, tangent, (slope, bend), (stretch, inverse))
     }
 
-    /// What the bending strain divides by.
+    /// Those of several Gauss points together, from nodal displacements; quicker, as [`Quotients::of`] says.
     #[inline(always)]
-    fn divisor(&self, measure: StrainMeasure) -> S {
-        match measure {
-            StrainMeasure::Green => self.stretch,
-            StrainMeasure::Engineering => self.a,
+    pub fn all<const N: usize>(
+        measure: StrainMeasure,
+        rows: &[GaussRow<S>; N],
+        displacement: &ElementValues<S>,
+    ) -> [Self; N] {
+        let like = rows[0].curvature;
+        let mut a = [like; N];
+        for i in 0..N {
+            let g = add(rows[i].tangent, displacement.at(&rows[i].first));
+            a[i] = dot(g, g);
         }
+        let stretch = S::ordinary_sqrts(a);
+        let mut divisors = stretch;
+        for i in 0..N {
+            divisors[i] = divisor(measure, a[i], stretch[i]);
+        }
+        let inverse = S::ordinary_recips(divisors);
+        let zero = [like; 2];
+        let mut ends =
+            [Self { slope: zero, bend: zero, stretch: like, inverse: like, membrane: like }; N];
+        for i in 0..N {
+            let row = &rows[i];
+            let shape = (displacement.at(&row.first), add(row.bend, displacement.at(&row.second)));
+            ends[i] = Self::with(measure, row.tangent, shape, (stretch[i], inverse[i]));
+        }
+        ends
     }
 
+    /// The same where the stretch is known, and the reciprocal.
     #[inline(always)]
-    fn end(self, measure: StrainMeasure, reference: ([S; 2], S), inverse: S) -> End<S> {
-        let Self { slope, bend, g, stretch, .. } = self;
-        let (tangent, curvature) = reference;
+    fn with(
+        measure: StrainMeasure,
+        tangent: [S; 2],
+        (slope, bend): ([S; 2], [S; 2]),
+        (stretch, inverse): (S, S),
+    ) -> Self {
         let green = dot(middle(tangent, slope), slope);
         let membrane = match measure {
             StrainMeasure::Green => green,
             StrainMeasure::Engineering => (green + green) / (stretch + stretch.constant(1.0)),
         };
-        let b = b_of(g, bend);
-        let bending = curvature.sub_product(b, inverse);
-        End { slope, bend, stretch, inverse, b, membrane, bending }
+        Self { slope, bend, stretch, inverse, membrane }
+    }
+
+    /// Its bending, which costs less than keeping it from step to step.
+    #[inline(always)]
+    pub fn bent(&self, tangent: [S; 2], curvature: S) -> Bent<S> {
+        let b = b_of(add(tangent, self.slope), self.bend);
+        Bent { b, strain: curvature.sub_product(b, self.inverse) }
+    }
+}
+
+/// What the bending strain divides by, from the square of the stretch and the stretch.
+#[inline(always)]
+fn divisor<S: Real>(measure: StrainMeasure, a: S, stretch: S) -> S {
+    match measure {
+        StrainMeasure::Green => stretch,
+        StrainMeasure::Engineering => a,
+    }
+}
+
+/// A Gauss point on its way over a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Way<'a, S> {
+    /// Reference tangent \[1\] and curvature \[1/m\].
+    pub tangent: &'a [S; 2],
+    pub curvature: &'a S,
+    /// Start of the step.
+    pub start: &'a End<S>,
+    /// Increments of u' \[1\] and x'' \[1/m\].
+    pub d_slope: [S; 2],
+    pub d_bend: [S; 2],
+}
+
+impl<'a, S: Real> Way<'a, S> {
+    /// From nodal increments.
+    #[inline(always)]
+    pub fn new(row: &'a GaussRow<S>, start: &'a End<S>, step: &ElementValues<S>) -> Self {
+        let (d_slope, d_bend) = (step.at(&row.first), step.at(&row.second));
+        Self { tangent: &row.tangent, curvature: &row.curvature, start, d_slope, d_bend }
+    }
+
+    /// Tangent x' at the start, in the middle and at the end.
+    #[inline(always)]
+    fn tangents(&self) -> [[S; 2]; 3] {
+        let (tangent, slope) = (*self.tangent, self.start.slope);
+        let start = add(tangent, slope);
+        [start, middle(start, self.d_slope), add(tangent, add(slope, self.d_slope))]
+    }
+}
+
+/// The stretch at the end of a step, and what is divided by.
+#[derive(Clone, Copy, Debug)]
+pub struct Quotients<S> {
+    stretch: S,
+    /// [`End::inverse`] at the end.
+    inverse: S,
+    /// Reciprocal of the sum of the stretches of both ends.
+    q: S,
+    /// Reciprocal of the square of the tangent in the middle.
+    inv_a: S,
+}
+
+impl<S: Real> Quotients<S> {
+    /// Those of several Gauss points together: a root and a reciprocal are long chains of operations, each waiting for the one
+    /// before, and the points' chains run side by side.
+    #[inline(always)]
+    pub fn of<const N: usize>(measure: StrainMeasure, ways: &[Way<S>; N]) -> [Self; N] {
+        let like = *ways[0].curvature;
+        let (mut a, mut middle) = ([like; N], [like; N]);
+        for i in 0..N {
+            let [_, g_mid, g] = ways[i].tangents();
+            (a[i], middle[i]) = (dot(g, g), dot(g_mid, g_mid));
+        }
+        let stretch = S::ordinary_sqrts(a);
+        let mut divisors = [[like; 3]; N];
+        for i in 0..N {
+            let sum = ways[i].start.stretch + stretch[i];
+            divisors[i] = [divisor(measure, a[i], stretch[i]), sum, middle[i]];
+        }
+        let quotients = reciprocals(divisors);
+        let mut out = [Self { stretch: like, inverse: like, q: like, inv_a: like }; N];
+        for i in 0..N {
+            let [inverse, q, inv_a] = quotients[i];
+            out[i] = Self { stretch: stretch[i], inverse, q, inv_a };
+        }
+        out
     }
 }
 
@@ -107,7 +200,9 @@ impl<S: Real> Bare<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct Step<S> {
     /// The end.
-    pub end: End<S>,
+    end: End<S>,
+    /// Bending at the start and at the end.
+    bent: [Bent<S>; 2],
     /// Tangent x' at the end.
     g: [S; 2],
     /// Tangent and x'' in the middle.
@@ -119,23 +214,17 @@ pub struct Step<S> {
 }
 
 impl<S: Real> Step<S> {
-    /// From the start of the step and the increments of u' and x''.
+    /// A way with its quotients.
     #[inline(always)]
-    pub fn new(
-        measure: StrainMeasure,
-        reference: ([S; 2], S),
-        start: &End<S>,
-        d_slope: [S; 2],
-        d_bend: [S; 2],
-    ) -> Self {
-        let bare = Bare::new(reference.0, add(start.slope, d_slope), add(start.bend, d_bend));
-        let g0 = add(reference.0, start.slope);
-        let (g_mid, p_mid) = (middle(g0, d_slope), middle(start.bend, d_bend));
-        let [inverse, q, inv_a] =
-            reciprocals([bare.divisor(measure), start.stretch + bare.stretch, dot(g_mid, g_mid)]);
-        let g = bare.g;
-        let end = bare.end(measure, reference, inverse);
-        Self { end, g, p_mid, turn: Turn { g0, d_g: d_slope, g: g_mid, inv_a }, q }
+    pub fn new(measure: StrainMeasure, way: &Way<S>, quotients: &Quotients<S>) -> Self {
+        let Way { tangent, curvature, start, d_slope, d_bend } = *way;
+        let Quotients { stretch, inverse, q, inv_a } = *quotients;
+        let [g0, g_mid, g] = way.tangents();
+        let shape = (add(start.slope, d_slope), add(start.bend, d_bend));
+        let end = End::with(measure, *tangent, shape, (stretch, inverse));
+        let bent = [start.bent(*tangent, *curvature), end.bent(*tangent, *curvature)];
+        let turn = Turn { g0, d_g: d_slope, g: g_mid, inv_a };
+        Self { end, bent, g, p_mid: middle(start.bend, d_bend), turn, q }
     }
 
     /// Forces of the section, and their tangent if `TANGENT`.
@@ -147,7 +236,8 @@ impl<S: Real> Step<S> {
         lag: f64,
     ) -> PointResponse<S> {
         let (g_mid, p_mid) = (self.turn.g, self.p_mid);
-        let ends = Ends { start, end: &self.end, q: self.q, weights: [0.5 - lag, 0.5 + lag] };
+        let weights = [0.5 - lag, 0.5 + lag];
+        let ends = Ends { start, end: &self.end, bent: &self.bent, q: self.q, weights };
         let (stress, slopes) = match law.measure {
             StrainMeasure::Green => ends.green(law),
             StrainMeasure::Engineering => ends.engineering(law),
@@ -178,6 +268,7 @@ impl<S: Real> Step<S> {
 struct Ends<'a, S> {
     start: &'a End<S>,
     end: &'a End<S>,
+    bent: &'a [Bent<S>; 2],
     /// Reciprocal of the sum of their stretches.
     q: S,
     weights: [f64; 2],
@@ -201,8 +292,9 @@ impl<S: Real> Ends<'_, S> {
         let [w0, w1] = self.weights;
         let (start, end) = (self.start, self.end);
         (
-            law.axial * (start.membrane * w0).add_scaled(end.membrane, w1),
-            law.bending * (start.bending * w0).add_scaled(end.bending, w1),
+            (law.axial * w0 * start.membrane).add_product(law.axial * w1, end.membrane),
+            (law.bending * w0 * self.bent[0].strain)
+                .add_product(law.bending * w1, self.bent[1].strain),
         )
     }
 
@@ -213,11 +305,11 @@ impl<S: Real> Ends<'_, S> {
         let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
         let (axial, moment) = self.resultants(law);
         let c2_b = q0 * q1 * q;
-        let c2 = (self.start.b + self.end.b) * c2_b;
+        let c2 = (self.bent[0].b + self.bent[1].b) * c2_b;
         let stress = Stress { axial, moment, alpha: c2.constant(1.0), c1: (q0 + q1) * -0.5, c2 };
         let slopes = Slopes {
             axial_a: end_ea,
-            moment_a: end_ei * self.end.b * q1_cubed,
+            moment_a: end_ei * self.bent[1].b * q1_cubed,
             moment_b: -(end_ei * q1),
             alpha_a: c2.constant(0.0),
             c1_a: q1_cubed * 0.5,
@@ -233,12 +325,12 @@ impl<S: Real> Ends<'_, S> {
         let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
         let (axial, moment) = self.resultants(law);
         let c2_b = q0 * q1;
-        let c2 = (self.start.b + self.end.b) * c2_b;
+        let c2 = (self.bent[0].b + self.bent[1].b) * c2_b;
         let inv_r1 = self.end.stretch * q1;
         let stress = Stress { axial, moment, alpha: q + q, c1: (q0 + q1) * -0.5, c2 };
         let slopes = Slopes {
             axial_a: end_ea * inv_r1,
-            moment_a: end_ei * self.end.b * q1 * q1 * 2.0,
+            moment_a: end_ei * self.bent[1].b * q1 * q1 * 2.0,
             moment_b: -(end_ei * q1),
             alpha_a: q * q * inv_r1 * -2.0,
             c1_a: q1 * q1,

@@ -25,10 +25,16 @@ impl<S: Real> Turn<S> {
         Self { g0, d_g, g, inv_a: dot(g, g).recip() }
     }
 
+    /// Angle over the step by the rate in its middle, `(g_m x Dg) / a_m`.
+    #[inline(always)]
+    fn angle(&self) -> S {
+        cross(self.g, self.d_g) * self.inv_a
+    }
+
     /// Angular rate in the middle of a step of size `1 / rate`: `w_m = (g_m x Dg) / (a_m h)`.
     #[inline(always)]
     pub fn mean_spin(&self, rate: S) -> S {
-        cross(self.g, self.d_g) * self.inv_a * rate
+        self.angle() * rate
     }
 
     /// Adds rotary inertia: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`, and mass-proportional damping
@@ -42,14 +48,17 @@ impl<S: Real> Turn<S> {
         rate: S,
         damping: f64,
     ) -> S {
-        let (g, inv_a, spin) = (self.g, self.inv_a, self.mean_spin(rate));
+        let (g, inv_a) = (self.g, self.inv_a);
         let twice = rate + rate;
         let damped = twice + rate.constant(damping);
-        let moment = rotary * (spin * damped).sub_product(spin_0, twice);
-        let turned = moment * inv_a;
+        let angle = self.angle();
+        let acceleration = (spin_0 * twice * -1.0).add_product(angle, rate * damped);
+        let turned = (rotary * inv_a) * acceleration;
+        let spin = angle * rate;
         response.force_g[0] = response.force_g[0].sub_product(turned, g[1]);
         response.force_g[1] = response.force_g[1].add_product(turned, g[0]);
         if TANGENT {
+            let moment = rotary * acceleration;
             // d(g_m x Dg) = g0 x dg, d(a_m) = g_m . dg
             let (inertia, g0) = (rotary * damped, self.g0);
             let (along, across) = (inertia * inv_a * spin, inertia * inv_a * rate);

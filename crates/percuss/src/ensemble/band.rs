@@ -45,24 +45,25 @@ impl<S: Number> Band<S> {
     /// Solves in place with the factors.
     #[inline(always)]
     pub fn solve(&self, x: &mut [[S; 4]]) {
-        let n = x.len();
-        for i in 1..n {
-            let before = x[i - 1];
-            subtract_applied(&mut x[i], &self.lower[i - 1], &before);
+        let Some(first) = x.first() else { return };
+        let mut carried = *first;
+        // What one row hands to the next stays in registers.
+        x[0] = apply(&self.diag[0], &carried);
+        for i in 1..x.len() {
+            carried = less_applied(x[i], &self.lower[i - 1], &carried);
+            x[i] = apply(&self.diag[i], &carried);
         }
-        for i in 0..n {
-            x[i] = apply(&self.diag[i], &x[i]);
-        }
-        for i in (0..n.saturating_sub(1)).rev() {
-            let after = x[i + 1];
-            subtract_applied(&mut x[i], &self.upper[i], &after);
+        let last = x.len() - 1;
+        carried = x[last];
+        for i in (0..last).rev() {
+            carried = less_applied(x[i], &self.upper[i], &carried);
+            x[i] = carried;
         }
     }
 
-    /// Takes over the lanes of another matrix in which `which` is positive.
+    /// Takes over the given lanes of another matrix.
     #[inline(always)]
-    pub fn take(&mut self, from: &Self, which: S) {
-        let zero = which.constant(0.0);
+    pub fn take(&mut self, from: &Self, which: S::Mask) {
         for (mine, other) in [
             (&mut self.diag, &from.diag),
             (&mut self.upper, &from.upper),
@@ -70,7 +71,7 @@ impl<S: Number> Band<S> {
         ] {
             let mine = mine.as_flattened_mut().as_flattened_mut();
             for (mine, other) in mine.iter_mut().zip(other.as_flattened().as_flattened()) {
-                *mine = zero.if_less(which, *other, *mine);
+                *mine = S::choose(which, *other, *mine);
             }
         }
     }
@@ -81,7 +82,7 @@ impl<S: Number> Band<S> {
 fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
     let mut m = *a;
     for k in 0..4 {
-        let pivot = m[k][k].ordinary_recip();
+        let [pivot] = S::ordinary_recips([m[k][k]]);
         m[k][k] = pivot.constant(1.0);
         for j in 0..4 {
             m[k][j] = m[k][j] * pivot;
@@ -124,13 +125,15 @@ fn subtract_product<S: Number>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
     }
 }
 
+/// `x - a y`.
 #[inline(always)]
-fn subtract_applied<S: Number>(x: &mut [S; 4], a: &Block<S>, y: &[S; 4]) {
+fn less_applied<S: Number>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
     for k in 0..4 {
         for i in 0..4 {
             x[i] = x[i].sub_product(a[i][k], y[k]);
         }
     }
+    x
 }
 
 #[inline(always)]

@@ -2,6 +2,7 @@
 
 use super::engine::{Engine, interpolate};
 use crate::element::beam::ElementValues;
+use crate::element::energy_momentum::End;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, dot4, sub};
 use crate::scalar::{Number, array};
@@ -177,11 +178,12 @@ impl<S: Number> Engine<S> {
                     let (row, at) = (&table.rows[j], &self.start[element][j]);
                     let spin = self.spin[element][j];
                     let law = &row.weighed;
+                    let bending = at.bent(row.tangent, row.curvature).strain;
                     let turning = law.rotary * spin;
                     twice = twice
                         .add_product(turning, spin)
                         .add_product(law.axial * at.membrane, at.membrane)
-                        .add_product(law.bending * at.bending, at.bending);
+                        .add_product(law.bending * bending, bending);
                     angular += turning;
                 }
                 if let Some(samples) = &table.membrane {
@@ -227,7 +229,7 @@ impl<S: Number> Engine<S> {
                 v[i] = d[i] * twice - v[i];
             }
         }
-        std::mem::swap(&mut self.start, &mut self.end);
+        self.shape();
         std::mem::swap(&mut self.spin, &mut self.end_spin);
         for k in 0..self.guides.len() {
             let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
@@ -235,6 +237,24 @@ impl<S: Number> Engine<S> {
             state.velocity = state.increment * twice - state.velocity;
             state.gap += state.gap_change;
             state.rate = guide.along(&self.velocity) - state.velocity;
+        }
+    }
+}
+
+impl<S: Number> Engine<S> {
+    /// Gauss points as the displacements have them.
+    #[inline(always)]
+    fn shape(&mut self) {
+        let mut element = 0;
+        for span in &self.numbers.spans {
+            for k in 0..span.count {
+                let (a, table) = (span.first + k, span.table(k));
+                let u = &self.displacement;
+                let values = ElementValues::new(&u[a], &u[a + 1]);
+                let ends = End::all(span.measure, &table.rows, &values);
+                self.start[element] = ends;
+                element += 1;
+            }
         }
     }
 }

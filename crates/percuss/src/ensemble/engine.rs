@@ -3,7 +3,7 @@
 use super::band::Band;
 use super::numbers::{GuideNumbers, HoldNumbers, Numbers};
 use crate::element::beam::{ElementSums, ElementValues};
-use crate::element::energy_momentum::{End, Step};
+use crate::element::energy_momentum::{End, Quotients, Step, Way};
 use crate::element::point::SectionLaw;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{dot, dot4};
@@ -22,8 +22,7 @@ pub struct Engine<S> {
     /// Gauss points at the start of the step, and angular rates of their tangents.
     pub start: Vec<[End<S>; GAUSS]>,
     pub spin: Vec<[S; GAUSS]>,
-    /// The same at the end of the step, as evaluated last.
-    pub end: Vec<[End<S>; GAUSS]>,
+    /// Rates at the end of the step, as evaluated last.
     pub end_spin: Vec<[S; GAUSS]>,
     /// Guided projectiles.
     pub guides: Vec<GuideState<S>>,
@@ -77,7 +76,7 @@ impl<S: Number> Engine<S> {
                 ends.extend((0..span.count).map(|k| {
                     span.table(k)
                         .rows
-                        .map(|row| End::new(span.measure, row.reference(), [zero; 2], row.bend))
+                        .map(|row| End::new(span.measure, row.tangent, [zero; 2], row.bend))
                 }));
             }
             ends
@@ -90,7 +89,6 @@ impl<S: Number> Engine<S> {
             velocity: still.clone(),
             spin: vec![[zero; GAUSS]; start.len()],
             end_spin: vec![[zero; GAUSS]; start.len()],
-            end: start.clone(),
             start,
             guides,
             reactions: vec![[zero; 4]; numbers.holds.len()],
@@ -183,16 +181,20 @@ impl<S: Number> Engine<S> {
             let end = self.inertia(a + 1, rate);
             let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
             let mut sums = ElementSums::zero(rate);
+            let (rows, starts) = (&table.rows, &self.start[element]);
+            let mut ways = [Way::new(&rows[0], &starts[0], &step); GAUSS];
+            for j in 1..GAUSS {
+                ways[j] = Way::new(&rows[j], &starts[j], &step);
+            }
+            let quotients = Quotients::of(measure, &ways);
             for j in 0..GAUSS {
                 let (row, old) = (&table.rows[j], &self.start[element][j]);
-                let (d_slope, d_bend) = (step.at(&row.first), step.at(&row.second));
-                let new = Step::new(measure, row.reference(), old, d_slope, d_bend);
+                let new = Step::new(measure, &ways[j], &quotients[j]);
                 let law = SectionLaw { measure, ..row.weighed };
                 let mut point = new.response::<TANGENT>(&law, old, 0.0);
                 let spin = self.spin[element][j];
                 let mean = new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin, rate, 0.0);
                 self.end_spin[element][j] = (-spin).add_scaled(mean, 2.0);
-                self.end[element][j] = new.end;
                 sums.add::<TANGENT>(row, &point);
             }
             if let Some(samples) = &table.membrane {
@@ -476,15 +478,14 @@ impl<S: Number> GuideState<S> {
 }
 
 fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {
-    let pairs = |e: &End<S>| {
+    let flat = |e: &End<S>| {
         let ([s0, s1], [b0, b1]) = (e.slope, e.bend);
-        [s0, s1, b0, b1, e.stretch, e.inverse, e.b, e.membrane, e.bending]
+        [s0, s1, b0, b1, e.stretch, e.inverse, e.membrane]
     };
-    let mut values = pairs(mine);
-    for (value, other) in values.iter_mut().zip(pairs(from)) {
+    let mut values = flat(mine);
+    for (value, other) in values.iter_mut().zip(flat(from)) {
         value.set_lane(lane, other, from_lane);
     }
-    let [s0, s1, b0, b1, stretch, inverse, b, membrane, bending] = values;
-    let (slope, bend) = ([s0, s1], [b0, b1]);
-    *mine = End { slope, bend, stretch, inverse, b, membrane, bending };
+    let [s0, s1, b0, b1, stretch, inverse, membrane] = values;
+    *mine = End { slope: [s0, s1], bend: [b0, b1], stretch, inverse, membrane };
 }

@@ -2,58 +2,77 @@
 
 use super::books::Books;
 use super::engine::Engine;
-use crate::scalar::Number;
+use crate::scalar::{Mask, Number};
 use crate::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
 use crate::step::watch::{WORK_TOLERANCE, Watch};
 
 /// Factors of the tangent serve at most so many steps: masses dominate it, so it changes little, and renewing it costs as much as
 /// two corrections.
-const MOST_SERVICE: usize = 8;
+const MOST_SERVICE: f64 = 8.0;
 
-/// The iteration of one lane.
+/// The iterations of the runs, lane by lane.
 #[derive(Clone, Copy, Debug)]
-pub struct Search {
+pub struct Search<S: Number> {
     /// Whether there is a run in the lane.
-    pub live: bool,
+    live: S::Mask,
     /// Whether the step found no solution.
-    pub failed: bool,
+    pub failed: S::Mask,
     /// Still to be corrected.
-    seeking: bool,
-    watch: Watch,
+    seeking: S::Mask,
+    watch: Watch<S>,
     /// Impulse left unbalanced, relative to the momentum in play.
-    impulse: f64,
+    impulse: S,
     /// The size of the step that the tangent was factored for \[s\], the steps it has served, and those it may serve.
-    factored_for: f64,
-    served: usize,
-    service: usize,
+    factored_for: S,
+    served: S,
+    service: S,
     /// Whether the tangent is to be factored anew.
-    renew: bool,
+    renew: S::Mask,
     /// Size of the last step \[s\], and whether this one has the same.
-    size: f64,
-    steady: bool,
+    size: S,
+    steady: S::Mask,
     /// Corrections and factorisations of the run so far.
-    pub iterations: usize,
-    pub factorizations: usize,
+    pub iterations: S,
+    pub factorizations: S,
 }
 
-impl Search {
-    /// A lane without a run.
-    pub fn idle() -> Self {
+impl<S: Number> Search<S> {
+    /// No lane has a run yet.
+    pub fn idle(like: S) -> Self {
+        let (zero, never) = (like.constant(0.0), like.constant(f64::NAN));
+        let no = zero.less(zero);
         Self {
-            live: false,
-            failed: false,
-            seeking: false,
-            watch: Watch::new(0.0),
-            impulse: 0.0,
-            factored_for: f64::NAN,
-            served: 0,
-            service: MOST_SERVICE,
-            renew: false,
-            size: f64::NAN,
-            steady: false,
-            iterations: 0,
-            factorizations: 0,
+            live: no,
+            failed: no,
+            seeking: no,
+            watch: Watch::new(zero),
+            impulse: zero,
+            factored_for: never,
+            served: zero,
+            service: zero.constant(MOST_SERVICE),
+            renew: no,
+            size: never,
+            steady: no,
+            iterations: zero,
+            factorizations: zero,
         }
+    }
+
+    /// Begins with a run in a lane, or with none.
+    pub fn set_run(&mut self, lane: usize, live: bool) {
+        let fresh = Self::idle(self.size);
+        for (mine, new) in [
+            (&mut self.factored_for, fresh.factored_for),
+            (&mut self.served, fresh.served),
+            (&mut self.service, fresh.service),
+            (&mut self.size, fresh.size),
+            (&mut self.iterations, fresh.iterations),
+            (&mut self.factorizations, fresh.factorizations),
+        ] {
+            mine.set_lane(lane, new, lane);
+        }
+        let before = self.live;
+        self.live = self.size.mask(|i| if i == lane { live } else { before.lane(i) });
     }
 }
 
@@ -68,17 +87,15 @@ struct Unbalanced<S> {
 impl<S: Number> Engine<S> {
     /// Finds the increments of the step at hand; lanes in which there is none are marked.
     #[inline(always)]
-    pub fn solve(&mut self, books: &Books<S>, lanes: &mut [Search]) {
-        for (i, lane) in lanes.iter_mut().enumerate() {
-            lane.begin(books.energy_scale.lane(i), self.h.lane(i), S::DERIVES);
-        }
-        self.predict(lanes);
+    pub fn solve(&mut self, books: &Books<S>, search: &mut Search<S>) {
+        search.begin(books.energy_scale, self.h);
+        self.predict(search.steady);
         let reach = largest(&self.displacement);
         let momentum = {
             let play = (self.numbers.total_mass * books.energy_scale * 2.0).sqrt();
             play.max(books.linear_scale)
         };
-        let (mut assemble, mut seen) = (lanes.iter().any(|l| l.renew), false);
+        let (mut assemble, mut seen) = (search.renew.any(), false);
         let mut corrections = 0;
         while corrections < MOST_ITERATIONS {
             if assemble {
@@ -88,32 +105,27 @@ impl<S: Number> Engine<S> {
             }
             if !seen {
                 let left = self.unbalanced();
-                let share = left.impulse / momentum;
-                for (i, lane) in lanes.iter_mut().enumerate().filter(|(_, l)| l.seeking) {
-                    lane.weigh(left.work.lane(i), share.lane(i), corrections);
-                }
-                if lanes.iter().all(|l| !l.seeking) {
+                search.weigh(left.work, left.impulse / momentum, corrections);
+                if !search.seeking.any() {
                     break;
                 }
             }
             if !assemble && corrections > 0 {
-                for lane in &mut *lanes {
-                    lane.judge();
-                }
-                if lanes.iter().any(|l| l.renew) {
+                search.judge();
+                if search.renew.any() {
                     (assemble, seen) = (true, true);
                     continue;
                 }
             }
             if assemble {
-                self.renew(lanes);
+                self.renew(search);
             }
             self.correct_and_strike();
             corrections += 1;
-            self.take(lanes, reach, books, corrections == 1);
+            self.take(search, reach, books, corrections == 1);
             (assemble, seen) = (false, false);
         }
-        lanes.iter_mut().filter(|l| l.seeking).for_each(|l| l.failed = true);
+        search.failed = search.failed | search.seeking;
         if S::DERIVES {
             self.follow();
         }
@@ -129,18 +141,19 @@ impl<S: Number> Engine<S> {
 
     /// The increments if accelerations stay as they were in a step of the same size, or are zero.
     #[inline(always)]
-    fn predict(&mut self, lanes: &[Search]) {
-        let steady = self.h.constants(|i| f64::from(u8::from(lanes[i].steady)));
+    fn predict(&mut self, steady: S::Mask) {
+        let zero = self.h.constant(0.0);
         for n in 0..self.increment.len() {
             for i in 0..4 {
                 let free = self.h * self.velocity[n][i];
-                self.increment[n][i] = free.add_product(steady, free - self.increment[n][i]);
+                let change = free - self.increment[n][i];
+                self.increment[n][i] = free + S::choose(steady, change, zero);
             }
         }
         Self::project(&self.numbers.holds, &mut self.increment);
         for guide in &mut self.guides {
             let free = self.h * guide.velocity;
-            guide.increment = free.add_product(steady, free - guide.increment);
+            guide.increment = free + S::choose(steady, free - guide.increment, zero);
         }
     }
 
@@ -170,39 +183,34 @@ impl<S: Number> Engine<S> {
 
     /// Factors the tangent as assembled last, for the lanes that want it renewed; in the others the factors stay.
     #[inline(always)]
-    fn renew(&mut self, lanes: &mut [Search]) {
+    fn renew(&mut self, search: &mut Search<S>) {
         self.factor();
-        let zero = self.h.constant(0.0);
-        if lanes.iter().all(|l| l.renew || !l.live) {
-            std::mem::swap(&mut self.factors, &mut self.tangent);
-            self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
-        } else {
-            let renew = zero.constants(|i| f64::from(u8::from(lanes[i].renew)));
+        let renew = search.renew;
+        if (search.live & !renew).any() {
             self.factors.take(&self.tangent, renew);
             for guide in &mut self.guides {
                 for (mine, new) in guide.factored.iter_mut().zip(guide.assembled) {
-                    *mine = zero.if_less(renew, new, *mine);
+                    *mine = S::choose(renew, new, *mine);
                 }
             }
+        } else {
+            std::mem::swap(&mut self.factors, &mut self.tangent);
+            self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
         }
-        for (i, lane) in lanes.iter_mut().enumerate().filter(|(_, l)| l.renew) {
-            lane.factorizations += 1;
-            (lane.renew, lane.served, lane.factored_for) = (false, 0, self.h.lane(i));
-        }
+        search.renewed(self.h);
     }
 
     /// Takes the correction into the increments of the lanes that seek.
     #[inline(always)]
-    fn take(&mut self, lanes: &mut [Search], reach: S, books: &Books<S>, first: bool) {
-        let zero = self.h.constant(0.0);
-        let seeking = zero.constants(|i| f64::from(u8::from(lanes[i].seeking)));
+    fn take(&mut self, search: &mut Search<S>, reach: S, books: &Books<S>, first: bool) {
+        let (zero, seeking) = (self.h.constant(0.0), search.seeking);
         let (mut work, mut size, mut step) = (zero, zero, zero);
         for n in 0..self.increment.len() {
             let (d, c, r) = (&mut self.increment[n], &self.correction[n], &self.residual[n]);
             for i in 0..4 {
                 work += (c[i] * r[i]).abs();
                 size = size.max(c[i].abs());
-                d[i] += zero.if_less(seeking, c[i], zero);
+                d[i] += S::choose(seeking, c[i], zero);
                 step = step.max(d[i].abs());
             }
         }
@@ -210,20 +218,17 @@ impl<S: Number> Engine<S> {
         for guide in &mut self.guides {
             work += (guide.correction * guide.residual).abs();
             size = size.max(guide.correction.abs());
-            guide.increment += zero.if_less(seeking, guide.correction, zero);
+            guide.increment += S::choose(seeking, guide.correction, zero);
             step = step.max(guide.increment.abs());
             force += guide.force + guide.impulse;
         }
-        for (i, lane) in lanes.iter_mut().enumerate().filter(|(_, l)| l.seeking) {
-            lane.iterations += 1;
-            let work = work.lane(i);
-            if first {
-                let scale = books.energy_scale.lane(i);
-                lane.watch.play(if scale > 0.0 { scale } else { work });
-            }
-            let places = if force.lane(i) > 0.0 { self.numbers.size.lane(i) } else { 0.0 };
-            lane.watch.corrected(size.lane(i), reach.lane(i), step.lane(i), work, places);
+        if first {
+            let scale = books.energy_scale;
+            search.watch.play(zero.if_less(scale, scale, work));
         }
+        let places = zero.if_less(force, self.numbers.size, zero);
+        search.watch.corrected(size, reach, step, work, places);
+        search.iterations += S::choose(seeking, zero.constant(1.0), zero);
     }
 
     /// Derivatives follow the values with the tangent at the solution: one linear step.
@@ -243,45 +248,60 @@ impl<S: Number> Engine<S> {
     }
 }
 
-impl Search {
+impl<S: Number> Search<S> {
     /// Begins a step of size `h`.
-    fn begin(&mut self, energy: f64, h: f64, derives: bool) {
+    #[inline(always)]
+    fn begin(&mut self, energy: S, h: S) {
+        let no = h.less(h);
         self.watch = Watch::new(energy);
-        (self.seeking, self.failed) = (self.live, false);
-        self.steady = self.size == h && !derives;
-        self.size = h;
-        self.served += 1;
+        (self.seeking, self.failed) = (self.live, no);
         // Derivatives need the tangent at the solution anyway.
-        let due = derives || self.served >= self.service;
-        self.renew = self.live && (due || self.factored_for != h);
-        if due {
-            self.service = MOST_SERVICE.min(self.service + 1);
-        }
+        self.steady = if S::DERIVES { no } else { h.equals(self.size) };
+        self.size = h;
+        self.served += h.constant(1.0);
+        let due = if S::DERIVES { !no } else { self.service.at_most(self.served) };
+        self.renew = self.live & (due | !h.equals(self.factored_for));
+        let most = h.constant(MOST_SERVICE);
+        let longer = self.service + h.constant(1.0);
+        let longer = longer.if_less(most, longer, most);
+        self.service = S::choose(due, longer, self.service);
     }
 
     /// Wants the tangent renewed if the iteration no longer contracts well.
+    #[inline(always)]
     fn judge(&mut self) {
-        self.renew = self.seeking && !self.watch.contracts();
-        if self.renew {
-            self.service = 1.max(self.service / 2);
-        }
+        self.renew = self.seeking & !self.watch.contracts();
+        let shorter = (self.service * 0.5).max(self.service.constant(1.0));
+        self.service = S::choose(self.renew, shorter, self.service);
+    }
+
+    /// Takes in new factors of the lanes that wanted them.
+    #[inline(always)]
+    fn renewed(&mut self, h: S) {
+        let (renew, zero) = (self.renew, h.constant(0.0));
+        self.factorizations += S::choose(renew, h.constant(1.0), zero);
+        self.served = S::choose(renew, zero, self.served);
+        self.factored_for = S::choose(renew, h, self.factored_for);
+        self.renew = h.less(h);
     }
 
     /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done. Without joints the work and the impulse
     /// left by a correction that contracted well are known from those before it, round-off apart.
-    fn weigh(&mut self, work: f64, impulse: f64, corrections: usize) {
+    #[inline(always)]
+    fn weigh(&mut self, work: S, impulse: S, corrections: usize) {
         self.watch.unbalanced(work);
         let impulse_left = std::mem::replace(&mut self.impulse, impulse) * self.watch.left_share();
-        if !work.is_finite() {
-            (self.seeking, self.failed) = (false, true);
-        } else if corrections > 0 {
-            let small = |most: f64| impulse <= most || impulse.is_nan();
-            let enough = WORK_TOLERANCE * self.watch.energy;
-            let exact = work <= enough && small(IMPULSE_TOLERANCE);
-            let gone = self.watch.work_left() <= enough && impulse_left <= IMPULSE_TOLERANCE;
-            if exact || (gone || self.watch.settled()) && small(MOST_IMPULSE) {
-                self.seeking = false;
-            }
+        self.failed = self.failed | self.seeking & !work.finite();
+        self.seeking = self.seeking & work.finite();
+        if corrections > 0 {
+            let enough = self.watch.energy * WORK_TOLERANCE;
+            let small = work.constant(IMPULSE_TOLERANCE);
+            // Where nothing moves the impulse is NaN, and passes.
+            let exact = work.at_most(enough) & !small.less(impulse);
+            let gone = self.watch.work_left().at_most(enough) & impulse_left.at_most(small);
+            let passable = !work.constant(MOST_IMPULSE).less(impulse);
+            let done = exact | (gone | self.watch.settled()) & passable;
+            self.seeking = self.seeking & !done;
         }
     }
 }

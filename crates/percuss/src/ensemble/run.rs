@@ -8,7 +8,7 @@ use super::numbers::Numbers;
 use super::shape::{Shape, numbers};
 use super::summary::Telling;
 use crate::model::Model;
-use crate::scalar::{Lanes, Number};
+use crate::scalar::{Lanes, Mask, Number};
 use crate::settings::{SAME_INSTANT, Settings};
 use crate::summary::{RunSummary, Termination};
 
@@ -84,11 +84,11 @@ impl pulp::WithSimd for SideBySide<'_, '_> {
 }
 
 /// An ensemble in mid-flight.
-struct Ensemble<S> {
+struct Ensemble<S: Number> {
     engine: Engine<S>,
     books: Books<S>,
     log: Log<S>,
-    search: Vec<Search>,
+    search: Search<S>,
     /// The run in each lane and its steps done.
     lanes: Vec<Option<(usize, usize)>>,
     /// The first run that no lane has taken yet.
@@ -103,7 +103,7 @@ impl<S: Number> Ensemble<S> {
         Self {
             books: Books::open(&engine),
             log: Log::new(&engine),
-            search: vec![Search::idle(); S::LANES],
+            search: Search::idle(engine.h),
             lanes: vec![None; S::LANES],
             next: 0,
             engine,
@@ -128,12 +128,11 @@ impl<S: Number> Ensemble<S> {
 
     /// Puts the next run into a lane.
     fn fill(&mut self, lane: usize, runs: &[Run]) {
-        self.search[lane] = Search::idle();
+        self.search.set_run(lane, self.next < runs.len());
         self.lanes[lane] = None;
         let Some(run) = runs.get(self.next) else { return };
         self.lanes[lane] = Some((self.next, 0));
         self.next += 1;
-        self.search[lane].live = true;
         let like = self.engine.h;
         let fresh = Engine::new(run.numbers.map(&mut |x| like.constant(x)));
         self.engine.set_lane(lane, &fresh, 0);
@@ -172,7 +171,7 @@ impl<S: Number> Ensemble<S> {
             let Some((run, steps)) = &mut self.lanes[lane] else { continue };
             let own = &runs[*run];
             *steps += 1;
-            let (steps, failed) = (*steps, self.search[lane].failed);
+            let (steps, failed) = (*steps, self.search.failed.lane(lane));
             if failed {
                 keep(own.index, None);
                 self.fill(lane, runs);
@@ -182,7 +181,7 @@ impl<S: Number> Ensemble<S> {
                     engine: &self.engine,
                     books: &self.books,
                     log: &self.log,
-                    search: &self.search[lane],
+                    search: &self.search,
                     lane,
                     steps,
                     solver_steps: steps,

@@ -120,7 +120,7 @@ fn run(
         engine: &flight.engine,
         books: &flight.books,
         log: &flight.log,
-        search: &flight.search[0],
+        search: &flight.search,
         lane: 0,
         steps: settings.step_count(),
         solver_steps: flight.solver_steps,
@@ -136,15 +136,15 @@ struct Flight<'a> {
     engine: Engine<Derived>,
     books: Books<Derived>,
     log: Log<Derived>,
-    search: [Search; 1],
+    search: Search<Derived>,
     solver_steps: usize,
 }
 
 impl<'a> Flight<'a> {
     fn new(numbers: Numbers<Derived>, settings: &'a Settings) -> Self {
         let engine = Engine::new(numbers);
-        let mut search = [Search::idle()];
-        search[0].live = true;
+        let mut search = Search::idle(engine.h);
+        search.set_run(0, true);
         let (books, log) = (Books::open(&engine), Log::new(&engine));
         Self { settings, engine, books, log, search, solver_steps: 0 }
     }
@@ -187,7 +187,7 @@ impl<'a> Flight<'a> {
         self.engine.h = h;
         self.engine.striking = striking;
         self.engine.solve(&self.books, &mut self.search);
-        match self.search[0].failed {
+        match self.search.failed {
             true => Err(format!("the iteration fails at t = {} s", self.log.time.value)),
             false => Ok(()),
         }

@@ -10,12 +10,12 @@ use crate::scalar::Number;
 use crate::summary::*;
 
 /// All there is to tell of one lane.
-pub struct Telling<'a, S> {
+pub struct Telling<'a, S: Number> {
     pub model: &'a Model,
     pub engine: &'a Engine<S>,
     pub books: &'a Books<S>,
     pub log: &'a Log<S>,
-    pub search: &'a Search,
+    pub search: &'a Search<S>,
     pub lane: usize,
     /// Steps of the given size, steps of the solver.
     pub steps: usize,
@@ -39,8 +39,8 @@ impl<S: Number> Telling<'_, S> {
             steps: self.steps,
             solver_steps: self.solver_steps,
             step_cuts: 0,
-            newton_iterations: self.search.iterations,
-            factorizations: self.search.factorizations,
+            newton_iterations: self.search.iterations.lane(self.lane) as usize,
+            factorizations: self.search.factorizations.lane(self.lane) as usize,
             rows: 0,
             energy: EnergySummary {
                 initial: read(books.start.energy),

@@ -93,6 +93,7 @@ impl<const P: usize> Real for Dual<P> {
 }
 
 impl<const P: usize> Number for Dual<P> {
+    type Mask = bool;
     const LANES: usize = 1;
     const DERIVES: bool = true;
     #[inline(always)]
@@ -104,8 +105,16 @@ impl<const P: usize> Number for Dual<P> {
         *self = from;
     }
     #[inline(always)]
-    fn if_less(self, other: Self, a: Self, b: Self) -> Self {
-        if self.value < other.value { a } else { b }
+    fn less(self, other: Self) -> bool {
+        self.value < other.value
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self.value <= other.value
+    }
+    #[inline(always)]
+    fn choose(mask: bool, a: Self, b: Self) -> Self {
+        if mask { a } else { b }
     }
     #[inline(always)]
     fn constants(self, value: impl Fn(usize) -> f64) -> Self {

@@ -1,10 +1,10 @@
 //! Numbers side by side, one a run: what the processor works on at once.
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use pulp::{Simd, bytemuck};
 
-use super::{Number, Real, quotient};
+use super::{Mask, Number, Real, quotient};
 
 /// As many numbers side by side as a vector register of the processor family `P` holds.
 ///
@@ -28,6 +28,25 @@ impl<P: Simd> Lanes<P> {
     #[inline(always)]
     fn with(self, value: P::f64s) -> Self {
         Self { family: self.family, value }
+    }
+
+    /// Registers of several numbers.
+    #[inline(always)]
+    fn unwrapped<const N: usize>(x: [Self; N], family: P) -> [P::f64s; N] {
+        let mut values = [family.splat_f64s(0.0); N];
+        for i in 0..N {
+            values[i] = x[i].value;
+        }
+        values
+    }
+
+    #[inline(always)]
+    fn wrapped<const N: usize>(family: P, values: [P::f64s; N]) -> [Self; N] {
+        let mut x = [Self::new(family, 0.0); N];
+        for i in 0..N {
+            x[i].value = values[i];
+        }
+        x
     }
 
     #[inline(always)]
@@ -101,12 +120,14 @@ impl<P: Simd> Real for Lanes<P> {
         self.with(self.family.sqrt_f64s(self.value))
     }
     #[inline(always)]
-    fn ordinary_sqrt(self) -> Self {
-        self.with(quotient::root(self.family, self.value))
+    fn ordinary_sqrts<const N: usize>(x: [Self; N]) -> [Self; N] {
+        let Some(&Self { family, .. }) = x.first() else { return x };
+        Self::wrapped(family, quotient::roots(family, Self::unwrapped(x, family)))
     }
     #[inline(always)]
-    fn ordinary_recip(self) -> Self {
-        self.with(quotient::reciprocal(self.family, self.value))
+    fn ordinary_recips<const N: usize>(x: [Self; N]) -> [Self; N] {
+        let Some(&Self { family, .. }) = x.first() else { return x };
+        Self::wrapped(family, quotient::reciprocals(family, Self::unwrapped(x, family)))
     }
     #[inline(always)]
     fn add_product(self, a: Self, b: Self) -> Self {
@@ -119,6 +140,7 @@ impl<P: Simd> Real for Lanes<P> {
 }
 
 impl<P: Simd> Number for Lanes<P> {
+    type Mask = LanesMask<P>;
     const LANES: usize = P::F64_LANES;
     #[inline(always)]
     fn lane(mut self, lane: usize) -> f64 {
@@ -129,9 +151,18 @@ impl<P: Simd> Number for Lanes<P> {
         self.values()[lane] = from.lane(from_lane);
     }
     #[inline(always)]
-    fn if_less(self, other: Self, a: Self, b: Self) -> Self {
-        let less = self.family.less_than_f64s(self.value, other.value);
-        self.with(self.family.select_f64s(less, a.value, b.value))
+    fn less(self, other: Self) -> LanesMask<P> {
+        let family = self.family;
+        LanesMask { family, mask: family.less_than_f64s(self.value, other.value) }
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> LanesMask<P> {
+        let family = self.family;
+        LanesMask { family, mask: family.less_than_or_equal_f64s(self.value, other.value) }
+    }
+    #[inline(always)]
+    fn choose(mask: LanesMask<P>, a: Self, b: Self) -> Self {
+        a.with(a.family.select_f64s(mask.mask, a.value, b.value))
     }
     #[inline(always)]
     fn abs(self) -> Self {
@@ -149,5 +180,55 @@ impl<P: Simd> Number for Lanes<P> {
             *x = value(lane);
         }
         out
+    }
+}
+
+/// A yes or no for each of [`Lanes`].
+#[derive(Clone, Copy, Debug)]
+pub struct LanesMask<P: Simd> {
+    family: P,
+    mask: P::m64s,
+}
+
+impl<P: Simd> LanesMask<P> {
+    #[inline(always)]
+    fn with(self, mask: P::m64s) -> Self {
+        Self { family: self.family, mask }
+    }
+}
+
+impl<P: Simd> BitAnd for LanesMask<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        self.with(self.family.and_m64s(self.mask, other.mask))
+    }
+}
+
+impl<P: Simd> BitOr for LanesMask<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        self.with(self.family.or_m64s(self.mask, other.mask))
+    }
+}
+
+impl<P: Simd> Not for LanesMask<P> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        self.with(self.family.not_m64s(self.mask))
+    }
+}
+
+impl<P: Simd> Mask for LanesMask<P> {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.family.first_true_m64s(self.mask) < P::F64_LANES
+    }
+    #[inline(always)]
+    fn lane(self, lane: usize) -> bool {
+        let yes = Lanes::new(self.family, 1.0);
+        Lanes::choose(self, yes, yes.constant(0.0)).lane(lane) > 0.0
     }
 }

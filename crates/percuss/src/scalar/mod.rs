@@ -5,7 +5,8 @@ mod dual;
 mod lanes;
 mod quotient;
 
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 pub use dual::Dual;
 pub use lanes::Lanes;
@@ -32,15 +33,15 @@ pub trait Real:
     fn recip(self) -> Self {
         self.constant(1.0) / self
     }
-    /// Square root of an ordinary number: positive, neither infinite nor subnormal.
+    /// Square roots of ordinary numbers: positive, neither infinite nor subnormal.
     #[inline(always)]
-    fn ordinary_sqrt(self) -> Self {
-        self.sqrt()
+    fn ordinary_sqrts<const N: usize>(x: [Self; N]) -> [Self; N] {
+        each(x, Self::sqrt)
     }
-    /// Reciprocal of an ordinary number: neither it nor its reciprocal is zero, infinite or subnormal.
+    /// Reciprocals of ordinary numbers: neither they nor their reciprocals are zero, infinite or subnormal.
     #[inline(always)]
-    fn ordinary_recip(self) -> Self {
-        self.recip()
+    fn ordinary_recips<const N: usize>(x: [Self; N]) -> [Self; N] {
+        each(x, Self::recip)
     }
     /// `self + a b`; lanes round once, which is what processors do fastest.
     #[inline(always)]
@@ -59,13 +60,32 @@ pub trait Real:
     }
 }
 
-/// The reciprocals of three ordinary numbers by that of their product: divisions cost as much as a dozen products.
+/// The reciprocals of ordinary numbers, three by three by that of their product: divisions cost as much as a dozen products.
 #[inline(always)]
-pub fn reciprocals<S: Real>([x, y, z]: [S; 3]) -> [S; 3] {
-    let xy = x * y;
-    let all = (xy * z).ordinary_recip();
-    let z_all = all * z;
-    [z_all * y, z_all * x, all * xy]
+pub fn reciprocals<S: Real, const N: usize>(mut x: [[S; 3]; N]) -> [[S; 3]; N] {
+    let Some(first) = x.first() else { return x };
+    let mut pairs = [first[0]; N];
+    let mut products = pairs;
+    for i in 0..N {
+        pairs[i] = x[i][0] * x[i][1];
+        products[i] = pairs[i] * x[i][2];
+    }
+    let all = S::ordinary_recips(products);
+    for i in 0..N {
+        let [x0, x1, x2] = x[i];
+        let without_last = all[i] * x2;
+        x[i] = [without_last * x1, without_last * x0, all[i] * pairs[i]];
+    }
+    x
+}
+
+/// An array by its elements, always inlined.
+#[inline(always)]
+fn each<T: Copy, const N: usize>(mut x: [T; N], f: impl Fn(T) -> T) -> [T; N] {
+    for x in &mut x {
+        *x = f(*x);
+    }
+    x
 }
 
 /// An array by its index. A plain loop: what the library's `from_fn` and `map` become is not always inlined, and what is not
@@ -79,8 +99,20 @@ pub fn array<S: Real, const N: usize>(f: impl Fn(usize) -> S) -> [S; N] {
     out
 }
 
+/// Yes or no, in each lane.
+pub trait Mask:
+    Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
+{
+    /// Whether any lane says yes.
+    fn any(self) -> bool;
+    /// What a lane says.
+    fn lane(self, lane: usize) -> bool;
+}
+
 /// A real number that whole runs can be stepped with. Its decisions are those of its values, lane by lane.
-pub trait Number: Real + std::fmt::Debug {
+pub trait Number: Real + Debug {
+    /// Decisions, lane by lane.
+    type Mask: Mask;
     /// Runs side by side.
     const LANES: usize;
     /// Whether it carries derivatives, which follow the values once these are found.
@@ -89,8 +121,32 @@ pub trait Number: Real + std::fmt::Debug {
     fn lane(self, lane: usize) -> f64;
     /// Puts the number of another lane into one of its own.
     fn set_lane(&mut self, lane: usize, from: Self, from_lane: usize);
+    /// `self < other`.
+    fn less(self, other: Self) -> Self::Mask;
+    /// `self <= other`.
+    fn at_most(self, other: Self) -> Self::Mask;
+    /// `a` where the mask says yes, `b` elsewhere.
+    fn choose(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// Decisions of given values, lane by lane.
+    #[inline(always)]
+    fn mask(self, value: impl Fn(usize) -> bool) -> Self::Mask {
+        self.constant(0.0).less(self.constants(|lane| f64::from(u8::from(value(lane)))))
+    }
+    /// `self == other`.
+    #[inline(always)]
+    fn equals(self, other: Self) -> Self::Mask {
+        self.at_most(other) & other.at_most(self)
+    }
+    /// Whether it is neither infinite nor NaN.
+    #[inline(always)]
+    fn finite(self) -> Self::Mask {
+        self.abs().less(self.constant(f64::INFINITY))
+    }
     /// `if self < other { a } else { b }`, lane by lane.
-    fn if_less(self, other: Self, a: Self, b: Self) -> Self;
+    #[inline(always)]
+    fn if_less(self, other: Self, a: Self, b: Self) -> Self {
+        Self::choose(self.less(other), a, b)
+    }
     /// Magnitude.
     #[inline(always)]
     fn abs(self) -> Self {
@@ -104,8 +160,7 @@ pub trait Number: Real + std::fmt::Debug {
     /// Whether any lane is less than that of another number.
     #[inline(always)]
     fn any_less(self, other: Self) -> bool {
-        let one = self.if_less(other, self.constant(1.0), self.constant(0.0));
-        (0..Self::LANES).any(|lane| one.lane(lane) != 0.0)
+        self.less(other).any()
     }
     /// Constants of given values, lane by lane.
     fn constants(self, value: impl Fn(usize) -> f64) -> Self;
@@ -122,7 +177,19 @@ impl Real for f64 {
     }
 }
 
+impl Mask for bool {
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn lane(self, _: usize) -> bool {
+        self
+    }
+}
+
 impl Number for f64 {
+    type Mask = bool;
     const LANES: usize = 1;
     #[inline(always)]
     fn lane(self, _: usize) -> f64 {
@@ -133,8 +200,16 @@ impl Number for f64 {
         *self = from;
     }
     #[inline(always)]
-    fn if_less(self, other: Self, a: Self, b: Self) -> Self {
-        if self < other { a } else { b }
+    fn less(self, other: Self) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn at_most(self, other: Self) -> bool {
+        self <= other
+    }
+    #[inline(always)]
+    fn choose(mask: bool, a: Self, b: Self) -> Self {
+        if mask { a } else { b }
     }
     #[inline(always)]
     fn constants(self, value: impl Fn(usize) -> f64) -> Self {

@@ -2,28 +2,37 @@
 //!
 //! On registers of eight numbers the divider is slow: one root and one reciprocal a Gauss point took a sixth of a study's time
 //! (seen in a profile). Newton's iteration from the processor's estimate of 14 bits, its last step rounded as
-//! Markstein showed (IA-64 and Elementary Functions, 2000, chapters 8 and 9), gives the same bits.
+//! Markstein showed (IA-64 and Elementary Functions, 2000, chapters 8 and 9), gives the same bits. Each of its steps waits for the
+//! one before: several numbers at a time, step by step, keep the processor busy meanwhile.
 
 use pulp::Simd;
 
 /// Reciprocals of ordinary numbers: neither they nor their reciprocals are zero, infinite or subnormal.
 #[inline(always)]
-pub fn reciprocal<P: Simd>(family: P, x: P::f64s) -> P::f64s {
+pub fn reciprocals<P: Simd, const N: usize>(family: P, x: [P::f64s; N]) -> [P::f64s; N] {
     #[cfg(target_arch = "x86_64")]
-    if let (Some(family), Some(y)) = (same(family), same(x)) {
-        return same(estimated::reciprocal(family, y)).unwrap_or(x);
+    if let (Some(family), Some(y)) = (same(family), same::<_, [pulp::f64x8; N]>(x)) {
+        return same(estimated::reciprocals(family, y)).unwrap_or(x);
     }
-    family.div_f64s(family.splat_f64s(1.0), x)
+    let mut y = x;
+    for i in 0..N {
+        y[i] = family.div_f64s(family.splat_f64s(1.0), x[i]);
+    }
+    y
 }
 
 /// Square roots of ordinary numbers: positive, neither infinite nor subnormal.
 #[inline(always)]
-pub fn root<P: Simd>(family: P, x: P::f64s) -> P::f64s {
+pub fn roots<P: Simd, const N: usize>(family: P, x: [P::f64s; N]) -> [P::f64s; N] {
     #[cfg(target_arch = "x86_64")]
-    if let (Some(family), Some(y)) = (same(family), same(x)) {
-        return same(estimated::root(family, y)).unwrap_or(x);
+    if let (Some(family), Some(y)) = (same(family), same::<_, [pulp::f64x8; N]>(x)) {
+        return same(estimated::roots(family, y)).unwrap_or(x);
     }
-    family.sqrt_f64s(x)
+    let mut y = x;
+    for i in 0..N {
+        y[i] = family.sqrt_f64s(x[i]);
+    }
+    y
 }
 
 /// The same value if `A` and `B` are the same type. Known when this is compiled.
@@ -39,29 +48,53 @@ mod estimated {
     use pulp::{Simd, cast, f64x8};
 
     #[inline(always)]
-    pub fn reciprocal(family: V4, x: f64x8) -> f64x8 {
+    pub fn reciprocals<const N: usize>(family: V4, x: [f64x8; N]) -> [f64x8; N] {
         let one = family.splat_f64s(1.0);
-        let minus_x = minus(family, x);
-        let mut y = cast(family.avx512f._mm512_rcp14_pd(cast(x)));
+        let mut y = x;
+        for i in 0..N {
+            y[i] = cast(family.avx512f._mm512_rcp14_pd(cast(x[i])));
+        }
         for _ in 0..3 {
-            let error = family.mul_add_f64s(minus_x, y, one);
-            y = family.mul_add_f64s(y, error, y);
+            let mut error = y;
+            for i in 0..N {
+                error[i] = family.mul_add_f64s(minus(family, x[i]), y[i], one);
+            }
+            for i in 0..N {
+                y[i] = family.mul_add_f64s(y[i], error[i], y[i]);
+            }
         }
         y
     }
 
     #[inline(always)]
-    pub fn root(family: V4, x: f64x8) -> f64x8 {
+    pub fn roots<const N: usize>(family: V4, x: [f64x8; N]) -> [f64x8; N] {
         let half = family.splat_f64s(0.5);
-        let estimate = cast(family.avx512f._mm512_rsqrt14_pd(cast(x)));
         // The root, and half its reciprocal.
-        let (mut y, mut z) = (family.mul_f64s(x, estimate), family.mul_f64s(estimate, half));
-        for _ in 0..2 {
-            let error = family.mul_add_f64s(minus(family, y), z, half);
-            (y, z) = (family.mul_add_f64s(y, error, y), family.mul_add_f64s(z, error, z));
+        let (mut y, mut z) = (x, x);
+        for i in 0..N {
+            let estimate = cast(family.avx512f._mm512_rsqrt14_pd(cast(x[i])));
+            (y[i], z[i]) = (family.mul_f64s(x[i], estimate), family.mul_f64s(estimate, half));
         }
-        let left = family.mul_add_f64s(minus(family, y), y, x);
-        family.mul_add_f64s(left, z, y)
+        for _ in 0..2 {
+            let mut error = y;
+            for i in 0..N {
+                error[i] = family.mul_add_f64s(minus(family, y[i]), z[i], half);
+            }
+            for i in 0..N {
+                y[i] = family.mul_add_f64s(y[i], error[i], y[i]);
+            }
+            for i in 0..N {
+                z[i] = family.mul_add_f64s(z[i], error[i], z[i]);
+            }
+        }
+        let mut left = y;
+        for i in 0..N {
+            left[i] = family.mul_add_f64s(minus(family, y[i]), y[i], x[i]);
+        }
+        for i in 0..N {
+            y[i] = family.mul_add_f64s(left[i], z[i], y[i]);
+        }
+        y
     }
 
     #[inline(always)]
@@ -86,8 +119,8 @@ mod tests {
         ) {
             let Some(family) = V4::try_new() else { return Ok(()) };
             let x: [f64; 8] = std::array::from_fn(|i| mantissa[i] * 2.0_f64.powi(exponent[i]));
-            let y: [f64; 8] = cast(family.vectorize(|| reciprocal(family, cast(x))));
-            let z: [f64; 8] = cast(family.vectorize(|| root(family, cast(x))));
+            let y: [f64; 8] = cast(family.vectorize(|| reciprocals(family, [cast(x)])));
+            let z: [f64; 8] = cast(family.vectorize(|| roots(family, [cast(x)])));
             prop_assert_eq!(y, x.map(f64::recip));
             prop_assert_eq!(z, x.map(f64::sqrt));
         }

@@ -181,7 +181,7 @@ impl StepProblem<'_> {
     }
 
     /// Whether nothing is left unbalanced, or nothing but round-off.
-    fn balanced(&self, work: &Workspace, watch: &Watch) -> bool {
+    fn balanced(&self, work: &Workspace, watch: &Watch<f64>) -> bool {
         let impulse = self.unbalanced_impulse(work) / self.momentum_in_play(watch.energy);
         if watch.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
             return true;

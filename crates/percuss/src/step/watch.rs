@@ -1,5 +1,7 @@
 //! Whether Newton's iteration contracts, and when it has reached the last digit.
 
+use crate::scalar::Number;
+
 /// The tangent is renewed when unbalanced work shrinks by less than this factor per correction.
 const CONTRACTION: f64 = 0.02;
 /// Unbalanced work of an accepted step, relative to the energy in play: far below 1e-10 even if every step of a long run
@@ -18,102 +20,117 @@ const STALLED: f64 = 1e-10;
 pub const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
 /// Watches an iteration: how fast it contracts, and whether it has reached the last digit.
+///
+/// The iterations of runs side by side begin together; one that has ended is watched on to no effect.
 #[derive(Clone, Copy, Debug)]
-pub struct Watch {
+pub struct Watch<S: Number> {
     /// Largest energy in play \[J\].
-    pub energy: f64,
+    pub energy: S,
     /// Unbalanced work now, and before the last correction \[J\].
-    pub unbalanced: f64,
-    before: f64,
+    pub unbalanced: S,
+    before: S,
     /// Work of the unbalanced forces on a correction, per square of its size: the largest seen.
-    stiffness: f64,
+    stiffness: S,
     /// Size of the last correction, its ratio to the one before, and that one's.
-    size: f64,
-    rate: f64,
-    rate_before: f64,
+    size: S,
+    rate: S,
+    rate_before: S,
     /// The worse of that ratio and the one of the unbalanced work, as they were known with the last correction.
-    contraction: f64,
+    contraction: S,
     /// Whether it was small against the step.
-    near: bool,
+    near: S::Mask,
     /// Whether further corrections would move nothing but round-off.
-    settled: bool,
+    settled: S::Mask,
 }
 
-impl Watch {
+impl<S: Number> Watch<S> {
     /// Nothing seen yet; `energy` is the largest in play so far.
-    pub fn new(energy: f64) -> Self {
-        let infinity = f64::INFINITY;
+    #[inline(always)]
+    pub fn new(energy: S) -> Self {
+        let infinity = energy.constant(f64::INFINITY);
+        let no = infinity.less(infinity);
         Self {
             energy,
             unbalanced: infinity,
             before: infinity,
-            stiffness: 0.0,
+            stiffness: energy.constant(0.0),
             size: infinity,
             rate: infinity,
             rate_before: infinity,
             contraction: infinity,
-            near: false,
-            settled: false,
+            near: no,
+            settled: no,
         }
     }
 
     /// Takes in the unbalanced work of an increment.
-    pub fn unbalanced(&mut self, unbalanced: f64) {
+    #[inline(always)]
+    pub fn unbalanced(&mut self, unbalanced: S) {
         self.before = std::mem::replace(&mut self.unbalanced, unbalanced);
     }
 
     /// Whether the last factored tangent is still good enough. On very fine meshes the unbalanced work soon is round-off
     /// and no longer falls; the corrections then still tell.
-    pub fn contracts(&self) -> bool {
-        self.unbalanced <= CONTRACTION * self.before || self.rate <= CONTRACTION
+    #[inline(always)]
+    pub fn contracts(&self) -> S::Mask {
+        let enough = self.energy.constant(CONTRACTION);
+        self.unbalanced.at_most(self.before * CONTRACTION) | self.rate.at_most(enough)
     }
 
     /// Whether the iteration comes nearer, if slowly: corrections small against the step shrink by at least a tenth in each of
     /// the last two, on average.
-    pub fn closes_in(&self) -> bool {
-        self.near && self.rate * self.rate_before < CLOSES_IN * CLOSES_IN
+    #[inline(always)]
+    pub fn closes_in(&self) -> S::Mask {
+        let both = self.rate * self.rate_before;
+        self.near & both.less(both.constant(CLOSES_IN * CLOSES_IN))
     }
 
     /// Whether only round-off is left, and little of it.
-    pub fn settled(&self) -> bool {
-        self.settled && self.unbalanced <= MOST_ROUND_OFF * self.energy
+    #[inline(always)]
+    pub fn settled(&self) -> S::Mask {
+        self.settled & self.unbalanced.at_most(self.energy * MOST_ROUND_OFF)
     }
 
     /// The share that the last correction leaves of what was unbalanced before it; one, unless the iteration contracts well.
-    pub fn left_share(&self) -> f64 {
-        if self.contraction <= CONTRACTION { self.contraction } else { 1.0 }
+    #[inline(always)]
+    pub fn left_share(&self) -> S {
+        let share = self.contraction;
+        S::choose(share.at_most(share.constant(CONTRACTION)), share, share.constant(1.0))
     }
 
     /// Work that the last correction leaves unbalanced, by that share; round-off is not in it \[J\].
-    pub fn work_left(&self) -> f64 {
+    #[inline(always)]
+    pub fn work_left(&self) -> S {
         self.before * self.left_share()
     }
 
     /// Takes in the energy in play, once the first correction has shown it.
-    pub fn play(&mut self, energy: f64) {
+    #[inline(always)]
+    pub fn play(&mut self, energy: S) {
         self.energy = energy;
     }
 
     /// Takes in a correction: its size, the size of the displacements and of the step, and the work of the unbalanced forces
     /// on it. Where things touch, gaps are differences of positions as large as `places`, zero elsewhere.
-    pub fn corrected(&mut self, size: f64, reach: f64, step: f64, work: f64, places: f64) {
-        if size > 0.0 {
-            self.stiffness = self.stiffness.max(work / (size * size));
-        }
-        if self.size.is_finite() {
-            self.rate_before = std::mem::replace(&mut self.rate, size / self.size);
-        }
+    #[inline(always)]
+    pub fn corrected(&mut self, size: S, reach: S, step: S, work: S, places: S) {
+        let zero = size.constant(0.0);
+        let stiffness = self.stiffness.max(work / (size * size));
+        self.stiffness = S::choose(zero.less(size), stiffness, self.stiffness);
+        let (known, rate) = (self.size.finite(), size / self.size);
+        self.rate_before = S::choose(known, self.rate, self.rate_before);
+        self.rate = S::choose(known, rate, self.rate);
         self.size = size;
-        self.near = size <= NEAR * step;
-        let round_off = size <= ROUND_OFF * reach.max(step);
+        self.near = size.at_most(step * NEAR);
+        let round_off = size.at_most(reach.max(step) * ROUND_OFF);
         self.contraction = self.rate.max(self.unbalanced / self.before);
         // What the next correction would find unbalanced, were there no round-off.
         let ahead = size * self.rate * self.stiffness * step;
-        let predicted = self.rate <= CONTRACTION
-            && self.stiffness > 0.0
-            && ahead <= WORK_TOLERANCE * self.energy;
-        let floor = (STALLED * step).max(ROUND_OFF * places);
-        let stalled = self.rate > 0.5 && self.rate.is_finite() && size <= floor;
-        self.settled = round_off || predicted || stalled;
+        let predicted = self.rate.at_most(zero.constant(CONTRACTION))
+            & zero.less(self.stiffness)
+            & ahead.at_most(self.energy * WORK_TOLERANCE);
+        let floor = (step * STALLED).max(places * ROUND_OFF);
+        let slow = zero.constant(0.5).less(self.rate) & self.rate.finite();
+        self.settled = round_off | predicted | slow & size.at_most(floor);
     }
 }
