@@ -113,15 +113,15 @@ impl Measures {
             + self.springs
     }
 
-    /// Measures the state of a model.
-    pub(crate) fn of(model: &Model, state: &State) -> Self {
+    /// Measures the state of a model; only the pairs that are `awake` can be pressed together.
+    pub(crate) fn of(model: &Model, state: &State, awake: &[usize]) -> Self {
         let mut m = Self::default();
         for span in &model.spans {
             m.add_span(model, state, span);
         }
         m.add_masses(model, state);
         m.add_bodies(model, state);
-        m.add_contacts(model, state);
+        m.add_contacts(model, state, awake);
         for (c, q) in model.connectors.iter().zip(&state.coordinates) {
             m.springs += c.potential(*q);
         }
@@ -219,13 +219,13 @@ impl Measures {
         }
     }
 
-    fn add_contacts(&mut self, model: &Model, state: &State) {
-        for contact in &model.contacts {
-            let TouchLaw::Smooth(law) = &contact.law else { continue };
-            for seen in &state.pairs[contact.pairs.clone()] {
-                if seen.gap < 0.0 {
-                    self.contact += law.potential.energy(-seen.gap);
-                }
+    fn add_contacts(&mut self, model: &Model, state: &State, awake: &[usize]) {
+        for &i in awake {
+            let gap = state.pairs[i].gap;
+            if let (true, TouchLaw::Smooth(law)) =
+                (gap < 0.0, &model.contacts[model.pairs[i].contact].law)
+            {
+                self.contact += law.potential.energy(-gap);
             }
         }
     }

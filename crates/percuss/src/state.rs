@@ -37,6 +37,38 @@ pub struct PairState {
     pub approach_max: f64,
 }
 
+/// Supports that the part of a step accepted last gave an impulse: of many stops most are not touched.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Reacting {
+    /// Number of the part, and of the last one in which each support got an impulse, shape (n_support).
+    part: u64,
+    last: Vec<u64>,
+    /// These supports, and what they had before.
+    list: Vec<(usize, [f64; 3])>,
+}
+
+impl Reacting {
+    fn none(supports: usize) -> Self {
+        Self { part: 1, last: vec![0; supports], list: Vec::new() }
+    }
+
+    /// Begins a part of a step.
+    pub fn begin(&mut self) {
+        self.part += 1;
+        self.list.clear();
+    }
+
+    /// The supports, and their impulses so far as they were before the part.
+    pub fn list(&self) -> &[(usize, [f64; 3])] {
+        &self.list
+    }
+
+    /// Whether the part gave a support an impulse.
+    pub fn contains(&self, support: usize) -> bool {
+        self.last[support] == self.part
+    }
+}
+
 /// State of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
@@ -64,6 +96,8 @@ pub struct State {
     pub mass_spin: Vec<f64>,
     /// Impulse and angular impulse about its own point of each support so far, shape (n_support) \[N s, N m s\].
     pub reactions: Vec<[f64; 3]>,
+    /// Which of them the part of a step accepted last has changed.
+    pub(crate) reacting: Reacting,
     /// Multipliers of the constraints, shape (n_constraint) \[N, N m\].
     pub multiplier: Vec<f64>,
     /// Pairs that can touch, in the model's order.
@@ -90,12 +124,23 @@ impl State {
             coordinates: Vec::new(),
             mass_spin: vec![0.0; model.masses.len()],
             reactions: vec![[0.0; 3]; model.supports.len()],
+            reacting: Reacting::none(model.supports.len()),
             multiplier: vec![0.0; model.constraints.len()],
             pairs: vec![PairState::unseen(); model.pairs.len()],
             books: Books::default(),
         }
         .with_coordinates(model)
         .with_bodies(model)
+    }
+
+    /// The reaction of a support, to be changed.
+    pub(crate) fn reaction_mut(&mut self, support: usize) -> &mut [f64; 3] {
+        let own = &mut self.reactions[support];
+        if !self.reacting.contains(support) {
+            self.reacting.last[support] = self.reacting.part;
+            self.reacting.list.push((support, *own));
+        }
+        own
     }
 
     /// Velocities of the bodies, and obstacles where their motion begins.

@@ -34,7 +34,6 @@ struct Start {
     time: f64,
     points: Vec<[[f64; 2]; 2]>,
     spin: Vec<[f64; GAUSS]>,
-    reactions: Vec<[f64; 3]>,
 }
 
 /// Follows one run.
@@ -47,8 +46,9 @@ pub struct Monitor {
     pub points: Vec<[Peak; 2]>,
     /// Extremes of the section forces, one entry a beam.
     pub section_forces: Vec<SectionForceSummary>,
-    /// Extremes of the reactions, one entry a support.
+    /// Extremes of the reactions, one entry a support, and the supports that reacted last; none known before the first step.
     pub supports: Vec<SupportSummary>,
+    reacted: Option<Vec<usize>>,
     /// Size of the last step that was not as short as an impact \[s\], and the spins at its start.
     steady: Option<(Vec<[f64; GAUSS]>, f64)>,
     /// Largest energy residual \[J\].
@@ -76,6 +76,7 @@ impl Monitor {
             points: points.collect(),
             section_forces: section_forces::unset(model),
             supports: model.supports.iter().map(|s| unset_support(&s.name)).collect(),
+            reacted: None,
             steady: None,
             energy_residual: 0.0,
             linear_residual: 0.0,
@@ -101,7 +102,6 @@ impl Monitor {
             *start = [p.value(&state.displacement), p.value(&state.velocity)];
         }
         self.start.spin.clone_from(&state.spin);
-        self.start.reactions.clone_from(&state.reactions);
     }
 
     /// Angular rates at the start of the last step that was not as short as an impact, and its size.
@@ -134,17 +134,24 @@ impl Monitor {
     }
 
     fn reactions(&mut self, state: &State, h: f64) {
-        let impulses = state.reactions.iter().zip(&self.start.reactions);
-        for (summary, (now, then)) in self.supports.iter_mut().zip(impulses) {
-            // Most obstacles are not touched: nothing, again.
-            if now == then && summary.moment.min.value <= 0.0 && summary.moment.max.value >= 0.0 {
-                continue;
-            }
-            let mean = |i: usize| (now[i] - then[i]) / h;
-            summary.force[0].take(mean(0), state.time);
-            summary.force[1].take(mean(1), state.time);
-            summary.moment.take(mean(2), state.time);
+        let list = state.reacting.list();
+        let mut take = |support: usize, mean: [f64; 3]| {
+            let summary = &mut self.supports[support];
+            summary.force[0].take(mean[0], state.time);
+            summary.force[1].take(mean[1], state.time);
+            summary.moment.take(mean[2], state.time);
+        };
+        for (support, before) in list {
+            let now = &state.reactions[*support];
+            take(*support, std::array::from_fn(|i| (now[i] - before[i]) / h));
         }
+        // A support that goes on to give nothing has taken its zero already.
+        let reacted = self.reacted.get_or_insert_with(|| (0..state.reactions.len()).collect());
+        for support in reacted.iter().filter(|s| !state.reacting.contains(**s)) {
+            take(*support, [0.0; 3]);
+        }
+        reacted.clear();
+        reacted.extend(list.iter().map(|(support, _)| *support));
     }
 
     /// Takes the measures of a new state into the largest residuals.

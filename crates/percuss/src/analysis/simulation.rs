@@ -61,6 +61,8 @@ pub struct Simulation<'m> {
     /// Steps of the solver accepted, and solved in search of impacts.
     pub(super) solver_steps: usize,
     step_cuts: usize,
+    /// Times at which a support lets go \[s\].
+    releases: Vec<f64>,
     measures: Measures,
     rows: usize,
     row: Vec<f64>,
@@ -69,8 +71,6 @@ pub struct Simulation<'m> {
     /// Impulses of the supports since the last row and the time they took, impacts left out; mean reactions then.
     row_reactions: (Vec<[f64; 3]>, f64),
     mean_reactions: Vec<[f64; 3]>,
-    /// Impulses of the supports up to the last accepted part.
-    seen_reactions: Vec<[f64; 3]>,
     row_iterations: usize,
     /// Time of the last row \[s\].
     row_time: f64,
@@ -119,10 +119,10 @@ impl<'m> Simulation<'m> {
             measures: Measures::default(),
             rows: 0,
             row: Vec::new(),
+            releases: model.releases().collect(),
             row_impulse: vec![[0.0; 2]; model.contacts.len()],
             row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
             mean_reactions: reactions,
-            seen_reactions: vec![[0.0; 3]; model.supports.len()],
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,
@@ -147,7 +147,7 @@ impl<'m> Simulation<'m> {
             self.initial_acceleration();
         }
         self.damping = modes::modal_damping(self.model, &self.state);
-        self.measures = Measures::of(self.model, &self.state);
+        self.measures = Measures::of(self.model, &self.state, self.search.awake());
         let round_off = RoundOff::new(self.model, self.settings.step);
         self.state.books = Books::open(&self.measures, &round_off);
         self.monitor = Monitor::new(self.model, &self.state);
@@ -262,7 +262,7 @@ impl<'m> Simulation<'m> {
     /// Time to the next release of a support that does not lie at the end of this part of the step \[s\].
     fn until_release(&self) -> f64 {
         let slack = SAME_INSTANT * self.settings.step;
-        let ahead = self.model.releases().map(|t| t - self.state.time);
+        let ahead = self.releases.iter().map(|t| t - self.state.time);
         ahead.filter(|t| *t > slack).fold(f64::INFINITY, f64::min)
     }
 
@@ -326,7 +326,7 @@ impl<'m> Simulation<'m> {
 
     /// Measures the new state; follows every accepted step.
     pub(super) fn measure(&mut self) {
-        self.measures = Measures::of(self.model, &self.state);
+        self.measures = Measures::of(self.model, &self.state, self.search.awake());
         self.state.books.rescale(&self.measures);
         self.monitor.audit(&self.state.books, &self.measures);
     }
@@ -359,17 +359,15 @@ impl<'m> Simulation<'m> {
 
     /// Adds the reactions of an accepted part of a step.
     pub(super) fn gather_reactions(&mut self, h: f64, brief: bool) {
-        let (sum, time) = &mut self.row_reactions;
-        let seen = &mut self.seen_reactions;
-        for ((sum, now), seen) in sum.iter_mut().zip(&self.state.reactions).zip(seen) {
-            for i in 0..3 {
-                if !brief {
-                    sum[i] += now[i] - seen[i];
-                }
-                seen[i] = now[i];
-            }
+        if brief {
+            return;
         }
-        *time += if brief { 0.0 } else { h };
+        let (sum, time) = &mut self.row_reactions;
+        for (support, before) in self.state.reacting.list() {
+            let (sum, now) = (&mut sum[*support], &self.state.reactions[*support]);
+            (0..3).for_each(|i| sum[i] += now[i] - before[i]);
+        }
+        *time += h;
     }
 
     /// Adds the impulses of an accepted part of a step of size `h`.

@@ -6,6 +6,10 @@ pub type Block = [[f64; 4]; 4];
 /// The zero block.
 pub const ZERO: Block = [[0.0; 4]; 4];
 
+/// One.
+pub const IDENTITY: Block =
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+
 /// `a b`.
 #[inline(always)]
 pub fn mul(a: &Block, b: &Block) -> Block {

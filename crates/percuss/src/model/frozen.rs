@@ -8,7 +8,7 @@ use super::time_function::Course;
 use crate::contact::axis::AxisElements;
 use crate::contact::pair::Pair;
 use crate::element::beam::{ElementTable, NodeFrame};
-use crate::linalg::block::Block;
+use crate::linalg::block::{Block, IDENTITY};
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
 ///
@@ -116,8 +116,12 @@ pub(crate) struct NodeHold {
 impl NodeHold {
     /// Nothing held yet.
     pub fn new(node: usize, support: Option<usize>) -> Self {
-        let free = std::array::from_fn(|r| std::array::from_fn(|c| f64::from(u8::from(r == c))));
-        Self { node, support, normals: Vec::new(), drives: Vec::new(), free }
+        Self { node, support, normals: Vec::new(), drives: Vec::new(), free: IDENTITY }
+    }
+
+    /// Whether nothing is left free.
+    pub fn is_whole(&self) -> bool {
+        self.normals.len() == 4
     }
 
     /// Holds one more direction, of unit length and across those held already.

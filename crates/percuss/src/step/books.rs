@@ -29,6 +29,7 @@ pub fn book(
     work: &Workspace,
 ) {
     let done = external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
+    state.reacting.begin();
     let books = &mut state.books;
     books.work_loads += done.work;
     books.impulse_loads = add(books.impulse_loads, done.impulse);
@@ -69,7 +70,7 @@ impl Entry<'_> {
         books.impulse_supports = add(books.impulse_supports, scale(h, force));
         books.angular_impulse_supports += h * (cross(x, force) + moment);
         let Some(support) = support else { return };
-        let own = &mut self.state.reactions[support];
+        let own = self.state.reaction_mut(support);
         own[0] += h * force[0];
         own[1] += h * force[1];
         own[2] += h * moment;
@@ -295,7 +296,7 @@ impl Entry<'_> {
         let node = self.model.body_node(data.body);
         let c = row.at(node);
         let arm = [0, 1].map(|i| data.position[i] - self.model.nodes[node].position[i]);
-        let own = &mut self.state.reactions[data.support];
+        let own = self.state.reaction_mut(data.support);
         // What it gives is the opposite of what it takes.
         own[0] -= impulse * c[0];
         own[1] -= impulse * c[1];

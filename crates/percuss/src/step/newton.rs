@@ -336,6 +336,10 @@ impl StepProblem<'_> {
 pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
     for hold in &model.holds {
         let x = &mut increment[hold.node];
+        if hold.is_whole() && hold.drives.iter().all(Vec::is_empty) {
+            *x = [0.0; 4];
+            continue;
+        }
         for (n, drive) in hold.normals.iter().zip(&hold.drives) {
             let miss = (0..4).map(|k| n[k] * x[k]).sum::<f64>() - forcing.increment(drive);
             (0..4).for_each(|k| x[k] -= miss * n[k]);

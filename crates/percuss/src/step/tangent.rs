@@ -4,7 +4,7 @@
 use super::constraint::{self, ConstraintStep};
 use super::modal_damping::ModalDamping;
 use super::satellites::Satellites;
-use crate::linalg::block::{Block, ZERO, mul};
+use crate::linalg::block::{Block, IDENTITY, ZERO, mul};
 use crate::linalg::chain::Chain;
 use crate::linalg::condensed::{BorderPattern, Condensed};
 use crate::linalg::dense::DenseLu;
@@ -439,6 +439,10 @@ pub fn project(model: &Model, nodal: &mut [[f64; 4]]) {
 
 /// Removes the held components of a node's values.
 pub fn project_node(hold: &NodeHold, x: &mut [f64; 4]) {
+    if hold.is_whole() {
+        *x = [0.0; 4];
+        return;
+    }
     for n in &hold.normals {
         let along = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] + n[3] * x[3];
         for i in 0..4 {
@@ -450,6 +454,10 @@ pub fn project_node(hold: &NodeHold, x: &mut [f64; 4]) {
 /// Replaces the rows and columns of held components: `P A P + s N N^T` with the scale s of the block.
 fn hold_block(chain: &mut Chain, hold: &NodeHold, linked: &[bool]) {
     let (i, p) = (hold.node, &hold.free);
+    if hold.is_whole() && !linked[i] && (i == 0 || !linked[i - 1]) {
+        chain.diag[i] = IDENTITY;
+        return;
+    }
     let diag = &chain.diag[i];
     let scale = (0..4).map(|k| diag[k][k].abs()).fold(0.0_f64, f64::max).max(1e-300);
     let mut block = mul(&mul(p, diag), p);
