@@ -327,6 +327,35 @@ fn a_moving_wall_does_its_work_on_the_books() {
 }
 
 #[test]
+fn a_stop_gives_what_it_was_given_and_nothing_before_and_after() {
+    // A disc of 2 kg at 3 m/s strikes one wall of two elastically: half a sine of sqrt(k m) v = 3000 sqrt(2) N.
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    b.beam(beam("aside", [50.0, 50.0], [53.0, 50.0], 1, material, section));
+    let ball = b.disc(disc("ball", 2.0, 0.1, [0.0, 0.0], [3.0, 0.0]));
+    for (name, x) in [("struck", 0.2), ("far", 9.0)] {
+        let shape = ObstacleShape::HalfPlane { point: [x, 0.0], normal: [-1.0, 0.0] };
+        let wall = b.obstacle(Obstacle { name: name.into(), shape, motion: None });
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(1e6)));
+        b.contact(Contact::new(name, [Party::Disc(ball), Party::Obstacle(wall)], law));
+    }
+    let summary = run(&b, 0.1, 1e-5);
+    books_close(&summary, 1e-11);
+    let support = |name: &str| summary.supports.iter().find(|s| s.name == name).unwrap();
+    let [along, across] = support("struck").force;
+    let peak = 3000.0 * 2.0_f64.sqrt();
+    assert!((along.min.value + peak).abs() < 1e-4 * peak, "{along:?}");
+    assert_eq!(along.max.value, 0.0);
+    let first = 0.1 / 3.0; // touches, then half a period of contact
+    let quarter = 0.5 * std::f64::consts::PI * (2.0_f64 / 1e6).sqrt();
+    assert!((along.min.time - first - quarter).abs() < 2e-5);
+    assert_eq!((across.min.value, across.max.value), (0.0, 0.0));
+    for range in support("far").force {
+        assert_eq!((range.min.value, range.max.value), (0.0, 0.0));
+    }
+}
+
+#[test]
 fn a_beam_that_is_folded_onto_itself_stops_at_its_own_face() {
     // A hairpin whose arms swing together: each arm stops the other.
     let closest = |touches: bool| {
