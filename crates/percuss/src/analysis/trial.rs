@@ -188,7 +188,7 @@ impl Simulation<'_> {
             self.state.multiplier = before;
         }
         self.steer_obstacles();
-        self.search.moved();
+        self.search.moved(self.model);
         self.search.see(self.model, &mut self.state, Reach::Near);
         let part = super::monitor::Part {
             h,

@@ -17,26 +17,31 @@ use crate::state::State;
 const CLOSE: f64 = 1e-8;
 /// Pairs that would wake within so many steps do not go to sleep.
 const RESTLESS: f64 = 4.0;
+/// An element's control polygon grows by no more than so many times what [`farthest`] gives for its beam: twice the largest movement
+/// of values and 4/3 of its length times that of slopes.
+const STRETCH: f64 = 4.5;
+/// Bounds of elements' lengths are taken anew once they have grown by this share of the beam's longest element.
+const LOOSE: f64 = 0.01;
 
 /// How far a point of a beam moves, at most, if its nodes move by `nodal`; `long` is its longest element \[m\].
 pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
-    // Components apart: on a register of four they cost next to nothing.
+    // Components apart, by their index: so they go through vector registers and cost next to nothing.
     let mut most = [0.0_f64; 4];
     for x in nodal {
-        for (most, x) in most.iter_mut().zip(x) {
-            *most = if x.abs() > *most { x.abs() } else { *most };
+        for i in 0..4 {
+            let size = x[i].abs();
+            most[i] = if size > most[i] { size } else { most[i] };
         }
     }
     // Shape functions of values sum to one; those of slopes reach 4/27 of the length each.
     norm([most[0], most[1]]) + 8.0 / 27.0 * long * norm([most[2], most[3]])
 }
 
-/// Lengths that no element exceeds while its nodes move by any share of `increment`, from those where they start: its control
-/// polygon grows by no more than twice the largest movement of values and 4/3 of its length times that of slopes.
+/// Lengths that no element exceeds while its nodes move by any share of `increment`, from those where they start.
 pub fn longest_arcs(model: &Model, start: &[f64], increment: &[[f64; 4]], arcs: &mut Vec<f64>) {
     arcs.clear();
     arcs.extend(start.iter().zip(&model.beams).map(|(arc, beam)| {
-        arc + 4.5 * farthest(&increment[beam.nodes.clone()], beam.axis.longest)
+        arc + STRETCH * farthest(&increment[beam.nodes.clone()], beam.axis.longest)
     }));
 }
 
@@ -55,6 +60,8 @@ pub struct Search {
     longest: f64,
     /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing is near a face \[m\].
     arcs: Vec<f64>,
+    /// How far the beams have moved since these were taken, at most, as shares of their longest elements.
+    loose: f64,
     /// Pairs looked at where the state stands.
     awake: Vec<usize>,
     /// Of these, the ones so near that they are looked at in every step; the others sleep.
@@ -75,6 +82,7 @@ impl Search {
             step: vec![0.0; movers],
             longest: 0.0,
             arcs: Vec::new(),
+            loose: 0.0,
             awake: Vec::new(),
             restless: Vec::new(),
             guided: model.pairs.len() == model.projectiles.len(),
@@ -122,11 +130,15 @@ impl Search {
     }
 
     /// The step that [`Search::within`] was asked about last was accepted.
-    pub fn moved(&mut self) {
+    pub fn moved(&mut self, model: &Model) {
         for (travelled, step) in self.travelled.iter_mut().zip(&self.step) {
             *travelled += step;
         }
         self.any += 2.0 * self.longest;
+        for ((arc, way), beam) in self.arcs.iter_mut().zip(&self.step).zip(&model.beams) {
+            *arc += STRETCH * way;
+            self.loose += STRETCH * way / beam.axis.longest;
+        }
     }
 
     /// Looks at the pairs that have come near, their feet within `reach` of where they were remembered, and lets those that
@@ -166,9 +178,14 @@ impl Search {
 
     /// Bounds the beams' elements where something is near a face.
     fn measure_arcs(&mut self, model: &Model, state: &State) {
-        self.arcs.clear();
         let on_face = |i: &usize| matches!(model.pairs[*i].target, Target::Axis { .. });
-        if self.restless.iter().any(on_face) {
+        let wanted = self.restless.iter().any(on_face);
+        if wanted && !self.arcs.is_empty() && self.loose < LOOSE {
+            return;
+        }
+        self.loose = 0.0;
+        self.arcs.clear();
+        if wanted {
             let at = Configuration::of(&state.displacement);
             let arc = |b: &BeamData| longest_arc(&b.axis, &model.nodes, &at);
             self.arcs.extend(model.beams.iter().map(arc));

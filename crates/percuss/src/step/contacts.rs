@@ -380,10 +380,10 @@ fn add_tangent(
             turning.as_ref().map(|turning| std::array::from_fn(|k| turning(&unit(k))));
         for (node, on_row) in row.iter() {
             let mut block = ZERO;
-            for r in 0..4 {
-                for c in 0..4 {
-                    let turn = turned.as_ref().map_or(0.0, |rows| rows[c].at(node)[r]);
-                    block[r][c] = slope * on_row[r] * on_end[c] - bend * turn;
+            for c in 0..4 {
+                let turn = turned.as_ref().map_or([0.0; 4], |rows| rows[c].at(node));
+                for r in 0..4 {
+                    block[r][c] = slope * on_row[r] * on_end[c] - bend * turn[r];
                 }
             }
             tangent.add_contact(node, column, &block);
