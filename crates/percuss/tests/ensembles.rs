@@ -20,6 +20,16 @@ const USUAL: Variant =
     Variant { young: 2e9, speed: 20.0, mass: 500.0, standoff: 0.2, step: 1e-4, along: 0.5 };
 
 fn model(v: Variant, law: SmoothLaw, angle: f64, elements: usize) -> Model {
+    loaded(v, law, angle, elements, |_, _| {})
+}
+
+fn loaded(
+    v: Variant,
+    law: SmoothLaw,
+    angle: f64,
+    elements: usize,
+    loads: impl Fn(&mut ModelBuilder, BeamId),
+) -> Model {
     let mut b = ModelBuilder::new();
     let (material, section) = (Material::new("m", v.young, 3e3), Section::new("s", 0.1, 8.33e-5));
     let (material, section) = (b.material(material), b.section(section));
@@ -32,7 +42,30 @@ fn model(v: Variant, law: SmoothLaw, angle: f64, elements: usize) -> Model {
     let velocity = [-v.speed * sine, v.speed * cosine];
     let projectile = Projectile::new("mass", kind, v.mass, velocity, at("mid", g, v.along));
     b.projectile(Projectile { standoff: v.standoff, ..projectile });
+    loads(&mut b, g);
     b.build().unwrap()
+}
+
+/// Gravity across the line of flight, too, a push for a while, and a pressure that swings.
+fn loads(b: &mut ModelBuilder, g: BeamId, k: usize) {
+    let x = k as f64 / 20.0;
+    let gravity = LoadKind::Gravity { acceleration: [-2.0 * x, -9.81] };
+    b.load(Load::new("gravity", gravity));
+    let push = LoadKind::Point {
+        at: at("pushed", g, 0.3),
+        force: [1e4 * x, 2e5],
+        moment: 0.0,
+        follower: false,
+    };
+    let function = TimeFunction::HalfSine { duration: 7e-3 + 1e-3 * x };
+    // Neither begins nor ends with a step.
+    let (from, until) = (3.33e-3, 9.97e-3);
+    b.load(Load { function, from, until, ..Load::new("push", push) });
+    let force = [[0.0, -1e4], [1e3, 3e4 * x]];
+    let stretch = [Along::Fraction(0.25), Along::Distance(2.9)];
+    let swing = LoadKind::Distributed { beam: g, stretch, force, follower: false };
+    let function = TimeFunction::Harmonic { frequency: 120.0 + 40.0 * x, phase: x };
+    b.load(Load { function, ..Load::new("swing", swing) });
 }
 
 fn linear() -> SmoothLaw {
@@ -44,6 +77,7 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
     let mut all = vec![
         ("steps", s.steps as f64),
         ("energy", s.energy.final_),
+        ("work of loads", s.energy.work_loads),
         ("scale", s.energy.scale),
         ("linear", s.momentum.linear_scale),
         ("angular", s.momentum.angular_scale),
@@ -124,6 +158,22 @@ fn an_ensemble_gives_what_single_runs_give_and_lanes_see_only_themselves() {
 }
 
 #[test]
+fn dead_loads_act_by_the_time_of_each_lane() {
+    let variants = variants();
+    let model = |(k, v): (usize, &Variant)| loaded(*v, linear(), 0.4, 6, |b, g| loads(b, g, k));
+    let models: Vec<Model> = variants.iter().enumerate().map(model).collect();
+    // Of different lengths: lanes are refilled while others are in mid-flight.
+    let settings = |(k, v): (usize, &Variant)| Settings::new(0.02 + 1e-3 * k as f64, v.step);
+    let settings: Vec<Settings> = variants.iter().enumerate().map(settings).collect();
+    let runs: Vec<(&Model, &Settings)> = models.iter().zip(&settings).collect();
+    for ((model, settings), found) in runs.iter().zip(simulate_batch(&runs, Detail::Motion)) {
+        let found = found.unwrap();
+        assert!(found.energy.work_loads.abs() > 1.0);
+        agree(model, settings, &found, 1e-8);
+    }
+}
+
+#[test]
 fn laws_and_slender_inclined_beams_agree_too() {
     let hertz = SmoothLaw::elastic(Potential::Hertz { stiffness: 2e7 });
     for (law, angle, elements) in [(hertz.clone(), 0.0, 6), (linear(), 0.7, 6), (hertz, -1.1, 13)] {
@@ -141,11 +191,18 @@ fn what_no_ensemble_knows_runs_singly() {
     let (known, other) = (model(USUAL, linear(), 0.0, 6), model(USUAL, dashed, 0.0, 6));
     let settings = Settings::new(0.02, 1e-4);
     let faulty = Settings::new(0.02, -1.0);
-    let runs = [(&known, &settings), (&other, &settings), (&known, &faulty)];
+    let turns = loaded(USUAL, linear(), 0.0, 6, |b, g| {
+        let at = at("turned", g, 0.5);
+        let kind = LoadKind::Point { at, force: [0.0; 2], moment: 100.0, follower: false };
+        b.load(Load::new("moment", kind));
+    });
+    let runs = [(&known, &settings), (&other, &settings), (&known, &faulty), (&turns, &settings)];
     let found = simulate_batch(&runs, Detail::Motion);
     agree(&known, &settings, found[0].as_ref().unwrap(), 1e-9);
     assert!(found[1].as_ref().unwrap().energy.loss_damping > 0.0);
     assert!(found[2].is_err());
+    let single = simulate(&turns, &settings, &mut NoRecorder).unwrap();
+    assert_eq!(found[3].as_ref().unwrap().energy, single.energy);
     let full = simulate_batch(&runs[..1], Detail::Full);
     assert_eq!(full[0].as_ref().unwrap().supports.len(), 2);
 }

@@ -152,6 +152,18 @@ impl<S: Real> ElementTable<S> {
     }
 }
 
+impl ElementTable {
+    /// Nodes `a` and `a + 1` of the element with the forces on their values and slopes that accelerate all of it uniformly.
+    pub fn uniform_force(&self, a: usize, [g1, g2]: [f64; 2]) -> [(usize, [f64; 4]); 2] {
+        let m = &self.mass;
+        // Columns of values summed.
+        [(0, a), (2, a + 1)].map(|(row, node)| {
+            let (on_value, on_slope) = (m[row][0] + m[row][2], m[row + 1][0] + m[row + 1][2]);
+            (node, [on_value * g1, on_value * g2, on_slope * g1, on_slope * g2])
+        })
+    }
+}
+
 /// Coefficients of (u_b - u_a, u_a', u_b') from those of (u_a, u_a', u_b, u_b'), whose first and third are opposite.
 fn chord_form(c: [f64; 4]) -> [f64; 3] {
     [c[2], c[1], c[3]]

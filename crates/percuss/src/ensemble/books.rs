@@ -4,7 +4,7 @@ use super::engine::{Engine, interpolate};
 use crate::element::beam::ElementValues;
 use crate::element::energy_momentum::End;
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, cross, dot4, sub};
+use crate::math::vec2::{add, cross, dot, dot4, sub};
 use crate::scalar::{Number, array};
 
 /// Energies and momenta of a state.
@@ -28,8 +28,12 @@ pub struct Books<S> {
     pub energy_scale: S,
     pub linear_scale: S,
     pub angular_scale: S,
+    /// Impulses of the supports and guides, and of the loads \[N s, N m s\], and the work of these \[J\].
     pub impulse: [S; 2],
     pub angular_impulse: S,
+    pub impulse_loads: [S; 2],
+    pub angular_impulse_loads: S,
+    pub work_loads: S,
     pub loss_impacts: S,
     pub energy_residual: S,
     pub linear_residual: S,
@@ -51,6 +55,9 @@ impl<S: Number> Books<S> {
             angular_scale: angular,
             impulse: [zero; 2],
             angular_impulse: zero,
+            impulse_loads: [zero; 2],
+            angular_impulse_loads: zero,
+            work_loads: zero,
             loss_impacts: zero,
             energy_residual: zero,
             linear_residual: zero,
@@ -75,6 +82,8 @@ impl<S: Number> Books<S> {
             all.extend([energy, l1, l2, size, &mut m.angular, &mut m.angular_size]);
         }
         let [i1, i2] = &mut self.impulse;
+        let [l1, l2] = &mut self.impulse_loads;
+        all.extend([l1, l2, &mut self.angular_impulse_loads, &mut self.work_loads]);
         all.extend([&mut self.energy_scale, &mut self.linear_scale, &mut self.angular_scale]);
         all.extend([i1, i2, &mut self.angular_impulse, &mut self.loss_impacts]);
         all.extend([&mut self.energy_residual, &mut self.linear_residual]);
@@ -85,13 +94,15 @@ impl<S: Number> Books<S> {
     #[inline(always)]
     fn rescale(&mut self) {
         let m = &self.now;
-        self.energy_scale = self.energy_scale.max(m.energy.abs()).max(self.loss_impacts.abs());
-        let impulse = hypot(self.impulse);
-        self.linear_scale = self.linear_scale.max(m.linear_size).max(impulse);
-        self.angular_scale = self.angular_scale.max(m.angular_size).max(self.angular_impulse.abs());
+        let flows = self.loss_impacts.abs().max(self.work_loads.abs());
+        self.energy_scale = self.energy_scale.max(m.energy.abs()).max(flows);
+        let impulses = hypot(self.impulse).max(hypot(self.impulse_loads));
+        self.linear_scale = self.linear_scale.max(m.linear_size).max(impulses);
+        let impulses = self.angular_impulse.abs().max(self.angular_impulse_loads.abs());
+        self.angular_scale = self.angular_scale.max(m.angular_size).max(impulses);
     }
 
-    /// Books a solved step: reactions, guides, losses.
+    /// Books a solved step: reactions, guides, losses, loads.
     #[inline(always)]
     pub fn book(&mut self, engine: &Engine<S>) {
         let h = engine.h;
@@ -115,6 +126,34 @@ impl<S: Number> Books<S> {
             self.angular_impulse += h * push * cross(arm, guide.direction);
             self.loss_impacts += -(state.impulse * state.gap_change / h);
         }
+        if !engine.numbers.loads.is_empty() {
+            self.book_loads(engine);
+        }
+    }
+
+    #[inline(always)]
+    fn book_loads(&mut self, engine: &Engine<S>) {
+        let h = engine.h;
+        for n in 0..engine.applied.len() {
+            let (force, d) = (&engine.applied[n], &engine.increment[n]);
+            let (x, g) = engine.middle(n);
+            self.work_loads += dot4(force, d);
+            self.impulse_loads = array(|i| self.impulse_loads[i] + h * force[i]);
+            let moment = cross(g, [force[2], force[3]]);
+            self.angular_impulse_loads += h * (cross(x, [force[0], force[1]]) + moment);
+        }
+        for (guide, state) in engine.numbers.guides.iter().zip(&engine.guides) {
+            let along = dot(guide.direction, state.applied);
+            let way = state.way + state.increment * 0.5;
+            let own: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
+            let held: [S; 2] = array(|i| guide.direction[i] * along - state.applied[i]);
+            self.work_loads += along * state.increment;
+            self.impulse_loads = array(|i| self.impulse_loads[i] + h * state.applied[i]);
+            self.angular_impulse_loads += h * cross(own, state.applied);
+            // What is not along its line of flight the guide takes.
+            self.impulse = array(|i| self.impulse[i] + h * held[i]);
+            self.angular_impulse += h * cross(own, held);
+        }
     }
 
     /// Takes in the new state.
@@ -123,9 +162,11 @@ impl<S: Number> Books<S> {
         self.now = engine.measure();
         self.rescale();
         let (start, now) = (&self.start, &self.now);
-        let energy = now.energy - start.energy + self.loss_impacts;
-        let linear = sub(sub(now.linear, start.linear), self.impulse);
-        let angular = now.angular - start.angular - self.angular_impulse;
+        let energy = now.energy - start.energy + self.loss_impacts - self.work_loads;
+        let impulse = add(self.impulse, self.impulse_loads);
+        let linear = sub(sub(now.linear, start.linear), impulse);
+        let angular_impulse = self.angular_impulse + self.angular_impulse_loads;
+        let angular = now.angular - start.angular - angular_impulse;
         self.energy_residual = self.energy_residual.max(energy.abs());
         self.linear_residual = self.linear_residual.max(hypot(linear));
         self.angular_residual = self.angular_residual.max(angular.abs());

@@ -28,6 +28,9 @@ pub struct Engine<S> {
     pub guides: Vec<GuideState<S>>,
     /// Reactions of the supports in the directions held \[N, N m\].
     pub reactions: Vec<[S; 4]>,
+    /// Mean factors of the loads over the step at hand; what they all apply to the nodes \[N, N m\].
+    pub load_factors: Vec<S>,
+    pub applied: Vec<[S; 4]>,
     /// Increment over the step, residual in the free directions, and correction.
     pub increment: Vec<[S; 4]>,
     pub residual: Vec<[S; 4]>,
@@ -54,6 +57,8 @@ pub struct GuideState<S> {
     pub correction: S,
     /// Change of the gap over the step \[m\].
     pub gap_change: S,
+    /// What the loads apply \[N\].
+    pub applied: [S; 2],
     /// Force \[N\], its slope by the penetration at the end of the step \[N/m\].
     pub force: S,
     pub slope: S,
@@ -92,6 +97,8 @@ impl<S: Number> Engine<S> {
             start,
             guides,
             reactions: vec![[zero; 4]; numbers.holds.len()],
+            load_factors: vec![numbers.step.constant(1.0); numbers.loads.len()],
+            applied: still.clone(),
             increment: still.clone(),
             residual: still.clone(),
             correction: still,
@@ -136,6 +143,9 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn evaluate<const TANGENT: bool>(&mut self) {
         self.beams::<TANGENT>();
+        if !self.numbers.loads.is_empty() {
+            self.resist_loads();
+        }
         self.contacts::<TANGENT>();
         for k in 0..self.numbers.holds.len() {
             let hold = &self.numbers.holds[k];
@@ -144,6 +154,39 @@ impl<S: Number> Engine<S> {
             hold.project(free);
             for i in 0..4 {
                 self.reactions[k][i] = all[i] - free[i];
+            }
+        }
+    }
+
+    /// What the loads apply with their factors.
+    #[inline(always)]
+    pub fn apply_loads(&mut self) {
+        let zero = self.h.constant(0.0);
+        for applied in &mut self.applied {
+            *applied = [zero; 4];
+        }
+        for guide in &mut self.guides {
+            guide.applied = [zero; 2];
+        }
+        for (load, factor) in self.numbers.loads.iter().zip(&self.load_factors) {
+            for (n, force) in load.nodes.iter().zip(&load.forces) {
+                for i in 0..4 {
+                    self.applied[*n][i] = self.applied[*n][i].add_product(*factor, force[i]);
+                }
+            }
+            for (guide, force) in self.guides.iter_mut().zip(&load.on_guides) {
+                for i in 0..2 {
+                    guide.applied[i] = guide.applied[i].add_product(*factor, force[i]);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn resist_loads(&mut self) {
+        for (residual, applied) in self.residual.iter_mut().zip(&self.applied) {
+            for i in 0..4 {
+                residual[i] = residual[i] - applied[i];
             }
         }
     }
@@ -244,7 +287,8 @@ impl<S: Number> Engine<S> {
             let gap_1 = state.gap + state.gap_change;
             guide.force(state, -gap_1);
             let push = state.force + state.impulse * rate;
-            state.residual = guide.mass * (state.increment * rate - state.velocity) * twice + push;
+            let inertia = guide.mass * (state.increment * rate - state.velocity) * twice;
+            state.residual = inertia + push - dot(guide.direction, state.applied);
             let row = guide.row();
             for (i, c) in row.iter().enumerate() {
                 let target = &mut self.residual[a + i / 4][i % 4];
@@ -454,6 +498,7 @@ impl<S: Number> GuideState<S> {
             residual: zero,
             correction: zero,
             gap_change: zero,
+            applied: [zero; 2],
             force: zero,
             slope: zero,
             assembled: [zero, guide.mass],

@@ -18,6 +18,8 @@ pub struct Numbers<S> {
     pub holds: Vec<HoldNumbers<S>>,
     /// Guided projectiles.
     pub guides: Vec<GuideNumbers<S>>,
+    /// Dead loads.
+    pub loads: Vec<LoadNumbers<S>>,
     /// Recorded points.
     pub points: Vec<PointNumbers<S>>,
     /// Energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\] that are round-off.
@@ -88,6 +90,17 @@ pub struct GuideNumbers<S> {
     pub stiffness: S,
 }
 
+/// A dead load, for a factor of one.
+#[derive(Clone, Debug)]
+pub struct LoadNumbers<S> {
+    /// Nodes it acts on, in increasing order.
+    pub nodes: Vec<usize>,
+    /// Forces on their values and slopes \[N, N m\].
+    pub forces: Vec<[S; 4]>,
+    /// Forces on the guided projectiles, by gravity \[N\].
+    pub on_guides: Vec<[S; 2]>,
+}
+
 /// A recorded point.
 #[derive(Clone, Debug)]
 pub struct PointNumbers<S> {
@@ -106,6 +119,7 @@ impl<S: Copy> Numbers<S> {
             nodes: self.nodes.iter().map(|x| x.map(&mut *f)).collect(),
             holds: self.holds.iter().map(|h| h.map(f)).collect(),
             guides: self.guides.iter().map(|g| g.map(f)).collect(),
+            loads: self.loads.iter().map(|l| l.map(f)).collect(),
             points: (self.points.iter())
                 .map(|p| PointNumbers { node: p.node, shape: p.shape.map(&mut *f) })
                 .collect(),
@@ -146,6 +160,16 @@ impl<S: Copy> HoldNumbers<S> {
     fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> HoldNumbers<T> {
         let normals = self.normals.iter().map(|n| n.map(&mut *f)).collect();
         HoldNumbers { node: self.node, components: self.components, normals }
+    }
+}
+
+impl<S: Copy> LoadNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> LoadNumbers<T> {
+        LoadNumbers {
+            nodes: self.nodes.clone(),
+            forces: self.forces.iter().map(|x| x.map(&mut *f)).collect(),
+            on_guides: self.on_guides.iter().map(|x| x.map(&mut *f)).collect(),
+        }
     }
 }
 

@@ -140,7 +140,7 @@ impl<S: Number> Ensemble<S> {
         self.log.reset(lane);
     }
 
-    /// Gives every lane the size of its next step; the last one may be shorter.
+    /// Gives every lane the size of its next step, of which the last one may be shorter, and the factors of its loads.
     #[inline(always)]
     fn set_steps(&mut self, runs: &[Run]) {
         for lane in 0..S::LANES {
@@ -154,6 +154,14 @@ impl<S: Number> Ensemble<S> {
                     self.engine.h.set_lane(lane, left, lane);
                 }
             }
+            let (start, h) = (steps as f64 * settings.step, self.engine.h.lane(lane));
+            for (factor, load) in self.engine.load_factors.iter_mut().zip(&runs[run].model.loads) {
+                let mean = factor.constant(load.factor(start, h));
+                factor.set_lane(lane, mean, lane);
+            }
+        }
+        if !self.engine.load_factors.is_empty() {
+            self.engine.apply_loads();
         }
     }
 

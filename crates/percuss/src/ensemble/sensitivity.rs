@@ -62,6 +62,9 @@ pub fn sensitivities(
         return Err(fault.to_string());
     }
     let known = |model: &Model| {
+        if model.loads.iter().any(|load| !load.is_steady()) {
+            return Err("derivatives are not known for loads that change in time".into());
+        }
         numbers(model, settings).map_err(|what| format!("derivatives are not known for {what}"))
     };
     let base = known(model)?;
@@ -142,7 +145,8 @@ struct Flight<'a> {
 
 impl<'a> Flight<'a> {
     fn new(numbers: Numbers<Derived>, settings: &'a Settings) -> Self {
-        let engine = Engine::new(numbers);
+        let mut engine = Engine::new(numbers);
+        engine.apply_loads();
         let mut search = Search::idle(engine.h);
         search.set_run(0, true);
         let (books, log) = (Books::open(&engine), Log::new(&engine));

@@ -1,9 +1,13 @@
 //! Which runs an ensemble can step, and which of them side by side.
 
-use super::numbers::{GuideLaw, GuideNumbers, HoldNumbers, Numbers, PointNumbers, SpanNumbers};
+use std::collections::BTreeMap;
+
+use super::numbers::{
+    GuideLaw, GuideNumbers, HoldNumbers, LoadNumbers, Numbers, PointNumbers, SpanNumbers,
+};
 use crate::ledger::RoundOff;
 use crate::math::vec2::dot;
-use crate::model::frozen::{BodyKind, ProjectileData};
+use crate::model::frozen::{BodyKind, LoadAction, ProjectileData};
 use crate::model::{
     ContactForce, ImpactLaw, InitialMotion, Model, Potential, StrainMeasure, TouchLaw,
 };
@@ -18,6 +22,8 @@ pub struct Shape {
     holds: Vec<(usize, usize, Option<[bool; 4]>)>,
     /// Struck node and law of each guided projectile.
     pub guides: Vec<(usize, GuideLaw)>,
+    /// Nodes of each load.
+    loads: Vec<Vec<usize>>,
     /// Node of each recorded point.
     points: Vec<usize>,
 }
@@ -34,6 +40,7 @@ impl Shape {
                 .map(|h| (h.node, h.normals.len(), h.components))
                 .collect(),
             guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
+            loads: numbers.loads.iter().map(|l| l.nodes.clone()).collect(),
             points: numbers.points.iter().map(|p| p.node).collect(),
         }
     }
@@ -44,8 +51,8 @@ impl Shape {
     }
 }
 
-/// The numbers of a run, or what about it an ensemble does not know: beams on fixed supports at nodes and guided projectiles are
-/// all it does.
+/// The numbers of a run, or what about it an ensemble does not know: beams on fixed supports at nodes, guided projectiles
+/// and dead loads are all it does.
 pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
@@ -55,7 +62,6 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         (!model.connectors.is_empty(), "springs and dampers"),
         (!model.masses.is_empty(), "point masses"),
         (!model.motions.is_empty(), "prescribed motions"),
-        (!model.loads.is_empty(), "loads"),
         (!model.modal_damping.is_empty(), "modal damping"),
         (model.spans.iter().any(|s| s.is_damped()), "damping of the material"),
         (!model.obstacles.is_empty(), "obstacles"),
@@ -68,6 +74,8 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
     }
     let guides = model.projectiles.iter().enumerate().map(|(i, p)| guide(model, settings, i, p));
     let guides = guides.collect::<Result<Vec<_>, _>>()?;
+    let loads = model.loads.iter().map(|load| dead_load(model, &load.kind));
+    let loads = loads.collect::<Result<Vec<_>, _>>()?;
     let round_off = RoundOff::new(model, settings.step);
     let beams = &model.nodes[..model.beam_node_count()];
     Ok(Numbers {
@@ -92,6 +100,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             })
             .collect(),
         guides,
+        loads,
         points: (model.points.iter())
             .map(|p| PointNumbers { node: p.node, shape: p.shape })
             .collect(),
@@ -148,6 +157,36 @@ fn guide(
         speed: dot(projectile.direction, body.velocity),
         stiffness,
     })
+}
+
+fn dead_load(model: &Model, action: &LoadAction) -> Result<LoadNumbers<f64>, &'static str> {
+    let mut on_nodes = BTreeMap::<usize, [f64; 4]>::new();
+    let mut add = |node: usize, force: [f64; 4]| {
+        let sum = on_nodes.entry(node).or_default();
+        (0..4).for_each(|i| sum[i] += force[i]);
+    };
+    let mut on_guides = vec![[0.0; 2]; model.projectiles.len()];
+    match action {
+        LoadAction::Gravity { acceleration: g } => {
+            for (span, k, a, _) in model.each_element() {
+                for (node, force) in span.table(k).uniform_force(a, *g) {
+                    add(node, force);
+                }
+            }
+            for (force, projectile) in on_guides.iter_mut().zip(&model.projectiles) {
+                *force = g.map(|g| model.bodies[projectile.body].mass * g);
+            }
+        }
+        LoadAction::Point { point, force: [f1, f2], moment, follower: false } if *moment == 0.0 => {
+            let [n0, n1, n2, n3] = point.shape;
+            add(point.node, [n0 * f1, n0 * f2, n1 * f1, n1 * f2]);
+            add(point.node + 1, [n2 * f1, n2 * f2, n3 * f1, n3 * f2]);
+        }
+        LoadAction::Dead { nodal } => nodal.iter().for_each(|(node, force)| add(*node, *force)),
+        _ => return Err("moments, and loads that turn with the beam"),
+    }
+    let (nodes, forces) = on_nodes.into_iter().unzip();
+    Ok(LoadNumbers { nodes, forces, on_guides })
 }
 
 /// The components that directions are, if all are components.

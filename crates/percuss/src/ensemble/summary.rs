@@ -45,7 +45,7 @@ impl<S: Number> Telling<'_, S> {
             energy: EnergySummary {
                 initial: read(books.start.energy),
                 final_: read(books.now.energy),
-                work_loads: 0.0,
+                work_loads: read(books.work_loads),
                 work_supports: 0.0,
                 loss_impacts: read(books.loss_impacts),
                 loss_damping: read(zero),

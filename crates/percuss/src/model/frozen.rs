@@ -344,6 +344,11 @@ pub(crate) struct FollowerPoint {
 }
 
 impl LoadData {
+    /// Whether it acts throughout, as it is.
+    pub fn is_steady(&self) -> bool {
+        self.course.is_constant() && self.from <= 0.0 && self.until == f64::INFINITY
+    }
+
     /// Mean factor over the step `[start, start + h]`: its impulse is exact.
     pub fn factor(&self, start: f64, h: f64) -> f64 {
         let share = share(self.from, self.until, start, h);

@@ -84,6 +84,10 @@ pub(crate) struct Course {
 }
 
 impl Course {
+    pub fn is_constant(&self) -> bool {
+        matches!(self.function, TimeFunction::Constant)
+    }
+
     pub fn new(function: &TimeFunction) -> Self {
         use TimeFunction::*;
         let kinks = match function {

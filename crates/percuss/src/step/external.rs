@@ -221,17 +221,7 @@ fn add_gravity(
     sum: &mut LoadWork,
 ) {
     for (span, k, a, _) in model.each_element() {
-        let m = &span.table(k).mass;
-        // Consistent nodal weights of a uniform acceleration: columns of values summed.
-        for (row, node) in [(0, a), (2, a + 1)] {
-            let on_value = m[row][0] + m[row][2];
-            let on_slope = m[row + 1][0] + m[row + 1][2];
-            let force = [
-                on_value * gravity[0],
-                on_value * gravity[1],
-                on_slope * gravity[0],
-                on_slope * gravity[1],
-            ];
+        for (node, force) in span.table(k).uniform_force(a, gravity) {
             sum.add_nodal(model, state, increment, node, &force, h);
         }
     }
