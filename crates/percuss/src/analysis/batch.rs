@@ -14,7 +14,7 @@ pub enum Detail {
     #[default]
     Full,
     /// All but section forces and reactions of supports, which are left out. Beams on fixed supports that guided projectiles
-    /// strike then run side by side in vector registers, many times as fast.
+    /// strike and dead loads act on then run side by side in vector registers, many times as fast.
     Motion,
 }
 
