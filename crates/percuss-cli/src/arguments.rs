@@ -53,7 +53,7 @@ Examples:
 const SENSITIVITY: &str = "\
 Every operation of the run is differentiated, the instants of impacts included (forward mode): the derivatives are those of \
 the computed run, not differences of runs. Beams on fixed supports struck by guided projectiles can be differentiated, with the \
-energy-momentum scheme and dead loads that do not change in time.";
+energy-momentum scheme, damping of the material and dead loads that do not change in time.";
 const MODES: &str = "\
 A frequency of zero is a motion of a rigid body or of a mechanism. About a static equilibrium stresses
 count; a mode that grows says that the equilibrium is unstable.

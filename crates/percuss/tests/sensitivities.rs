@@ -31,7 +31,11 @@ enum Law {
 
 fn scene(p: &[f64; 12], law: Law) -> Model {
     let mut b = ModelBuilder::new();
-    let material = b.material(Material::new("m", p[0], p[1]));
+    // Damping is a number like any other. So little of it that impacts stay apart, and none within a change of the end of a step,
+    // where the run is not differentiable.
+    let (retardation, mass_damping) = (3e-9 * p[1], 1e-2 * p[6]);
+    let material = Material { retardation, mass_damping, ..Material::new("m", p[0], p[1]) };
+    let material = b.material(material);
     let section = b.section(Section::new("s", p[2], p[3]));
     let g = b.beam(beam("g", [0.0; 2], [p[4], p[5]], 6, material, section));
     for (name, f) in [("left", 0.0), ("right", 1.0)] {
@@ -96,7 +100,8 @@ fn check(law: Law, end: f64, tolerance: f64) {
         // enough for the digits that instants of impact are located to.
         let share = match *name {
             "young" | "height of the far end" | "speed" => 2e-4,
-            "standoff" => 1e-3,
+            "standoff" if law == Law::Rigid => 1e-3,
+            "standoff" => 2e-4,
             "where it strikes" | "restitution" => 1e-6,
             _ => 2e-5,
         };

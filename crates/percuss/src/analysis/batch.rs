@@ -13,8 +13,9 @@ pub enum Detail {
     /// Everything.
     #[default]
     Full,
-    /// All but section forces and reactions of supports, which are left out. Beams on fixed supports that guided projectiles
-    /// strike and dead loads act on then run side by side in vector registers, many times as fast.
+    /// All but section forces and reactions of supports, which are left out. Beams on fixed supports, damped by
+    /// their material or not, that guided projectiles strike and dead loads act on then run side by side in vector registers, many
+    /// times as fast.
     Motion,
 }
 

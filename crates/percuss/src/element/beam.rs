@@ -358,13 +358,13 @@ mod tests {
         let (spin, h) = (like.constant(3.0), like.constant(H));
         match scheme {
             0 => {
-                let mut r = energy_momentum::response::<S, T>(&law, point, LAG);
+                let mut r = energy_momentum::response::<S, T>(&law, point, like.constant(LAG));
                 rotary::Turn::new(g0, point.d_slope).add_inertia::<T>(
                     &mut r,
                     law.rotary,
                     spin,
                     h.recip(),
-                    30.0,
+                    like.constant(30.0),
                 );
                 r
             }

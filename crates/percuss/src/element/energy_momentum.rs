@@ -20,7 +20,7 @@ use crate::scalar::{Real, reciprocals};
 pub fn response<S: Real, const TANGENT: bool>(
     law: &SectionLaw<S>,
     point: &StepPoint<S>,
-    lag: f64,
+    lag: S,
 ) -> PointResponse<S> {
     let start = End::new(law.measure, point.tangent, point.slope_0, point.bend_0);
     let StepPoint { tangent, curvature, d_slope, d_bend, .. } = point;
@@ -233,10 +233,11 @@ impl<S: Real> Step<S> {
         &self,
         law: &SectionLaw<S>,
         start: &End<S>,
-        lag: f64,
+        lag: S,
     ) -> PointResponse<S> {
         let (g_mid, p_mid) = (self.turn.g, self.p_mid);
-        let weights = [0.5 - lag, 0.5 + lag];
+        let half = lag.constant(0.5);
+        let weights = [half - lag, half + lag];
         let ends = Ends { start, end: &self.end, bent: &self.bent, q: self.q, weights };
         let (stress, slopes) = match law.measure {
             StrainMeasure::Green => ends.green(law),
@@ -271,7 +272,7 @@ struct Ends<'a, S> {
     bent: &'a [Bent<S>; 2],
     /// Reciprocal of the sum of their stretches.
     q: S,
-    weights: [f64; 2],
+    weights: [S; 2],
 }
 
 /// Derivatives along `g1.dg` (`_a`) and `db1` (`_b`).

@@ -210,8 +210,9 @@ impl<S: Real> MembraneStep<S> {
 
     /// The invariant scheme: strains at both ends, the end weighing `1/2 + lag`.
     #[inline(always)]
-    pub fn invariant(&self, measure: StrainMeasure, lag: f64) -> MembranePoint<S> {
-        let (w0, w1) = (0.5 - lag, 0.5 + lag);
+    pub fn invariant(&self, measure: StrainMeasure, lag: S) -> MembranePoint<S> {
+        let half = lag.constant(0.5);
+        let (w0, w1) = (half - lag, half + lag);
         let (g, g1) = (self.at(0.5), self.at(1.0));
         let slope_1 = add(self.slope_0, self.d_slope);
         let eps = |slope| green_or_engineering(measure, self.tangent, slope);

@@ -46,11 +46,11 @@ impl<S: Real> Turn<S> {
         rotary: S,
         spin_0: S,
         rate: S,
-        damping: f64,
+        damping: S,
     ) -> S {
         let (g, inv_a) = (self.g, self.inv_a);
         let twice = rate + rate;
-        let damped = twice + rate.constant(damping);
+        let damped = twice + damping;
         let angle = self.angle();
         let acceleration = (spin_0 * twice * -1.0).add_product(angle, rate * damped);
         let turned = (rotary * inv_a) * acceleration;

@@ -1,8 +1,10 @@
 //! Energies and momenta of the runs of an ensemble, and what entered and left them.
 
 use super::engine::{Engine, interpolate};
+use super::numbers::SpanNumbers;
 use crate::element::beam::ElementValues;
 use crate::element::energy_momentum::End;
+use crate::element::rotary::Turn;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, dot, dot4, sub};
 use crate::scalar::{Number, array};
@@ -35,6 +37,10 @@ pub struct Books<S> {
     pub angular_impulse_loads: S,
     pub work_loads: S,
     pub loss_impacts: S,
+    /// What damping took: energy \[J\], and its impulses against the ground \[N s, N m s\].
+    pub loss_damping: S,
+    pub impulse_damping: [S; 2],
+    pub angular_impulse_damping: S,
     pub energy_residual: S,
     pub linear_residual: S,
     pub angular_residual: S,
@@ -59,6 +65,9 @@ impl<S: Number> Books<S> {
             angular_impulse_loads: zero,
             work_loads: zero,
             loss_impacts: zero,
+            loss_damping: zero,
+            impulse_damping: [zero; 2],
+            angular_impulse_damping: zero,
             energy_residual: zero,
             linear_residual: zero,
             angular_residual: zero,
@@ -84,6 +93,8 @@ impl<S: Number> Books<S> {
         let [i1, i2] = &mut self.impulse;
         let [l1, l2] = &mut self.impulse_loads;
         all.extend([l1, l2, &mut self.angular_impulse_loads, &mut self.work_loads]);
+        let [d1, d2] = &mut self.impulse_damping;
+        all.extend([d1, d2, &mut self.angular_impulse_damping, &mut self.loss_damping]);
         all.extend([&mut self.energy_scale, &mut self.linear_scale, &mut self.angular_scale]);
         all.extend([i1, i2, &mut self.angular_impulse, &mut self.loss_impacts]);
         all.extend([&mut self.energy_residual, &mut self.linear_residual]);
@@ -95,6 +106,7 @@ impl<S: Number> Books<S> {
     fn rescale(&mut self) {
         let m = &self.now;
         let flows = self.loss_impacts.abs().max(self.work_loads.abs());
+        let flows = flows.max(self.loss_damping.abs());
         self.energy_scale = self.energy_scale.max(m.energy.abs()).max(flows);
         let impulses = hypot(self.impulse).max(hypot(self.impulse_loads));
         self.linear_scale = self.linear_scale.max(m.linear_size).max(impulses);
@@ -128,6 +140,60 @@ impl<S: Number> Books<S> {
         }
         if !engine.numbers.loads.is_empty() {
             self.book_loads(engine);
+        }
+        let mut element = 0;
+        for span in &engine.numbers.spans {
+            if span.damped {
+                (0..span.count).for_each(|k| self.book_damping(engine, span, k, element + k));
+            }
+            element += span.count;
+        }
+    }
+
+    /// What damping takes of an element: `tau/h (EA (Deps)^2 + EI (Dkappa)^2)`, and the work of the forces in proportion to mass.
+    #[inline(always)]
+    fn book_damping(
+        &mut self,
+        engine: &Engine<S>,
+        span: &SpanNumbers<S>,
+        k: usize,
+        element: usize,
+    ) {
+        let (h, rate, a, table) = (engine.h, engine.h.recip(), span.first + k, span.table(k));
+        let (u, d) = (&engine.displacement, &engine.increment);
+        let (old, step) =
+            (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
+        let moved = |n: usize| -> [S; 4] { array(|i| u[n][i] + d[n][i]) };
+        let new = ElementValues::new(&moved(a), &moved(a + 1));
+        let ends = End::all(span.measure, &table.rows, &new);
+        let mut viscous = h.constant(0.0);
+        for j in 0..GAUSS {
+            let (row, start, end) = (&table.rows[j], &engine.start[element][j], &ends[j]);
+            let [k0, k1] = [start, end].map(|e| e.bent(row.tangent, row.curvature).strain);
+            let (stretched, bent, law) = (end.membrane - start.membrane, k1 - k0, &row.weighed);
+            viscous += law.axial * stretched * stretched + law.bending * bent * bent;
+            let turn = Turn::new(add(row.tangent, start.slope), step.at(&row.first));
+            let spin = turn.mean_spin(rate);
+            let moment = span.mass_damping * law.rotary * spin;
+            self.loss_damping += moment * spin * h;
+            self.angular_impulse_damping += -(h * moment);
+        }
+        if let Some(samples) = &table.membrane {
+            let (s0, s1) =
+                (samples.strains(span.measure, &old), samples.strains(span.measure, &new));
+            viscous += samples.energy(array(|i| s1[i] - s0[i])) * 2.0;
+        }
+        self.loss_damping += viscous * span.retardation * rate;
+        let (mut on_a, mut on_b) = ([h.constant(0.0); 4], [h.constant(0.0); 4]);
+        table.add_inertia(&d[a], &d[a + 1], &mut on_a, &mut on_b);
+        for (n, momentum) in [(a, &on_a), (a + 1, &on_b)] {
+            // Impulse against the motion: the force `-c M d/h` over h.
+            let impulse: [S; 4] = array(|i| -(span.mass_damping * momentum[i]));
+            let (x, g) = engine.middle(n);
+            self.loss_damping += -(dot4(&impulse, &d[n]) * rate);
+            self.impulse_damping = array(|i| self.impulse_damping[i] + impulse[i]);
+            let moment = cross(g, [impulse[2], impulse[3]]);
+            self.angular_impulse_damping += cross(x, [impulse[0], impulse[1]]) + moment;
         }
     }
 
@@ -163,9 +229,11 @@ impl<S: Number> Books<S> {
         self.rescale();
         let (start, now) = (&self.start, &self.now);
         let energy = now.energy - start.energy + self.loss_impacts - self.work_loads;
-        let impulse = add(self.impulse, self.impulse_loads);
+        let energy = energy + self.loss_damping;
+        let impulse = add(add(self.impulse, self.impulse_loads), self.impulse_damping);
         let linear = sub(sub(now.linear, start.linear), impulse);
-        let angular_impulse = self.angular_impulse + self.angular_impulse_loads;
+        let angular_impulse =
+            self.angular_impulse + self.angular_impulse_loads + self.angular_impulse_damping;
         let angular = now.angular - start.angular - angular_impulse;
         self.energy_residual = self.energy_residual.max(energy.abs());
         self.linear_residual = self.linear_residual.max(hypot(linear));

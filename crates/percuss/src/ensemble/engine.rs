@@ -195,11 +195,15 @@ impl<S: Number> Engine<S> {
     fn beams<const TANGENT: bool>(&mut self) {
         let mut element = 0;
         for i in 0..self.numbers.spans.len() {
-            // Each measure has code of its own, without a branch at every Gauss point.
-            match self.numbers.spans[i].measure {
-                StrainMeasure::Green => self.span::<TANGENT>(i, element, StrainMeasure::Green),
-                StrainMeasure::Engineering => {
-                    self.span::<TANGENT>(i, element, StrainMeasure::Engineering);
+            // What has no damping has code of its own for each measure, without a branch at every Gauss point.
+            let span = &self.numbers.spans[i];
+            match (span.measure, span.damped) {
+                (measure, true) => self.span::<TANGENT, true>(i, element, measure),
+                (StrainMeasure::Green, false) => {
+                    self.span::<TANGENT, false>(i, element, StrainMeasure::Green);
+                }
+                (StrainMeasure::Engineering, false) => {
+                    self.span::<TANGENT, false>(i, element, StrainMeasure::Engineering);
                 }
             }
             element += self.numbers.spans[i].count;
@@ -208,20 +212,27 @@ impl<S: Number> Engine<S> {
 
     /// Residual and tangent of a span, whose first element is the one of the given number.
     #[inline(always)]
-    fn span<const TANGENT: bool>(&mut self, i: usize, first: usize, measure: StrainMeasure) {
+    fn span<const TANGENT: bool, const DAMPED: bool>(
+        &mut self,
+        i: usize,
+        first: usize,
+        measure: StrainMeasure,
+    ) {
         let span = &self.numbers.spans[i];
         let zero = self.h.constant(0.0);
         let rate = self.h.recip();
         let twice = rate + rate;
-        let inertia_slope = twice * rate;
+        let (lag, damping) =
+            if DAMPED { (span.retardation * rate, span.mass_damping) } else { (zero, zero) };
+        let inertia_slope = (twice + damping) * rate;
         self.residual[span.first] = [zero; 4];
         if TANGENT {
             self.tangent.diag[span.first] = [[zero; 4]; 4];
         }
-        let mut start = self.inertia(span.first, rate);
+        let mut start = self.inertia::<DAMPED>(span.first, rate, damping);
         for k in 0..span.count {
             let (a, element, table) = (span.first + k, first + k, span.table(k));
-            let end = self.inertia(a + 1, rate);
+            let end = self.inertia::<DAMPED>(a + 1, rate, damping);
             let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
             let mut sums = ElementSums::zero(rate);
             let (rows, starts) = (&table.rows, &self.start[element]);
@@ -234,16 +245,17 @@ impl<S: Number> Engine<S> {
                 let (row, old) = (&table.rows[j], &self.start[element][j]);
                 let new = Step::new(measure, &ways[j], &quotients[j]);
                 let law = SectionLaw { measure, ..row.weighed };
-                let mut point = new.response::<TANGENT>(&law, old, 0.0);
+                let mut point = new.response::<TANGENT>(&law, old, lag);
                 let spin = self.spin[element][j];
-                let mean = new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin, rate, 0.0);
+                let mean =
+                    new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin, rate, damping);
                 self.end_spin[element][j] = (-spin).add_scaled(mean, 2.0);
                 sums.add::<TANGENT>(row, &point);
             }
             if let Some(samples) = &table.membrane {
                 let u = &self.displacement;
                 let steps = samples.step(&ElementValues::new(&u[a], &u[a + 1]), &step);
-                let points = std::array::from_fn(|i| steps[i].invariant(measure, 0.0));
+                let points = std::array::from_fn(|i| steps[i].invariant(measure, lag));
                 samples.add::<TANGENT>(&points, 0.5, &mut sums);
             }
             let [mut on_a, mut on_b] = sums.nodal_force();
@@ -267,11 +279,17 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Acceleration of a node in the equation of motion.
+    /// Acceleration of a node in the equation of motion, with what mass-proportional damping adds.
     #[inline(always)]
-    fn inertia(&self, n: usize, rate: S) -> [S; 4] {
+    fn inertia<const DAMPED: bool>(&self, n: usize, rate: S, damping: S) -> [S; 4] {
         let (d, v) = (&self.increment[n], &self.velocity[n]);
-        array(|i| (d[i] * rate - v[i]) * (rate + rate))
+        let mut acceleration = array(|i| (d[i] * rate - v[i]) * (rate + rate));
+        if DAMPED {
+            for i in 0..4 {
+                acceleration[i] += d[i] * rate * damping;
+            }
+        }
+        acceleration
     }
 
     /// Forces of the guided projectiles, and their own balance.

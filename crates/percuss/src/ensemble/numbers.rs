@@ -39,6 +39,11 @@ pub struct SpanNumbers<S> {
     pub count: usize,
     /// Strain measure.
     pub measure: StrainMeasure,
+    /// Retardation time of Kelvin and Voigt's damping \[s\], coefficient of mass-proportional damping \[1/s\].
+    pub retardation: S,
+    pub mass_damping: S,
+    /// Whether there is any of either.
+    pub damped: bool,
     /// One table for all elements, or one for each.
     pub tables: Vec<ElementTable<S>>,
 }
@@ -146,7 +151,9 @@ impl<S: Copy> Numbers<S> {
 impl<S: Copy> SpanNumbers<S> {
     fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> SpanNumbers<T> {
         let tables = self.tables.iter().map(|t| map_table(t, f)).collect();
-        SpanNumbers { first: self.first, count: self.count, measure: self.measure, tables }
+        let (retardation, mass_damping) = (f(self.retardation), f(self.mass_damping));
+        let Self { first, count, measure, damped, .. } = *self;
+        SpanNumbers { first, count, measure, retardation, mass_damping, damped, tables }
     }
 
     /// Table of the element of number `k` in the span.

@@ -16,8 +16,8 @@ use crate::settings::{ImpactResolution, Scheme, Settings, Start};
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// First node, number of elements and of tables of every span, its measure, which tables sample membrane strains.
-    spans: Vec<(usize, usize, StrainMeasure, Vec<bool>)>,
+    /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains.
+    spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
     /// Node, number of directions held, components.
     holds: Vec<(usize, usize, Option<[bool; 4]>)>,
     /// Struck node and law of each guided projectile.
@@ -34,7 +34,7 @@ impl Shape {
         let slender = |s: &SpanNumbers<S>| s.tables.iter().map(|t| t.membrane.is_some()).collect();
         Self {
             spans: (numbers.spans.iter())
-                .map(|s| (s.first, s.count, s.measure, slender(s)))
+                .map(|s| (s.first, s.count, s.measure, s.damped, slender(s)))
                 .collect(),
             holds: (numbers.holds.iter())
                 .map(|h| (h.node, h.normals.len(), h.components))
@@ -51,8 +51,8 @@ impl Shape {
     }
 }
 
-/// The numbers of a run, or what about it an ensemble does not know: beams on fixed supports at nodes, guided projectiles
-/// and dead loads are all it does.
+/// The numbers of a run, or what about it an ensemble does not know: beams on fixed supports at nodes, damped by their
+/// material or not, guided projectiles and dead loads are all it does.
 pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
@@ -63,7 +63,6 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         (!model.masses.is_empty(), "point masses"),
         (!model.motions.is_empty(), "prescribed motions"),
         (!model.modal_damping.is_empty(), "modal damping"),
-        (model.spans.iter().any(|s| s.is_damped()), "damping of the material"),
         (!model.obstacles.is_empty(), "obstacles"),
         (model.bodies.iter().any(|b| b.kind != BodyKind::Guided), "discs and rear masses"),
         (model.contacts.len() != model.projectiles.len(), "contacts that move along a beam"),
@@ -85,6 +84,9 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
                 first: s.nodes.start,
                 count: s.elements.len(),
                 measure: s.measure,
+                retardation: s.retardation,
+                mass_damping: s.mass_damping,
+                damped: s.is_damped(),
                 tables: s.tables.clone(),
             })
             .collect(),

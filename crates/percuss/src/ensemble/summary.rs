@@ -31,7 +31,6 @@ impl<S: Number> Telling<'_, S> {
             let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
             if value == 0.0 { 0.0 } else { value / scale }
         };
-        let zero = self.engine.h.constant(0.0);
         let effective = model.effective_masses();
         RunSummary {
             termination,
@@ -48,7 +47,7 @@ impl<S: Number> Telling<'_, S> {
                 work_loads: read(books.work_loads),
                 work_supports: 0.0,
                 loss_impacts: read(books.loss_impacts),
-                loss_damping: read(zero),
+                loss_damping: read(books.loss_damping),
                 scale: read(books.energy_scale),
                 residual_max: relative(books.energy_residual, books.energy_scale),
             },
