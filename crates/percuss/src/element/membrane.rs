@@ -7,9 +7,9 @@
 
 use super::beam::{ElementSums, ElementValues, GaussRow};
 use crate::math::hermite::{self, GAUSS};
-use crate::math::vec2::{add, dot, norm};
+use crate::math::vec2::{add, dot, norm, scale};
 use crate::model::StrainMeasure;
-use crate::scalar::Real;
+use crate::scalar::{Real, array};
 
 /// Number of sampling points: node a, middle, node b.
 pub const SAMPLES: usize = 3;
@@ -78,13 +78,24 @@ impl<S: Real> MembraneTable<S> {
     /// Strain energy of membrane strains at the sampling points \[J\].
     #[inline(always)]
     pub fn energy(&self, strain: [S; SAMPLES]) -> S {
-        dot3(strain, self.stiffness.map(|row| dot3(row, strain))) * 0.5
+        dot3(strain, array(|i| self.force(strain, i))) * 0.5
+    }
+
+    /// Force that goes with the strain at a sampling point, from the strains at all.
+    #[inline(always)]
+    fn force(&self, strain: [S; SAMPLES], i: usize) -> S {
+        dot3(strain, self.stiffness[i])
     }
 
     /// Membrane strains of a configuration at the sampling points.
     #[inline(always)]
     pub fn strains(&self, measure: StrainMeasure, u: &ElementValues<S>) -> [S; SAMPLES] {
-        std::array::from_fn(|i| green_or_engineering(measure, self.tangent[i], u.at(&self.rows[i])))
+        [self.strain(0, measure, u), self.strain(1, measure, u), self.strain(2, measure, u)]
+    }
+
+    #[inline(always)]
+    fn strain(&self, i: usize, measure: StrainMeasure, u: &ElementValues<S>) -> S {
+        green_or_engineering(measure, self.tangent[i], u.at(&self.rows[i]))
     }
 
     /// Adds forces, and their tangent if `TANGENT`; `theta` is the weight of the end of the step in the configurations of
@@ -96,12 +107,11 @@ impl<S: Real> MembraneTable<S> {
         theta: f64,
         sums: &mut ElementSums<S>,
     ) {
-        let force_of = |strain: [S; SAMPLES], i: usize| dot3(strain, self.stiffness[i]);
         let strain = [points[0].strain, points[1].strain, points[2].strain];
         let geometric = [points[0].geometric, points[1].geometric, points[2].geometric];
         for i in 0..SAMPLES {
             let p = &points[i];
-            let n = force_of(strain, i) * p.alpha;
+            let n = self.force(strain, i) * p.alpha;
             for l in 0..3 {
                 for c in 0..2 {
                     let force = &mut sums.force[2 * l + c];
@@ -111,7 +121,7 @@ impl<S: Real> MembraneTable<S> {
             if !TANGENT {
                 continue;
             }
-            let force = force_of(geometric, i);
+            let force = self.force(geometric, i);
             let turned = force * p.alpha * theta;
             for k in 0..SAMPLES {
                 let mut block = [[n.constant(0.0); 2]; 2];
@@ -180,11 +190,23 @@ impl<S: Real> MembraneTable<S> {
         old: &ElementValues<S>,
         increment: &ElementValues<S>,
     ) -> [MembraneStep<S>; SAMPLES] {
-        std::array::from_fn(|i| MembraneStep {
-            tangent: self.tangent[i],
-            slope_0: old.at(&self.rows[i]),
-            d_slope: increment.at(&self.rows[i]),
-        })
+        [
+            self.step_at(0, old, increment),
+            self.step_at(1, old, increment),
+            self.step_at(2, old, increment),
+        ]
+    }
+
+    #[inline(always)]
+    fn step_at(
+        &self,
+        i: usize,
+        old: &ElementValues<S>,
+        increment: &ElementValues<S>,
+    ) -> MembraneStep<S> {
+        let row = &self.rows[i];
+        let (slope_0, d_slope) = (old.at(row), increment.at(row));
+        MembraneStep { tangent: self.tangent[i], slope_0, d_slope }
     }
 }
 
@@ -205,7 +227,7 @@ impl<S: Real> MembraneStep<S> {
     /// Configuration a share of the way through the step.
     #[inline(always)]
     fn at(&self, theta: f64) -> [S; 2] {
-        std::array::from_fn(|i| self.tangent[i] + self.slope_0[i] + self.d_slope[i] * theta)
+        array(|i| self.tangent[i] + self.slope_0[i] + self.d_slope[i] * theta)
     }
 
     /// The invariant scheme: strains at both ends, the end weighing `1/2 + lag`.
@@ -215,16 +237,16 @@ impl<S: Real> MembraneStep<S> {
         let (w0, w1) = (half - lag, half + lag);
         let (g, g1) = (self.at(0.5), self.at(1.0));
         let slope_1 = add(self.slope_0, self.d_slope);
-        let eps = |slope| green_or_engineering(measure, self.tangent, slope);
-        let strain = eps(self.slope_0) * w0 + eps(slope_1) * w1;
+        let strain = green_or_engineering(measure, self.tangent, self.slope_0) * w0
+            + green_or_engineering(measure, self.tangent, slope_1) * w1;
         let zero = strain.constant(0.0);
         let (alpha, d_strain, d_alpha) = match measure {
-            StrainMeasure::Green => (strain.constant(1.0), g1.map(|c| c * w1), [zero; 2]),
+            StrainMeasure::Green => (strain.constant(1.0), scale(w1, g1), [zero; 2]),
             StrainMeasure::Engineering => {
                 let g0 = self.at(0.0);
                 let (r0, r1) = (dot(g0, g0).sqrt(), dot(g1, g1).sqrt());
                 let (q, inv) = ((r0 + r1).recip(), r1.recip());
-                (q + q, g1.map(|c| c * inv * w1), g1.map(|c| c * inv * q * q * -2.0))
+                (q + q, scale(inv * w1, g1), scale(inv * q * q * -2.0, g1))
             }
         };
         MembranePoint { strain, geometric: strain, alpha, g, d_strain, d_alpha }

@@ -169,7 +169,8 @@ impl<S: Number> Books<S> {
         let mut viscous = h.constant(0.0);
         for j in 0..GAUSS {
             let (row, start, end) = (&table.rows[j], &engine.start[element][j], &ends[j]);
-            let [k0, k1] = [start, end].map(|e| e.bent(row.tangent, row.curvature).strain);
+            let k0 = start.bent(row.tangent, row.curvature).strain;
+            let k1 = end.bent(row.tangent, row.curvature).strain;
             let (stretched, bent, law) = (end.membrane - start.membrane, k1 - k0, &row.weighed);
             viscous += law.axial * stretched * stretched + law.bending * bent * bent;
             let turn = Turn::new(add(row.tangent, start.slope), step.at(&row.first));

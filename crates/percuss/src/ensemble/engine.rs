@@ -255,7 +255,12 @@ impl<S: Number> Engine<S> {
             if let Some(samples) = &table.membrane {
                 let u = &self.displacement;
                 let steps = samples.step(&ElementValues::new(&u[a], &u[a + 1]), &step);
-                let points = std::array::from_fn(|i| steps[i].invariant(measure, lag));
+                let [s0, s1, s2] = &steps;
+                let points = [
+                    s0.invariant(measure, lag),
+                    s1.invariant(measure, lag),
+                    s2.invariant(measure, lag),
+                ];
                 samples.add::<TANGENT>(&points, 0.5, &mut sums);
             }
             let [mut on_a, mut on_b] = sums.nodal_force();
