@@ -144,7 +144,9 @@ impl<S: Number> Books<S> {
         let mut element = 0;
         for span in &engine.numbers.spans {
             if span.damped {
-                (0..span.count).for_each(|k| self.book_damping(engine, span, k, element + k));
+                for k in 0..span.count {
+                    self.book_damping(engine, span, k, element + k);
+                }
             }
             element += span.count;
         }
@@ -163,8 +165,9 @@ impl<S: Number> Books<S> {
         let (u, d) = (&engine.displacement, &engine.increment);
         let (old, step) =
             (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
-        let moved = |n: usize| -> [S; 4] { array(|i| u[n][i] + d[n][i]) };
-        let new = ElementValues::new(&moved(a), &moved(a + 1));
+        let (at_a, at_b): ([S; 4], [S; 4]) =
+            (array(|i| u[a][i] + d[a][i]), array(|i| u[a + 1][i] + d[a + 1][i]));
+        let new = ElementValues::new(&at_a, &at_b);
         let ends = End::all(span.measure, &table.rows, &new);
         let mut viscous = h.constant(0.0);
         for j in 0..GAUSS {
