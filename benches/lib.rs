@@ -7,9 +7,34 @@ use percuss::*;
 /// # Panics
 /// Never: the definitions are sound.
 pub fn elastic_example(elements: usize) -> Model {
+    varied(elements, Besides::None)
+}
+
+/// What a study may have besides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Besides {
+    /// Nothing.
+    None,
+    /// Gravity.
+    Gravity,
+    /// Damping of the material.
+    Damped,
+    /// A tenth of the depth: elements long against their radius of gyration.
+    Slender,
+}
+
+/// The elastic example with something more.
+///
+/// # Panics
+/// Never: the definitions are sound.
+pub fn varied(elements: usize, besides: Besides) -> Model {
     let mut b = ModelBuilder::new();
-    let material = b.material(Material::new("composite", 0.2e10, 3e3));
-    let section = b.section(Section::new("plank", 0.1, 8.33e-5));
+    let (retardation, mass_damping) =
+        if besides == Besides::Damped { (1e-5, 1.0) } else { (0.0, 0.0) };
+    let composite = Material::new("composite", 0.2e10, 3e3);
+    let material = b.material(Material { retardation, mass_damping, ..composite });
+    let inertia = if besides == Besides::Slender { 8.33e-7 } else { 8.33e-5 };
+    let section = b.section(Section::new("plank", 0.1, inertia));
     let points = vec![[0.0, 0.0], [3.0, 0.0]];
     let girder = b.beam(Beam::new("girder", &points, elements, material, section));
     let at =
@@ -28,6 +53,10 @@ pub fn elastic_example(elements: usize) -> Model {
         rear: None,
         local_mass: 0.0,
     });
+    if besides == Besides::Gravity {
+        let acceleration = [0.0, -9.81];
+        b.load(Load::new("gravity", LoadKind::Gravity { acceleration }));
+    }
     b.build().expect("a sound scene")
 }
 

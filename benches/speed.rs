@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use percuss::*;
-use percuss_bench::{above_floor, elastic_example, frame, sliding_discs};
+use percuss_bench::{Besides, above_floor, elastic_example, frame, sliding_discs, varied};
 use percuss_output::{HistoryFormat, HistoryWriter};
 
 /// Repetitions of each measurement; the least is printed, as the one least disturbed.
@@ -143,20 +143,27 @@ fn surface_contacts() {
 
 /// Runs of one shape side by side, as studies are.
 fn ensembles() {
-    let model = elastic_example(6);
+    println!("a study of the elastic example, 6 elements, 1500 steps, one core");
     let settings = Settings::new(0.15, 1e-4);
-    let runs = vec![(&model, &settings); 64];
-    let seconds = least(|| {
-        let start = Instant::now();
-        assert!(simulate_batch(&runs, Detail::Motion).iter().all(Result::is_ok));
-        start.elapsed().as_secs_f64()
-    });
-    println!(
-        "a study of the elastic example, 6 elements, 1500 steps, one core\n  {:.0} runs a second, {:.2} us \
-         per step and run",
-        64.0 / seconds,
-        seconds / (64.0 * 1500.0) * 1e6
-    );
+    for (name, besides) in [
+        ("as it is", Besides::None),
+        ("under gravity", Besides::Gravity),
+        ("damped", Besides::Damped),
+        ("slender elements", Besides::Slender),
+    ] {
+        let model = varied(6, besides);
+        let runs = vec![(&model, &settings); 64];
+        let seconds = least(|| {
+            let start = Instant::now();
+            assert!(simulate_batch(&runs, Detail::Motion).iter().all(Result::is_ok));
+            start.elapsed().as_secs_f64()
+        });
+        println!(
+            "  {name:<16}  {:4.0} runs a second, {:.2} us per step and run",
+            64.0 / seconds,
+            seconds / (64.0 * 1500.0) * 1e6
+        );
+    }
 }
 
 /// Runs in a process of its own and prints its peak resident memory.
