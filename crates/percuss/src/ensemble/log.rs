@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::numbers::GuideLaw;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
-use crate::scalar::Number;
+use crate::scalar::{Mask, Number};
 
 /// A largest value and when it occurred.
 #[derive(Clone, Copy, Debug)]
@@ -308,9 +308,12 @@ impl<S: Number> Top<S> {
         self.time = self.value.abs().if_less(u1.abs(), end, self.time);
         let known = self.value.abs().max(u1.abs());
         self.value = at_end;
-        if known.any_less(c0.max(c1)) {
+        let inside = known.less(c0.max(c1));
+        if inside.any() {
             for lane in 0..S::LANES {
-                self.look_inside(path, start, lane);
+                if inside.lane(lane) {
+                    self.look_inside(path, start, lane);
+                }
             }
         }
     }
