@@ -60,7 +60,7 @@ pub struct Search {
     longest: f64,
     /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing is near a face \[m\].
     arcs: Vec<f64>,
-    /// How far the beams have moved since these were taken, at most, as shares of their longest elements.
+    /// By how much these have grown with the beams' ways since they were taken, as shares of the longest elements, summed up.
     loose: f64,
     /// Pairs looked at where the state stands.
     awake: Vec<usize>,

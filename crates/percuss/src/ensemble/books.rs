@@ -6,7 +6,7 @@ use crate::element::beam::ElementValues;
 use crate::element::energy_momentum::End;
 use crate::element::rotary::Turn;
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, cross, dot, dot4, sub};
+use crate::math::vec2::{add, cross, dot4, sub};
 use crate::scalar::{Number, array};
 
 /// Energies and momenta of a state.
@@ -201,31 +201,6 @@ impl<S: Number> Books<S> {
         }
     }
 
-    #[inline(always)]
-    fn book_loads(&mut self, engine: &Engine<S>) {
-        let h = engine.h;
-        for n in 0..engine.applied.len() {
-            let (force, d) = (&engine.applied[n], &engine.increment[n]);
-            let (x, g) = engine.middle(n);
-            self.work_loads += dot4(force, d);
-            self.impulse_loads = array(|i| self.impulse_loads[i] + h * force[i]);
-            let moment = cross(g, [force[2], force[3]]);
-            self.angular_impulse_loads += h * (cross(x, [force[0], force[1]]) + moment);
-        }
-        for (guide, state) in engine.numbers.guides.iter().zip(&engine.guides) {
-            let along = dot(guide.direction, state.applied);
-            let way = state.way + state.increment * 0.5;
-            let own: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
-            let held: [S; 2] = array(|i| guide.direction[i] * along - state.applied[i]);
-            self.work_loads += along * state.increment;
-            self.impulse_loads = array(|i| self.impulse_loads[i] + h * state.applied[i]);
-            self.angular_impulse_loads += h * cross(own, state.applied);
-            // What is not along its line of flight the guide takes.
-            self.impulse = array(|i| self.impulse[i] + h * held[i]);
-            self.angular_impulse += h * cross(own, held);
-        }
-    }
-
     /// Takes in the new state.
     #[inline(always)]
     pub fn close(&mut self, engine: &Engine<S>) {
@@ -254,7 +229,7 @@ fn hypot<S: Number>(x: [S; 2]) -> S {
 impl<S: Number> Engine<S> {
     /// Position and tangent of a node in the middle of the step.
     #[inline(always)]
-    fn middle(&self, n: usize) -> ([S; 2], [S; 2]) {
+    pub fn middle(&self, n: usize) -> ([S; 2], [S; 2]) {
         let (frame, u, d) = (&self.numbers.nodes[n], &self.displacement[n], &self.increment[n]);
         let at = |i: usize| frame[i] + u[i] + d[i] * 0.5;
         ([at(0), at(1)], [at(2), at(3)])

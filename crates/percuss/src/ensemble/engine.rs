@@ -158,39 +158,6 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// What the loads apply with their factors.
-    #[inline(always)]
-    pub fn apply_loads(&mut self) {
-        let zero = self.h.constant(0.0);
-        for applied in &mut self.applied {
-            *applied = [zero; 4];
-        }
-        for guide in &mut self.guides {
-            guide.applied = [zero; 2];
-        }
-        for (load, factor) in self.numbers.loads.iter().zip(&self.load_factors) {
-            for (n, force) in load.nodes.iter().zip(&load.forces) {
-                for i in 0..4 {
-                    self.applied[*n][i] = self.applied[*n][i].add_product(*factor, force[i]);
-                }
-            }
-            for (guide, force) in self.guides.iter_mut().zip(&load.on_guides) {
-                for i in 0..2 {
-                    guide.applied[i] = guide.applied[i].add_product(*factor, force[i]);
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn resist_loads(&mut self) {
-        for (residual, applied) in self.residual.iter_mut().zip(&self.applied) {
-            for i in 0..4 {
-                residual[i] = residual[i] - applied[i];
-            }
-        }
-    }
-
     #[inline(always)]
     fn beams<const TANGENT: bool>(&mut self) {
         let mut element = 0;
@@ -401,82 +368,6 @@ impl<S: Number> Engine<S> {
             let [slope, inertia] = state.factored;
             state.correction = (slope * moved - state.residual) / inertia;
         }
-    }
-}
-
-impl<S: Number> HoldNumbers<S> {
-    /// Takes held components out of a node's values.
-    #[inline(always)]
-    pub fn project(&self, x: &mut [S; 4]) {
-        match self.components {
-            Some(held) => {
-                for k in 0..4 {
-                    if held[k] {
-                        x[k] = x[k].constant(0.0);
-                    }
-                }
-            }
-            None => {
-                for normal in &self.normals {
-                    remove(normal, x);
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn project_rows(&self, block: &mut [[S; 4]; 4]) {
-        match self.components {
-            Some(held) => {
-                for k in 0..4 {
-                    if held[k] {
-                        block[k] = [block[k][0].constant(0.0); 4];
-                    }
-                }
-            }
-            None => {
-                for j in 0..4 {
-                    let mut column = array(|i| block[i][j]);
-                    for normal in &self.normals {
-                        remove(normal, &mut column);
-                    }
-                    for i in 0..4 {
-                        block[i][j] = column[i];
-                    }
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn project_columns(&self, block: &mut [[S; 4]; 4]) {
-        match self.components {
-            Some(held) => {
-                for row in block {
-                    for k in 0..4 {
-                        if held[k] {
-                            row[k] = row[k].constant(0.0);
-                        }
-                    }
-                }
-            }
-            None => {
-                for row in block {
-                    for normal in &self.normals {
-                        remove(normal, row);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// Takes a direction out of a vector.
-#[inline(always)]
-fn remove<S: Number>(normal: &[S; 4], x: &mut [S; 4]) {
-    let along = dot4(normal, x);
-    for k in 0..4 {
-        x[k] = x[k].sub_product(along, normal[k]);
     }
 }
 

@@ -9,8 +9,10 @@
 mod band;
 mod books;
 mod engine;
+mod holds;
 mod impact;
 mod law;
+mod loads;
 mod log;
 mod newton;
 mod numbers;

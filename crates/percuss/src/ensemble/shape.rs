@@ -1,13 +1,10 @@
 //! Which runs an ensemble can step, and which of them side by side.
 
-use std::collections::BTreeMap;
-
-use super::numbers::{
-    GuideLaw, GuideNumbers, HoldNumbers, LoadNumbers, Numbers, PointNumbers, SpanNumbers,
-};
+use super::loads::dead_load;
+use super::numbers::{GuideLaw, GuideNumbers, HoldNumbers, Numbers, PointNumbers, SpanNumbers};
 use crate::ledger::RoundOff;
 use crate::math::vec2::dot;
-use crate::model::frozen::{BodyKind, LoadAction, ProjectileData};
+use crate::model::frozen::{BodyKind, ProjectileData};
 use crate::model::{
     ContactForce, ImpactLaw, InitialMotion, Model, Potential, StrainMeasure, TouchLaw,
 };
@@ -159,36 +156,6 @@ fn guide(
         speed: dot(projectile.direction, body.velocity),
         stiffness,
     })
-}
-
-fn dead_load(model: &Model, action: &LoadAction) -> Result<LoadNumbers<f64>, &'static str> {
-    let mut on_nodes = BTreeMap::<usize, [f64; 4]>::new();
-    let mut add = |node: usize, force: [f64; 4]| {
-        let sum = on_nodes.entry(node).or_default();
-        (0..4).for_each(|i| sum[i] += force[i]);
-    };
-    let mut on_guides = vec![[0.0; 2]; model.projectiles.len()];
-    match action {
-        LoadAction::Gravity { acceleration: g } => {
-            for (span, k, a, _) in model.each_element() {
-                for (node, force) in span.table(k).uniform_force(a, *g) {
-                    add(node, force);
-                }
-            }
-            for (force, projectile) in on_guides.iter_mut().zip(&model.projectiles) {
-                *force = g.map(|g| model.bodies[projectile.body].mass * g);
-            }
-        }
-        LoadAction::Point { point, force: [f1, f2], moment, follower: false } if *moment == 0.0 => {
-            let [n0, n1, n2, n3] = point.shape;
-            add(point.node, [n0 * f1, n0 * f2, n1 * f1, n1 * f2]);
-            add(point.node + 1, [n2 * f1, n2 * f2, n3 * f1, n3 * f2]);
-        }
-        LoadAction::Dead { nodal } => nodal.iter().for_each(|(node, force)| add(*node, *force)),
-        _ => return Err("moments, and loads that turn with the beam"),
-    }
-    let (nodes, forces) = on_nodes.into_iter().unzip();
-    Ok(LoadNumbers { nodes, forces, on_guides })
 }
 
 /// The components that directions are, if all are components.
