@@ -2,7 +2,7 @@
 
 use super::simulation::Simulation;
 use crate::contact::configuration::Configuration;
-use crate::contact::pair::Memory;
+use crate::contact::pair::{Memory, Target};
 use crate::contact::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::TouchLaw;
@@ -35,6 +35,7 @@ impl Simulation<'_> {
         let near = std::mem::take(&mut self.near);
         self.look(&near);
         self.near = near;
+        let mut reach = Reach::Near;
         loop {
             let problem = StepProblem {
                 model: self.model,
@@ -48,8 +49,14 @@ impl Simulation<'_> {
                 law,
                 feedback: (h / self.settings.step).min(1.0),
                 arcs: self.search.arcs(),
+                reach,
             };
-            problem.solve(&mut self.work, &mut self.effort)?;
+            let solved = problem.solve(&mut self.work, &mut self.effort);
+            if reach == Reach::Near && !self.feet_stand() {
+                reach = Reach::All;
+                continue;
+            }
+            solved?;
             self.search.within(self.model, &self.work.increment, 1.0, &mut self.reached);
             let reached = std::mem::take(&mut self.reached);
             self.look(&reached);
@@ -85,6 +92,27 @@ impl Simulation<'_> {
         }
         self.near.sort_unstable();
         self.near.len() == known
+    }
+
+    /// Whether nothing has come nearer to smooth contacts, as the step was solved, than the feet it was solved with.
+    fn feet_stand(&self) -> bool {
+        let (at, smooth) = (self.end_of_step(), &self.work.smooth);
+        let stands = |i: usize| {
+            let (pair, seen) = (&self.model.pairs[i], &self.state.pairs[i]);
+            match smooth.binary_search_by_key(&i, |c| c.pair) {
+                // A foot that is not followed to the end of the step was not looked for either.
+                Ok(k) => smooth[k].end.is_none_or(|end| {
+                    !pair.leaps(self.model, &at, &Memory { near: end.near, ..seen.memory })
+                }),
+                // It stayed beyond an end that is left to others.
+                Err(_) => {
+                    let end = pair.at_end(self.model, &at, &seen.memory, seen.gap);
+                    end.is_none_or(|touch| touch.gap.is_infinite())
+                }
+            }
+        };
+        let on_axis = |i: &usize| matches!(self.model.pairs[*i].target, Target::Axis { .. });
+        self.near.iter().copied().filter(on_axis).filter(|i| self.is_smooth(*i)).all(stands)
     }
 
     fn is_smooth(&self, i: usize) -> bool {

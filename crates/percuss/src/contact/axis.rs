@@ -5,6 +5,9 @@ use super::placed::{Ends, Placed};
 use crate::element::beam::NodeFrame;
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 
+/// Distances that differ by less than this share are the same.
+const SAME: f64 = 1e-14;
+
 /// An element of a beam's axis.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisElement {
@@ -65,11 +68,20 @@ pub struct AxisPoint {
     pub xi: f64,
 }
 
-/// The point of an axis that is nearest of all.
-#[derive(Clone, Copy, Debug)]
-pub struct Nearest {
+/// A point of an axis and the element it is on, as it lies.
+#[derive(Clone, Copy)]
+pub struct Foot {
     /// The point.
     pub point: AxisPoint,
+    /// Its element.
+    pub placed: Placed,
+}
+
+/// The point of an axis that is nearest of all.
+#[derive(Clone, Copy)]
+pub struct Nearest {
+    /// The point.
+    pub foot: Foot,
     /// The point nearest in the neighbourhood of the guess, if another one is nearer: the foot leaps between two arms of a
     /// beam.
     pub leapt_from: Option<AxisPoint>,
@@ -112,10 +124,11 @@ impl Axis<'_> {
         let mut best = (f64::INFINITY, None);
         if guess.element < self.elements.len() && !self.left_out(guess.element) {
             let near = self.near(y, at, guess, side);
-            best = (self.placed(near.element, at).away(y, near.xi), Some(near));
+            best = (near.placed.away(y, near.point.xi), Some(near));
         }
         let local = best.1;
-        let found = local.map(|p| p.element);
+        let found = local.map(|foot| foot.point.element);
+        let mut leaps = false;
         let mut next = 0;
         while next < self.elements.len() {
             let k = next;
@@ -140,24 +153,34 @@ impl Axis<'_> {
             let xi = placed.nearest(&ends, y, side);
             let away = placed.away(y, xi);
             // Of two as near, the one found first: at a node both elements say the same.
-            if away + 1e-14 * norm(sub(placed.position(xi), y)) < best.0 {
-                best = (away, Some(AxisPoint { element: k, xi }));
+            if away + SAME * norm(sub(placed.position(xi), y)) < best.0 {
+                best = (away, Some(Foot { point: AxisPoint { element: k, xi }, placed }));
+                leaps = true;
             }
         }
-        if best.1 == local {
-            return local.map(|point| Nearest { point, leapt_from: None });
+        if !leaps {
+            return local.map(|foot| Nearest { foot, leapt_from: None });
         }
         // The foot that the next search in its neighbourhood will find.
-        let point = best.1.map(|point| self.near(y, at, point, side))?;
-        Some(Nearest { point, leapt_from: local })
+        let foot = best.1.map(|foot| self.near(y, at, foot.point, side))?;
+        Some(Nearest { foot, leapt_from: local.map(|foot| foot.point) })
+    }
+
+    /// Whether another point is nearer to `y` than `foot`.
+    pub fn has_nearer(&self, y: [f64; 2], at: &Configuration, foot: AxisPoint, side: f64) -> bool {
+        let Some(found) = self.nearest(y, at, foot, side) else { return false };
+        let nearest = found.foot.placed.away(y, found.foot.point.xi);
+        let placed = self.placed(foot.element, at);
+        nearest + SAME * norm(sub(placed.position(foot.xi), y)) < placed.away(y, foot.xi)
     }
 
     /// The point nearest to `y` in the neighbourhood of another one: downhill along the axis.
-    pub fn near(&self, y: [f64; 2], at: &Configuration, from: AxisPoint, side: f64) -> AxisPoint {
+    pub fn near(&self, y: [f64; 2], at: &Configuration, from: AxisPoint, side: f64) -> Foot {
         let (mut element, mut guess, mut way) = (from.element, from.xi, 0_i8);
         loop {
             let placed = self.placed(element, at);
             let xi = placed.descend(y, guess, side);
+            let here = Foot { point: AxisPoint { element, xi }, placed };
             let slope = |placed: &Placed, xi: f64| placed.slope_at(y, xi, side);
             let (next, start) = if xi == 1.0 && way >= 0 && slope(&placed, xi) < 0.0 {
                 way = 1;
@@ -166,15 +189,15 @@ impl Axis<'_> {
                 way = -1;
                 (element.wrapping_sub(1), 1.0)
             } else {
-                return AxisPoint { element, xi };
+                return here;
             };
             if next >= self.elements.len() || self.left_out(next) {
-                return AxisPoint { element, xi };
+                return here;
             }
             // At a corner the next element may lead away again: then the corner is nearest.
             let ahead = slope(&self.placed(next, at), start);
             if ahead * f64::from(way) >= 0.0 {
-                return AxisPoint { element, xi };
+                return here;
             }
             (element, guess) = (next, start);
         }
@@ -248,15 +271,15 @@ mod tests {
             let away = |p: AxisPoint| bounded.placed(p.element, &at).away(y, p.xi);
 
             let from = AxisPoint { element: start, xi };
-            let near = bounded.near(y, &at, from, 0.0);
+            let near = bounded.near(y, &at, from, 0.0).point;
             prop_assert!(away(near) <= away(from) + 1e-12, "{} from {}", away(near), away(from));
 
-            let nearest = bounded.nearest(y, &at, from, 0.0).map_or(from, |n| n.point);
-            let again = bounded.near(y, &at, nearest, 0.0);
+            let nearest = bounded.nearest(y, &at, from, 0.0).map_or(from, |n| n.foot.point);
+            let again = bounded.near(y, &at, nearest, 0.0).point;
             prop_assert!((away(again) - away(nearest)).abs() <= 1e-12);
             // Elements skipped by their length would not have been nearer.
             let all = Axis { arc: f64::INFINITY, ..bounded };
-            let unbounded = all.nearest(y, &at, from, 0.0).map_or(from, |n| n.point);
+            let unbounded = all.nearest(y, &at, from, 0.0).map_or(from, |n| n.foot.point);
             prop_assert!((away(unbounded) - away(nearest)).abs() <= 1e-12);
             // No point of a fine sampling is nearer, but by what lies between points of the search's own.
             for k in 0..3 {

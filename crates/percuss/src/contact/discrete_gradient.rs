@@ -6,10 +6,10 @@
 
 use super::configuration::Configuration;
 use super::pair::{Centre, Memory, Pair, Target};
-use super::row::Row;
+use super::row::{self, Row};
 use super::search::farthest;
 use super::touch::{Reach, Touch};
-use crate::math::vec2::{add, cross, norm, rot90, scale, sub};
+use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;
 
 /// A miss below this share of the positions is round-off.
@@ -26,26 +26,13 @@ pub struct StepGap {
     pub row: Row,
     /// The pair in the middle of the step.
     pub middle: Touch,
-    /// What to remember at its end.
-    pub end: Memory,
-    /// Gradients in the middle and at the end, where they differ from the form.
-    gradients: Option<[Row; 2]>,
-}
-
-impl StepGap {
-    /// Gradient in the middle.
-    pub fn middle_row(&self) -> &Row {
-        self.gradients.as_ref().map_or(&self.row, |[middle, _]| middle)
-    }
-
-    /// Gradient at the end.
-    pub fn end_row(&self) -> &Row {
-        self.gradients.as_ref().map_or(&self.row, |[_, end]| end)
-    }
+    /// The pair at its end.
+    pub end: Touch,
 }
 
 impl Pair {
-    /// The pair over the step of `at`, from a gap of `gap_0`; `None` where nothing can touch.
+    /// The pair over the step of `at`, from a gap of `gap_0`, its foot at the end looked for within `reach`; `None` where nothing
+    /// can touch.
     pub fn over_step(
         &self,
         model: &Model,
@@ -53,43 +40,36 @@ impl Pair {
         memory: &Memory,
         gap_0: f64,
         projected: bool,
+        reach: Reach,
     ) -> Option<StepGap> {
-        let (mid, end) = (at.at(0.5), at.at(1.0));
+        let mid = at.at(0.5);
         let middle = self.touch(model, &mid, memory, Reach::Near)?;
+        let mut row = self.normal_row(&middle, &mid);
         if let Target::Guided { .. } = self.target {
             // The gap is linear: its gradient is the same everywhere.
-            let last = self.touch(model, &end, memory, Reach::Near)?;
-            let row = self.normal_row(&middle, &mid);
-            let gaps = [gap_0, last.gap];
-            return Some(StepGap { gaps, row, middle, end: last.memory, gradients: None });
+            let end = self.touch(model, &at.at(1.0), memory, Reach::Near)?;
+            return Some(StepGap { gaps: [gap_0, end.gap], row, middle, end });
         }
-        let last = self.at_end_from(model, at, memory, &middle, gap_0)?;
-        let middle_row = self.normal_row(&middle, &mid);
-        let end_row = self.normal_row(&last, &end);
-        let mut row = middle_row;
-        let gradients = Some([middle_row, end_row]);
+        let end = self.at_end_from(model, at, memory, &middle, gap_0, reach)?;
         // A foot that leaves for an end, or comes from there, opens or closes the pair.
         let finite = |gap: f64| if gap.is_finite() { gap } else { 0.0 };
-        if !gap_0.is_finite() && !last.gap.is_finite() {
+        if !gap_0.is_finite() && !end.gap.is_finite() {
             return None;
         }
-        let gaps = [finite(gap_0), finite(last.gap)];
+        let gaps = [finite(gap_0), finite(end.gap)];
         // The gap to a straight line that does not turn is linear, too.
         let straight = matches!(self.target, Target::Line { .. });
         if projected && !straight {
             let miss = (gaps[1] - gaps[0]) - row.on(at.increment);
             // A difference of gaps is known no better than the positions they are taken from.
             let place = norm(middle.foot_place) + self.reach;
-            if miss.abs() <= ROUND_OFF * place {
-                return Some(StepGap { gaps, row, middle, end: last.memory, gradients });
+            if miss.abs() > ROUND_OFF * place {
+                // The end of the step may know other nodes.
+                end.foot.nodes().for_each(|n| row.add(n, [0.0; 4]));
+                correct(model, &mut row, at, miss);
             }
-            // The ends of the step may know other nodes.
-            for (node, _) in end_row.iter() {
-                row.add(node, [0.0; 4]);
-            }
-            correct(model, &mut row, at, miss);
         }
-        Some(StepGap { gaps, row, middle, end: last.memory, gradients })
+        Some(StepGap { gaps, row, middle, end })
     }
 }
 
@@ -103,10 +83,10 @@ impl Pair {
         gap_0: f64,
     ) -> Option<Touch> {
         if !matches!(self.target, Target::Axis { .. }) {
-            return self.touch_from(model, &at.at(1.0), memory, gap_0);
+            return self.touch_from(model, &at.at(1.0), memory, gap_0, Reach::All);
         }
         let middle = self.touch(model, &at.at(0.5), memory, Reach::Near)?;
-        self.at_end_from(model, at, memory, &middle, gap_0)
+        self.at_end_from(model, at, memory, &middle, gap_0, Reach::All)
     }
 
     /// The foot is followed over the middle of the step; what else is near may be nearer by its end.
@@ -117,9 +97,10 @@ impl Pair {
         memory: &Memory,
         middle: &Touch,
         gap_0: f64,
+        reach: Reach,
     ) -> Option<Touch> {
         let near = Memory { near: middle.memory.near, ..*memory };
-        self.touch_from(model, &at.at(1.0), &near, gap_0)
+        self.touch_from(model, &at.at(1.0), &near, gap_0, reach)
     }
 
     /// The pair at `end`. What seems to have gone through, but was further away than the two have moved, has gone round an end.
@@ -129,11 +110,12 @@ impl Pair {
         end: &Configuration,
         memory: &Memory,
         gap_0: f64,
+        reach: Reach,
     ) -> Option<Touch> {
-        let touch = self.touch(model, end, memory, Reach::All)?;
+        let touch = self.touch(model, end, memory, reach)?;
         if touch.gap < -touch.apart.abs() && gap_0 > self.way(model, end) {
             let anew = Memory { side: 0.0, near: touch.memory.near };
-            return self.touch(model, end, &anew, Reach::All);
+            return self.touch(model, end, &anew, reach);
         }
         Some(touch)
     }
@@ -154,58 +136,71 @@ impl Pair {
     }
 }
 
+/// A node of a row in the middle of the step.
+#[derive(Clone, Copy, Default)]
+struct Mover {
+    /// Position \[m\], and the tangent; zero for a body, whose angle takes no part.
+    position: [f64; 2],
+    tangent: [f64; 2],
+    /// Increments of both.
+    moves: [f64; 2],
+    turns: [f64; 2],
+    /// Weight of slopes: the square of a length \[m^2\].
+    weight: f64,
+}
+
+impl Mover {
+    fn new(model: &Model, mid: &Configuration, node: usize) -> Self {
+        let (frame, u, d) = (&model.nodes[node], mid.node(node), &mid.increment[node]);
+        let (position, moves) = (add(frame.position, [u[0], u[1]]), [d[0], d[1]]);
+        if node >= model.beam_node_count() {
+            return Self { position, moves, ..Self::default() };
+        }
+        Self {
+            position,
+            tangent: add(frame.tangent, [u[2], u[3]]),
+            moves,
+            turns: [d[2], d[3]],
+            weight: model.node_length(node).powi(2),
+        }
+    }
+}
+
 /// Adds `miss / (q.W q) W q` with q the increment of the row's nodes less its rigid part, W = 1 for positions and the square of a
 /// length for slopes.
 fn correct(model: &Model, row: &mut Row, at: &Configuration, miss: f64) {
     let mid = at.at(0.5);
-    let beams = model.beam_node_count();
-    let length = |n: usize| if n < beams { model.node_length(n) } else { 0.0 };
-    let count = row.iter().count() as f64;
-    let place = |n: usize| {
-        let (frame, u) = (&model.nodes[n], mid.node(n));
-        (add(frame.position, [u[0], u[1]]), add(frame.tangent, [u[2], u[3]]))
-    };
-    let (mut centre, mut drift) = ([0.0; 2], [0.0; 2]);
-    for (n, _) in row.iter() {
-        let d = &at.increment[n];
-        centre = add(centre, scale(1.0 / count, place(n).0));
-        drift = add(drift, scale(1.0 / count, [d[0], d[1]]));
+    let mut store = [Mover::default(); row::CAPACITY];
+    let mut count = 0;
+    for (mover, (n, _)) in store.iter_mut().zip(row.iter()) {
+        *mover = Mover::new(model, &mid, n);
+        count += 1;
     }
+    let movers = &mut store[..count];
+    let share = 1.0 / count as f64;
+    let mean = |of: fn(&Mover) -> [f64; 2]| scale(share, movers.iter().map(of).fold([0.0; 2], add));
+    let (centre, drift) = (mean(|m| m.position), mean(|m| m.moves));
     let (mut turn, mut inertia, mut size) = (0.0, 0.0, 0.0);
-    for (n, _) in row.iter() {
-        let (d, l2) = (&at.increment[n], length(n).powi(2));
-        let (x, g) = place(n);
-        let arm = sub(x, centre);
-        let own = sub([d[0], d[1]], drift);
-        turn += cross(arm, own);
-        inertia += norm(arm).powi(2);
-        size += norm([d[0], d[1]]).powi(2);
-        if l2 > 0.0 {
-            turn += l2 * cross(g, [d[2], d[3]]);
-            inertia += l2 * norm(g).powi(2);
-        }
+    for m in movers.iter_mut() {
+        size += dot(m.moves, m.moves);
+        m.position = sub(m.position, centre);
+        m.moves = sub(m.moves, drift);
+        turn += cross(m.position, m.moves) + m.weight * cross(m.tangent, m.turns);
+        inertia += dot(m.position, m.position) + m.weight * dot(m.tangent, m.tangent);
     }
     let spin = if inertia > 0.0 { turn / inertia } else { 0.0 };
-    let rest = |n: usize| {
-        let d = &at.increment[n];
-        let (x, g) = place(n);
-        let own = sub(sub([d[0], d[1]], drift), scale(spin, rot90(sub(x, centre))));
-        let slope = if n < beams { sub([d[2], d[3]], scale(spin, rot90(g))) } else { [0.0; 2] };
-        [own[0], own[1], slope[0], slope[1]]
-    };
-    let weighed = |n: usize| {
-        let (q, l2) = (rest(n), length(n).powi(2));
-        [q[0], q[1], l2 * q[2], l2 * q[3]]
-    };
-    let squared: f64 = row
-        .iter()
-        .map(|(n, _)| rest(n).iter().zip(weighed(n)).map(|(a, b)| a * b).sum::<f64>())
-        .sum();
+    let mut squared = 0.0;
+    for m in movers.iter_mut() {
+        m.moves = sub(m.moves, scale(spin, rot90(m.position)));
+        m.turns = sub(m.turns, scale(spin, rot90(m.tangent)));
+        squared += dot(m.moves, m.moves) + m.weight * dot(m.turns, m.turns);
+    }
     if squared <= NO_MOTION * NO_MOTION * size || squared == 0.0 {
         return;
     }
-    for (n, c) in row.iter_mut() {
-        let q = weighed(n);
-        (0..4).for_each(|i| c[i] += miss / squared * q[i]);
+    let factor = miss / squared;
+    for ((_, c), m) in row.iter_mut().zip(movers) {
+        (0..2).for_each(|i| c[i] += factor * m.moves[i]);
+        (0..2).for_each(|i| c[2 + i] += factor * m.weight * m.turns[i]);
     }
 }

@@ -56,6 +56,19 @@ impl Centre {
         }
     }
 
+    /// Adds a force that does work on the derivative of the point along its axis; nothing on a body.
+    pub fn add_slope(&self, row: &mut Row, force: [f64; 2]) {
+        if let Hold::Beam { slope, .. } = &self.hold {
+            add_weighted(row, self.node, slope, force);
+        }
+    }
+
+    /// The node it follows, and the second one if it is on an element.
+    pub fn nodes(&self) -> impl Iterator<Item = usize> {
+        let more = usize::from(matches!(self.hold, Hold::Beam { .. }));
+        self.node..=self.node + more
+    }
+
     /// Adds a couple; on a beam, by the slopes of its tangent.
     pub fn add_couple(&self, row: &mut Row, couple: f64, at: &Configuration) {
         match &self.hold {

@@ -2,7 +2,7 @@
 
 /// Most nodes of a row: two of a beam that touches, and those of two elements, where the foot is in the middle and at the end of the
 /// step.
-const CAPACITY: usize = 6;
+pub const CAPACITY: usize = 6;
 
 /// A linear form over nodal values; the force it transmits acts along it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -34,11 +34,6 @@ impl Row {
     /// Coefficients of a node.
     pub fn at(&self, node: usize) -> [f64; 4] {
         self.iter().find(|(n, _)| *n == node).map_or([0.0; 4], |(_, c)| *c)
-    }
-
-    /// Whether another row knows the same nodes.
-    pub fn same_nodes(&self, other: &Self) -> bool {
-        self.len == other.len && self.iter().all(|(n, _)| other.nodes[..other.len].contains(&n))
     }
 
     /// Its nodes with their coefficients, to change.

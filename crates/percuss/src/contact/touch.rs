@@ -2,10 +2,9 @@
 //!
 //! The gap is signed by the side the source was on: what has gone through is deep inside, not on the other side.
 
-use super::axis::{Axis, AxisPoint};
+use super::axis::{Axis, Foot};
 use super::configuration::Configuration;
 use super::pair::{Centre, Hold, Memory, Pair, Target};
-use super::placed::Placed;
 use super::row::Row;
 use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
@@ -82,29 +81,34 @@ impl Pair {
             Target::Round { centre } => Some(self.round(*centre, 1.0, y, at, memory)),
             Target::Segment { ends } => Some(self.segment(ends, y, at, memory)),
             Target::Axis { beam, skip } => {
-                let elements = &model.beams[*beam].axis;
-                let arc = at.arcs.get(*beam).copied().unwrap_or(f64::INFINITY);
-                let axis = Axis { nodes: &model.nodes, elements, skip: *skip, arc };
-                let (point, leapt_from) = match reach {
+                let axis = axis_of(model, at, *beam, *skip);
+                let (foot, leapt_from) = match reach {
                     Reach::All => {
                         let found = axis.nearest(y, at, memory.near, memory.side)?;
-                        (found.point, found.leapt_from)
+                        (found.foot, found.leapt_from)
                     }
                     Reach::Near => (axis.near(y, at, memory.near, memory.side), None),
                 };
                 let side = leapt_from.map_or(memory.side, |from| {
                     // What was outside of one arm is outside of the other, whichever way that one runs.
-                    let [before, after] = [from, point].map(|p| axis.side(y, at, p));
+                    let [before, after] = [from, foot.point].map(|p| axis.side(y, at, p));
                     if before * memory.side < 0.0 { -after } else { after }
                 });
                 let known = Memory { side, ..*memory };
-                let mut touch = self.on_axis(&axis, point, y, at, &known);
-                if touch.memory.side == 0.0 && (self.skips_ends || axis.is_border(point)) {
+                let mut touch = self.on_axis(&axis, &foot, y, at, &known);
+                if touch.memory.side == 0.0 && (self.skips_ends || axis.is_border(foot.point)) {
                     touch.gap = f64::INFINITY;
                 }
                 Some(touch)
             }
         }
+    }
+
+    /// Whether another place of the target is nearer than the foot remembered.
+    pub fn leaps(&self, model: &Model, at: &Configuration, memory: &Memory) -> bool {
+        let Target::Axis { beam, skip } = self.target else { return false };
+        let y = self.source.place(at);
+        axis_of(model, at, beam, skip).has_nearer(y, at, memory.near, memory.side)
     }
 
     fn flat(
@@ -171,13 +175,13 @@ impl Pair {
     fn on_axis(
         &self,
         axis: &Axis,
-        point: AxisPoint,
+        foot: &Foot,
         y: [f64; 2],
         at: &Configuration,
         memory: &Memory,
     ) -> Touch {
+        let Foot { point, placed } = *foot;
         let element = &axis.elements[point.element];
-        let placed = Placed::new(element, axis.nodes, at);
         let (tangent, foot_place) = (placed.tangent(point.xi), placed.position(point.xi));
         let away = sub(y, foot_place);
         let seen = axis.side_of(away, tangent, at, point);
@@ -256,63 +260,52 @@ impl Pair {
         row
     }
 
-    /// Derivative of the gradient in the direction of increments of its nodes, as a form on them.
-    pub fn turning(&self, touch: &Touch, nodal: &dyn Fn(usize) -> [f64; 4]) -> Row {
-        let moved = |c: &Centre| match &c.hold {
-            Hold::Body { .. } => {
-                let a = nodal(c.node);
-                [a[0], a[1]]
-            }
-            Hold::Beam { shape, .. } => weigh(shape, c.node, nodal),
-        };
-        let mut row = Row::default();
+    /// How the gradient of the gap turns with its nodes; `None` where it does not.
+    ///
+    /// With A the motion across the normal and O the turn of the axis at the foot, both as forms, the second derivative of the gap is
+    /// `A (x) A / d` at a distance d from a fixed foot. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', adds
+    /// its share (theory, section 6).
+    pub fn turning(&self, touch: &Touch) -> Option<Turning> {
         let n = touch.normal;
-        let drift = sub(moved(&self.source), moved(&touch.foot));
-        match touch.bend {
-            Bend::Flat => {}
-            Bend::Round { distance } => {
-                if distance.abs() > COINCIDENT {
-                    let turn = scale(1.0 / distance, sub(drift, scale(dot(n, drift), n)));
-                    self.source.add_force(&mut row, turn);
-                    touch.foot.add_force(&mut row, [-turn[0], -turn[1]]);
-                }
+        let across = rot90(n);
+        let mut forms = [Row::default(); 2];
+        self.source.add_force(&mut forms[0], across);
+        touch.foot.add_force(&mut forms[0], scale(-1.0, across));
+        let weights = match touch.bend {
+            Bend::Round { distance } if distance.abs() > COINCIDENT => {
+                [[1.0 / distance, 0.0], [0.0; 2]]
             }
             Bend::Curve { distance, tangent, bend } => {
-                let Hold::Beam { shape, slope, .. } = &touch.foot.hold else { return row };
-                let onward = weigh(slope, touch.foot.node, nodal);
                 // Across the normal; on a tapered beam the tangent is not.
-                let across = rot90(n);
                 let level = dot(across, tangent);
-                let slack = level * level - distance * dot(n, bend);
+                let turns = dot(n, bend);
+                let slack = level * level - distance * turns;
                 if slack <= 1e-3 * level * level {
-                    return row;
+                    return None;
                 }
-                let slide = (level * dot(across, drift) + distance * dot(n, onward)) / slack;
-                let turned = dot(n, [onward[0] + slide * bend[0], onward[1] + slide * bend[1]]);
-                let turn = scale(-turned / level, across);
-                self.source.add_force(&mut row, turn);
-                let on = |v: f64, s: f64| {
-                    let f = [0, 1].map(|i| -v * turn[i] - s * slide * n[i]);
-                    [f[0], f[1]]
-                };
-                let curvature = [0, 1].map(|half| {
-                    let (value, slope_of_value) = (
-                        on(shape[2 * half], slope[2 * half]),
-                        on(shape[2 * half + 1], slope[2 * half + 1]),
-                    );
-                    [value[0], value[1], slope_of_value[0], slope_of_value[1]]
-                });
-                row.add(touch.foot.node, curvature[0]);
-                row.add(touch.foot.node + 1, curvature[1]);
+                touch.foot.add_slope(&mut forms[1], n);
+                let mixed = -level / slack;
+                [[-turns / slack, mixed], [mixed, -distance / slack]]
             }
-        }
-        row
+            _ => return None,
+        };
+        Some(Turning { forms, weights })
     }
 }
 
-fn weigh(n: &[f64; 4], node: usize, nodal: &dyn Fn(usize) -> [f64; 4]) -> [f64; 2] {
-    let (a, b) = (nodal(node), nodal(node + 1));
-    [0, 1].map(|i| n[0] * a[i] + n[1] * a[2 + i] + n[2] * b[i] + n[3] * b[2 + i])
+/// Second derivative of a gap: the sum of `weights[i][j] forms[i] (x) forms[j]`.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    /// Forms on the nodes of the pair.
+    pub forms: [Row; 2],
+    /// Symmetric \[1/m\].
+    pub weights: [[f64; 2]; 2],
+}
+
+/// The axis of a beam, as far as it can be touched.
+fn axis_of<'a>(model: &'a Model, at: &Configuration, beam: usize, skip: [usize; 2]) -> Axis<'a> {
+    let arc = at.arcs.get(beam).copied().unwrap_or(f64::INFINITY);
+    Axis { nodes: &model.nodes, elements: &model.beams[beam].axis, skip, arc }
 }
 
 /// The tangent that goes with a normal: turned by -90 degrees.

@@ -9,7 +9,7 @@ use crate::contact::law::StepForce;
 use crate::contact::pair::{Memory, Target};
 use crate::contact::row::Row;
 use crate::contact::search::longest_arcs;
-use crate::contact::touch::{Bend, Reach};
+use crate::contact::touch::{Reach, Turning};
 use crate::linalg::block::ZERO;
 use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
 
@@ -103,6 +103,13 @@ impl StepProblem<'_> {
         longest_arcs(self.model, self.arcs, &work.increment, &mut work.arcs);
     }
 
+    /// The same within the iteration, where something is looked for all along a beam.
+    pub(super) fn measure_arcs_if_needed(&self, work: &mut Workspace) {
+        if self.reach == Reach::All || !self.active.is_empty() {
+            self.measure_arcs(work);
+        }
+    }
+
     /// Forces of the smooth contacts.
     pub(super) fn smooth_contacts<const TANGENT: bool>(&self, work: &mut Workspace) {
         let mut contacts = std::mem::take(&mut work.smooth);
@@ -135,30 +142,29 @@ impl StepProblem<'_> {
             let force = law.potential.collocated(-touch.gap, -touch.gap, 1.0);
             if TANGENT && force.force > 0.0 {
                 let (slope, bend) = (theta * force.slope, theta * force.force);
-                let turns = !matches!(touch.bend, Bend::Flat);
-                let turn = turns.then_some(|n: Nodal| pair.turning(&touch, n));
-                add_tangent(tangent, &row, &row, slope, bend, turn);
+                add_tangent(tangent, &row, &row, slope, bend, pair.turning(&touch).as_ref());
             }
             return Some(SmoothContact { pair: index, force, row, end: None });
         }
         let projected = law.force == ContactForce::Conserving;
-        let step = pair.over_step(self.model, &at, &seen.memory, seen.gap, projected)?;
+        let step =
+            pair.over_step(self.model, &at, &seen.memory, seen.gap, projected, self.reach)?;
         let (force, row) = if law.force == ContactForce::Midpoint {
             let p = -step.middle.gap;
             let force = law.potential.collocated(p, p, 1.0);
-            (StepForce { slope: 0.5 * force.slope, ..force }, *step.middle_row())
+            (StepForce { slope: 0.5 * force.slope, ..force }, step.row)
         } else {
             (law.step_force(-step.gaps[0], -step.gaps[1], rule.h), step.row)
         };
         if TANGENT && force.force > 0.0 {
+            let middle = pair.normal_row(&step.middle, &at.at(0.5));
             // Where the foot crosses into another element the gradients know other nodes; those of the middle will do.
-            let (middle, end) = (step.middle_row(), step.end_row());
-            let end = if end.same_nodes(middle) { end } else { middle };
-            let turns = !matches!(step.middle.bend, Bend::Flat);
-            let turn = turns.then_some(|n: Nodal| pair.turning(&step.middle, n));
-            add_tangent(tangent, middle, end, force.slope, 0.5 * force.force, turn);
+            let crosses = step.end.foot.node != step.middle.foot.node;
+            let end = if crosses { middle } else { pair.normal_row(&step.end, &at) };
+            let turning = pair.turning(&step.middle);
+            add_tangent(tangent, &middle, &end, force.slope, 0.5 * force.force, turning.as_ref());
         }
-        Some(SmoothContact { pair: index, force, row, end: Some(step.end) })
+        Some(SmoothContact { pair: index, force, row, end: Some(step.end.memory) })
     }
 
     /// Rows of the active rigid contacts at the increment as it stands, and their impulses' part of the residual.
@@ -190,7 +196,8 @@ impl StepProblem<'_> {
         let (touch, normal) = match contact.phase {
             // What stays closed does so at the end of the step: the form must give the change of the gap.
             Phase::Resting { .. } => {
-                let step = pair.over_step(self.model, &at, &seen.memory, seen.gap, true)?;
+                let step =
+                    pair.over_step(self.model, &at, &seen.memory, seen.gap, true, Reach::All)?;
                 (step.middle, step.row)
             }
             Phase::Impact { .. } => {
@@ -353,9 +360,6 @@ fn relative_residual(work: &Workspace) -> f64 {
     if scale > 0.0 { work.impact.residual(&work.impulses) / scale } else { 0.0 }
 }
 
-/// Nodal values by their node.
-type Nodal<'a> = &'a dyn Fn(usize) -> [f64; 4];
-
 /// Adds `slope row (x) end - bend d(gradient)`; without the second part where the normal does not turn.
 fn add_tangent(
     tangent: &mut Tangent,
@@ -363,27 +367,24 @@ fn add_tangent(
     end: &Row,
     slope: f64,
     bend: f64,
-    turning: Option<impl Fn(Nodal) -> Row>,
+    turning: Option<&Turning>,
 ) {
     for (column, on_end) in end.iter() {
-        // The gradient's derivative, one degree of freedom after the other.
-        let unit = |k: usize| {
-            move |n: usize| {
-                let mut x = [0.0; 4];
-                if n == column {
-                    x[k] = 1.0;
-                }
-                x
-            }
-        };
-        let turned: Option<[Row; 4]> =
-            turning.as_ref().map(|turning| std::array::from_fn(|k| turning(&unit(k))));
+        let turned = turning.map(|t| {
+            let [a, b] = t.forms.each_ref().map(|form| form.at(column));
+            t.weights.map(|w| [0, 1, 2, 3].map(|k| bend * (w[0] * a[k] + w[1] * b[k])))
+        });
         for (node, on_row) in row.iter() {
             let mut block = ZERO;
-            for c in 0..4 {
-                let turn = turned.as_ref().map_or([0.0; 4], |rows| rows[c].at(node));
+            for r in 0..4 {
+                block[r] = on_end.map(|x| slope * on_row[r] * x);
+            }
+            if let (Some(t), Some(turned)) = (turning, &turned) {
+                let [a, b] = t.forms.each_ref().map(|form| form.at(node));
                 for r in 0..4 {
-                    block[r][c] = slope * on_row[r] * on_end[c] - bend * turn[r];
+                    for c in 0..4 {
+                        block[r][c] -= a[r] * turned[0][c] + b[r] * turned[1][c];
+                    }
                 }
             }
             tangent.add_contact(node, column, &block);

@@ -13,6 +13,7 @@ use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
+use crate::contact::touch::Reach;
 use crate::model::Model;
 use crate::model::frozen::{Constraint, ConstraintKind};
 use crate::state::State;
@@ -42,6 +43,9 @@ pub struct StepProblem<'a> {
     pub feedback: f64,
     /// Length that no element of a beam exceeds at the start, one a beam; empty if nothing is near a face \[m\].
     pub arcs: &'a [f64],
+    /// Where the feet of smooth contacts at the end of the step are looked for. In the neighbourhood of the last ones is enough
+    /// unless something else has come nearer, which only a look at the solved step can tell.
+    pub reach: Reach,
 }
 
 /// What an iteration took.
@@ -110,6 +114,12 @@ impl StepProblem<'_> {
     /// # Errors
     /// Why there is none; `work` then holds rubbish, the state is untouched.
     pub fn solve(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
+        let found = self.iterate(work, effort);
+        self.measure_arcs(work);
+        found
+    }
+
+    fn iterate(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         self.predict(work);
         let mut watch = Watch::new(self.state.books.energy_scale);
         let (_, reach) = largest(&self.state.displacement);
@@ -205,7 +215,7 @@ impl StepProblem<'_> {
         work.rigid.clear();
         work.rigid_pairs.clear();
         work.rigid_pairs.extend(self.active.iter().map(|c| c.pair));
-        self.measure_arcs(work);
+        self.measure_arcs_if_needed(work);
         for contact in self.active {
             let found = self.rigid_contact(contact, work, [0.0; 2]);
             work.rigid.push(found.unwrap_or_default());
@@ -242,7 +252,7 @@ impl StepProblem<'_> {
                 tangent.add_hessian(i, points, &k);
             }
         }
-        self.measure_arcs(work);
+        self.measure_arcs_if_needed(work);
         self.smooth_contacts::<TANGENT>(work);
         self.rigid_contacts(work);
     }
