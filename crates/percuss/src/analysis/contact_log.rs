@@ -2,6 +2,7 @@
 
 use super::monitor::Part;
 use crate::contact::configuration::Configuration;
+use crate::contact::free_gap::{FreeGap, open_since};
 use crate::contact::pair::Pair;
 use crate::contact::row::Row;
 use crate::contact::touch::{Reach, Touch};
@@ -9,6 +10,7 @@ use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::model::frozen::ContactData;
 use crate::model::{Model, SmoothLaw, TouchLaw};
+use crate::settings::SAME_INSTANT;
 use crate::state::{PairState, State};
 use crate::step::contacts::{Phase, SmoothContact};
 use crate::step::workspace::Workspace;
@@ -26,6 +28,19 @@ pub struct ContactLog {
     /// Smooth and rigid pairs of the step at hand as they were at its start.
     before: Vec<PairState>,
     start: f64,
+    /// What each smooth pair did in the last step in which it stood open.
+    free: Vec<Free>,
+    /// Intervals that ended in the step before: by their pair the number, and the time that had passed since at the step's end.
+    released: Vec<(usize, usize, f64)>,
+}
+
+/// The free motion of a gap.
+#[derive(Clone, Copy, Debug)]
+struct Free {
+    /// Acceleration of the gap \[m/s^2\].
+    acceleration: f64,
+    /// Until when \[s\].
+    until: f64,
 }
 
 /// Time and size of a step.
@@ -33,6 +48,8 @@ pub struct ContactLog {
 struct Span {
     start: f64,
     h: f64,
+    /// Whether it is as short as an impact, in which rates jump.
+    brief: bool,
 }
 
 impl ContactLog {
@@ -59,6 +76,8 @@ impl ContactLog {
             open: vec![None; model.pairs.len()],
             before: Vec::new(),
             start: state.time,
+            free: vec![Free { acceleration: 0.0, until: f64::NAN }; model.pairs.len()],
+            released: Vec::new(),
         }
     }
 
@@ -71,7 +90,7 @@ impl ContactLog {
 
     /// Takes in the end of the step.
     pub fn end_step(&mut self, model: &Model, state: &State, work: &Workspace, part: &Part) {
-        let span = Span { start: self.start, h: part.h };
+        let span = Span { start: self.start, h: part.h, brief: part.brief };
         for (k, contact) in work.smooth.iter().enumerate() {
             let law = &model.contacts[model.pairs[contact.pair].contact].law;
             if let TouchLaw::Smooth(law) = law {
@@ -101,7 +120,7 @@ impl ContactLog {
         let i = contact.pair;
         let (pair, after) = (&model.pairs[i], &state.pairs[i]);
         if before.gap >= 0.0 && after.gap >= 0.0 {
-            return;
+            return self.open_throughout(i, pair.contact, before, after, span);
         }
         let gap =
             Cubic { h: span.h, start: [before.gap, before.rate], end: [after.gap, after.rate] };
@@ -122,9 +141,8 @@ impl ContactLog {
             *peak_force = highest;
         }
         if self.open[i].is_none() && intervals.len() < ContactRecord::IMPACTS_KEPT {
-            let opens = if before.gap >= 0.0 { crossing(&gap) } else { 0.0 };
+            let [opens, approach] = touch_down(&gap, self.free[i].before(span.start));
             self.open[i] = Some(intervals.len());
-            let approach = -slope(&gap, opens);
             intervals.push(opened(span.start + opens, approach, place(model, state, i)));
         }
         let Some(open) = self.open[i] else { return };
@@ -141,10 +159,37 @@ impl ContactLog {
         interval.energy.stored += change;
         interval.place_end = place(model, state, i);
         if after.gap >= 0.0 {
-            let t = crossing(&gap);
-            interval.end = span.start + t;
-            interval.separation_velocity = slope(&gap, t);
+            let since = open_since(after.gap, after.rate, span.h);
+            interval.end = span.start + (span.h - since);
+            interval.separation_velocity = after.rate;
+            self.released.push((i, open, since));
             self.open[i] = None;
+        }
+    }
+
+    /// A pair that stood open over a step: its free motion tells with what velocity it parted in the step before.
+    fn open_throughout(
+        &mut self,
+        i: usize,
+        contact: usize,
+        before: &PairState,
+        after: &PairState,
+        span: Span,
+    ) {
+        if span.brief {
+            return;
+        }
+        let acceleration = (after.rate - before.rate) / span.h;
+        self.free[i] = Free { acceleration, until: span.start + span.h };
+        let Some(k) = self.released.iter().position(|r| r.0 == i) else { return };
+        let (_, number, since) = self.released.swap_remove(k);
+        if let ContactRecord::Smooth { intervals, .. } = &mut self.records[contact] {
+            let parted = &mut intervals[number].separation_velocity;
+            let freed = *parted - acceleration * since;
+            // It parted: an acceleration that says otherwise belongs to vibrations that the step does not resolve.
+            if freed > 0.0 {
+                *parted = freed;
+            }
         }
     }
 
@@ -221,6 +266,30 @@ impl ContactLog {
             }
         }
     }
+}
+
+impl Free {
+    /// The acceleration of the gap in a step that begins at `start`, if it was seen until then \[m/s^2\].
+    fn before(&self, start: f64) -> f64 {
+        if (start - self.until).abs() <= SAME_INSTANT * start.abs() {
+            self.acceleration
+        } else {
+            0.0
+        }
+    }
+}
+
+/// Time from the start of the step at which a contact closes, and the velocity of approach.
+fn touch_down(gap: &Cubic, acceleration: f64) -> [f64; 2] {
+    if gap.start[0] >= 0.0 {
+        let [g, rate] = gap.start;
+        let [time, rate] = FreeGap { gap: g, rate, acceleration }.closes(gap.h);
+        if rate < 0.0 {
+            return [time, -rate];
+        }
+    }
+    let time = crossing(gap);
+    [time, -slope(gap, time)]
 }
 
 fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInterval {

@@ -4,6 +4,7 @@ pub mod axis;
 pub mod configuration;
 pub mod discrete_gradient;
 pub mod effective_mass;
+pub mod free_gap;
 pub mod impact;
 pub mod law;
 pub mod pair;

@@ -4,9 +4,9 @@
 use super::beam::{ElementValues, GaussRow};
 use super::point::{Form, PointResponse, SectionLaw, StepPoint, Stress, b_of, form_b};
 use super::rotary::Turn;
-use crate::math::vec2::{add, dot, middle};
+use crate::math::vec2::{add, cross, dot, middle};
 use crate::model::StrainMeasure;
-use crate::scalar::{Real, reciprocals};
+use crate::scalar::{Real, array, reciprocals};
 
 /// Stress power of a step from (g0, p0) to (g1, p1):
 ///
@@ -92,6 +92,28 @@ impl<S: Real> End<S> {
             ends[i] = Self::with(measure, row.tangent, shape, (stretch[i], inverse[i]));
         }
         ends
+    }
+
+    /// Those at the end of a step, from displacements there and their increments, and the angles by which the tangents have
+    /// turned, `(g_m x Dg) / a_m`.
+    #[inline(always)]
+    pub fn after<const N: usize>(
+        measure: StrainMeasure,
+        rows: &[GaussRow<S>; N],
+        starts: &[Self; N],
+        displacement: &ElementValues<S>,
+        step: &ElementValues<S>,
+    ) -> ([Self; N], [S; N]) {
+        let ends = Self::all(measure, rows, displacement);
+        let like = rows[0].curvature;
+        let (mut across, mut squared) = ([like; N], [like; N]);
+        for i in 0..N {
+            let d_g = step.at(&rows[i].first);
+            let g = middle(add(rows[i].tangent, starts[i].slope), d_g);
+            (across[i], squared[i]) = (cross(g, d_g), dot(g, g));
+        }
+        let inverse = S::ordinary_recips(squared);
+        (ends, array(|i| across[i] * inverse[i]))
     }
 
     /// The same where the stretch is known, and the reciprocal.

@@ -38,7 +38,7 @@ impl<S: Real> Turn<S> {
     }
 
     /// Adds rotary inertia: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`, and mass-proportional damping
-    /// `rhoI damping w_m`; returns `w_m`.
+    /// `rhoI damping w_m`.
     #[inline(always)]
     pub fn add_inertia<const TANGENT: bool>(
         &self,
@@ -47,28 +47,27 @@ impl<S: Real> Turn<S> {
         spin_0: S,
         rate: S,
         damping: S,
-    ) -> S {
+    ) {
         let (g, inv_a) = (self.g, self.inv_a);
         let twice = rate + rate;
         let damped = twice + damping;
         let angle = self.angle();
         let acceleration = (spin_0 * twice * -1.0).add_product(angle, rate * damped);
         let turned = (rotary * inv_a) * acceleration;
-        let spin = angle * rate;
         response.force_g[0] = response.force_g[0].sub_product(turned, g[1]);
         response.force_g[1] = response.force_g[1].add_product(turned, g[0]);
         if TANGENT {
             let moment = rotary * acceleration;
             // d(g_m x Dg) = g0 x dg, d(a_m) = g_m . dg
             let (inertia, g0) = (rotary * damped, self.g0);
-            let (along, across) = (inertia * inv_a * spin, inertia * inv_a * rate);
+            let across = inertia * inv_a * rate;
+            let along = across * angle;
             let slope = [
                 (across * -g0[1]).sub_product(along, g[0]),
                 (across * g0[0]).sub_product(along, g[1]),
             ];
             add_moment_tangent(response, slope, moment, g, inv_a, 0.5);
         }
-        spin
     }
 }
 

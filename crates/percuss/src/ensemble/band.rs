@@ -6,7 +6,8 @@
 use crate::math::vec2::dot4;
 use crate::scalar::Number;
 
-type Block<S> = [[S; 4]; 4];
+/// A block of the band.
+pub type Block<S> = [[S; 4]; 4];
 
 /// A block-tridiagonal matrix, or its factors.
 #[derive(Clone, Debug)]
@@ -123,6 +124,17 @@ fn subtract_product<S: Number>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
             }
         }
     }
+}
+
+/// `x + a y`.
+#[inline(always)]
+pub fn add_applied<S: Number>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
+    for k in 0..4 {
+        for i in 0..4 {
+            x[i] = x[i].add_product(a[i][k], y[k]);
+        }
+    }
+    x
 }
 
 /// `x - a y`.

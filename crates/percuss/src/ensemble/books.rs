@@ -317,8 +317,7 @@ impl<S: Number> Engine<S> {
                 v[i] = d[i] * twice - v[i];
             }
         }
-        self.shape();
-        std::mem::swap(&mut self.spin, &mut self.end_spin);
+        self.arrive(twice);
         for k in 0..self.guides.len() {
             let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
             state.way += state.increment;
@@ -330,17 +329,22 @@ impl<S: Number> Engine<S> {
 }
 
 impl<S: Number> Engine<S> {
-    /// Gauss points as the displacements have them.
+    /// Gauss points as the displacements have them at the end of the step, and their angular rates there; `twice` is 2/h.
     #[inline(always)]
-    fn shape(&mut self) {
+    fn arrive(&mut self, twice: S) {
         let mut element = 0;
         for span in &self.numbers.spans {
             for k in 0..span.count {
                 let (a, table) = (span.first + k, span.table(k));
-                let u = &self.displacement;
+                let (u, d) = (&self.displacement, &self.increment);
                 let values = ElementValues::new(&u[a], &u[a + 1]);
-                let ends = End::all(span.measure, &table.rows, &values);
-                self.start[element] = ends;
+                let step = ElementValues::new(&d[a], &d[a + 1]);
+                let (start, spin) = (&mut self.start[element], &mut self.spin[element]);
+                let (ends, angles) = End::after(span.measure, &table.rows, start, &values, &step);
+                *start = ends;
+                for j in 0..GAUSS {
+                    spin[j] = (angles[j] * twice) - spin[j];
+                }
                 element += 1;
             }
         }

@@ -1,6 +1,6 @@
 //! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
 
-use super::band::Band;
+use super::band::{Band, Block, add_applied};
 use super::numbers::{GuideNumbers, HoldNumbers, Numbers};
 use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::energy_momentum::{End, Quotients, Step, Way};
@@ -22,12 +22,13 @@ pub struct Engine<S> {
     /// Gauss points at the start of the step, and angular rates of their tangents.
     pub start: Vec<[End<S>; GAUSS]>,
     pub spin: Vec<[S; GAUSS]>,
-    /// Rates at the end of the step, as evaluated last.
-    pub end_spin: Vec<[S; GAUSS]>,
     /// Guided projectiles.
     pub guides: Vec<GuideState<S>>,
     /// Reactions of the supports in the directions held \[N, N m\].
     pub reactions: Vec<[S; 4]>,
+    /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the
+    /// next one's.
+    pub grips: Vec<[Block<S>; 3]>,
     /// Mean factors of the loads over the step at hand; what they all apply to the nodes \[N, N m\].
     pub load_factors: Vec<S>,
     pub applied: Vec<[S; 4]>,
@@ -93,10 +94,10 @@ impl<S: Number> Engine<S> {
             displacement: still.clone(),
             velocity: still.clone(),
             spin: vec![[zero; GAUSS]; start.len()],
-            end_spin: vec![[zero; GAUSS]; start.len()],
             start,
             guides,
             reactions: vec![[zero; 4]; numbers.holds.len()],
+            grips: vec![[[[zero; 4]; 4]; 3]; numbers.holds.len()],
             load_factors: vec![numbers.step.constant(1.0); numbers.loads.len()],
             applied: still.clone(),
             increment: still.clone(),
@@ -214,9 +215,7 @@ impl<S: Number> Engine<S> {
                 let law = SectionLaw { measure, ..row.weighed };
                 let mut point = new.response::<TANGENT>(&law, old, lag);
                 let spin = self.spin[element][j];
-                let mean =
-                    new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin, rate, damping);
-                self.end_spin[element][j] = (-spin).add_scaled(mean, 2.0);
+                new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin, rate, damping);
                 sums.add::<TANGENT>(row, &point);
             }
             if let Some(samples) = &table.membrane {
@@ -268,24 +267,17 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     fn contacts<const TANGENT: bool>(&mut self) {
         let rate = self.h.recip();
-        let twice = rate + rate;
         for k in 0..self.guides.len() {
+            let push = self.push(k, rate);
             let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
             let a = guide.node;
-            let moved = guide.along(&self.increment);
-            state.gap_change = moved - state.increment;
-            let gap_1 = state.gap + state.gap_change;
-            guide.force(state, -gap_1);
-            let push = state.force + state.impulse * rate;
-            let inertia = guide.mass * (state.increment * rate - state.velocity) * twice;
-            state.residual = inertia + push - dot(guide.direction, state.applied);
             let row = guide.row();
             for (i, c) in row.iter().enumerate() {
                 let target = &mut self.residual[a + i / 4][i % 4];
                 *target = target.sub_product(push, *c);
             }
             if TANGENT {
-                let inertia = guide.mass * twice * rate;
+                let inertia = guide.mass * (rate + rate) * rate;
                 state.assembled = [state.slope, inertia + state.slope];
                 let felt = state.slope * inertia / state.assembled[1];
                 for i in 0..8 {
@@ -300,6 +292,65 @@ impl<S: Number> Engine<S> {
                         *entry = entry.add_product(felt * row[i], row[j]);
                     }
                 }
+            }
+        }
+    }
+
+    /// Force of a guided projectile at the increment as it stands, and its own balance; with its impulse it is what it pushes with.
+    #[inline(always)]
+    pub fn push(&mut self, k: usize, rate: S) -> S {
+        let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
+        state.gap_change = guide.along(&self.increment) - state.increment;
+        let gap_1 = state.gap + state.gap_change;
+        guide.force(state, -gap_1);
+        let push = state.force + state.impulse * rate;
+        let inertia = guide.mass * (state.increment * rate - state.velocity) * (rate + rate);
+        state.residual = inertia + push - dot(guide.direction, state.applied);
+        push
+    }
+
+    /// Keeps the rows of held nodes of the tangent assembled last, in the given lanes.
+    #[inline(always)]
+    pub fn keep_grips(&mut self, which: S::Mask) {
+        let (band, last) = (&self.tangent, self.residual.len() - 1);
+        for (grip, hold) in self.grips.iter_mut().zip(&self.numbers.holds) {
+            let n = hold.node;
+            take_block(&mut grip[1], &band.diag[n], which);
+            if n > 0 {
+                take_block(&mut grip[0], &band.lower[n - 1], which);
+            }
+            if n < last {
+                take_block(&mut grip[2], &band.upper[n], which);
+            }
+        }
+    }
+
+    /// Reactions after the correction taken last by the given lanes, to first order.
+    #[inline(always)]
+    pub fn correct_reactions(&mut self, took: S::Mask) {
+        let (zero, last) = (self.h.constant(0.0), self.residual.len() - 1);
+        for k in 0..self.numbers.holds.len() {
+            let (hold, [before, own, after]) = (&self.numbers.holds[k], &self.grips[k]);
+            let n = hold.node;
+            let mut change = add_applied([zero; 4], own, &self.correction[n]);
+            if n > 0 {
+                change = add_applied(change, before, &self.correction[n - 1]);
+            }
+            if n < last {
+                change = add_applied(change, after, &self.correction[n + 1]);
+            }
+            for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
+                if guide.node == n || guide.node + 1 == n {
+                    let row = guide.row();
+                    for i in 0..4 {
+                        change[i] += state.left_over() * row[4 * (n - guide.node) + i];
+                    }
+                }
+            }
+            let mut free = change;
+            hold.project(&mut free);
+            for i in 0..4 {
+                self.reactions[k][i] += S::choose(took, change[i] - free[i], zero);
             }
         }
     }
@@ -353,8 +404,7 @@ impl<S: Number> Engine<S> {
         }
         for k in 0..self.guides.len() {
             let (guide, state) = (&self.numbers.guides[k], &self.guides[k]);
-            let [slope, inertia] = state.factored;
-            let push = slope * state.residual / inertia;
+            let push = state.left_over();
             for (i, c) in guide.row().iter().enumerate() {
                 let target = &mut self.correction[guide.node + i / 4][i % 4];
                 *target = target.sub_product(push, *c);
@@ -421,6 +471,13 @@ impl<S: Number> GuideState<S> {
         }
     }
 
+    /// What the contact takes of the projectile's residual when it is eliminated \[N\].
+    #[inline(always)]
+    fn left_over(&self) -> S {
+        let [slope, inertia] = self.factored;
+        slope * self.residual / inertia
+    }
+
     fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
         for (mine, other) in [
             (&mut self.way, from.way),
@@ -447,4 +504,11 @@ fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: 
     }
     let [s0, s1, b0, b1, stretch, inverse, membrane] = values;
     *mine = End { slope: [s0, s1], bend: [b0, b1], stretch, inverse, membrane };
+}
+
+#[inline(always)]
+fn take_block<S: Number>(mine: &mut Block<S>, other: &Block<S>, which: S::Mask) {
+    for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
+        *mine = S::choose(which, *other, *mine);
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
+use crate::contact::free_gap::{FreeGap, open_since};
 use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::scalar::{Mask, Number};
@@ -45,7 +46,7 @@ pub struct Struck<S> {
 
 /// The record of a guided projectile.
 #[derive(Clone, Debug)]
-pub struct GuideLog<S> {
+pub struct GuideLog<S: Number> {
     /// The interval that is open in each lane, as it stands.
     open: Closed<S>,
     /// Which lanes have one.
@@ -56,11 +57,16 @@ pub struct GuideLog<S> {
     pub deepest: Top<S>,
     /// Impacts, by lane.
     pub impacts: Vec<Vec<Struck<S>>>,
+    /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
+    free: S,
+    /// Lanes whose last interval ended in the step before, and the time that had passed since at the step's end \[s\].
+    released: S::Mask,
+    since: S,
 }
 
 /// The record of an ensemble.
 #[derive(Clone, Debug)]
-pub struct Log<S> {
+pub struct Log<S: Number> {
     /// Time at the start of the step at hand \[s\].
     pub time: S,
     /// Extremes of the recorded points, by component.
@@ -118,6 +124,9 @@ impl<S: Number> Log<S> {
             closed: vec![Vec::new(); S::LANES],
             deepest: top,
             impacts: vec![Vec::new(); S::LANES],
+            free: zero,
+            released: zero.less(zero),
+            since: zero,
         };
         let (points, guides) = (engine.numbers.points.len(), engine.guides.len());
         Self {
@@ -143,6 +152,9 @@ impl<S: Number> Log<S> {
             log.is_open[lane] = false;
             log.closed[lane].clear();
             log.impacts[lane].clear();
+            log.free.set_lane(lane, zero, 0);
+            let before = log.released;
+            log.released = zero.mask(|i| i != lane && before.lane(i));
             log.deepest.value.set_lane(lane, zero, 0);
             log.deepest.time.set_lane(lane, zero, 0);
         }
@@ -183,19 +195,21 @@ impl<S: Number> Log<S> {
         let (time, h) = (self.time, engine.h);
         let [gap_0, rate_0] = self.gap_start[k];
         let least = gap_0.if_less(state.gap, gap_0, state.gap);
+        let log = &mut self.guides[k];
+        let flight = FreeGap { gap: gap_0, rate: rate_0, acceleration: log.free };
+        log.open_throughout(!least.less(zero), (state.rate - rate_0) / h);
         if !least.any_less(zero) {
             return;
         }
-        let log = &mut self.guides[k];
         let path = Path { h, start: [-gap_0, -rate_0], end: [-state.gap, -state.rate] };
         for lane in 0..S::LANES {
             let (before, after) = (gap_0.lane(lane), state.gap.lane(lane));
             if !log.is_open[lane] && (before < 0.0 || after < 0.0) {
                 log.is_open[lane] = true;
-                let opens = path.crossing(lane);
+                let [opens, approach] = path.touch_down(&flight, lane);
                 let mut new = Closed::none(zero);
                 new.start = time + opens;
-                new.approach = path.slope(opens);
+                new.approach = approach;
                 new.place = engine.struck(k);
                 log.open.set_lane(lane, &new, lane);
             }
@@ -208,10 +222,13 @@ impl<S: Number> Log<S> {
         log.deepest.take_positive(&path, time);
         for lane in 0..S::LANES {
             if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
-                let ends = path.crossing(lane);
+                let since = open_since(state.gap, state.rate, h);
                 let mut done = log.open;
-                done.end = time + ends;
-                done.separation = -path.slope(ends);
+                done.end = time + (h - since);
+                done.separation = state.rate;
+                log.since.set_lane(lane, since, lane);
+                let released = log.released;
+                log.released = zero.mask(|i| i == lane || released.lane(i));
                 done.place_end = engine.struck(k);
                 log.closed[lane].push(done);
                 log.is_open[lane] = false;
@@ -239,6 +256,29 @@ impl<S: Number> Engine<S> {
         let guide = &self.numbers.guides[k];
         let u = guide.value(&self.displacement);
         [guide.struck[0] + u[0], guide.struck[1] + u[1]]
+    }
+}
+
+impl<S: Number> GuideLog<S> {
+    /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
+    #[inline(always)]
+    fn open_throughout(&mut self, open: S::Mask, acceleration: S) {
+        self.free = S::choose(open, acceleration, self.free);
+        let freed = self.released & open;
+        if !freed.any() {
+            return;
+        }
+        let zero = acceleration.constant(0.0);
+        let gained = acceleration * self.since;
+        for lane in 0..S::LANES {
+            let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) else {
+                continue;
+            };
+            // It parted: an acceleration that says otherwise belongs to vibrations that the step does not resolve.
+            let parted = last.separation - gained;
+            last.separation = S::choose(zero.less(parted), parted, last.separation);
+        }
+        self.released = self.released & !freed;
     }
 }
 
@@ -273,6 +313,18 @@ impl<S: Number> Path<S> {
         let rise = (self.end[0] - self.start[0]) / self.h * (xi - x2) * 6.0;
         let one = xi.constant(1.0);
         rise + self.start[1] * (one - xi * 4.0 + x2 * 3.0) + self.end[1] * (x2 * 3.0 - xi * 2.0)
+    }
+
+    /// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
+    fn touch_down(&self, flight: &FreeGap<S>, lane: usize) -> [S; 2] {
+        if flight.gap.lane(lane) >= 0.0 {
+            let [time, rate] = flight.closes(self.h);
+            if rate.lane(lane) < 0.0 {
+                return [time, -rate];
+            }
+        }
+        let time = self.crossing(lane);
+        [time, self.slope(time)]
     }
 
     /// The instant at which a lane's path first changes sign, in all lanes.

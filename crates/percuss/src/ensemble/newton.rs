@@ -10,6 +10,10 @@ use crate::step::watch::{WORK_TOLERANCE, Watch};
 /// two corrections.
 const MOST_SERVICE: f64 = 8.0;
 
+/// Impulse left unbalanced at a contact, relative to the momentum in play, that is more than round-off: it has opened or closed with
+/// a correction that was foreseen to be the last.
+const UNFORESEEN: f64 = 1e-13;
+
 /// The iterations of the runs, lane by lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Search<S: Number> {
@@ -22,6 +26,8 @@ pub struct Search<S: Number> {
     watch: Watch<S>,
     /// Impulse left unbalanced, relative to the momentum in play.
     impulse: S,
+    /// Whether the last correction leaves nothing, by its contraction.
+    foreseen: S::Mask,
     /// The size of the step that the tangent was factored for \[s\], the steps it has served, and those it may serve.
     factored_for: S,
     served: S,
@@ -47,6 +53,7 @@ impl<S: Number> Search<S> {
             seeking: no,
             watch: Watch::new(zero),
             impulse: zero,
+            foreseen: no,
             factored_for: never,
             served: zero,
             service: zero.constant(MOST_SERVICE),
@@ -122,7 +129,11 @@ impl<S: Number> Engine<S> {
             }
             self.correct_and_strike();
             corrections += 1;
+            let took = search.seeking;
             self.take(search, reach, books, corrections == 1);
+            if self.ends_ahead(search, took, momentum) {
+                break;
+            }
             (assemble, seen) = (false, false);
         }
         search.failed = search.failed | search.seeking;
@@ -137,6 +148,28 @@ impl<S: Number> Engine<S> {
         if let (1, Some(k)) = (S::LANES, self.striking) {
             self.strike(k);
         }
+    }
+
+    /// Whether the iterations of all lanes end with the correction just taken, by what it foreseeably leaves. Then no forces are
+    /// evaluated any more but those of contacts, which may have opened or closed; reactions follow the correction to first order,
+    /// as the others do that it balances.
+    #[inline(always)]
+    fn ends_ahead(&mut self, search: &mut Search<S>, took: S::Mask, momentum: S) -> bool {
+        if S::DERIVES || self.striking.is_some() || (search.seeking & !search.foreseen).any() {
+            return false;
+        }
+        self.correct_reactions(took);
+        let (rate, small) = (self.h.recip(), momentum * UNFORESEEN);
+        let mut balanced = search.foreseen | !search.foreseen;
+        for k in 0..self.guides.len() {
+            self.push(k, rate);
+            balanced = balanced & (self.guides[k].residual * self.h).abs().at_most(small);
+        }
+        if (took & !balanced).any() {
+            return false;
+        }
+        search.seeking = search.seeking & !took;
+        true
     }
 
     /// The increments if accelerations stay as they were in a step of the same size, or are zero.
@@ -184,6 +217,7 @@ impl<S: Number> Engine<S> {
     /// Factors the tangent as assembled last, for the lanes that want it renewed; in the others the factors stay.
     #[inline(always)]
     fn renew(&mut self, search: &mut Search<S>) {
+        self.keep_grips(search.renew);
         self.factor();
         let renew = search.renew;
         if (search.live & !renew).any() {
@@ -229,6 +263,7 @@ impl<S: Number> Engine<S> {
         let places = zero.if_less(force, self.numbers.size, zero);
         search.watch.corrected(size, reach, step, work, places);
         search.iterations += S::choose(seeking, zero.constant(1.0), zero);
+        search.foresee();
     }
 
     /// Derivatives follow the values with the tangent at the solution: one linear step.
@@ -285,22 +320,29 @@ impl<S: Number> Search<S> {
         self.renew = h.less(h);
     }
 
-    /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done. Without joints the work and the impulse
-    /// left by a correction that contracted well are known from those before it, round-off apart.
+    /// Looks ahead after a correction: without joints the work and the impulse left by one that contracted well are known from
+    /// those before it, round-off apart.
+    #[inline(always)]
+    fn foresee(&mut self) {
+        let small = self.impulse.constant(IMPULSE_TOLERANCE);
+        let impulse = self.impulse * self.watch.left_share();
+        let work = self.watch.work_left();
+        self.foreseen = work.at_most(self.watch.energy * WORK_TOLERANCE) & impulse.at_most(small);
+    }
+
+    /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done.
     #[inline(always)]
     fn weigh(&mut self, work: S, impulse: S, corrections: usize) {
         self.watch.unbalanced(work);
-        let impulse_left = std::mem::replace(&mut self.impulse, impulse) * self.watch.left_share();
+        self.impulse = impulse;
         self.failed = self.failed | self.seeking & !work.finite();
         self.seeking = self.seeking & work.finite();
         if corrections > 0 {
-            let enough = self.watch.energy * WORK_TOLERANCE;
             let small = work.constant(IMPULSE_TOLERANCE);
             // Where nothing moves the impulse is NaN, and passes.
-            let exact = work.at_most(enough) & !small.less(impulse);
-            let gone = self.watch.work_left().at_most(enough) & impulse_left.at_most(small);
+            let exact = work.at_most(self.watch.energy * WORK_TOLERANCE) & !small.less(impulse);
             let passable = !work.constant(MOST_IMPULSE).less(impulse);
-            let done = exact | (gone | self.watch.settled()) & passable;
+            let done = exact | (self.foreseen | self.watch.settled()) & passable;
             self.seeking = self.seeking & !done;
         }
     }

@@ -98,10 +98,10 @@ impl<S: Number> Watch<S> {
         S::choose(share.at_most(share.constant(CONTRACTION)), share, share.constant(1.0))
     }
 
-    /// Work that the last correction leaves unbalanced, by that share; round-off is not in it \[J\].
+    /// Work that the correction just taken in leaves unbalanced, by that share; round-off is not in it \[J\].
     #[inline(always)]
     pub fn work_left(&self) -> S {
-        self.before * self.left_share()
+        self.unbalanced * self.left_share()
     }
 
     /// Takes in the energy in play, once the first correction has shown it.
