@@ -11,7 +11,7 @@ use percuss::{ContactInterval, ContactPlace, ContactRecord, ContactSummary, Ener
 use crate::csv_text;
 use crate::error::Error;
 use crate::files;
-use crate::summary::restitution;
+use crate::summary::{interval_restitution, restitution};
 
 const IMPACTS: &str = "impacts.csv";
 const HEADER: &str = "contact,first,second,kind,start_s,end_s,impulse_N_s,friction_impulse_N_s,\
@@ -77,7 +77,7 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
             i.peak_force.time,
             i.approach_velocity,
             i.separation_velocity,
-            restitution(i.approach_velocity, i.separation_velocity),
+            interval_restitution(i),
         ],
         place: i.place,
         energy: i.energy,

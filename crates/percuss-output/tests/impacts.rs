@@ -99,6 +99,7 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
         tamed_count: 0,
         impulse_total: 3.0,
         intervals: vec![interval],
+        penetration: Peak::default(),
     };
     let rows = written(&[contact("rest", record)])?;
     for column in ["force_peak_N", "force_peak_time_s", "restitution", "place_m", "x_m", "tamed"] {

@@ -12,6 +12,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::given::Given;
 use crate::node::{About, Body, Raw, Reader};
 use crate::source::{Places, Source};
+use crate::study::is_study;
 use crate::syntax;
 use crate::table::{self, Part};
 use crate::write::Writer;
@@ -72,6 +73,10 @@ pub fn load(path: impl AsRef<Path>) -> Result<Scenario, Diagnostics> {
 /// # Errors
 /// Every fault of the text and, as far as the sound part of it goes, of the model it describes.
 pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
+    if is_study(text) {
+        let expected = "a scenario; `percuss sweep` runs studies";
+        return Err(Diagnostics::of_file(name, "a study, which varies a scenario", expected));
+    }
     read_from(Source::new(name, text), folder(Path::new(name)))
 }
 

@@ -2,7 +2,7 @@
 
 use crate::element::beam::ElementValues;
 use crate::element::strain::strains;
-use crate::math::vec2::{add, cross, dot, scale};
+use crate::math::vec2::{add, cross, dot, norm, scale};
 use crate::model::frozen::{BodyKind, Span};
 use crate::model::{Model, TouchLaw};
 use crate::state::State;
@@ -96,9 +96,10 @@ pub struct Measures {
     pub curvature_drift: f64,
     /// Largest distance of a stored membrane strain from that of the configuration \[1\].
     pub membrane_drift: f64,
-    /// Sum of the magnitudes of the bodies' linear momenta \[kg m/s\], a scale.
+    /// Sum of the magnitudes of the elements' and bodies' linear momenta \[kg m/s\], a scale: where things move against each
+    /// other, momenta vanish together that do not vanish alone.
     pub linear_size: f64,
-    /// Sum of the magnitudes of the bodies' angular momenta \[kg m^2/s\], a scale.
+    /// Sum of the magnitudes of their angular momenta \[kg m^2/s\], a scale.
     pub angular_size: f64,
 }
 
@@ -131,11 +132,15 @@ impl Measures {
     fn add_span(&mut self, model: &Model, state: &State, span: &Span) {
         let stored = !state.strain.is_empty();
         let (mut linear, mut angular) = ([0.0; 2], 0.0);
+        let (mut linear_size, mut angular_size) = (0.0, 0.0);
         let (mut translation, mut rotation, mut axial, mut bending) = (0.0, 0.0, 0.0, 0.0);
         for (k, e) in span.elements.clone().enumerate() {
             let (a, table) = (span.nodes.start + k, span.table(k));
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
             let momentum = momentum(table, &state.velocity[a], &state.velocity[a + 1]);
+            let [pa, pb] = &momentum;
+            linear_size += norm([pa[0] + pb[0], pa[1] + pb[1]]);
+            let before = angular;
             for (node, p) in [(a, &momentum[0]), (a + 1, &momentum[1])] {
                 let (frame, u, v) =
                     (&model.nodes[node], &state.displacement[node], &state.velocity[node]);
@@ -162,6 +167,7 @@ impl Measures {
                 bending += row.weighed.bending * kappa * kappa;
                 angular += row.weighed.rotary * spin;
             }
+            angular_size += (angular - before).abs();
             if let Some(samples) = &table.membrane {
                 let mut eps = samples.strains(span.measure, &u);
                 if stored {
@@ -176,7 +182,10 @@ impl Measures {
         self.kinetic_beams += 0.5 * (translation + rotation);
         self.strain_axial += 0.5 * axial;
         self.strain_bending += 0.5 * bending;
-        self.add_momentum(linear, angular);
+        self.linear = add(self.linear, linear);
+        self.angular += angular;
+        self.linear_size += linear_size;
+        self.angular_size += angular_size;
     }
 
     fn add_momentum(&mut self, linear: [f64; 2], angular: f64) {

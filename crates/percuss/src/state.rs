@@ -90,6 +90,8 @@ pub struct State {
     /// Stored strains (membrane, bending) at the Gauss points, shape (n_elem, n_gauss) \[1, 1/m\]; strain-rate scheme
     /// only, empty otherwise.
     pub strain: Vec<[[f64; 2]; GAUSS]>,
+    /// Values to which the courses of prescribed motions were followed, shape (n_motion).
+    pub(crate) followed: Vec<f64>,
     /// Coordinates of springs and dampers, angles unwound, shape (n_connector) \[m, rad\].
     pub coordinates: Vec<f64>,
     /// Angular rates of the point masses, shape (n_mass) \[rad/s\].
@@ -121,6 +123,7 @@ impl State {
             acceleration: if advances_accelerations { vec![[0.0; 4]; nodes] } else { Vec::new() },
             spin: vec![[0.0; GAUSS]; elements],
             strain: if stores_strain { vec![[[0.0; 2]; GAUSS]; elements] } else { Vec::new() },
+            followed: model.motions.iter().map(|course| course.value(0.0)).collect(),
             coordinates: Vec::new(),
             mass_spin: vec![0.0; model.masses.len()],
             reactions: vec![[0.0; 3]; model.supports.len()],

@@ -190,6 +190,9 @@ pub enum ContactRecord {
         impulse_total: f64,
         /// Intervals in which the contact stayed closed (persistent contact); impulse included.
         intervals: Vec<ContactInterval>,
+        /// How deep one thing was inside the other at most \[m\]: next to nothing where impacts are located, the way of a step
+        /// where time steps over them, or what impulses could not hold.
+        penetration: Peak,
     },
 }
 

@@ -25,11 +25,13 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
             tamed_count,
             impulse_total,
             intervals,
+            penetration,
         } => {
             value["impacts"] = impacts.iter().map(impact).collect();
             value["impact_count"] = Value::from(*impact_count);
             value["tamed_count"] = Value::from(*tamed_count);
             value["impulse_total"] = Value::from(*impulse_total);
+            value["penetration"] = peak(penetration);
             value["intervals"] = intervals.iter().map(interval).collect();
         }
     }
@@ -43,7 +45,7 @@ fn interval(interval: &ContactInterval) -> Value {
         "impulse": interval.impulse,
         "approach_velocity": interval.approach_velocity,
         "separation_velocity": interval.separation_velocity,
-        "restitution": restitution(interval.approach_velocity, interval.separation_velocity),
+        "restitution": interval_restitution(interval),
         "place": place(&interval.place),
         "place_end": place(&interval.place_end),
         "energy": energy(&interval.energy),
@@ -76,6 +78,16 @@ fn impact(impact: &Impact) -> Value {
 pub(crate) fn restitution(approach: f64, separation: f64) -> f64 {
     // What comes to rest and is thrown off later has approached by round-off.
     if approach > 1e-9 * separation.abs() { separation / approach } else { f64::NAN }
+}
+
+/// The same of a closed interval; NaN of persistent contact, which pairs of rigid things come to by being at rest against each other.
+pub(crate) fn interval_restitution(interval: &ContactInterval) -> f64 {
+    let persists = !interval.tangential_impulse.is_nan();
+    if persists {
+        f64::NAN
+    } else {
+        restitution(interval.approach_velocity, interval.separation_velocity)
+    }
 }
 
 fn place(place: &ContactPlace) -> Value {

@@ -16,7 +16,7 @@ use serde_json::{Map, Value, json};
 use crate::error::Error;
 use crate::files;
 
-pub(crate) use contact::restitution;
+pub(crate) use contact::{interval_restitution, restitution};
 pub use pick::{Picked, SummaryPath, pick, summary_paths};
 
 const SUMMARY: &str = "summary.json";

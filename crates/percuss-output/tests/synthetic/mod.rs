@@ -374,6 +374,7 @@ pub fn impacts(count: usize) -> ContactRecord {
         tamed_count: 0,
         impulse_total: 3814.98 * count as f64,
         intervals: Vec::new(),
+        penetration: Peak { value: 1e-12, time: 1e-3 },
     }
 }
 

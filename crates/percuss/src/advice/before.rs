@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::case::{Beams, Case, Meeting, Struck, rigid_blow};
-use super::formulas::{pulse_frequency, reduced_mass};
+use super::formulas::{Blow, pulse_frequency, reduced_mass};
 use super::structure::{BeamPlace, gravity};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
@@ -16,6 +16,8 @@ use crate::settings::Settings;
 const STEPS: [f64; 2] = [20.0, 8.0];
 /// Elements of a bending wave that carry it (its frequency within one per cent), and that do not.
 const ELEMENTS: [f64; 2] = [4.0, 2.0];
+/// A beam with this share of its direction along a wall's normal meets it end on.
+const END_ON: f64 = 0.99;
 /// A contact so many times stiffer than Hertz' is worth a word.
 const STIFF: f64 = 3.0;
 /// Waves that come back within this share of a contact come back several times: the span answers as a whole.
@@ -82,7 +84,11 @@ impl Desk<'_> {
         let blow = rigid_blow(self.case.law, beams.point_mass, speed);
         let tangent = beams.place.tangent();
         let lengthwise = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > 0.1);
-        vec![blow.map(|blow| self.duration(blow.duration)), self.transit(&beams.place, lengthwise)]
+        // End on, a beam stays until the wave from its other end is back.
+        let end_on = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > END_ON);
+        let back = if end_on { 2.0 * beams.place.transit() } else { 0.0 };
+        let lasts = |blow: Blow| self.duration(blow.duration.max(back));
+        vec![blow.map(lasts), self.transit(&beams.place, lengthwise)]
     }
 
     fn touch(&self, struck: &Struck<'_>, contact: Option<f64>) -> Option<Advice> {

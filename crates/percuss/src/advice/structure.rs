@@ -81,13 +81,22 @@ impl<'a> BeamPlace<'a> {
 
     /// Shortest time of a longitudinal wave through an element of the beam \[s\].
     pub fn shortest_transit(&self) -> f64 {
+        self.transits().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Time of a longitudinal wave through the beam \[s\].
+    pub fn transit(&self) -> f64 {
+        self.transits().sum()
+    }
+
+    fn transits(&self) -> impl Iterator<Item = f64> {
         let spans = self.beam.spans.clone().map(|i| &self.model.spans[i]);
         let tables = spans.flat_map(|span| (0..span.elements.len()).map(|k| span.table(k)));
         let transit = |table: &ElementTable| {
             let row = &table.rows[1];
             table.length / (row.section.axial / row.mass).sqrt()
         };
-        tables.map(transit).fold(f64::INFINITY, f64::min)
+        tables.map(transit)
     }
 
     /// Whether the beam is straight and has one section all along.

@@ -2,6 +2,8 @@
 
 use super::contact_log;
 use super::section_forces::{self, Before};
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::Memory;
 use crate::contact::pair::Target;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
@@ -138,17 +140,24 @@ struct Nearest {
 fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> Nearest {
     let slides = slides(model, contact);
     let mut best = Nearest { gap: f64::INFINITY, s: f64::NAN };
+    let at = Configuration::of(&state.displacement);
     for i in contact.pairs.clone() {
         let pair = &model.pairs[i];
         let least = search.least_gap(pair, i);
         if least.unwrap_or(state.pairs[i].gap) >= best.gap {
             continue;
         }
-        // The foot of a pair that sleeps may have leapt.
-        let reach = if least.is_some() { Reach::All } else { Reach::Near };
         if least.is_none() && !slides {
             best.gap = state.pairs[i].gap;
-        } else if let Some(touch) = contact_log::touch(model, state, i, reach)
+            continue;
+        }
+        let seen = state.pairs[i].memory;
+        // A pair that sleeps may have gone round an end meanwhile: it is on the side where it is seen, its foot wherever it is now.
+        let (memory, reach) = match least {
+            Some(_) => (Memory { side: 0.0, ..seen }, Reach::All),
+            None => (seen, Reach::Near),
+        };
+        if let Some(touch) = pair.touch(model, &at, &memory, reach)
             && touch.gap < best.gap
         {
             let s = if slides { contact_log::along(pair, &touch) } else { f64::NAN };

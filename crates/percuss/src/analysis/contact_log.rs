@@ -68,6 +68,7 @@ impl ContactLog {
                 tamed_count: 0,
                 impulse_total: 0.0,
                 intervals: Vec::new(),
+                penetration: Peak { value: 0.0, time: state.time },
             },
         };
         Self {
@@ -103,6 +104,15 @@ impl ContactLog {
         }
         for k in 0..part.active.len() {
             self.rigid(model, state, work, part, k, span);
+        }
+        for &i in part.awake {
+            let depth = -state.pairs[i].gap;
+            if let ContactRecord::Nonsmooth { penetration, .. } =
+                &mut self.records[model.pairs[i].contact]
+                && depth > penetration.value
+            {
+                *penetration = Peak { value: depth, time: state.time };
+            }
         }
     }
 
@@ -211,6 +221,7 @@ impl ContactLog {
             tamed_count,
             impulse_total,
             intervals,
+            ..
         } = &mut self.records[pair.contact]
         else {
             return;

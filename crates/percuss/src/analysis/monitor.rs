@@ -26,6 +26,8 @@ pub struct Part<'a> {
     pub persistent: &'a [bool],
     /// Whether Moreau's impact law stood in for Newton's.
     pub tamed: bool,
+    /// Pairs that were looked at at its end.
+    pub awake: &'a [usize],
 }
 
 /// Values at the start of a step that the monitor compares with those at its end.

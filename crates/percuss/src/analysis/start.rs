@@ -89,7 +89,7 @@ impl Simulation<'_> {
     pub(super) fn initial_acceleration(&mut self) {
         let model = self.model;
         let step = self.settings.step;
-        self.forcing.set(model, 0.0, step, step);
+        self.forcing.set(model, 0.0, step, step, &self.state.followed);
         let forcing = &self.forcing;
         let (structure, beams) = (model.structure(), model.beam_node_count());
         let state = self.state.of_structure(&structure);

@@ -30,7 +30,8 @@ impl Simulation<'_> {
         law: ImpulseLaw,
     ) -> Result<(), Failure> {
         self.solver_steps += 1;
-        self.forcing.set(self.model, self.state.time, h, self.settings.step);
+        let (time, step) = (self.state.time, self.settings.step);
+        self.forcing.set(self.model, time, h, step, &self.state.followed);
         self.search.within(self.model, &self.state.velocity, AHEAD * h, &mut self.near);
         let near = std::mem::take(&mut self.near);
         self.look(&near);
@@ -224,6 +225,7 @@ impl Simulation<'_> {
             active,
             persistent: &self.persistent,
             tamed: std::mem::take(&mut self.tamed),
+            awake: self.search.awake(),
         };
         self.monitor.end_step(self.model, &self.state, &self.work, &part);
         self.gather_reactions(h, brief);
@@ -250,20 +252,16 @@ impl Simulation<'_> {
 
     /// Obstacles have the velocities of their motions, whatever the rule makes of their increments.
     pub(super) fn steer_obstacles(&mut self) {
-        let (time, step) = (self.state.time, 0.01 * self.settings.step);
+        let (time, width) = (self.state.time, 0.02 * self.settings.step);
         for hold in self.model.holds.iter().rev() {
             let Some(body) = hold.node.checked_sub(self.model.beam_node_count()) else { break };
             if self.model.bodies[body].kind != BodyKind::Obstacle {
                 break;
             }
-            let from = (time - step).max(0.0);
             if hold.drives.iter().all(Vec::is_empty) {
                 continue; // it stands
             }
-            let rate = |motion: usize| {
-                let course = &self.model.motions[motion];
-                (course.value(time + step) - course.value(from)) / (time + step - from)
-            };
+            let rate = |motion: usize| self.model.motions[motion].rate(time, width);
             let mut velocity = [0.0; 4];
             for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
                 let along: f64 = drive.iter().map(|(m, a)| a * rate(*m)).sum();

@@ -105,6 +105,7 @@ impl<S: Number> Telling<'_, S> {
                 tamed_count: 0,
                 impulse_total: read(total),
                 intervals: Vec::new(),
+                penetration: Peak { value: 0.0, time: 0.0 },
             };
         }
         let force = |top: &Top<S>| Top { value: guide.reaction(top.value), time: top.time };

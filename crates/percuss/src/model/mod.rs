@@ -11,6 +11,7 @@ mod fault;
 pub(crate) mod frozen;
 mod loads;
 mod mesh;
+mod overlaps;
 mod pairs;
 mod striking;
 mod time_function;

@@ -4,13 +4,9 @@ use super::builder::{ModelBuilder, locate, point_at};
 use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Centre, Hold, Memory, Pair, Target};
-use crate::contact::touch::{Reach, Touch};
+use crate::contact::pair::{Centre, Hold, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};
 
-/// Penetrations at the start below this share of the bodies' size are round-off.
-const TOUCHING: f64 = 1e-9;
 /// A beam touches itself no nearer along its axis than this, in elements and in half depths.
 const OWN_NEIGHBOURHOOD: [f64; 2] = [2.0, 8.0];
 
@@ -358,44 +354,4 @@ fn half_depth(model: &Model, point: &MaterialPoint) -> f64 {
     let axis = &model.beams[point.beam].axis;
     let element = axis.iter().find(|e| e.node == point.node);
     element.map_or(0.0, |e| e.half_depth(((point.s - e.s) / e.length).clamp(0.0, 1.0)))
-}
-
-impl Model {
-    /// A fault for each contact that has one thing inside the other in a configuration: how deep, where, and what would cure it.
-    pub(crate) fn overlaps(&self, displacement: &[[f64; 4]]) -> Vec<Fault> {
-        let at = Configuration::of(displacement);
-        let mut faults = Vec::new();
-        for contact in &self.contacts {
-            let depth = |pair: &Pair| {
-                let touch = pair.touch(self, &at, &Memory::default(), Reach::All)?;
-                (touch.gap < -TOUCHING * self.scale_of(pair)).then_some((touch, pair.source_party))
-            };
-            let worst = self.pairs[contact.pairs.clone()].iter().filter_map(depth);
-            if let Some((touch, party)) = worst.min_by(|a, b| a.0.gap.total_cmp(&b.0.gap)) {
-                faults.push(overlap(contact, &touch, party));
-            }
-        }
-        faults
-    }
-
-    fn scale_of(&self, pair: &Pair) -> f64 {
-        match &pair.target {
-            Target::Axis { beam, .. } => self.beams[*beam].length.max(pair.reach),
-            Target::Guided { .. } => f64::INFINITY, // its standoff is checked by itself
-            _ => pair.reach.max(1e-3),
-        }
-    }
-}
-
-fn overlap(contact: &ContactData, touch: &Touch, party: usize) -> Fault {
-    let depth = -touch.gap;
-    let [x, y] = touch.foot_place;
-    let shift = scale(depth, touch.normal);
-    let (inside, of) = (&contact.between[party], &contact.between[1 - party]);
-    let found = format!("`{inside}` starts {depth:.6} m inside `{of}`, at [{x:.6}, {y:.6}]");
-    let expected = format!(
-        "a start without penetration: move `{inside}` by [{:.6}, {:.6}] m, or `{of}` the other way",
-        shift[0], shift[1]
-    );
-    Fault::new(format!("contact.{}.between", contact.name), found, expected)
 }

@@ -124,6 +124,42 @@ impl Course {
         }
     }
 
+    /// Derivative at time `t`, at a kink the one after it; of a function given as code over `width` about it \[1/s\].
+    pub fn rate(&self, t: f64, width: f64) -> f64 {
+        use TimeFunction::*;
+        let pi = std::f64::consts::PI;
+        let within = |duration: f64| (0.0..duration).contains(&t);
+        match &self.function {
+            Constant | Step { .. } => 0.0,
+            Ramp { duration } if within(*duration) => 1.0 / duration,
+            HalfSine { duration } if within(*duration) => pi / duration * (pi * t / duration).cos(),
+            Triangle { duration } if within(*duration) => {
+                if t < 0.5 * duration {
+                    2.0 / duration
+                } else {
+                    -2.0 / duration
+                }
+            }
+            Ramp { .. } | HalfSine { .. } | Triangle { .. } => 0.0,
+            Harmonic { frequency, phase } => {
+                let rate = 2.0 * pi * frequency;
+                rate * (rate * t + phase).cos()
+            }
+            Table { times, .. } if t < times[0] || t >= times[times.len() - 1] => 0.0,
+            Table { times, values, .. } => self.spline.as_ref().map_or_else(
+                || {
+                    let next = times.partition_point(|x| *x <= t);
+                    (values[next] - values[next - 1]) / (times[next] - times[next - 1])
+                },
+                |spline| spline.slope(t),
+            ),
+            Function(f) => {
+                let from = (t - 0.5 * width).max(0.0);
+                (f.0(from + width) - f.0(from)) / width
+            }
+        }
+    }
+
     /// Mean over `[start, start + h]`: exact but for functions given as code, which are taken at three Gauss points.
     pub fn mean(&self, start: f64, h: f64) -> f64 {
         let end = start + h;
@@ -203,6 +239,33 @@ mod tests {
                     .sum();
                 assert!((course.mean(start, h) - sum).abs() < 1e-4, "{f:?} {start}");
             }
+        }
+    }
+
+    #[test]
+    fn rates_are_derivatives() {
+        let table = |smooth| TimeFunction::Table {
+            times: vec![0.0, 0.4, 1.0, 1.5],
+            values: vec![0.0, 2.0, -1.0, 0.5],
+            smooth,
+        };
+        for f in [
+            TimeFunction::Step { at: 0.3 },
+            TimeFunction::Ramp { duration: 0.7 },
+            TimeFunction::HalfSine { duration: 1.2 },
+            TimeFunction::Triangle { duration: 0.9 },
+            TimeFunction::Harmonic { frequency: 0.5, phase: 0.4 },
+            table(false),
+            table(true),
+            TimeFunction::function(|t| t * t),
+        ] {
+            let course = Course::new(&f);
+            for t in [0.1, 0.35, 0.55, 1.1, 1.3, 2.0] {
+                let difference = (course.value(t + 1e-6) - course.value(t - 1e-6)) / 2e-6;
+                assert!((course.rate(t, 1e-5) - difference).abs() < 1e-5, "{f:?} {t}");
+            }
+            // What begins at zero moves from there on.
+            assert!((course.rate(0.0, 1e-5) - course.rate(1e-9, 1e-5)).abs() < 1e-4, "{f:?}");
         }
     }
 

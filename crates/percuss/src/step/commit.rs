@@ -34,6 +34,7 @@ pub fn commit(
     if matches!(integration.rule, Rule::Alpha(_)) {
         spin_from_velocity(model, state);
     }
+    forcing.follow(&mut state.followed);
     state.multiplier.copy_from_slice(&work.multiplier);
     state.time += h;
 }

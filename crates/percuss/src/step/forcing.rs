@@ -12,7 +12,7 @@ pub struct Forcing {
     pub factors: Vec<f64>,
     /// Increments of the prescribed motions' courses, shape (n_motion).
     moved: Vec<f64>,
-    /// Values of the courses at the start, shape (n_motion).
+    /// Values to which the courses were followed by the start, shape (n_motion).
     started: Vec<f64>,
     /// Whether each constraint acts, shape (n_constraint).
     pub constrained: Vec<bool>,
@@ -21,8 +21,10 @@ pub struct Forcing {
 }
 
 /// Parts of a step below this share of it take the increments of motions from their rates: differences of values would be
-/// round-off, and round-off over so short a time a velocity.
+/// round-off, and round-off over so short a time a velocity. What they leave out or add the next longer part makes good.
 const SHORT: f64 = 1e-3;
+/// Derivatives of motions given as code are taken over this share of a step.
+const WIDTH: f64 = 0.02;
 
 impl Forcing {
     /// Room for the loads and motions of `model`.
@@ -37,19 +39,15 @@ impl Forcing {
         }
     }
 
-    /// Sets what acts over the part `[start, start + h]` of a step of size `step`.
-    pub fn set(&mut self, model: &Model, start: f64, h: f64, step: f64) {
+    /// Sets what acts over the part `[start, start + h]` of a step of size `step`, motions followed to the values `reached`.
+    pub fn set(&mut self, model: &Model, start: f64, h: f64, step: f64, reached: &[f64]) {
         self.set_loads(model, start, h, 1.0);
         for (i, course) in model.motions.iter().enumerate() {
-            self.started[i] = course.value(start);
+            self.started[i] = reached[i];
             self.moved[i] = if h >= SHORT * step {
-                course.value(start + h) - course.value(start)
+                course.value(start + h) - reached[i]
             } else {
-                let (middle, half) = (start + 0.5 * h, 0.5 * step);
-                h / step
-                    * (course.value(middle + half) - course.value((middle - half).max(0.0)))
-                    * step
-                    / (half + half.min(middle))
+                h * course.rate(start + 0.5 * h, WIDTH * step)
             };
         }
         let slack = 0.5 * h.min(SHORT * step);
@@ -77,6 +75,13 @@ impl Forcing {
     pub fn hold_motions(&mut self) {
         for (started, moved) in self.started.iter_mut().zip(&mut self.moved) {
             *started += std::mem::take(moved);
+        }
+    }
+
+    /// Takes the increments of the motions into the values `reached`.
+    pub fn follow(&self, reached: &mut [f64]) {
+        for (reached, moved) in reached.iter_mut().zip(&self.moved) {
+            *reached += moved;
         }
     }
 

@@ -60,12 +60,27 @@ const CONDITIONS: f64 = 1e-8;
 /// Residuals beyond this are worth a warning whatever the scheme.
 const BOOKS_OPEN: f64 = 1e-8;
 
+/// Rigid things further inside each other than this are worth a warning \[m\].
+const INSIDE: f64 = 1e-7;
+
 /// What deserves attention.
 pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
     let mut all = Vec::new();
     if run.contact_residual_max > CONDITIONS {
         let size = small(run.contact_residual_max);
         all.push(format!("contacts violate their conditions by {size} of the largest velocity"));
+    }
+    for contact in &run.contacts {
+        if let ContactRecord::Nonsmooth { penetration, .. } = &contact.record
+            && penetration.value > INSIDE
+        {
+            let (name, [a, b]) = (&contact.name, &contact.between);
+            let (depth, time) = (number(penetration.value), number(penetration.time));
+            all.push(format!(
+                "contact {name}: {a} and {b} were inside each other, by {depth} m at {time} s; use a smaller time.step, unless \
+                 something else holds them there"
+            ));
+        }
     }
     let residuals = [
         ("energy", run.energy.residual_max),
@@ -144,6 +159,7 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
             tamed_count,
             impulse_total,
             intervals,
+            ..
         } => {
             let counted = count(*impact_count, "impact");
             let mut lines =

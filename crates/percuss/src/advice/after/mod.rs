@@ -199,7 +199,8 @@ impl Desk<'_> {
         let starts = self.others().filter_map(Touch::first).map(|touch| touch.time());
         let earlier = starts.into_iter().any(|time| time < self.touch.time());
         let still = !(loads || moves || earlier);
-        Assumptions::default().and("nothing moves or loads the beam before the touch", still)
+        Assumptions::default()
+            .and("nothing but its weight loads or moves the beam before the touch", still)
     }
 
     /// The other contacts of what meets here; beams may be joined, so that all of them count as one.

@@ -7,6 +7,7 @@ use super::actions::check_function;
 use super::beams::check_point;
 use super::{Faults, quantity};
 use crate::math::vec2::norm;
+use crate::model::TimeFunction;
 
 pub(super) fn check_disc(disc: &Disc, out: &mut Faults) {
     let path = |field: &str| format!("disc.{}.{field}", disc.name);
@@ -98,7 +99,27 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
     }
     match &contact.law {
         TouchLaw::Smooth(law) => check_smooth(law, &path, out),
-        TouchLaw::Rigid(law) => check_rigid(law, &path, out),
+        TouchLaw::Rigid(law) => {
+            check_rigid(law, &path, out);
+            check_jumps(model, contact, out);
+        }
+    }
+}
+
+/// Impacts of rigid things follow from velocities, and a jump has none.
+fn check_jumps(model: &ModelBuilder, contact: &Contact, out: &mut Faults) {
+    for party in contact.between {
+        let Party::Obstacle(id) = party else { continue };
+        let Some(obstacle) = model.obstacles.get(id.0 as usize) else { continue };
+        let function = obstacle.motion.as_ref().map(|m| &m.function);
+        if let Some(TimeFunction::Step { at }) = function
+            && *at > 0.0
+        {
+            let path = format!("obstacle.{}.motion.function", obstacle.name);
+            let found = format!("a jump at {at} s, against the rigid contact `{}`", contact.name);
+            let expected = "a motion with a velocity, such as a ramp, or a smooth law of contact";
+            out.add(path, found, expected);
+        }
     }
 }
 
