@@ -2,7 +2,7 @@
 
 use crate::element::beam::ElementValues;
 use crate::element::strain::strains;
-use crate::math::vec2::{add, cross, dot, norm, scale};
+use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::frozen::{BodyKind, Span};
 use crate::model::{Model, TouchLaw};
 use crate::state::State;
@@ -96,7 +96,7 @@ pub struct Measures {
     pub curvature_drift: f64,
     /// Largest distance of a stored membrane strain from that of the configuration \[1\].
     pub membrane_drift: f64,
-    /// Sum of the magnitudes of the elements' and bodies' linear momenta \[kg m/s\], a scale: where things move against each
+    /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: where things move against each
     /// other, momenta vanish together that do not vanish alone.
     pub linear_size: f64,
     /// Sum of the magnitudes of their angular momenta \[kg m^2/s\], a scale.
@@ -139,7 +139,7 @@ impl Measures {
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
             let momentum = momentum(table, &state.velocity[a], &state.velocity[a + 1]);
             let [pa, pb] = &momentum;
-            linear_size += norm([pa[0] + pb[0], pa[1] + pb[1]]);
+            linear_size += (pa[0] + pb[0]).abs() + (pa[1] + pb[1]).abs();
             let before = angular;
             for (node, p) in [(a, &momentum[0]), (a + 1, &momentum[1])] {
                 let (frame, u, v) =

@@ -130,7 +130,7 @@ impl ContactLog {
         let i = contact.pair;
         let (pair, after) = (&model.pairs[i], &state.pairs[i]);
         if before.gap >= 0.0 && after.gap >= 0.0 {
-            return self.open_throughout(i, pair.contact, before, after, span);
+            return self.open_throughout(model, state, i, before.rate, span);
         }
         let gap =
             Cubic { h: span.h, start: [before.gap, before.rate], end: [after.gap, after.rate] };
@@ -178,22 +178,19 @@ impl ContactLog {
     }
 
     /// A pair that stood open over a step: its free motion tells with what velocity it parted in the step before.
-    fn open_throughout(
-        &mut self,
-        i: usize,
-        contact: usize,
-        before: &PairState,
-        after: &PairState,
-        span: Span,
-    ) {
+    fn open_throughout(&mut self, model: &Model, state: &State, i: usize, rate: f64, span: Span) {
         if span.brief {
             return;
         }
-        let acceleration = (after.rate - before.rate) / span.h;
+        // One that sleeps was looked at when the step began, not when it ended.
+        let Some(seen) = touch(model, state, i, Reach::Near) else { return };
+        let pair = &model.pairs[i];
+        let row = pair.normal_row(&seen, &Configuration::of(&state.displacement));
+        let acceleration = (row.on(&state.velocity) - rate) / span.h;
         self.free[i] = Free { acceleration, until: span.start + span.h };
         let Some(k) = self.released.iter().position(|r| r.0 == i) else { return };
         let (_, number, since) = self.released.swap_remove(k);
-        if let ContactRecord::Smooth { intervals, .. } = &mut self.records[contact] {
+        if let ContactRecord::Smooth { intervals, .. } = &mut self.records[pair.contact] {
             let parted = &mut intervals[number].separation_velocity;
             let freed = *parted - acceleration * since;
             // It parted: an acceleration that says otherwise belongs to vibrations that the step does not resolve.

@@ -40,17 +40,9 @@ pub(super) struct Advance {
 }
 
 impl Advance {
-    /// More events than this in one step count as accumulated impacts of all: for the rest of the step what touches stays
-    /// together.
-    pub const MOST_EVENTS: usize = 8192;
+    /// More events than this in one step count as accumulated impacts: for the rest of the step what touches stays together.
+    pub const MOST_EVENTS: usize = 128;
 }
-
-/// A pair that has struck so often within a step has accumulated its impacts: it stays together for the rest of the step unless it
-/// parts. An impact that sticks counts for several: what sticks again and again is pressed together.
-const MOST_STRIKES: u16 = 64;
-const STUCK: u16 = 16;
-/// Such a pair has parted when it is so many times as far apart as its fastest approach takes it in a pulse.
-const PARTED: f64 = 1e3;
 
 impl Simulation<'_> {
     /// Advances by a part of the step of at most the given size; returns the part, or why there is no solution.
@@ -96,17 +88,12 @@ impl Simulation<'_> {
         awake.filter(|i| self.rigid_law(*i).is_some()).collect()
     }
 
-    /// Rigid pairs that touch, at rest but for round-off or by accumulated impacts, count as closed.
+    /// Rigid pairs that touch, at rest but for round-off, count as closed.
     fn settle(&mut self) {
         let round_off = NO_APPROACH * self.velocity_in_play();
-        let (reach, pulse) = (1e-12 * self.size, self.pulse());
+        let reach = 1e-12 * self.size;
         for i in self.rigid() {
             let pair = &mut self.state.pairs[i];
-            let near = pulse * pair.approach_max;
-            if pair.gap > PARTED * near {
-                self.strikes[i] = 0;
-            }
-            pair.closed |= self.strikes[i] >= MOST_STRIKES && pair.gap <= near;
             if pair.gap <= reach && pair.rate.abs() <= round_off {
                 pair.closed = true;
             }
@@ -120,7 +107,7 @@ impl Simulation<'_> {
         let near = |i: &usize| {
             let pair = &self.state.pairs[*i];
             let close = located == Some(*i) || pair.gap < -0.75 * pulse * pair.rate;
-            !pair.closed && pair.rate < 0.0 && close && self.strikes[*i] < MOST_STRIKES
+            !pair.closed && pair.rate < 0.0 && close
         };
         self.rigid().into_iter().filter(near).collect()
     }
@@ -197,10 +184,9 @@ impl Simulation<'_> {
         }
     }
 
-    /// Open rigid pairs that could touch within the step solved last, and have not accumulated their impacts.
+    /// Open rigid pairs that could touch within the step solved last.
     fn open_contacts(&self) -> Vec<usize> {
-        let sought = |i: usize| !self.state.pairs[i].closed && self.strikes[i] < MOST_STRIKES;
-        let open = |i: &usize| self.rigid_law(*i).is_some() && sought(*i);
+        let open = |i: &usize| self.rigid_law(*i).is_some() && !self.state.pairs[*i].closed;
         self.reached.iter().copied().filter(open).collect()
     }
 
@@ -297,10 +283,7 @@ impl Simulation<'_> {
             let pair = &mut self.state.pairs[i];
             pair.approach_max = pair.approach_max.max(-rate);
             let sticks = -rate <= self.stick_velocity(i);
-            let contact = self.striking(i, sticks);
-            let stays = matches!(contact.phase, Phase::Impact { restitution: 0.0, .. });
-            self.strikes[i] += if stays { STUCK } else { 1 };
-            active.push(contact);
+            active.push(self.striking(i, sticks));
         }
         let tamed = match self.solve_impact(pulse, &active) {
             Ok(tamed) => tamed,

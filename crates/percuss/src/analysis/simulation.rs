@@ -76,8 +76,6 @@ pub struct Simulation<'m> {
     row_time: f64,
     /// Pair whose instant of contact the last accepted step was cut to.
     pub(super) located: Option<usize>,
-    /// Impacts of each rigid pair in the step at hand, those that stick counted several times, shape (n_pair).
-    pub(super) strikes: Vec<u16>,
     /// Which pairs are near.
     pub(super) search: Search,
     /// Pairs taken into the step at hand, those it brought within reach, and sleeping ones looked at on that account.
@@ -128,7 +126,6 @@ impl<'m> Simulation<'m> {
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,
-            strikes: vec![0; model.pairs.len()],
             search: Search::new(model),
             near: Vec::new(),
             reached: Vec::new(),
@@ -223,7 +220,6 @@ impl<'m> Simulation<'m> {
         let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
         let mut size = target;
         let mut events_left = Advance::MOST_EVENTS;
-        self.strikes.fill(0);
         let mut parts = 0;
         while self.state.offset < target * (1.0 - SAME_INSTANT) {
             parts += 1;

@@ -249,11 +249,14 @@ impl<S: Number> Engine<S> {
         let mut element = 0;
         for span in &self.numbers.spans {
             let (mut twice, mut linear, mut angular) = (zero, [zero; 2], zero);
+            let (mut linear_size, mut angular_size) = (zero, zero);
             for k in 0..span.count {
                 let (a, table) = (span.first + k, span.table(k));
                 let (va, vb) = (&self.velocity[a], &self.velocity[a + 1]);
                 let (mut pa, mut pb) = ([zero; 4], [zero; 4]);
                 table.add_inertia(va, vb, &mut pa, &mut pb);
+                linear_size += (pa[0] + pb[0]).abs() + (pa[1] + pb[1]).abs();
+                let before = angular;
                 for (node, p, v) in [(a, &pa, va), (a + 1, &pb, vb)] {
                     let (frame, u) = (&self.numbers.nodes[node], &self.displacement[node]);
                     twice += dot4(p, v);
@@ -274,6 +277,7 @@ impl<S: Number> Engine<S> {
                         .add_product(law.bending * bending, bending);
                     angular += turning;
                 }
+                angular_size += (angular - before).abs();
                 if let Some(samples) = &table.membrane {
                     let u = &self.displacement;
                     let values = ElementValues::new(&u[a], &u[a + 1]);
@@ -282,7 +286,10 @@ impl<S: Number> Engine<S> {
                 element += 1;
             }
             m.energy += twice * 0.5;
-            m.add_momentum(linear, angular);
+            m.linear = add(m.linear, linear);
+            m.angular += angular;
+            m.linear_size += linear_size;
+            m.angular_size += angular_size;
         }
         for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
             let momentum = guide.mass * state.velocity;
