@@ -278,7 +278,7 @@ fn unit(keys: &[&str]) -> &'static str {
     let last = keys.iter().rev().find(|key| key.parse::<usize>().is_err()).copied().unwrap_or("");
     let has = |key: &str| keys.contains(&key);
     match last {
-        "value" if has("displacement_max") => "m",
+        "value" if has("displacement_max") || has("penetration") => "m",
         "value" if has("stress") => "Pa",
         "value" if has("strain") => "1",
         "value" if has("moment") || has("moment_max") => "N*m",

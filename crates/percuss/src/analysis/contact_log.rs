@@ -2,7 +2,7 @@
 
 use super::monitor::Part;
 use crate::contact::configuration::Configuration;
-use crate::contact::free_gap::{FreeGap, open_since};
+use crate::contact::free_gap::FreeGap;
 use crate::contact::pair::Pair;
 use crate::contact::row::Row;
 use crate::contact::touch::{Reach, Touch};
@@ -30,8 +30,19 @@ pub struct ContactLog {
     start: f64,
     /// What each smooth pair did in the last step in which it stood open.
     free: Vec<Free>,
-    /// Intervals that ended in the step before: by their pair the number, and the time that had passed since at the step's end.
-    released: Vec<(usize, usize, f64)>,
+    /// Intervals that ended in the step before.
+    released: Vec<Released>,
+}
+
+/// An interval that has ended in a step, and what the gap was at its end.
+#[derive(Clone, Copy, Debug)]
+struct Released {
+    pair: usize,
+    /// Its number in the contact's record.
+    interval: usize,
+    gap: f64,
+    rate: f64,
+    span: Span,
 }
 
 /// The free motion of a gap.
@@ -44,7 +55,7 @@ struct Free {
 }
 
 /// Time and size of a step.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Span {
     start: f64,
     h: f64,
@@ -132,6 +143,8 @@ impl ContactLog {
         if before.gap >= 0.0 && after.gap >= 0.0 {
             return self.open_throughout(model, state, i, before.rate, span);
         }
+        // What closes again at once has not flown freely over a step.
+        self.take_released(i);
         let gap =
             Cubic { h: span.h, start: [before.gap, before.rate], end: [after.gap, after.rate] };
         let ContactRecord::Smooth { peak_force, intervals } = &mut self.records[pair.contact]
@@ -169,10 +182,10 @@ impl ContactLog {
         interval.energy.stored += change;
         interval.place_end = place(model, state, i);
         if after.gap >= 0.0 {
-            let since = open_since(after.gap, after.rate, span.h);
-            interval.end = span.start + (span.h - since);
-            interval.separation_velocity = after.rate;
-            self.released.push((i, open, since));
+            let released =
+                Released { pair: i, interval: open, gap: after.gap, rate: after.rate, span };
+            released.tell(interval, 0.0);
+            self.released.push(released);
             self.open[i] = None;
         }
     }
@@ -188,16 +201,16 @@ impl ContactLog {
         let row = pair.normal_row(&seen, &Configuration::of(&state.displacement));
         let acceleration = (row.on(&state.velocity) - rate) / span.h;
         self.free[i] = Free { acceleration, until: span.start + span.h };
-        let Some(k) = self.released.iter().position(|r| r.0 == i) else { return };
-        let (_, number, since) = self.released.swap_remove(k);
+        let Some(released) = self.take_released(i) else { return };
         if let ContactRecord::Smooth { intervals, .. } = &mut self.records[pair.contact] {
-            let parted = &mut intervals[number].separation_velocity;
-            let freed = *parted - acceleration * since;
-            // It parted: an acceleration that says otherwise belongs to vibrations that the step does not resolve.
-            if freed > 0.0 {
-                *parted = freed;
-            }
+            released.tell(&mut intervals[released.interval], acceleration);
         }
+    }
+
+    /// The interval of pair `i` that ended in the step before.
+    fn take_released(&mut self, i: usize) -> Option<Released> {
+        let k = self.released.iter().position(|r| r.pair == i)?;
+        Some(self.released.swap_remove(k))
     }
 
     fn rigid(
@@ -273,6 +286,16 @@ impl ContactLog {
                 });
             }
         }
+    }
+}
+
+impl Released {
+    /// When it ended and with what velocity, the gap's motion since followed backwards with the acceleration of the step after.
+    fn tell(&self, interval: &mut ContactInterval, acceleration: f64) {
+        let back = FreeGap { gap: self.gap, rate: -self.rate, acceleration };
+        let [since, rate] = back.closes(self.span.h);
+        interval.end = self.span.start + (self.span.h - since);
+        interval.separation_velocity = -rate;
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::scalar::Number;
 
-/// A gap on its way to a contact.
+/// A gap on its way to a contact; from one, with time and rate reversed.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeGap<S> {
     /// Gap at the start of the step \[m\].
@@ -33,14 +33,6 @@ impl<S: Number> FreeGap<S> {
     }
 }
 
-/// Time that has passed by the end of a step, no more than its size `h`, since a gap opened that is `gap` wide and grows at
-/// `rate` then.
-#[inline(always)]
-pub fn open_since<S: Number>(gap: S, rate: S, h: S) -> S {
-    let since = gap / rate;
-    S::choose(since.at_most(h) & h.constant(0.0).less(rate), since, h)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -64,7 +56,5 @@ mod tests {
     fn a_gap_that_opens_does_not_close_by_itself() {
         let opening = FreeGap { gap: 0.1, rate: 1.0, acceleration: 0.0 };
         assert!(opening.closes(0.1)[1] >= 0.0);
-        assert_eq!(open_since(0.02, 1.0, 0.1), 0.02);
-        assert_eq!(open_since(0.2, 1.0, 0.1), 0.1);
     }
 }

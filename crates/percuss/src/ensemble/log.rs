@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
-use crate::contact::free_gap::{FreeGap, open_since};
+use crate::contact::free_gap::FreeGap;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::scalar::{Mask, Number};
@@ -59,9 +59,10 @@ pub struct GuideLog<S: Number> {
     pub impacts: Vec<Vec<Struck<S>>>,
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
     free: S,
-    /// Lanes whose last interval ended in the step before, and the time that had passed since at the step's end \[s\].
+    /// Lanes whose last interval ended in the step before; gap and rate at the end of that step, its time and size.
     released: S::Mask,
-    since: S,
+    parted: FreeGap<S>,
+    parted_at: [S; 2],
 }
 
 /// The record of an ensemble.
@@ -95,6 +96,13 @@ impl<S: Number> Closed<S> {
         }
     }
 
+    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`.
+    fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) {
+        let [since, rate] = back.closes(h);
+        self.end = start + (h - since);
+        self.separation = -rate;
+    }
+
     fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
         let set = |mine: &mut S, other: S| mine.set_lane(lane, other, from_lane);
         set(&mut self.start, from.start);
@@ -126,7 +134,8 @@ impl<S: Number> Log<S> {
             impacts: vec![Vec::new(); S::LANES],
             free: zero,
             released: zero.less(zero),
-            since: zero,
+            parted: FreeGap { gap: zero, rate: zero, acceleration: zero },
+            parted_at: [zero; 2],
         };
         let (points, guides) = (engine.numbers.points.len(), engine.guides.len());
         Self {
@@ -222,11 +231,13 @@ impl<S: Number> Log<S> {
         log.deepest.take_positive(&path, time);
         for lane in 0..S::LANES {
             if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
-                let since = open_since(state.gap, state.rate, h);
+                let parted = FreeGap { gap: state.gap, rate: -state.rate, acceleration: zero };
                 let mut done = log.open;
-                done.end = time + (h - since);
-                done.separation = state.rate;
-                log.since.set_lane(lane, since, lane);
+                done.part(&parted, [time, h]);
+                log.parted.gap.set_lane(lane, parted.gap, lane);
+                log.parted.rate.set_lane(lane, parted.rate, lane);
+                log.parted_at[0].set_lane(lane, time, lane);
+                log.parted_at[1].set_lane(lane, h, lane);
                 let released = log.released;
                 log.released = zero.mask(|i| i == lane || released.lane(i));
                 done.place_end = engine.struck(k);
@@ -265,20 +276,19 @@ impl<S: Number> GuideLog<S> {
     fn open_throughout(&mut self, open: S::Mask, acceleration: S) {
         self.free = S::choose(open, acceleration, self.free);
         let freed = self.released & open;
+        let zero = acceleration.constant(0.0);
+        // What closes again at once has not flown freely over a step.
+        self.released = zero.less(zero);
         if !freed.any() {
             return;
         }
-        let zero = acceleration.constant(0.0);
-        let gained = acceleration * self.since;
+        let parted = FreeGap { acceleration, ..self.parted };
         for lane in 0..S::LANES {
             let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) else {
                 continue;
             };
-            // It parted: an acceleration that says otherwise belongs to vibrations that the step does not resolve.
-            let parted = last.separation - gained;
-            last.separation = S::choose(zero.less(parted), parted, last.separation);
+            last.part(&parted, self.parted_at);
         }
-        self.released = self.released & !freed;
     }
 }
 

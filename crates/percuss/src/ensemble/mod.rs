@@ -16,6 +16,7 @@ mod loads;
 mod log;
 mod newton;
 mod numbers;
+mod reactions;
 mod run;
 mod sensitivity;
 mod shape;

@@ -1,0 +1,60 @@
+//! Reactions where an iteration ends without another evaluation: they follow its last correction by the tangent it was found with.
+
+use super::band::{Block, add_applied};
+use super::engine::Engine;
+use crate::scalar::Number;
+
+impl<S: Number> Engine<S> {
+    /// Keeps the rows of held nodes of the tangent assembled last, in the given lanes.
+    #[inline(always)]
+    pub fn keep_grips(&mut self, which: S::Mask) {
+        let (band, last) = (&self.tangent, self.residual.len() - 1);
+        for (grip, hold) in self.grips.iter_mut().zip(&self.numbers.holds) {
+            let n = hold.node;
+            take_block(&mut grip[1], &band.diag[n], which);
+            if n > 0 {
+                take_block(&mut grip[0], &band.lower[n - 1], which);
+            }
+            if n < last {
+                take_block(&mut grip[2], &band.upper[n], which);
+            }
+        }
+    }
+
+    /// Reactions after the correction taken last by the given lanes, to first order.
+    #[inline(always)]
+    pub fn correct_reactions(&mut self, took: S::Mask) {
+        let (zero, last) = (self.h.constant(0.0), self.residual.len() - 1);
+        for k in 0..self.numbers.holds.len() {
+            let (hold, [before, own, after]) = (&self.numbers.holds[k], &self.grips[k]);
+            let n = hold.node;
+            let mut change = add_applied([zero; 4], own, &self.correction[n]);
+            if n > 0 {
+                change = add_applied(change, before, &self.correction[n - 1]);
+            }
+            if n < last {
+                change = add_applied(change, after, &self.correction[n + 1]);
+            }
+            for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
+                if guide.node == n || guide.node + 1 == n {
+                    let row = guide.row();
+                    for i in 0..4 {
+                        change[i] += state.left_over() * row[4 * (n - guide.node) + i];
+                    }
+                }
+            }
+            let mut free = change;
+            hold.project(&mut free);
+            for i in 0..4 {
+                self.reactions[k][i] += S::choose(took, change[i] - free[i], zero);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn take_block<S: Number>(mine: &mut Block<S>, other: &Block<S>, which: S::Mask) {
+    for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
+        *mine = S::choose(which, *other, *mine);
+    }
+}
