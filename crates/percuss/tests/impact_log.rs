@@ -19,6 +19,17 @@ fn held(b: &mut ModelBuilder, girder: BeamId) {
     }
 }
 
+/// A rigid disc on its way in the neighbourhood of a plank.
+fn with_disc(radius: f64, position: [f64; 2], velocity: [f64; 2]) -> Model {
+    let mut b = ModelBuilder::new();
+    let girder = plank(&mut b, 7);
+    held(&mut b, girder);
+    let ball = b.disc(disc("ball", 0.01, radius, position, velocity));
+    let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
+    b.contact(Contact::new("touch", [Party::Disc(ball), Party::Beam(girder)], law));
+    b.build().unwrap()
+}
+
 fn faults(b: &ModelBuilder) -> Vec<String> {
     b.build().err().map_or(Vec::new(), |f| f.iter().map(ToString::to_string).collect())
 }
@@ -66,8 +77,8 @@ fn velocities_of_approach_do_not_depend_on_the_step() {
 }
 
 #[test]
-fn a_ball_that_falls_on_a_wall_leaves_as_it_came() {
-    // On a rigid floor the contact is a half sine: it parts with the velocity of approach, and free flight tells it exactly.
+fn a_ball_that_falls_on_a_floor_leaves_as_it_came() {
+    // Energy is kept at every end of a step, so the flight after the contact is that before it, mirrored, however coarse the step.
     for step in [2e-3, 5e-4, 1e-4] {
         let mut b = ModelBuilder::new();
         let ball = b.disc(disc("ball", 2.0, 0.1, [0.0, 0.6], [0.0, 0.0]));
@@ -86,10 +97,8 @@ fn a_ball_that_falls_on_a_wall_leaves_as_it_came() {
         let first = &intervals(&run)[0];
         let fall = 10.0_f64.sqrt();
         assert!((first.approach_velocity - fall).abs() < 1e-12, "{step}: {first:?}");
-        // Where it parts lies within a step, so within its way in a step its weight takes or gives something.
-        let weight = step * step * 10.0 * 2.0 * 2e4_f64 / 2.0;
         let missing = (first.separation_velocity - fall).abs();
-        assert!(missing < 1e-9 + 0.1 * weight, "{step}: {missing} {first:?}");
+        assert!(missing < 1e-10, "{step}: {missing} {first:?}");
     }
 }
 
@@ -121,7 +130,7 @@ fn a_jump_against_a_rigid_contact_is_refused() {
 
 #[test]
 fn an_obstacle_that_darts_within_a_step_strikes() {
-    // 30 mm in a hundredth of a step, from below a free beam to well above where it lay.
+    // 30 mm in a thousandth of a step, from below a free beam to well above where it lay.
     let mut b = ModelBuilder::new();
     let girder = plank(&mut b, 8);
     let floor = b.obstacle(Obstacle {
@@ -131,7 +140,7 @@ fn an_obstacle_that_darts_within_a_step_strikes() {
             displacement: [0.0, 0.03],
             rotation: 0.0,
             function: TimeFunction::Table {
-                times: vec![0.0, 0.01, 0.01001],
+                times: vec![0.0, 0.01, 0.010001],
                 values: vec![0.0, 0.0, 1.0],
                 smooth: false,
             },
@@ -203,35 +212,30 @@ impl Recorder for Gaps {
 }
 
 #[test]
-fn what_flies_round_an_end_is_not_inside() {
+fn what_is_seen_from_the_other_face_is_not_inside() {
+    // A free plank turns once and a half in front of a disc that stands above its middle: it shows it both faces.
     let mut b = ModelBuilder::new();
     let girder = plank(&mut b, 7);
-    held(&mut b, girder);
-    // From above the plank to below it, half a metre beyond its end.
-    let ball = b.disc(disc("ball", 0.1, 0.02, [0.2, 1.5], [5.0, -6.0]));
+    b.initial_motion(InitialMotion { spin: 30.0, about: [0.35, 0.0], ..InitialMotion::default() });
+    let ball = b.disc(disc("ball", 0.01, 0.02, [0.35, 3.0], [0.0; 2]));
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
     b.contact(Contact::new("miss", [Party::Disc(ball), Party::Beam(girder)], law));
     let mut gaps = Gaps::default();
-    simulate(&b.build().unwrap(), &Settings::new(0.6, 1e-3), &mut gaps).unwrap();
-    assert!(gaps.values.len() > 500);
-    let least = gaps.values.iter().copied().fold(f64::INFINITY, f64::min);
-    assert!(least > 0.3, "{least}");
-    // The last one by hand: from the nearest point of the plank.
-    let (x, y) = (0.2 + 5.0 * 0.6, 1.5 - 6.0 * 0.6);
-    let distance = f64::hypot(x - 0.7, y) - 0.02 - 0.004;
-    assert!((gaps.values.last().unwrap() - distance).abs() < 1e-9);
+    let model = b.build().unwrap();
+    simulate(&model, &Settings::new(0.3, 1e-3), &mut gaps).unwrap();
+    assert!(gaps.values.len() > 250);
+    // The plank's ends come within 0.35 m of its middle, and both have a depth.
+    let (least, most) = gaps
+        .values
+        .iter()
+        .fold((f64::INFINITY, 0.0_f64), |(low, high), gap| (low.min(*gap), high.max(*gap)));
+    assert!(least > 3.0 - 0.36 - 0.024 && most < 3.0, "{least} {most}");
 }
 
 #[test]
 fn depths_are_told() {
     // Time-stepping looks once a step, and stops what it finds inside over the next: a disc goes in by its way in both at most.
-    let mut b = ModelBuilder::new();
-    let girder = plank(&mut b, 10);
-    held(&mut b, girder);
-    let ball = b.disc(disc("ball", 0.01, 0.01, [0.2, 0.02], [0.0, -2.0]));
-    let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
-    b.contact(Contact::new("touch", [Party::Disc(ball), Party::Beam(girder)], law));
-    let model = b.build().unwrap();
+    let model = with_disc(0.01, [0.2, 0.02], [0.0, -2.0]);
     let located = Settings::new(4e-3, 1e-4);
     let stepped = ImpactResolution::TimeStepping { closed_tolerance: 0.0 };
     let stepped = Settings { impacts: stepped, ..located };

@@ -215,14 +215,14 @@ fn piecewise_linear(times: &[f64], values: &[f64], t: f64) -> f64 {
 mod tests {
     use super::*;
 
-    #[test]
-    fn means_are_integrals() {
+    /// One of each kind that varies.
+    fn courses() -> [TimeFunction; 7] {
         let table = |smooth| TimeFunction::Table {
             times: vec![0.0, 0.4, 1.0, 1.5],
             values: vec![0.0, 2.0, -1.0, 0.5],
             smooth,
         };
-        for f in [
+        [
             TimeFunction::Step { at: 0.3 },
             TimeFunction::Ramp { duration: 0.7 },
             TimeFunction::HalfSine { duration: 1.2 },
@@ -230,7 +230,12 @@ mod tests {
             TimeFunction::Harmonic { frequency: 0.5, phase: 0.4 },
             table(false),
             table(true),
-        ] {
+        ]
+    }
+
+    #[test]
+    fn means_are_integrals() {
+        for f in courses() {
             let course = Course::new(&f);
             for (start, h) in [(-0.1, 0.5), (0.2, 1.1), (1.4, 0.3)] {
                 let n = 20_000;
@@ -244,21 +249,8 @@ mod tests {
 
     #[test]
     fn rates_are_derivatives() {
-        let table = |smooth| TimeFunction::Table {
-            times: vec![0.0, 0.4, 1.0, 1.5],
-            values: vec![0.0, 2.0, -1.0, 0.5],
-            smooth,
-        };
-        for f in [
-            TimeFunction::Step { at: 0.3 },
-            TimeFunction::Ramp { duration: 0.7 },
-            TimeFunction::HalfSine { duration: 1.2 },
-            TimeFunction::Triangle { duration: 0.9 },
-            TimeFunction::Harmonic { frequency: 0.5, phase: 0.4 },
-            table(false),
-            table(true),
-            TimeFunction::function(|t| t * t),
-        ] {
+        let code = TimeFunction::function(|t| t * t);
+        for f in courses().into_iter().chain([code]) {
             let course = Course::new(&f);
             for t in [0.1, 0.35, 0.55, 1.1, 1.3, 2.0] {
                 let difference = (course.value(t + 1e-6) - course.value(t - 1e-6)) / 2e-6;

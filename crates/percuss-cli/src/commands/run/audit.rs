@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use percuss::{
-    Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, RunSummary, Termination,
+    Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, Peak, RunSummary,
+    Termination,
 };
 use serde_json::Value;
 
@@ -70,18 +71,7 @@ pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
         let size = small(run.contact_residual_max);
         all.push(format!("contacts violate their conditions by {size} of the largest velocity"));
     }
-    for contact in &run.contacts {
-        if let ContactRecord::Nonsmooth { penetration, .. } = &contact.record
-            && penetration.value > INSIDE
-        {
-            let (name, [a, b]) = (&contact.name, &contact.between);
-            let (depth, time) = (number(penetration.value), number(penetration.time));
-            all.push(format!(
-                "contact {name}: {a} and {b} were inside each other, by {depth} m at {time} s; use a smaller time.step, unless \
-                 something else holds them there"
-            ));
-        }
-    }
+    all.extend(inside(run));
     let residuals = [
         ("energy", run.energy.residual_max),
         ("linear momentum", run.momentum.linear_residual_max),
@@ -94,6 +84,26 @@ pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
         }
     }
     all
+}
+
+/// Rigid things that were inside each other: the deepest, and how many others.
+fn inside(run: &RunSummary) -> Option<String> {
+    let depth = |contact: &ContactSummary| match &contact.record {
+        ContactRecord::Nonsmooth { penetration, .. } => *penetration,
+        ContactRecord::Smooth { .. } => Peak::default(),
+    };
+    let deep = || run.contacts.iter().filter(|contact| depth(contact).value > INSIDE);
+    let worst = deep().max_by(|a, b| depth(a).value.total_cmp(&depth(b).value))?;
+    let (name, [a, b], peak) = (&worst.name, &worst.between, depth(worst));
+    let others = match deep().count() - 1 {
+        0 => String::new(),
+        others => format!(" (and {others} other contacts less)"),
+    };
+    let (depth, time) = (number(peak.value), number(peak.time));
+    Some(format!(
+        "contact {name}: {a} and {b} were inside each other, by {depth} m at {time} s{others}; use a smaller time.step, unless \
+         something else holds them there"
+    ))
 }
 
 fn status(ended: &Ended) -> String {
