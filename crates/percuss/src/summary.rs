@@ -348,6 +348,8 @@ pub struct RunSummary {
     pub solver_steps: usize,
     /// Times a step was cut because Newton's iteration failed.
     pub step_cuts: usize,
+    /// Steps with more impacts than are followed one by one: in the rest of each, what struck did so without restitution.
+    pub accumulated_steps: usize,
     /// Newton iterations.
     pub newton_iterations: usize,
     /// Factorisations of the tangent.

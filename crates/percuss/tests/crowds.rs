@@ -148,6 +148,14 @@ fn a_hundred_discs_and_twenty_stops_meet_their_conditions() {
     assert!(matches!(summary.termination, Termination::Completed));
     assert!(summary.contact_residual_max < 1e-10, "{:e}", summary.contact_residual_max);
     assert!(summary.energy.residual_max < 1e-10, "{:e}", summary.energy.residual_max);
+    // Steps with more impacts than are followed do not let anything in either.
+    assert!(summary.accumulated_steps > 10, "{}", summary.accumulated_steps);
+    let depth = |c: &ContactSummary| match &c.record {
+        ContactRecord::Nonsmooth { penetration, .. } => penetration.value,
+        ContactRecord::Smooth { .. } => 0.0,
+    };
+    let deepest = summary.contacts.iter().map(depth).fold(0.0, f64::max);
+    assert!(deepest < 1e-7, "{deepest:e} m, {} steps", summary.accumulated_steps);
 }
 
 #[test]

@@ -35,6 +35,7 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
     rows.push(["membrane strain drift".to_owned(), quantity(drift, "1"), drift_verdict(drift)]);
     rows.push(newton(summary));
     rows.push(step_cuts(summary));
+    rows.extend(accumulated_steps(summary));
     let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
     table("Audit: largest over the run", &["", "value", "verdict"], &rows)
 }
@@ -97,6 +98,13 @@ fn step_cuts(summary: &Value) -> [String; 3] {
     };
     let count = cuts.map_or("\u{2013}".to_owned(), |n| n.to_string());
     ["step cuts".to_owned(), count, verdict.to_owned()]
+}
+
+/// Steps with more impacts than are followed, where there are any.
+fn accumulated_steps(summary: &Value) -> Option<[String; 3]> {
+    let steps = summary["accumulated_steps"].as_u64().filter(|steps| *steps > 0)?;
+    let verdict = "more impacts than are followed one by one: without restitution in the rest of the step; consider a smaller one";
+    Some(["steps with accumulated impacts".to_owned(), steps.to_string(), verdict.to_owned()])
 }
 
 /// The settings of the run and its cost.

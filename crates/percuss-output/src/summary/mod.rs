@@ -46,6 +46,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "steps": run.steps,
         "solver_steps": run.solver_steps,
         "step_cuts": run.step_cuts,
+        "accumulated_steps": run.accumulated_steps,
         "newton_iterations": run.newton_iterations,
         "factorizations": run.factorizations,
         "rows": run.rows,

@@ -8,11 +8,12 @@ use serde_json::Value;
 use super::{audit, contact, energy, momentum, point, projectile, section_forces, support};
 
 /// Parts of a summary that stand once, by their names.
-const PLAIN: [&str; 8] = [
+const PLAIN: [&str; 9] = [
     "time",
     "steps",
     "solver_steps",
     "step_cuts",
+    "accumulated_steps",
     "newton_iterations",
     "factorizations",
     "rows",
@@ -166,6 +167,7 @@ fn part(part: &str, name: &str, run: &RunSummary) -> Value {
         "steps" => run.steps.into(),
         "solver_steps" => run.solver_steps.into(),
         "step_cuts" => run.step_cuts.into(),
+        "accumulated_steps" => run.accumulated_steps.into(),
         "newton_iterations" => run.newton_iterations.into(),
         "factorizations" => run.factorizations.into(),
         "rows" => run.rows.into(),

@@ -244,6 +244,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
         steps: 1500,
         solver_steps: 1503,
         step_cuts: 0,
+        accumulated_steps: 0,
         newton_iterations: 4511,
         factorizations: 4511,
         rows: 1501,

@@ -247,7 +247,11 @@ impl ContactLog {
         add_energy(&mut energy, model, pair, &found.tangent, tangential / h, work);
         energy.lost = -energy.given[0] - energy.given[1];
         *impulse_total += normal;
-        let rests = matches!(contact.phase, Phase::Resting { .. })
+        let carried = match contact.phase {
+            Phase::Settling { carried } => carried[0],
+            _ => 0.0,
+        };
+        let rests = !matches!(contact.phase, Phase::Impact { .. })
             || part.persistent.get(k).is_some_and(|rests| *rests);
         if rests {
             let open = self.open[i].is_some();
@@ -263,7 +267,7 @@ impl ContactLog {
                 (0..2).for_each(|p| interval.energy.given[p] += energy.given[p]);
                 interval.energy.lost += energy.lost;
                 interval.place_end = place(model, state, i);
-                if normal <= 0.0 {
+                if normal + carried <= 0.0 {
                     interval.end = state.time;
                     interval.separation_velocity = after;
                     self.open[i] = None;

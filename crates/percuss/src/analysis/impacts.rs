@@ -78,12 +78,12 @@ impl Simulation<'_> {
         }
     }
 
-    fn pulse(&self) -> f64 {
+    pub(super) fn pulse(&self) -> f64 {
         PULSE * self.settings.step
     }
 
     /// Rigid pairs near enough to matter where the state stands.
-    fn rigid(&self) -> Vec<usize> {
+    pub(super) fn rigid(&self) -> Vec<usize> {
         let awake = self.search.awake().iter().copied();
         awake.filter(|i| self.rigid_law(*i).is_some()).collect()
     }
@@ -113,7 +113,7 @@ impl Simulation<'_> {
     }
 
     /// Approach velocities of pair `i` up to this one do not bounce \[m/s\].
-    fn stick_velocity(&self, i: usize) -> f64 {
+    pub(super) fn stick_velocity(&self, i: usize) -> f64 {
         let round_off = NO_APPROACH * self.velocity_in_play();
         (STICK * self.state.pairs[i].approach_max).max(round_off)
     }
@@ -124,13 +124,17 @@ impl Simulation<'_> {
     }
 
     /// Contacts that stay closed.
-    fn resting(&self) -> Vec<ActiveContact> {
+    pub(super) fn resting(&self) -> Vec<ActiveContact> {
         let closed = self.rigid().into_iter().filter(|i| self.state.pairs[*i].closed);
         closed.map(|pair| ActiveContact { pair, phase: Phase::Resting { mean: false } }).collect()
     }
 
     /// Solves a step in which nothing strikes but `resting` contacts stay closed; friction on them never gives energy.
-    fn solve_resting(&mut self, h: f64, resting: &mut [ActiveContact]) -> Result<(), Failure> {
+    pub(super) fn solve_resting(
+        &mut self,
+        h: f64,
+        resting: &mut [ActiveContact],
+    ) -> Result<(), Failure> {
         self.solve(h, resting, ImpulseLaw::Newton)?;
         let mut again = false;
         for (contact, found) in resting.iter_mut().zip(&self.work.rigid) {
@@ -160,32 +164,20 @@ impl Simulation<'_> {
         Ok(done)
     }
 
-    /// The rest of a step in which impacts have accumulated: contacts no wider than the fastest approach covers in a pulse
-    /// are held while they push, and none is sought.
-    fn accumulated_part(&mut self, size: f64) -> Result<f64, Failure> {
-        let pulse = self.pulse();
-        for i in self.rigid() {
-            let pair = &mut self.state.pairs[i];
-            pair.closed |= pair.gap <= pulse * pair.approach_max;
-        }
-        let mut resting = self.resting();
-        self.solve_resting(size, &mut resting)?;
-        self.accept(size, &resting);
-        self.release(&resting);
-        Ok(size)
-    }
-
     /// Releases resting contacts whose impulse has vanished.
-    fn release(&mut self, active: &[ActiveContact]) {
+    pub(super) fn release(&mut self, active: &[ActiveContact]) {
         for (contact, found) in active.iter().zip(&self.work.rigid) {
-            if let Phase::Resting { .. } = contact.phase {
-                self.state.pairs[contact.pair].closed = found.impulse[0] > 0.0;
-            }
+            let carried = match contact.phase {
+                Phase::Resting { .. } => 0.0,
+                Phase::Settling { carried } => carried[0],
+                Phase::Impact { .. } => continue,
+            };
+            self.state.pairs[contact.pair].closed = carried + found.impulse[0] > 0.0;
         }
     }
 
     /// Open rigid pairs that could touch within the step solved last.
-    fn open_contacts(&self) -> Vec<usize> {
+    pub(super) fn open_contacts(&self) -> Vec<usize> {
         let open = |i: &usize| self.rigid_law(*i).is_some() && !self.state.pairs[*i].closed;
         self.reached.iter().copied().filter(open).collect()
     }
@@ -342,7 +334,7 @@ impl Simulation<'_> {
     }
 
     /// Whether the impulses of the step solved last give energy.
-    fn impulses_give(&self, h: f64) -> bool {
+    pub(super) fn impulses_give(&self, h: f64) -> bool {
         let (mut gain, mut size) = (0.0, 0.0_f64);
         for found in &self.work.rigid {
             for (impulse, row) in found.impulse.iter().zip([&found.normal, &found.tangent]) {

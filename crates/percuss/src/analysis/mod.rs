@@ -1,5 +1,6 @@
 //! Analyses: what is done with steps.
 
+mod accumulation;
 mod batch;
 mod buckling;
 mod channels;

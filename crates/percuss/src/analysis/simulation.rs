@@ -61,6 +61,7 @@ pub struct Simulation<'m> {
     /// Steps of the solver accepted, and solved in search of impacts.
     pub(super) solver_steps: usize,
     step_cuts: usize,
+    accumulated_steps: usize,
     /// Times at which a support lets go \[s\].
     releases: Vec<f64>,
     measures: Measures,
@@ -116,6 +117,7 @@ impl<'m> Simulation<'m> {
             effort: Effort::default(),
             solver_steps: 0,
             step_cuts: 0,
+            accumulated_steps: 0,
             measures: Measures::default(),
             rows: 0,
             row: Vec::new(),
@@ -247,6 +249,7 @@ impl<'m> Simulation<'m> {
                 }
             }
         }
+        self.accumulated_steps += usize::from(events_left == 0);
         self.state.step += 1;
         self.state.offset -= target;
         if self.state.offset.abs() <= SAME_INSTANT * step {
@@ -439,6 +442,7 @@ impl<'m> Simulation<'m> {
             steps: self.state.step,
             solver_steps: self.solver_steps,
             step_cuts: self.step_cuts,
+            accumulated_steps: self.accumulated_steps,
             newton_iterations: self.effort.iterations,
             factorizations: self.effort.factorizations,
             rows: self.rows,

@@ -2,7 +2,7 @@
 //!
 //! Signorini along the normal, `0 <= z_n - bound  perp  L_n >= 0`; Coulomb along the tangent,
 //! `-L_t in mu L_n Sgn(z_t - target)`; rates `z = free + W L` with the Delassus operator W. Solved by the proximal-point iteration of
-//! the paper (eqs. 14 to 16), contact after contact. Where that is slow, a direct solution takes over: with the limits of friction
+//! the paper (eqs. 14 to 16), contact after contact. A contact may have carried impulses before, which its conditions then count in. Where that is slow, a direct solution takes over: with the limits of friction
 //! held, the problem is to find the minimum of a convex quadratic function in a box, which an active set finds in a finite number of
 //! linear systems; sweeps go on from there. What is returned has been checked against the conditions themselves.
 
@@ -17,6 +17,17 @@ pub struct Conditions {
     pub friction: f64,
     /// Sliding rate of a contact that sticks \[m/s\].
     pub target: f64,
+    /// Impulses along normal and tangent that it has carried already: signs and limits of friction are those of the sums \[N s\].
+    pub carried: [f64; 2],
+}
+
+impl Conditions {
+    /// Least and largest impulse along the tangent for one along the normal; none but what takes back what was carried if the
+    /// contact does not press.
+    fn friction_limits(&self, normal: f64) -> [f64; 2] {
+        let most = (self.friction * (normal + self.carried[0])).max(0.0);
+        [-most - self.carried[1], most - self.carried[1]]
+    }
 }
 
 /// The problem: rows 2 i and 2 i + 1 belong to normal and tangent of contact i.
@@ -63,7 +74,7 @@ impl ImpactProblem {
 
     /// Makes room for `n` contacts.
     pub fn resize(&mut self, n: usize) {
-        let none = Conditions { bound: 0.0, friction: 0.0, target: 0.0 };
+        let none = Conditions { bound: 0.0, friction: 0.0, target: 0.0, carried: [0.0; 2] };
         self.contacts.resize(n, none);
         self.delassus.resize(4 * n * n, 0.0);
         self.free.resize(2 * n, 0.0);
@@ -92,13 +103,11 @@ impl ImpactProblem {
             return 0.0; // held on both sides
         }
         if row.is_multiple_of(2) {
-            return (impulses[row] - (self.rate(row, impulses) - contact.bound) / w).max(0.0);
+            let next = impulses[row] - (self.rate(row, impulses) - contact.bound) / w;
+            return next.max(-contact.carried[0]);
         }
-        let most = contact.friction * impulses[row - 1];
-        if most <= 0.0 || most.is_nan() {
-            return 0.0;
-        }
-        (impulses[row] - (self.rate(row, impulses) - contact.target) / w).clamp(-most, most)
+        let [low, high] = contact.friction_limits(impulses[row - 1]);
+        (impulses[row] - (self.rate(row, impulses) - contact.target) / w).clamp(low, high)
     }
 
     fn rows(&self) -> impl Iterator<Item = usize> + use<'_> {
@@ -158,7 +167,8 @@ impl ImpactProblem {
         let miss = |row: usize| {
             let apart = (self.prox(row, impulses) - impulses[row]).abs() * self.diagonal(row);
             if row.is_multiple_of(2) {
-                apart.max(-impulses[row] * self.diagonal(row))
+                let pulls = -impulses[row] - self.contacts[row / 2].carried[0];
+                apart.max(pulls * self.diagonal(row))
             } else {
                 apart
             }
@@ -196,12 +206,17 @@ impl ImpactProblem {
     fn set_limits(&self, direct: &mut Direct, ease: f64) {
         direct.limits.resize(2 * self.len(), [0.0; 2]);
         for (i, contact) in self.contacts.iter().enumerate() {
-            let before = direct.limits[2 * i + 1][1];
-            let before = if before.is_finite() { before } else { 0.0 };
-            let most = before + ease * (contact.friction * direct.impulses[2 * i] - before);
-            direct.limits[2 * i] = [0.0, f64::INFINITY];
-            direct.limits[2 * i + 1] = [-most, most];
-            direct.impulses[2 * i + 1] = direct.impulses[2 * i + 1].clamp(-most, most);
+            let now = contact.friction_limits(direct.impulses[2 * i]);
+            let between = |k: usize| {
+                let before = direct.limits[2 * i + 1][k];
+                let known = ease < 1.0 && before.is_finite();
+                if known { before + ease * (now[k] - before) } else { now[k] }
+            };
+            let low = between(0);
+            let high = between(1).max(low); // round-off
+            direct.limits[2 * i] = [-contact.carried[0], f64::INFINITY];
+            direct.limits[2 * i + 1] = [low, high];
+            direct.impulses[2 * i + 1] = direct.impulses[2 * i + 1].clamp(low, high);
         }
     }
 
@@ -315,7 +330,7 @@ mod tests {
         for i in 0..n {
             // Newton's law: the velocity turned round and halved meets it, so that there is a solution.
             let bound = -0.5 * problem.free[2 * i];
-            problem.contacts[i] = Conditions { bound, friction, target: 0.0 };
+            problem.contacts[i] = Conditions { bound, friction, target: 0.0, carried: [0.0; 2] };
         }
         problem
     }
@@ -345,6 +360,23 @@ mod tests {
             assert!((impulse[0] - 1.0).abs() < 1e-14);
             let expected = if sticks { -push } else { -0.3 };
             assert!((impulse[1] - expected).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn what_was_carried_counts_for_sign_and_friction() {
+        // Leaves at 1 m/s after an impulse of 3; taking back 1 brings it to rest. Friction carried 0.9 of at most 0.3 times 3.
+        for (carried, rate, friction) in [(3.0, 0.0, 0.6), (0.4, 0.6, 0.0)] {
+            let mut problem = ImpactProblem::default();
+            problem.resize(1);
+            problem.delassus = vec![1.0, 0.0, 0.0, 1.0];
+            problem.free = vec![1.0, -2.0];
+            problem.contacts[0].friction = 0.3;
+            problem.contacts[0].carried = [carried, 0.3 * carried];
+            let mut impulse = [0.0; 2];
+            problem.solve(&mut impulse).unwrap();
+            assert!((problem.rate(0, &impulse) - rate).abs() < 1e-14);
+            assert!((impulse[1] + 0.3 * carried - friction).abs() < 1e-14, "{impulse:?}");
         }
     }
 

@@ -38,6 +38,7 @@ impl<S: Number> Telling<'_, S> {
             steps: self.steps,
             solver_steps: self.solver_steps,
             step_cuts: 0,
+            accumulated_steps: 0,
             newton_iterations: self.search.iterations.lane(self.lane) as usize,
             factorizations: self.search.factorizations.lane(self.lane) as usize,
             rows: 0,

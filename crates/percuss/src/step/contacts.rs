@@ -37,6 +37,11 @@ pub enum Phase {
     },
     /// It stays closed while it presses; friction acts against the sliding velocity at the end of the step, or against its mean.
     Resting { mean: bool },
+    /// After a step that held it by impulses of this size: both together are those of a plastic impact.
+    Settling {
+        /// Along normal and tangent \[N s\].
+        carried: [f64; 2],
+    },
 }
 
 /// How impulses follow from the velocities before and after.
@@ -200,7 +205,7 @@ impl StepProblem<'_> {
                     pair.over_step(self.model, &at, &seen.memory, seen.gap, true, Reach::All)?;
                 (step.middle, step.row)
             }
-            Phase::Impact { .. } => {
+            Phase::Impact { .. } | Phase::Settling { .. } => {
                 let touch = pair.touch(self.model, &mid, &seen.memory, Reach::Near)?;
                 (touch, pair.normal_row(&touch, &mid))
             }
@@ -305,18 +310,22 @@ impl StepProblem<'_> {
                     -restitution * before.min(0.0) - before.max(0.0)
                 }
                 Phase::Resting { .. } => self.resting_bound(contact.pair, before, seen.gap),
+                Phase::Settling { .. } => 0.0,
             };
+            condition.carried = match contact.phase {
+                Phase::Settling { carried } => carried,
+                _ => [0.0; 2],
+            };
+            if self.law == ImpulseLaw::Mean && matches!(contact.phase, Phase::Settling { .. }) {
+                // A mean of the sliding velocity that is zero takes no friction back that was carried.
+                condition.friction = 0.0;
+            }
             let sliding = rows.tangent.on(&self.state.velocity);
             condition.target = match contact.phase {
                 _ if self.law == ImpulseLaw::Mean => -sliding,
                 Phase::Impact { tangential, .. } => -tangential * sliding,
-                Phase::Resting { mean } => {
-                    if mean {
-                        -sliding
-                    } else {
-                        0.0
-                    }
-                }
+                Phase::Resting { mean: true } => -sliding,
+                Phase::Resting { mean: false } | Phase::Settling { .. } => 0.0,
             };
         }
     }
@@ -339,7 +348,7 @@ impl StepProblem<'_> {
     fn expand(&self, work: &mut Workspace) -> Result<(), Failure> {
         let each = self.active.iter().filter_map(|c| match c.phase {
             Phase::Impact { restitution, .. } => Some(restitution),
-            Phase::Resting { .. } => None,
+            Phase::Resting { .. } | Phase::Settling { .. } => None,
         });
         let e = each.fold(1.0, f64::min);
         for condition in &mut work.impact.contacts {

@@ -100,6 +100,8 @@ struct Correction {
 /// leaps, and in collapsing beams, the iteration comes nearer by a constant factor only.
 pub(crate) const MOST_ITERATIONS: usize = 24;
 const MOST_STEADY: usize = 250;
+/// Corrections from this one on are compared with the one before.
+const SWINGS_FROM: usize = 5;
 /// Corrections below this share of the largest are nothing: ahead of a wave the solution falls off exponentially, into numbers
 /// so small that processors take a hundred times as long for them.
 const QUIET: f64 = 1e-120;
@@ -121,6 +123,7 @@ impl StepProblem<'_> {
 
     fn iterate(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         self.predict(work);
+        work.correction_before.clear();
         let mut watch = Watch::new(self.state.books.energy_scale);
         let (_, reach) = largest(&self.state.displacement);
         let mut renew = true;
@@ -144,7 +147,7 @@ impl StepProblem<'_> {
                 self.factor(work)?;
                 effort.factorizations += 1;
             }
-            let correction = self.correct(work)?;
+            let correction = self.correct(work, iteration)?;
             effort.iterations += 1;
             // What a step brings in by itself, or supports by moving, is known no better than its increment.
             let moves = !self.model.motions.is_empty();
@@ -273,7 +276,7 @@ impl StepProblem<'_> {
     }
 
     /// One correction of the increment.
-    fn correct(&self, work: &mut Workspace) -> Result<Correction, Failure> {
+    fn correct(&self, work: &mut Workspace, iteration: usize) -> Result<Correction, Failure> {
         for (c, r) in work.correction.iter_mut().zip(&work.residual) {
             *c = r.map(|x| -x);
         }
@@ -284,13 +287,14 @@ impl StepProblem<'_> {
         self.impact(work)?;
         let (_, size) = largest(&work.correction);
         let quiet = QUIET * size;
+        let share = if iteration < SWINGS_FROM { 1.0 } else { share_taken(work) };
         let mut correction = Correction { size, work: 0.0 };
         for ((d, c), r) in work.increment.iter_mut().zip(&mut work.correction).zip(&work.residual) {
             for i in 0..4 {
                 if c[i].abs() < quiet {
                     c[i] = 0.0;
                 }
-                d[i] += c[i];
+                d[i] += share * c[i];
                 correction.work += (c[i] * r[i]).abs();
             }
         }
@@ -340,6 +344,19 @@ impl StepProblem<'_> {
             !acts || left.abs() <= tolerance
         })
     }
+}
+
+/// Share of a correction to be taken: half of one that takes back most of the one before, for that overshot. Where a foot moves
+/// far for a small increment, friction would else turn round in every correction.
+fn share_taken(work: &mut Workspace) -> f64 {
+    let Workspace { correction, correction_before: before, .. } = work;
+    let on = |a: &[[f64; 4]], b: &[[f64; 4]]| -> f64 {
+        a.iter().zip(b).map(|(a, b)| (0..4).map(|i| a[i] * b[i]).sum::<f64>()).sum()
+    };
+    let swings = before.len() == correction.len()
+        && on(correction, before) < -0.5 * on(before, before).min(on(correction, correction));
+    before.clone_from(correction);
+    if swings { 0.5 } else { 1.0 }
 }
 
 /// Sets held components to their prescribed increments.

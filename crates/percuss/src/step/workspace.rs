@@ -24,6 +24,8 @@ pub struct Workspace {
     pub residual: Vec<[f64; 4]>,
     /// Right-hand side and correction, shape (n_node).
     pub correction: Vec<[f64; 4]>,
+    /// The correction before, in iterations that take long.
+    pub correction_before: Vec<[f64; 4]>,
     /// The factored tangent.
     pub tangent: Tangent,
 
@@ -50,6 +52,7 @@ impl Workspace {
             rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
             correction: vec![[0.0; 4]; n],
+            correction_before: Vec::new(),
             tangent: Tangent::new(model),
             contact_columns: Vec::new(),
             impact: ImpactProblem::default(),

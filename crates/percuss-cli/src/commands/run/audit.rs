@@ -39,6 +39,11 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
         let labels = [label].into_iter().chain(std::iter::repeat(String::new()));
         rows.extend(labels.zip(lines));
     }
+    if run.accumulated_steps > 0 {
+        let steps = count(run.accumulated_steps, "step");
+        let what = "with more impacts than are followed one by one, without restitution in the rest of the step";
+        rows.push(("accumulation".into(), format!("{steps} {what}")));
+    }
     let by_hand = ["by hand".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     rows.extend(by_hand.zip(listed(
         &ended.comparisons,
