@@ -59,34 +59,16 @@ pub fn write_comparison(dir: impl AsRef<Path>, series: &[ComparisonSeries]) -> R
 /// # Errors
 /// If the file is damaged.
 pub fn read_comparison(dir: impl AsRef<Path>) -> Result<Vec<ComparisonSeries>, Error> {
-    let path = dir.as_ref().join(COMPARISON);
-    if !path.is_file() {
-        return Ok(Vec::new());
-    }
-    let text = files::read_text(&path)?;
-    let mut lines = text.lines();
-    if lines.next() != Some(HEADER) {
-        return Err(Error::content(&path, format!("does not begin with `{HEADER}`")));
-    }
     let mut all: Vec<ComparisonSeries> = Vec::new();
-    for (number, line) in lines.enumerate() {
-        let fields = csv_text::fields(line);
-        let [label, time, energy] = fields.as_slice() else {
-            return Err(Error::content(&path, format!("line {}: not three fields", number + 2)));
-        };
-        let parse = |text: &String| {
-            text.parse::<f64>().map_err(|_| {
-                Error::content(&path, format!("line {}: `{text}` is not a number", number + 2))
-            })
-        };
-        let (time, energy) = (parse(time)?, parse(energy)?);
-        if all.last().is_none_or(|last| last.label != *label) {
-            all.push(ComparisonSeries { label: label.clone(), ..Default::default() });
+    let path = dir.as_ref().join(COMPARISON);
+    csv_text::for_each_named(&path, HEADER, |label, [time, energy]| {
+        if all.last().is_none_or(|last| last.label != label) {
+            all.push(ComparisonSeries { label: label.to_owned(), ..Default::default() });
         }
         if let Some(series) = all.last_mut() {
             series.time.push(time);
             series.energy.push(energy);
         }
-    }
+    })?;
     Ok(all)
 }

@@ -53,30 +53,17 @@ pub fn write_envelopes(dir: impl AsRef<Path>, beams: &[SectionForceSummary]) -> 
 /// # Errors
 /// If the file is damaged.
 pub fn read_envelopes(dir: impl AsRef<Path>) -> Result<Vec<BeamEnvelope>, Error> {
-    let path = dir.as_ref().join(ENVELOPES);
-    if !path.is_file() {
-        return Ok(Vec::new());
-    }
-    let text = files::read_text(&path)?;
-    let mut lines = text.lines();
-    if lines.next() != Some(HEADER) {
-        return Err(Error::content(&path, format!("does not begin with `{HEADER}`")));
-    }
     let mut all: Vec<BeamEnvelope> = Vec::new();
-    for (index, line) in lines.enumerate() {
-        let fault = |what: String| Error::content(&path, format!("line {}: {what}", index + 2));
-        let fields = csv_text::fields(line);
-        let Some((name, numbers)) = fields.split_first().filter(|(_, n)| n.len() == NUMBERS) else {
-            return Err(fault(format!("not {} fields", NUMBERS + 1)));
-        };
-        if all.last().is_none_or(|last| last.name != *name) {
-            all.push(BeamEnvelope { name: name.clone(), ..Default::default() });
+    let path = dir.as_ref().join(ENVELOPES);
+    csv_text::for_each_named(&path, HEADER, |name, numbers: [f64; NUMBERS]| {
+        if all.last().is_none_or(|last| last.name != name) {
+            all.push(BeamEnvelope { name: name.to_owned(), ..Default::default() });
         }
-        let Some(beam) = all.last_mut() else { continue };
-        for (column, text) in columns_mut(&mut beam.envelope).into_iter().zip(numbers) {
-            column.push(text.parse().map_err(|_| fault(format!("`{text}` is not a number")))?);
+        if let Some(beam) = all.last_mut() {
+            let columns = columns_mut(&mut beam.envelope);
+            columns.into_iter().zip(numbers).for_each(|(column, number)| column.push(number));
         }
-    }
+    })?;
     Ok(all)
 }
 
