@@ -103,6 +103,37 @@ fn a_ball_that_falls_on_a_floor_leaves_as_it_came() {
 }
 
 #[test]
+fn a_ball_leaves_a_floor_that_falls_away_faster_than_it_does() {
+    // It rests on a floor that moves by A (1 - cos w t) and leaves it when A w^2 cos w t = -g.
+    let (amplitude, omega, gravity) = (0.05_f64, 20.0_f64, 9.81_f64);
+    let expected = (-gravity / (amplitude * omega * omega)).acos() / omega;
+    for step in [1e-3, 1e-4] {
+        let mut b = ModelBuilder::new();
+        let ball = b.disc(disc("ball", 2.0, 0.1, [0.0, 0.1], [0.0, 0.0]));
+        let rise = move |t: f64| amplitude * (1.0 - (omega * t).cos());
+        let floor = b.obstacle(Obstacle {
+            name: "floor".into(),
+            shape: ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] },
+            motion: Some(Motion {
+                displacement: [0.0, 1.0],
+                rotation: 0.0,
+                function: TimeFunction::function(rise),
+            }),
+        });
+        let girder = plank(&mut b, 2);
+        held(&mut b, girder);
+        let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
+        b.contact(Contact::new("lift", [Party::Disc(ball), Party::Obstacle(floor)], law));
+        b.load(Load::new("gravity", LoadKind::Gravity { acceleration: [0.0, -gravity] }));
+        let run =
+            simulate(&b.build().unwrap(), &Settings::new(0.15, step), &mut NoRecorder).unwrap();
+        let first = &intervals(&run)[0];
+        assert!((first.end - expected).abs() < 0.6 * step, "{step}: {} {expected}", first.end);
+        assert!(first.separation_velocity.abs() < 1e-3 * amplitude * omega, "{first:?}");
+    }
+}
+
+#[test]
 fn a_jump_against_a_rigid_contact_is_refused() {
     let at = |at: f64, law: TouchLaw| {
         let mut b = ModelBuilder::new();

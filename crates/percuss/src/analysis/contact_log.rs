@@ -268,8 +268,12 @@ impl ContactLog {
                 interval.energy.lost += energy.lost;
                 interval.place_end = place(model, state, i);
                 if normal + carried <= 0.0 {
-                    interval.end = state.time;
-                    interval.separation_velocity = after;
+                    // Nothing has pressed since the step began; a pulse is the end of what pressed before it.
+                    let settles = matches!(contact.phase, Phase::Settling { .. });
+                    let [end, rate] =
+                        if settles { [state.time, after] } else { [span.start, before] };
+                    interval.end = end;
+                    interval.separation_velocity = rate;
                     self.open[i] = None;
                 }
             }
