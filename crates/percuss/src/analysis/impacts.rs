@@ -25,6 +25,8 @@ const LOCATED: f64 = 1e-3;
 const STICK: f64 = 1e-6;
 /// Nor does approach slower than this share of the velocities in play, which is round-off.
 const NO_APPROACH: f64 = 1e-12;
+/// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
+const CREEP: f64 = 1e-5;
 /// Energy that impulses may give, relative to the work they do: round-off.
 const NO_GAIN: f64 = 1e-12;
 
@@ -88,13 +90,13 @@ impl Simulation<'_> {
         awake.filter(|i| self.rigid_law(*i).is_some()).collect()
     }
 
-    /// Rigid pairs that touch, at rest but for round-off, count as closed.
+    /// Rigid pairs that touch, at rest but for what is no approach, count as closed.
     fn settle(&mut self) {
-        let round_off = NO_APPROACH * self.velocity_in_play();
-        let reach = 1e-12 * self.size;
+        let slow = self.no_approach();
+        let reach = (1e-12 * self.size).max(slow * self.settings.step);
         for i in self.rigid() {
             let pair = &mut self.state.pairs[i];
-            if pair.gap <= reach && pair.rate.abs() <= round_off {
+            if pair.gap <= reach && pair.rate.abs() <= slow {
                 pair.closed = true;
             }
         }
@@ -114,8 +116,13 @@ impl Simulation<'_> {
 
     /// Approach velocities of pair `i` up to this one do not bounce \[m/s\].
     pub(super) fn stick_velocity(&self, i: usize) -> f64 {
-        let round_off = NO_APPROACH * self.velocity_in_play();
-        (STICK * self.state.pairs[i].approach_max).max(round_off)
+        (STICK * self.state.pairs[i].approach_max).max(self.no_approach())
+    }
+
+    /// Velocities up to this one are none between things that touch \[m/s\].
+    fn no_approach(&self) -> f64 {
+        let creep = CREEP * self.model.gravity() * self.settings.step;
+        creep.max(NO_APPROACH * self.velocity_in_play())
     }
 
     /// Velocity that goes with the largest energy of the run so far \[m/s\].
@@ -135,16 +142,20 @@ impl Simulation<'_> {
         h: f64,
         resting: &mut [ActiveContact],
     ) -> Result<(), Failure> {
-        self.solve(h, resting, ImpulseLaw::Newton)?;
-        let mut again = false;
-        for (contact, found) in resting.iter_mut().zip(&self.work.rigid) {
-            let work = found.impulse[1] * found.tangent.on(&self.work.increment) / h;
-            if work > 0.0 {
-                contact.phase = Phase::Resting { mean: true };
-                again = true;
+        loop {
+            self.solve(h, resting, ImpulseLaw::Newton)?;
+            let mut again = false;
+            for (contact, found) in resting.iter_mut().zip(&self.work.rigid) {
+                let work = found.impulse[1] * found.tangent.on(&self.work.increment) / h;
+                if work > 0.0 && contact.phase == (Phase::Resting { mean: false }) {
+                    contact.phase = Phase::Resting { mean: true };
+                    again = true;
+                }
+            }
+            if !again {
+                return Ok(());
             }
         }
-        if again { self.solve(h, resting, ImpulseLaw::Newton) } else { Ok(()) }
     }
 
     /// A step without impacts: of the given size, or up to the first instant of contact.

@@ -474,6 +474,15 @@ impl Model {
             || !self.modal_damping.is_empty()
     }
 
+    /// Acceleration of gravity, for factors of one \[m/s^2\].
+    pub(crate) fn gravity(&self) -> f64 {
+        let each = self.loads.iter().map(|load| match load.kind {
+            LoadAction::Gravity { acceleration: [x, y] } => x.hypot(y),
+            _ => 0.0,
+        });
+        each.sum()
+    }
+
     /// Times at which a support lets go \[s\].
     pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
