@@ -199,3 +199,73 @@ fn nothing_passes_through_however_large_the_step() {
         }
     }
 }
+
+#[test]
+fn discs_that_glance_off_each_other_keep_the_angular_momentum() {
+    // In a coarse step the pulse is long enough for the normal to turn within it: its last form must be the one that acts.
+    for friction in [0.0, 0.4] {
+        let mut b = ModelBuilder::new();
+        let (material, section) = bar(&mut b, 1e8, 0.1);
+        b.beam(beam("far", [0.0, -9.0], [1.0, -9.0], 1, material, section));
+        let one = ball(&mut b, "one", 0.1, [0.0, 0.0], [8.0, 3.0]);
+        let other = ball(&mut b, "other", 0.2, [1.0, 0.25], [-5.0, 0.0]);
+        let law = TouchLaw::Rigid(RigidLaw { friction, ..RigidLaw::frictionless(0.7) });
+        b.contact(Contact::new("glance", [Party::Disc(one), Party::Disc(other)], law));
+        let model = b.build().unwrap();
+        let run = simulate(&model, &Settings::new(0.2, 1e-2), &mut NoRecorder).unwrap();
+        let ContactRecord::Nonsmooth { impact_count, .. } = run.contacts[0].record else {
+            panic!()
+        };
+        assert_eq!(impact_count, 1);
+        let residual = run.momentum.angular_residual_max;
+        assert!(residual < 1e-12, "{friction}: {residual:e}");
+    }
+}
+
+#[test]
+fn a_pile_at_rest_stays_at_rest_although_its_gaps_are_round_off() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = bar(&mut b, 1e8, 0.1);
+    b.beam(beam("far", [0.0, -9.0], [1.0, -9.0], 1, material, section));
+    let half_plane = |point, normal| ObstacleShape::HalfPlane { point, normal };
+    let walls = [
+        ("floor", half_plane([0.0, 0.0], [0.0, 1.0])),
+        ("left", half_plane([0.0, 0.0], [1.0, 0.0])),
+        ("right", half_plane([0.4, 0.0], [-1.0, 0.0])),
+    ];
+    let walls =
+        walls.map(|(name, shape)| b.obstacle(Obstacle { name: name.into(), shape, motion: None }));
+    let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
+    let mut discs = Vec::new();
+    // Rows of four, three and four, places to twelve digits as a file has them.
+    let digits = |x: f64| (x * 1e12).round() / 1e12;
+    for (row, places) in [(0, 4), (1, 3), (2, 4)] {
+        for k in 0..places {
+            let x = 0.05 + 0.1 * f64::from(k) + 0.05 * f64::from(row % 2);
+            let y = digits(0.05 + 0.05 * 3.0_f64.sqrt() * f64::from(row));
+            discs.push(ball(&mut b, &format!("d{}", discs.len()), 0.05, [digits(x), y], [0.0; 2]));
+        }
+    }
+    for (k, disc) in discs.iter().enumerate() {
+        let others = discs[..k].iter().map(|other| Party::Disc(*other));
+        let parties = walls.iter().map(|wall| Party::Obstacle(*wall)).chain(others);
+        for (j, other) in parties.enumerate() {
+            let between = [Party::Disc(*disc), other];
+            b.contact(Contact::new(format!("c{k}-{j}"), between, law.clone()));
+        }
+    }
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -10.0] }));
+    let model = b.build().unwrap();
+    let run = simulate(&model, &Settings::new(0.2, 1e-3), &mut NoRecorder).unwrap();
+    assert!(matches!(run.termination, Termination::Completed), "{:?}", run.termination);
+    let (mut impacts, mut floor) = (0, 0.0);
+    for contact in &run.contacts {
+        if let ContactRecord::Nonsmooth { impact_count, impulse_total, .. } = contact.record {
+            impacts += impact_count;
+            floor += if contact.between[1] == "floor" { impulse_total } else { 0.0 };
+        }
+    }
+    assert_eq!(impacts, 0);
+    let weight = 11.0 * 300.0 * 0.05 * 0.05 * 10.0 * 0.2;
+    assert!((floor / weight - 1.0).abs() < 1e-9, "{floor} {weight}");
+}

@@ -4,8 +4,8 @@
 //! push and bring its gap to zero at the end. They give no energy, for the gap closes against them; but a mean rate is all that
 //! they can prescribe, and what covers half of its way to a wall ends with its velocity turned round. So a pulse follows, in which
 //! each contact may take back what its force gave, until both together are the impulses of a plastic impact. It chooses them by
-//! the least energy, and not to act at all is among what it chooses from: it gives none either. With friction there may be no
-//! such choice; friction is then left as it was over the step.
+//! the least energy, and not to act at all is among what it chooses from: it gives none either. Friction that has to shrink with
+//! the impulse along the normal may give back some of what it took over the step, but not more; else it is left as it was.
 
 use super::simulation::Simulation;
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
@@ -24,7 +24,7 @@ impl Simulation<'_> {
         }
         self.accept(size, &held);
         self.release(&held);
-        Ok(size + self.settle_held(&held))
+        Ok(size + self.settle_held(size, &held))
     }
 
     /// Solves a step of the given size in which no rigid contact ends inside; returns those that were held for it.
@@ -51,7 +51,7 @@ impl Simulation<'_> {
     }
 
     /// The pulse after a step in which `held` contacts were held; returns its length, nothing if they are at rest already.
-    fn settle_held(&mut self, held: &[ActiveContact]) -> f64 {
+    fn settle_held(&mut self, size: f64, held: &[ActiveContact]) -> f64 {
         let settles = |contact: &ActiveContact, impulse: [f64; 2]| {
             let phase = Phase::Settling { carried: impulse };
             (impulse[0] > 0.0).then_some(ActiveContact { phase, ..*contact })
@@ -64,9 +64,10 @@ impl Simulation<'_> {
         if settling.iter().all(rests) {
             return 0.0;
         }
-        let settled = [ImpulseLaw::Newton, ImpulseLaw::Mean]
-            .into_iter()
-            .any(|law| self.solve(pulse, &settling, law).is_ok() && !self.impulses_give(pulse));
+        let before = self.work_of_impulses(size);
+        let settled = [ImpulseLaw::Newton, ImpulseLaw::Mean].into_iter().any(|law| {
+            self.solve(pulse, &settling, law).is_ok() && !self.impulses_give(pulse, before)
+        });
         if !settled {
             return 0.0; // they stay as they are
         }

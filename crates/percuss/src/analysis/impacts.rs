@@ -14,7 +14,7 @@ use crate::math::roots;
 use crate::model::{ImpactLaw, RigidLaw, TouchLaw};
 use crate::record::Recorder;
 use crate::settings::ImpactResolution;
-use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
+use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;
 
 /// Length of a pulse as a share of the step.
@@ -337,23 +337,31 @@ impl Simulation<'_> {
             outcome = self.solve(h, active, *law).map(|()| k > 0);
             // With friction, a law may also have no solution.
             let unsolved = outcome == Err(Failure::Impact);
-            if !unsolved && (outcome.is_err() || !self.impulses_give(h)) {
+            if !unsolved && (outcome.is_err() || !self.impulses_give(h, 0.0)) {
                 break;
             }
         }
         outcome
     }
 
-    /// Whether the impulses of the step solved last give energy.
-    pub(super) fn impulses_give(&self, h: f64) -> bool {
-        let (mut gain, mut size) = (0.0, 0.0_f64);
+    /// Whether the impulses of the step solved last, and those before that did so much work, give energy.
+    pub(super) fn impulses_give(&self, h: f64, before: f64) -> bool {
+        let mut size = 0.0_f64;
         for found in &self.work.rigid {
             for (impulse, row) in found.impulse.iter().zip([&found.normal, &found.tangent]) {
-                gain += impulse * row.on(&self.work.increment) / h;
                 size += (impulse * row.on(&self.state.velocity)).abs();
             }
         }
-        gain > NO_GAIN * size
+        self.work_of_impulses(h) + before > NO_GAIN * size
+    }
+
+    /// Work of the impulses of the step of size `h` solved last \[J\].
+    pub(super) fn work_of_impulses(&self, h: f64) -> f64 {
+        let work = |found: &RigidContact| {
+            let rows = found.impulse.iter().zip([&found.normal, &found.tangent]);
+            rows.map(|(impulse, row)| impulse * row.on(&self.work.increment) / h).sum::<f64>()
+        };
+        self.work.rigid.iter().map(work).sum()
     }
 
     /// A step of the paper's: contacts closed at its start obey the impact law over the whole step.

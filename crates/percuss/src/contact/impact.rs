@@ -2,8 +2,8 @@
 //!
 //! Signorini along the normal, `0 <= z_n - bound  perp  L_n >= 0`; Coulomb along the tangent,
 //! `-L_t in mu L_n Sgn(z_t - target)`; rates `z = free + W L` with the Delassus operator W. Solved by the proximal-point iteration of
-//! the paper (eqs. 14 to 16), contact after contact. A contact may have carried impulses before, which its conditions then count in. Where that is slow, a direct solution takes over: with the limits of friction
-//! held, the problem is to find the minimum of a convex quadratic function in a box, which an active set finds in a finite number of
+//! the paper (eqs. 14 to 16), contact after contact. A contact may have carried impulses before, which its conditions then count in. Where that is slow, direct solutions take over: Newton's iteration on what each contact does, open, sticking or sliding, which
+//! needs a few linear systems where it converges; where it does not, with the limits of friction held, the problem is to find the minimum of a convex quadratic function in a box, which an active set finds in a finite number of
 //! linear systems; sweeps go on from there. What is returned has been checked against the conditions themselves.
 
 use crate::linalg::dense::DenseLu;
@@ -53,6 +53,18 @@ struct Direct {
     free: Vec<usize>,
     matrix: Vec<f64>,
     right: Vec<f64>,
+    statuses: Vec<Status>,
+    /// Rows of the impulses sought.
+    sought: Vec<usize>,
+}
+
+/// What a contact does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Status {
+    Open,
+    Sticks,
+    /// Its tangential impulse is at its limit, the upper one for 1, the lower one for -1.
+    Slides(f64),
 }
 
 /// Shift of the diagonal that makes redundant contacts solvable, relative to it.
@@ -66,11 +78,18 @@ impl ImpactProblem {
     /// Sweeps between two direct solutions.
     const SWEEPS: usize = 40;
     const ROUNDS: usize = 60;
+    /// Impulses beyond so many times what stops the heaviest at every contact are of things that wedge each other.
+    const WEDGED: f64 = 10.0;
+    /// Changes of what the contacts do, in a row.
+    const CHANGES: usize = 20;
     /// Direct solutions in a row, where friction changes its limits.
     const TRIALS: usize = 30;
     const TOLERANCE: f64 = 4e-16;
     /// Violation of the conditions that is round-off, relative to the largest rate.
     const ACCEPTED: f64 = 1e-12;
+    /// Violation that is accepted where the iterations crawl, in piles that friction holds in more ways than one; the summary tells
+    /// it, as any other.
+    const TOLERATED: f64 = 1e-6;
 
     /// Makes room for `n` contacts.
     pub fn resize(&mut self, n: usize) {
@@ -124,8 +143,9 @@ impl ImpactProblem {
         if !known.all(|x| x.is_finite()) {
             return Err(Stalled); // an iteration that has run away
         }
+        let frictional = self.contacts.iter().any(|c| c.friction > 0.0);
         let single = self.len() == 1 && self.contacts[0].friction == 0.0;
-        for _ in 0..Self::ROUNDS {
+        for round in 0..Self::ROUNDS {
             for _ in 0..Self::SWEEPS {
                 let moved = self.sweep(impulses);
                 if single || moved <= Self::TOLERANCE {
@@ -135,12 +155,23 @@ impl ImpactProblem {
             if !impulses.iter().all(|x| x.is_finite()) {
                 return Err(Stalled);
             }
-            if self.residual(impulses) <= 0.1 * Self::ACCEPTED * self.scale() {
+            let enough = match round {
+                0..10 => 0.1 * Self::ACCEPTED,
+                10..20 => 10.0 * Self::ACCEPTED,
+                _ => Self::TOLERATED,
+            };
+            if self.residual(impulses) <= enough * self.scale() {
                 return Ok(());
             }
-            self.improve(impulses);
+            if !frictional || !self.improve_by_status(impulses) {
+                self.improve(impulses);
+            }
         }
-        if self.residual(impulses) <= Self::ACCEPTED * self.scale() { Ok(()) } else { Err(Stalled) }
+        if self.residual(impulses) <= Self::TOLERATED * self.scale() {
+            Ok(())
+        } else {
+            Err(Stalled)
+        }
     }
 
     /// One sweep; returns the largest change of an impulse relative to the largest impulse.
@@ -174,6 +205,103 @@ impl ImpactProblem {
             }
         };
         self.rows().map(miss).fold(0.0, f64::max)
+    }
+
+    /// Newton's iteration on what the contacts do; kept is what meets the conditions best. Tells whether that does.
+    fn improve_by_status(&mut self, impulses: &mut [f64]) -> bool {
+        let mut direct = std::mem::take(&mut self.direct);
+        direct.impulses.clear();
+        direct.impulses.extend_from_slice(impulses);
+        let enough = 0.1 * Self::ACCEPTED * self.scale();
+        let stops = self.rows().map(|r| self.diagonal(r)).filter(|w| *w > 0.0);
+        let most = Self::WEDGED * self.len() as f64 * self.scale() / stops.fold(f64::MAX, f64::min);
+        let mut best = self.residual(impulses);
+        for _ in 0..Self::CHANGES {
+            direct.statuses.clear();
+            direct.statuses.extend((0..self.len()).map(|i| self.status(i, &direct.impulses)));
+            if !self.solve_statuses(&mut direct) {
+                break;
+            }
+            // Contacts that wedge each other can carry any impulse without motion: a solution of that kind is none.
+            if direct.impulses.iter().any(|l| l.abs() > most) {
+                break;
+            }
+            let left = self.residual(&direct.impulses);
+            if left < best {
+                best = left;
+                impulses.copy_from_slice(&direct.impulses);
+            }
+            if best <= enough {
+                break;
+            }
+        }
+        self.direct = direct;
+        best <= enough
+    }
+
+    /// What contact `i` does by the proximal points of its impulses.
+    fn status(&self, i: usize, impulses: &[f64]) -> Status {
+        let contact = &self.contacts[i];
+        let toward = |row: usize, goal: f64| {
+            let carried = contact.carried[row % 2];
+            carried + impulses[row] - (self.rate(row, impulses) - goal) / self.diagonal(row)
+        };
+        let (n, t) = (2 * i, 2 * i + 1);
+        if self.diagonal(n) <= 0.0 || toward(n, contact.bound) <= 0.0 {
+            return Status::Open;
+        }
+        if contact.friction <= 0.0 || self.diagonal(t) <= 0.0 {
+            return Status::Slides(0.0);
+        }
+        let most = contact.friction * toward(n, contact.bound);
+        let along = toward(t, contact.target);
+        if along.abs() <= most { Status::Sticks } else { Status::Slides(along.signum()) }
+    }
+
+    /// Impulses for which each contact does what it is said to do.
+    fn solve_statuses(&self, direct: &mut Direct) -> bool {
+        let m = 2 * self.len();
+        let Direct { lu, impulses, matrix, right, statuses, sought, .. } = direct;
+        sought.clear();
+        for (i, status) in statuses.iter().enumerate() {
+            let contact = &self.contacts[i];
+            impulses[2 * i] = -contact.carried[0];
+            impulses[2 * i + 1] = -contact.carried[1];
+            match status {
+                Status::Open => {}
+                Status::Sticks => sought.extend([2 * i, 2 * i + 1]),
+                Status::Slides(_) => sought.push(2 * i),
+            }
+        }
+        // What is sought stands above what would leave nothing of what was carried; sliding goes with its normal impulse.
+        matrix.clear();
+        right.clear();
+        for &row in &*sought {
+            let w = &self.delassus[row * m..(row + 1) * m];
+            for &column in &*sought {
+                let i = column / 2;
+                let along = match statuses[i] {
+                    Status::Slides(sign) if column.is_multiple_of(2) => {
+                        sign * self.contacts[i].friction * w[column + 1]
+                    }
+                    _ => 0.0,
+                };
+                let shift = if column == row { REDUNDANT * w[row] } else { 0.0 };
+                matrix.push(w[column] + along + shift);
+            }
+            right.push(self.goal(row) - self.rate(row, impulses));
+        }
+        if !lu.factor(sought.len(), matrix) {
+            return false;
+        }
+        lu.solve(right);
+        for (row, change) in sought.iter().zip(&*right) {
+            impulses[*row] += change;
+            if let (Status::Slides(sign), 0) = (statuses[row / 2], row % 2) {
+                impulses[row + 1] += sign * self.contacts[row / 2].friction * change;
+            }
+        }
+        right.iter().all(|x| x.is_finite())
     }
 
     /// Direct solutions, the limits of friction being those of the one before; kept is what meets the conditions best.

@@ -13,6 +13,15 @@ pub struct Row {
 }
 
 impl Row {
+    /// Largest change of a component along an axis from another form of the same contact; infinite if it is at other nodes.
+    pub fn turned(&self, from: &Self) -> f64 {
+        if self.nodes[..self.len] != from.nodes[..from.len] {
+            return f64::INFINITY;
+        }
+        let each = self.values.iter().zip(&from.values).take(self.len);
+        each.map(|(a, b)| (a[0] - b[0]).abs().max((a[1] - b[1]).abs())).fold(0.0, f64::max)
+    }
+
     /// Adds coefficients of a node.
     pub fn add(&mut self, node: usize, coefficients: [f64; 4]) {
         let at = match self.nodes[..self.len].iter().position(|n| *n == node) {

@@ -175,11 +175,19 @@ impl StepProblem<'_> {
     /// Rows of the active rigid contacts at the increment as it stands, and their impulses' part of the residual.
     pub(super) fn rigid_contacts(&self, work: &mut Workspace) {
         let h = self.integration.h;
+        work.turned = 0.0;
         for (a, contact) in self.active.iter().enumerate() {
             let impulse = work.rigid[a].impulse;
             let Some(found) = self.rigid_contact(contact, work, impulse) else {
                 continue;
             };
+            let before = &work.rigid[a];
+            let rows = [(&found.normal, &before.normal), (&found.tangent, &before.tangent)];
+            for ((now, then), impulse) in rows.into_iter().zip(impulse) {
+                if impulse != 0.0 {
+                    work.turned += now.turned(then) * impulse.abs();
+                }
+            }
             work.rigid[a] = found;
             found.normal.spread(-impulse[0] / h, &mut work.residual);
             if impulse[1] != 0.0 {

@@ -107,6 +107,8 @@ const SWINGS_FROM: usize = 5;
 const QUIET: f64 = 1e-120;
 /// Unbalanced impulse of an accepted step, relative to the momentum in play.
 pub(crate) const IMPULSE_TOLERANCE: f64 = 1e-15;
+/// Impulses times what their forms have turned by with the last correction, of an accepted step, relative likewise.
+const TURNED_TOLERANCE: f64 = 1e-14;
 /// Unbalanced impulse that may pass for round-off, relative to the momentum in play.
 pub(crate) const MOST_IMPULSE: f64 = 1e-10;
 
@@ -199,7 +201,10 @@ impl StepProblem<'_> {
         if watch.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
             return true;
         }
+        // Forces along forms that have turned since may do no work and still have a moment.
+        let turned = work.turned / self.momentum_in_play(watch.energy);
         watch.unbalanced <= WORK_TOLERANCE * watch.energy
+            && (turned <= TURNED_TOLERANCE || turned.is_nan())
             && (impulse <= IMPULSE_TOLERANCE || impulse.is_nan())
             && self.constraints_met(work)
     }

@@ -18,6 +18,8 @@ pub struct Workspace {
     pub arcs: Vec<f64>,
     /// Active rigid contacts in the step, in the order of the problem's.
     pub rigid: Vec<RigidContact>,
+    /// What their forms have turned by with the last correction, times their impulses \[N s\].
+    pub turned: f64,
     /// Their pairs.
     pub rigid_pairs: Vec<usize>,
     /// Residual `M a + f_int - f_ext` of the nodes with everything in it, supports' reactions left over, shape (n_node).
@@ -49,6 +51,7 @@ impl Workspace {
             smooth: Vec::new(),
             arcs: Vec::new(),
             rigid: Vec::new(),
+            turned: 0.0,
             rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
             correction: vec![[0.0; 4]; n],
