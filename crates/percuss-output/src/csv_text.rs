@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn a_line_reads_back_to_its_fields() {
-        let names = ["time", "point.a,b.x", "the \"hammer\""];
+        let names = ["time", "point.a,b.x", "the \"hammer\"", ""];
         let line = names.map(quote).join(",");
         assert_eq!(fields(&line), names);
     }

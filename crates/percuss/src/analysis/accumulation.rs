@@ -34,7 +34,7 @@ impl Simulation<'_> {
             let pair = &self.state.pairs[*i];
             !pair.closed && pair.gap + size * pair.rate < 0.0
         };
-        held.extend(self.rigid().into_iter().filter(closes).map(resting));
+        held.extend(self.rigid().into_iter().filter(closes).map(ActiveContact::resting));
         loop {
             self.solve_resting(size, &mut held)?;
             let mut others = self.open_contacts();
@@ -46,7 +46,7 @@ impl Simulation<'_> {
                 let passed = self.first_passage(&others).is_some();
                 return if passed { Err(Failure::Passed) } else { Ok(held) };
             }
-            held.extend(inside.into_iter().map(resting));
+            held.extend(inside.into_iter().map(ActiveContact::resting));
         }
     }
 
@@ -75,10 +75,6 @@ impl Simulation<'_> {
         self.release(&settling);
         pulse
     }
-}
-
-fn resting(pair: usize) -> ActiveContact {
-    ActiveContact { pair, phase: Phase::Resting { mean: false } }
 }
 
 #[cfg(test)]

@@ -247,10 +247,6 @@ impl ContactLog {
         add_energy(&mut energy, model, pair, &found.tangent, tangential / h, work);
         energy.lost = -energy.given[0] - energy.given[1];
         *impulse_total += normal;
-        let carried = match contact.phase {
-            Phase::Settling { carried } => carried[0],
-            _ => 0.0,
-        };
         let rests = !matches!(contact.phase, Phase::Impact { .. })
             || part.persistent.get(k).is_some_and(|rests| *rests);
         if rests {
@@ -267,7 +263,7 @@ impl ContactLog {
                 (0..2).for_each(|p| interval.energy.given[p] += energy.given[p]);
                 interval.energy.lost += energy.lost;
                 interval.place_end = place(model, state, i);
-                if normal + carried <= 0.0 {
+                if normal + contact.phase.carried()[0] <= 0.0 {
                     // Nothing has pressed since the step began; a pulse is the end of what pressed before it.
                     let settles = matches!(contact.phase, Phase::Settling { .. });
                     let [end, rate] =

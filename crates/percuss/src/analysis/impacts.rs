@@ -133,7 +133,7 @@ impl Simulation<'_> {
     /// Contacts that stay closed.
     pub(super) fn resting(&self) -> Vec<ActiveContact> {
         let closed = self.rigid().into_iter().filter(|i| self.state.pairs[*i].closed);
-        closed.map(|pair| ActiveContact { pair, phase: Phase::Resting { mean: false } }).collect()
+        closed.map(ActiveContact::resting).collect()
     }
 
     /// Solves a step in which nothing strikes but `resting` contacts stay closed; friction on them never gives energy.
@@ -178,12 +178,10 @@ impl Simulation<'_> {
     /// Releases resting contacts whose impulse has vanished.
     pub(super) fn release(&mut self, active: &[ActiveContact]) {
         for (contact, found) in active.iter().zip(&self.work.rigid) {
-            let carried = match contact.phase {
-                Phase::Resting { .. } => 0.0,
-                Phase::Settling { carried } => carried[0],
-                Phase::Impact { .. } => continue,
-            };
-            self.state.pairs[contact.pair].closed = carried + found.impulse[0] > 0.0;
+            if !matches!(contact.phase, Phase::Impact { .. }) {
+                let pressed = contact.phase.carried()[0] + found.impulse[0];
+                self.state.pairs[contact.pair].closed = pressed > 0.0;
+            }
         }
     }
 

@@ -44,6 +44,23 @@ pub enum Phase {
     },
 }
 
+impl Phase {
+    /// Impulses along normal and tangent that have acted before and count in \[N s\].
+    pub fn carried(&self) -> [f64; 2] {
+        match self {
+            Self::Settling { carried } => *carried,
+            _ => [0.0; 2],
+        }
+    }
+}
+
+impl ActiveContact {
+    /// Pair `i`, which stays closed while it presses.
+    pub fn resting(pair: usize) -> Self {
+        Self { pair, phase: Phase::Resting { mean: false } }
+    }
+}
+
 /// How impulses follow from the velocities before and after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpulseLaw {
@@ -320,10 +337,7 @@ impl StepProblem<'_> {
                 Phase::Resting { .. } => self.resting_bound(contact.pair, before, seen.gap),
                 Phase::Settling { .. } => 0.0,
             };
-            condition.carried = match contact.phase {
-                Phase::Settling { carried } => carried,
-                _ => [0.0; 2],
-            };
+            condition.carried = contact.phase.carried();
             if self.law == ImpulseLaw::Mean && matches!(contact.phase, Phase::Settling { .. }) {
                 // A mean of the sliding velocity that is zero takes no friction back that was carried.
                 condition.friction = 0.0;
