@@ -21,6 +21,8 @@ use crate::step::newton::Failure;
 const PULSE: f64 = 1e-6;
 /// A contact is located to this share of a pulse.
 const LOCATED: f64 = 1e-3;
+/// Differences of gaps below this share of the size of the structure are round-off.
+const ROUND_OFF: f64 = 1e-15;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
 const STICK: f64 = 1e-6;
 /// Nor does approach slower than this share of the velocities in play, which is round-off.
@@ -92,8 +94,7 @@ impl Simulation<'_> {
 
     /// Rigid pairs that touch, at rest but for what is no approach, count as closed.
     fn settle(&mut self) {
-        let slow = self.no_approach();
-        let reach = (1e-12 * self.size).max(slow * self.settings.step);
+        let (slow, reach) = (self.no_approach(), self.no_gap());
         for i in self.rigid() {
             let pair = &mut self.state.pairs[i];
             if pair.gap <= reach && pair.rate.abs() <= slow {
@@ -123,6 +124,11 @@ impl Simulation<'_> {
     fn no_approach(&self) -> f64 {
         let creep = CREEP * self.model.gravity() * self.settings.step;
         creep.max(NO_APPROACH * self.velocity_in_play())
+    }
+
+    /// Gaps up to this one are none between things that do not approach \[m\].
+    fn no_gap(&self) -> f64 {
+        (1e-12 * self.size).max(self.no_approach() * self.settings.step)
     }
 
     /// Velocity that goes with the largest energy of the run so far \[m/s\].
@@ -191,10 +197,22 @@ impl Simulation<'_> {
         self.reached.iter().copied().filter(open).collect()
     }
 
-    /// The gap of pair `i` half a pulse after the end of the step solved last.
+    /// The gap of pair `i` half a pulse after the end of the step solved last, as [`Self::path`] counts it.
     fn gap_ahead(&self, h: f64, i: usize) -> f64 {
         let [gap, rate] = self.gap_next(h, i);
-        gap + 0.5 * self.pulse() * rate.min(0.0)
+        gap - self.floor(i) + 0.5 * self.pulse() * rate.min(0.0)
+    }
+
+    /// What the gap of pair `i` is below zero by round-off where the step begins.
+    fn floor(&self, i: usize) -> f64 {
+        self.state.pairs[i].gap.clamp(-self.no_gap(), 0.0)
+    }
+
+    /// The gap of pair `i` over the step of size `h` solved last; one that opens from round-off below zero begins at zero.
+    fn path(&self, h: f64, i: usize) -> Cubic {
+        let pair = &self.state.pairs[i];
+        let (floor, [gap, rate]) = (self.floor(i), self.gap_next(h, i));
+        Cubic { h, start: [pair.gap - floor, pair.rate], end: [gap - floor, rate] }
     }
 
     /// Least gap ahead of the given contacts, and whether the one it belongs to approaches.
@@ -215,11 +233,7 @@ impl Simulation<'_> {
         if open.is_empty() {
             return Ok(None);
         }
-        let path = |i: &usize| {
-            let pair = &self.state.pairs[*i];
-            Cubic { h: size, start: [pair.gap, pair.rate], end: self.gap_next(size, *i) }
-        };
-        let paths: Vec<Cubic> = open.iter().map(path).collect();
+        let paths: Vec<Cubic> = open.iter().map(|i| self.path(size, *i)).collect();
         let (mut end, mut ahead) = (size, self.nearest_ahead(size, &open).0);
         if ahead > 0.0 {
             // One may have dipped into the other and out again, or passed through it.
@@ -241,32 +255,26 @@ impl Simulation<'_> {
         }
         let rate = paths.iter().map(|c| c.start[1].abs().max(c.end[1].abs())).fold(0.0, f64::max);
         let tolerance = LOCATED * self.pulse();
+        let near = (tolerance * rate).max(ROUND_OFF * self.size);
         let start = paths
             .iter()
             .map(|c| c.start[0] + 0.5 * self.pulse() * c.start[1].min(0.0))
             .fold(f64::INFINITY, f64::min)
-            .max(tolerance * rate);
+            .max(near);
         let guess = end * start / (start - ahead);
         let guess = paths.iter().filter_map(|c| descent(c, end)).reduce(f64::min).unwrap_or(guess);
         let guess = guess - 0.5 * self.pulse();
-        let instant = roots::bracketed(
-            (0.0, start),
-            (end, ahead),
-            guess,
-            tolerance,
-            tolerance * rate,
-            |t| {
-                self.solve_resting(t, resting)?;
-                let (ahead, approaching) = self.nearest_ahead(t, &open);
-                // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
-                // inside is, even on its way out again.
-                Ok::<f64, Failure>(if approaching || ahead < -tolerance * rate {
-                    ahead
-                } else {
-                    ahead.max(2.0 * tolerance * rate)
-                })
-            },
-        )?;
+        let instant = roots::bracketed((0.0, start), (end, ahead), guess, tolerance, near, |t| {
+            self.solve_resting(t, resting)?;
+            let (ahead, approaching) = self.nearest_ahead(t, &open);
+            // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
+            // inside is, even on its way out again.
+            Ok::<f64, Failure>(if approaching || ahead < -near {
+                ahead
+            } else {
+                ahead.max(2.0 * near)
+            })
+        })?;
         Ok(Some(instant))
     }
 
@@ -399,12 +407,15 @@ impl Simulation<'_> {
 
 /// Where the gap first falls to zero, if it does before `end`.
 fn descent(gap: &Cubic, end: f64) -> Option<f64> {
-    let (a, b) = (gap.value(0.0), gap.value(end));
-    if a <= 0.0 || b > 0.0 {
+    let opened = || gap.stationary().find(|t| *t < end && gap.value(*t) > 0.0);
+    let from = if gap.value(0.0) > 0.0 { 0.0 } else { opened()? };
+    let (a, b) = (gap.value(from), gap.value(end));
+    if b > 0.0 {
         return None;
     }
     let f = |t: f64| Ok::<f64, std::convert::Infallible>(gap.value(t));
-    match roots::bracketed((0.0, a), (end, b), end * a / (a - b), 1e-12 * end, 0.0, f) {
+    let guess = from + (end - from) * a / (a - b);
+    match roots::bracketed((from, a), (end, b), guess, 1e-12 * end, 0.0, f) {
         Ok(t) => Some(t),
     }
 }

@@ -35,6 +35,11 @@ impl Row {
         (0..4).for_each(|i| self.values[at][i] += coefficients[i]);
     }
 
+    /// Whether it has no nodes: nothing moves along it.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
     /// Its nodes with their coefficients.
     pub fn iter(&self) -> impl Iterator<Item = (usize, &[f64; 4])> {
         self.nodes[..self.len].iter().copied().zip(&self.values[..self.len])

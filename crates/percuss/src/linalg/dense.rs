@@ -1,4 +1,4 @@
-//! Small dense systems: the border of constraints.
+//! Small dense systems: the border of constraints, impulses of contacts.
 
 /// A dense LU factorisation with partial pivoting; storage is reused from one factorisation to the next.
 #[derive(Clone, Debug, Default)]
@@ -30,12 +30,12 @@ impl DenseLu {
             if pivot == 0.0 || !pivot.is_finite() {
                 return false;
             }
-            for i in k + 1..n {
-                let factor = self.lu[i * n + k] / pivot;
-                self.lu[i * n + k] = factor;
-                for j in k + 1..n {
-                    self.lu[i * n + j] -= factor * self.lu[k * n + j];
-                }
+            let (upper, below) = self.lu.split_at_mut((k + 1) * n);
+            let along = &upper[k * n + k + 1..];
+            for row in below.chunks_exact_mut(n) {
+                let factor = row[k] / pivot;
+                row[k] = factor;
+                row[k + 1..].iter_mut().zip(along).for_each(|(a, p)| *a -= factor * p);
             }
         }
         true
@@ -47,15 +47,12 @@ impl DenseLu {
         for k in 0..n {
             x.swap(k, self.pivots[k]);
         }
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         for k in 0..n {
-            for j in 0..k {
-                x[k] -= self.lu[k * n + j] * x[j];
-            }
+            x[k] -= product(&self.lu[k * n..k * n + k], &x[..k]);
         }
         for k in (0..n).rev() {
-            for j in k + 1..n {
-                x[k] -= self.lu[k * n + j] * x[j];
-            }
+            x[k] -= product(&self.lu[k * n + k + 1..(k + 1) * n], &x[k + 1..]);
             x[k] /= self.lu[k * n + k];
         }
     }

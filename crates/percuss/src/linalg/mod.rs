@@ -3,6 +3,7 @@
 pub mod block;
 pub mod chain;
 pub mod cluster;
+pub mod complementarity;
 pub mod condensed;
 pub mod core;
 pub mod dense;

@@ -96,6 +96,13 @@ pub struct RigidContact {
     pub impulse: [f64; 2],
 }
 
+impl RigidContact {
+    /// The form of row `k` of the impact problem: that of the normal for an even one, of the tangent for an odd one.
+    fn row(&self, k: usize) -> &Row {
+        if k.is_multiple_of(2) { &self.normal } else { &self.tangent }
+    }
+}
+
 impl StepProblem<'_> {
     fn configuration<'b>(
         &'b self,
@@ -248,9 +255,8 @@ impl StepProblem<'_> {
             work.contact_columns.resize(rows, (vec![[0.0; 4]; nodes], vec![0.0; constraints]));
         }
         for k in 0..rows {
-            let contact = &work.rigid[k / 2];
-            let row = if k.is_multiple_of(2) { contact.normal } else { contact.tangent };
-            if row == Row::default() {
+            let row = work.rigid[k / 2].row(k);
+            if row.is_empty() {
                 continue;
             }
             let (column, multiplier) = &mut work.contact_columns[k];
@@ -303,22 +309,15 @@ impl StepProblem<'_> {
         let problem = &mut work.impact;
         problem.resize(n);
         let m = 2 * n;
-        let row_of = |contact: &RigidContact, k: usize| {
-            if k.is_multiple_of(2) { contact.normal } else { contact.tangent }
-        };
         for a in 0..m {
-            let row = row_of(&work.rigid[a / 2], a);
-            let empty = row == Row::default();
+            let row = work.rigid[a / 2].row(a);
             for b in 0..m {
-                let other = row_of(&work.rigid[b / 2], b);
-                problem.delassus[a * m + b] = if empty || other == Row::default() {
-                    0.0
-                } else {
-                    rate_per_force * row.on(&work.contact_columns[b].0)
-                };
+                let moves = !row.is_empty() && !work.rigid[b / 2].row(b).is_empty();
+                let rate = || rate_per_force * row.on(&work.contact_columns[b].0);
+                problem.delassus[b * m + a] = if moves { rate() } else { 0.0 };
             }
             let carried: f64 = (0..m)
-                .map(|b| problem.delassus[a * m + b] * work.rigid[b / 2].impulse[b % 2])
+                .map(|b| problem.delassus[b * m + a] * work.rigid[b / 2].impulse[b % 2])
                 .sum();
             let moved = row.on(&work.increment) + row.on(&work.correction);
             problem.free[a] = 2.0 * moved / h - row.on(&self.state.velocity) - carried;
