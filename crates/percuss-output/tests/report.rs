@@ -303,6 +303,25 @@ fn closed_contact_is_a_band_and_never_a_stem() -> Outcome {
 }
 
 #[test]
+fn contacts_that_never_closed_share_a_line() -> Outcome {
+    let mut data = rigid()?;
+    let untouched = |k: usize| {
+        let between = json!([format!("d{k}"), "wall"]);
+        json!({ "between": between, "impact_count": 0, "impulse_total": 0.0, "impacts": [], "intervals": [] })
+    };
+    data.summary["contact"]["d0-wall"] = untouched(0);
+    let single = page(&data)?;
+    assert!(single.contains("Contact d0-wall") && !single.contains("never closed:"));
+    for k in 1..20 {
+        data.summary["contact"][format!("d{k}-wall")] = untouched(k);
+    }
+    let page = page(&data)?;
+    assert!(page.contains("20 contacts never closed: d0-wall, ") && page.contains(" and 8 more<"));
+    assert!(page.contains("Projectile hammer") && !page.contains("Contact d0-wall"));
+    Ok(())
+}
+
+#[test]
 fn what_is_left_out_and_why_is_said() -> Outcome {
     let mut data = rigid()?;
     assert!(!page(&data)?.contains("are not compared here"));

@@ -8,6 +8,8 @@ use super::quantity::{number, quantity};
 
 /// Rows shown of a long list.
 const LISTED: usize = 200;
+/// Contacts named that never closed.
+const NAMED: usize = 12;
 
 /// Everything between the heading and the figures.
 pub(super) fn render(summary: &Value) -> String {
@@ -15,9 +17,22 @@ pub(super) fn render(summary: &Value) -> String {
     let empty = Map::new();
     let contacts = summary["contact"].as_object().unwrap_or(&empty);
     let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
+    // A model of many bodies has hundreds of pairs that could have touched.
+    let untouched: Vec<&str> = contacts
+        .iter()
+        .filter(|(name, contact)| !projectiles.contains_key(*name) && !touched(contact))
+        .map(|(name, _)| name.as_str())
+        .collect();
+    let crowded = untouched.len() > 1;
     for (name, contact) in contacts {
+        if crowded && untouched.contains(&name.as_str()) {
+            continue;
+        }
         out.push_str(&contact_table(name, contact, projectiles.get(name)));
         out.push_str(&mass_warning(contact));
+    }
+    if crowded {
+        out.push_str(&never_closed(&untouched));
     }
     for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
         out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile)));
@@ -43,6 +58,21 @@ fn listing(
         out.push_str(&format!("<p class=\"more\">and {more} more</p>\n"));
     }
     out
+}
+
+fn touched(contact: &Value) -> bool {
+    let closed = contact["intervals"].as_array().is_some_and(|list| !list.is_empty());
+    closed || contact["impact_count"].as_u64().is_some_and(|count| count > 0)
+}
+
+fn never_closed(names: &[&str]) -> String {
+    let shown = names.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
+    let more = match names.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let text = format!("{} contacts never closed: {shown}{more}", names.len());
+    format!("<p class=\"more\">{}</p>\n", escape(&text))
 }
 
 fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> String {

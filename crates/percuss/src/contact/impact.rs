@@ -65,6 +65,9 @@ impl ImpactProblem {
     /// it, as any other.
     const TOLERATED: f64 = 1e-6;
 
+    /// Impulses beyond so many times what stops the heaviest at every contact are of things that wedge each other.
+    const WEDGED: f64 = 10.0;
+
     /// Makes room for `n` contacts.
     pub fn resize(&mut self, n: usize) {
         let none = Conditions { bound: 0.0, friction: 0.0, target: 0.0, carried: [0.0; 2] };
@@ -194,6 +197,12 @@ impl ImpactProblem {
         let bounds = self.contacts.iter().flat_map(|c| [c.bound, c.target]);
         let rows = self.rows().map(|r| self.free[r]);
         rows.chain(bounds).fold(0.0_f64, |m, x| m.max(x.abs()))
+    }
+
+    /// Impulse beyond which a solution is none \[N s\]: contacts that wedge each other can carry any without motion.
+    fn most(&self) -> f64 {
+        let stops = self.rows().map(|r| self.diagonal(r)).filter(|w| *w > 0.0);
+        Self::WEDGED * self.len() as f64 * self.scale() / stops.fold(f64::MAX, f64::min)
     }
 
     /// Largest violation of the conditions, as a rate \[m/s\].

@@ -49,10 +49,10 @@ impl Lemke {
     /// Violation of the conditions that is round-off, for data of order one.
     const SOLVED: f64 = 1e-14;
 
-    /// Solves for x, given the matrix row by row and q, both of order one; returns the largest violation of the conditions, relative
-    /// to the largest x where that is above one, infinite if nothing was found. For copositive matrices there is then no solution,
-    /// but for round-off.
-    pub fn solve(&mut self, matrix: &[f64], q: &[f64], x: &mut Vec<f64>) -> f64 {
+    /// Solves for x up to `most`, given the matrix row by row and q, both of order one; returns the largest violation of the
+    /// conditions, relative to the largest x where that is above one, infinite if nothing was found. For copositive matrices there is
+    /// then no such solution, but for round-off.
+    pub fn solve(&mut self, matrix: &[f64], q: &[f64], most: f64, x: &mut Vec<f64>) -> f64 {
         let mut least = f64::INFINITY;
         let mut found = Vec::new();
         for cover in 0..Self::COVERS {
@@ -62,7 +62,7 @@ impl Lemke {
             }
             self.finish(matrix, q, &mut found);
             let violation = violation(matrix, q, &found);
-            if violation < least {
+            if violation < least && found.iter().all(|x| *x <= most) {
                 least = violation;
                 std::mem::swap(x, &mut found);
             }
@@ -240,7 +240,7 @@ mod tests {
         // 2 x1 + x2 = 5, x1 + 2 x2 = 6.
         let (matrix, q) = ([2.0, 1.0, 1.0, 2.0], [-5.0, -6.0]);
         let mut x = Vec::new();
-        assert!(Lemke::default().solve(&matrix, &q, &mut x) < 1e-13);
+        assert!(Lemke::default().solve(&matrix, &q, 1e9, &mut x) < 1e-13);
         assert!((x[0] - 4.0 / 3.0).abs() < 1e-15 && (x[1] - 7.0 / 3.0).abs() < 1e-15, "{x:?}");
     }
 
@@ -249,9 +249,16 @@ mod tests {
         // w_1 = -1 whatever x is.
         let mut x = Vec::new();
         assert_eq!(
-            Lemke::default().solve(&[0.0, 0.0, 0.0, 1.0], &[-1.0, 1.0], &mut x),
+            Lemke::default().solve(&[0.0, 0.0, 0.0, 1.0], &[-1.0, 1.0], 1e9, &mut x),
             f64::INFINITY
         );
+    }
+
+    #[test]
+    fn solutions_too_large_are_none() {
+        let mut x = Vec::new();
+        assert_eq!(Lemke::default().solve(&[1e-6], &[-1.0], 1e5, &mut x), f64::INFINITY);
+        assert!(Lemke::default().solve(&[1e-6], &[-1.0], 1e7, &mut x) < 1e-15);
     }
 
     #[test]
@@ -260,7 +267,7 @@ mod tests {
         for n in [2, 7, 40] {
             let (matrix, q) = (vec![1.0; n * n], vec![-1.0; n]);
             let mut x = Vec::new();
-            assert!(Lemke::default().solve(&matrix, &q, &mut x) < 1e-13);
+            assert!(Lemke::default().solve(&matrix, &q, 1e9, &mut x) < 1e-13);
             assert!(violation(&matrix, &q, &x) < 1e-14);
         }
     }
@@ -278,7 +285,7 @@ mod tests {
         }
         let q: Vec<f64> = (0..n).map(|i| if i % 7 < 4 { -1.0 } else { 0.9 }).collect();
         let mut x = Vec::new();
-        assert!(Lemke::default().solve(&matrix, &q, &mut x) < 1e-13);
+        assert!(Lemke::default().solve(&matrix, &q, 1e9, &mut x) < 1e-13);
         assert!(violation(&matrix, &q, &x) < 1e-13);
     }
 }

@@ -16,6 +16,8 @@ use crate::terminal::painted;
 /// Impacts and intervals listed for a contact, and results beside hand formulas.
 const LISTED: usize = 3;
 const HANDED: usize = 6;
+/// Contacts named that never closed.
+const NAMED: usize = 6;
 /// Terms of the balance below this share of the largest energy in play are nothing but rounding.
 const ROUNDING: f64 = 1e-13;
 
@@ -33,11 +35,21 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
         ),
     ));
     rows.push(("drift".into(), drift(run)));
-    for contact in &run.contacts {
+    let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| touched(c));
+    let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
+    for contact in touched.iter().chain(alone) {
         let label = format!("contact {}", contact.name);
         let lines = contact_lines(contact);
         let labels = [label].into_iter().chain(std::iter::repeat(String::new()));
         rows.extend(labels.zip(lines));
+    }
+    if untouched.len() > 1 {
+        let names: Vec<&str> = untouched.iter().map(|c| c.name.as_str()).collect();
+        let names = listed(&names, names.len(), NAMED, |name| (*name).to_owned());
+        rows.push((
+            count(untouched.len(), "contact"),
+            format!("never closed: {}", names.join(", ")),
+        ));
     }
     if run.accumulated_steps > 0 {
         let steps = count(run.accumulated_steps, "step");
@@ -153,6 +165,15 @@ fn drift(run: &RunSummary) -> String {
         small(audit.curvature_drift_max),
         small(audit.membrane_drift_max)
     )
+}
+
+fn touched(contact: &ContactSummary) -> bool {
+    match &contact.record {
+        ContactRecord::Smooth { intervals, .. } => !intervals.is_empty(),
+        ContactRecord::Nonsmooth { impact_count, intervals, .. } => {
+            *impact_count > 0 || !intervals.is_empty()
+        }
+    }
 }
 
 fn contact_lines(contact: &ContactSummary) -> Vec<String> {

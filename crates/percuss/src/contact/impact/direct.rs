@@ -39,12 +39,15 @@ impl ImpactProblem {
     pub(super) fn solve_directly(&mut self, impulses: &mut [f64]) -> f64 {
         let mut direct = std::mem::take(&mut self.direct);
         self.pose(&mut direct);
-        let Direct { lemke, matrix, right, values, .. } = &mut direct;
+        let Direct { lemke, matrix, right, values, units, .. } = &mut direct;
         let mut residual = self.residual(impulses);
-        if lemke.solve(matrix, right, values).is_finite() {
+        let most = self.most();
+        // The unit of the lightest is the smallest; what it lets through of heavier ones is looked at below.
+        let unit = units.iter().copied().filter(|u| *u > 0.0).fold(f64::INFINITY, f64::min);
+        if lemke.solve(matrix, right, most / (unit * self.scale()), values).is_finite() {
             self.read(&mut direct);
             let found = self.residual(&direct.impulses);
-            if found < residual {
+            if found < residual && direct.impulses.iter().all(|l| l.abs() <= most) {
                 residual = found;
                 impulses.copy_from_slice(&direct.impulses);
             }

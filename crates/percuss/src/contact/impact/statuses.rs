@@ -30,8 +30,6 @@ enum Status {
 const REDUNDANT: f64 = 1e-13;
 
 impl ImpactProblem {
-    /// Impulses beyond so many times what stops the heaviest at every contact are of things that wedge each other.
-    const WEDGED: f64 = 10.0;
     /// Changes of what the contacts do; where it converges, it needs one to five.
     const CHANGES: usize = 8;
 
@@ -41,8 +39,7 @@ impl ImpactProblem {
         newton.impulses.clear();
         newton.impulses.extend_from_slice(impulses);
         let enough = Self::ACCEPTED * self.scale();
-        let stops = self.rows().map(|r| self.diagonal(r)).filter(|w| *w > 0.0);
-        let most = Self::WEDGED * self.len() as f64 * self.scale() / stops.fold(f64::MAX, f64::min);
+        let most = self.most();
         let mut best = self.residual(impulses);
         for _ in 0..Self::CHANGES {
             self.find_rates(&newton.impulses, &mut newton.rates);
@@ -52,7 +49,6 @@ impl ImpactProblem {
             if !self.solve_statuses(&mut newton) {
                 break;
             }
-            // Contacts that wedge each other can carry any impulse without motion: a solution of that kind is none.
             if newton.impulses.iter().any(|l| l.abs() > most) {
                 break;
             }
