@@ -10,7 +10,7 @@ pub struct Error {
 
 #[derive(Debug)]
 enum ErrorKind {
-    NoConvergence { time: f64, step: f64, residual: f64, place: String },
+    NoConvergence { time: f64, step: f64, what: String },
     NoEquilibrium { share: f64 },
     MomentBeyondLaw { share: f64, beam: String, most: f64 },
     Singular { time: f64, place: String },
@@ -18,9 +18,9 @@ enum ErrorKind {
 }
 
 impl Error {
-    /// Newton's iteration failed down to the smallest step.
-    pub(crate) fn no_convergence(time: f64, step: f64, residual: f64, place: String) -> Self {
-        Self { kind: ErrorKind::NoConvergence { time, step, residual, place } }
+    /// Newton's iteration failed down to the smallest step; `what` it was that did not converge.
+    pub(crate) fn no_convergence(time: f64, step: f64, what: String) -> Self {
+        Self { kind: ErrorKind::NoConvergence { time, step, what } }
     }
 
     /// No equilibrium was found beyond a share of the loads.
@@ -67,10 +67,9 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.kind {
-            ErrorKind::NoConvergence { time, step, residual, place } => write!(
+            ErrorKind::NoConvergence { time, step, what } => write!(
                 f,
-                "no convergence at t = {time:.9e} s with a step of {step:.3e} s: \
-                 scaled residual {residual:.3e}, largest at {place}; try a smaller step"
+                "no convergence at t = {time:.9e} s with a step of {step:.3e} s: {what}; try a smaller step"
             ),
             ErrorKind::NoEquilibrium { share } => write!(
                 f,

@@ -286,7 +286,7 @@ fn a_pile_at_rest_stays_at_rest_although_its_gaps_are_round_off() {
 }
 
 #[test]
-fn a_pile_with_friction_comes_to_rest() {
+fn a_moving_pile_with_friction_runs_through() {
     // Friction holds such a pile in more ways than one, which sweeps over its contacts do not get out of.
     for (restitution, friction) in [(0.0, 2.0), (0.5, 0.3)] {
         let mut r = Numbers(20);

@@ -18,16 +18,11 @@ pub(super) fn render(summary: &Value) -> String {
     let contacts = summary["contact"].as_object().unwrap_or(&empty);
     let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
     // A model of many bodies has hundreds of pairs that could have touched.
-    let untouched: Vec<&str> = contacts
-        .iter()
-        .filter(|(name, contact)| !projectiles.contains_key(*name) && !touched(contact))
-        .map(|(name, _)| name.as_str())
-        .collect();
+    let waits = |name: &str, contact: &Value| !projectiles.contains_key(name) && !touched(contact);
+    let untouched: Vec<&str> =
+        contacts.iter().filter(|(n, c)| waits(n, c)).map(|(name, _)| name.as_str()).collect();
     let crowded = untouched.len() > 1;
-    for (name, contact) in contacts {
-        if crowded && untouched.contains(&name.as_str()) {
-            continue;
-        }
+    for (name, contact) in contacts.iter().filter(|(n, c)| !crowded || !waits(n, c)) {
         out.push_str(&contact_table(name, contact, projectiles.get(name)));
         out.push_str(&mass_warning(contact));
     }

@@ -5,6 +5,7 @@ mod batch;
 mod buckling;
 mod channels;
 mod contact_log;
+mod giving_up;
 mod impacts;
 mod modes;
 mod monitor;

@@ -8,7 +8,6 @@ use super::start::initial_state;
 use super::trial::size_of;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
-use crate::element::beam::ElementValues;
 use crate::error::Error;
 use crate::ledger::{Books, Measures, RoundOff};
 use crate::math::vec2::{add, dot, norm, scale, sub};
@@ -21,7 +20,6 @@ use crate::step::contacts::ActiveContact;
 use crate::step::forcing::Forcing;
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::{Effort, Failure};
-use crate::step::tangent::Singular;
 use crate::step::workspace::Workspace;
 use crate::summary::*;
 
@@ -29,8 +27,6 @@ use crate::summary::*;
 const SMALLEST_SHARE: f64 = 1e-4;
 /// Parts of a step, impacts and cuts included, before the analysis gives up: more would not end.
 const MOST_PARTS: usize = 20_000;
-/// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
-const COLLAPSED: f64 = 0.2;
 
 /// A transient analysis in progress.
 ///
@@ -267,64 +263,6 @@ impl<'m> Simulation<'m> {
         let slack = SAME_INSTANT * self.settings.step;
         let ahead = self.releases.iter().map(|t| t - self.state.time);
         ahead.filter(|t| *t > slack).fold(f64::INFINITY, f64::min)
-    }
-
-    fn give_up(&self, failure: Failure, step: f64) -> Error {
-        let place = |node: usize| {
-            let beam = self.model.beams.iter().find(|b| b.nodes.contains(&node));
-            let body = || {
-                let body = node.checked_sub(self.model.beam_node_count());
-                let body = body.and_then(|i| self.model.bodies.get(i));
-                body.map_or_else(String::new, |b| format!("`{}`", b.name))
-            };
-            beam.map_or_else(body, |b| {
-                let element = (node - b.nodes.start).min(b.elements.len() - 1) + 1;
-                format!("element {element} of {} of beam `{}`", b.elements.len(), b.name)
-            })
-        };
-        let time = self.state.time;
-        match failure {
-            Failure::Diverged { residual, node } => {
-                let (stretch, at) = self.least_stretch();
-                let collapsed = if stretch < COLLAPSED {
-                    let (beam, share) = (place(at), 100.0 * stretch);
-                    format!(" ({beam} has collapsed: its axis is pressed to {share:.1} % there)")
-                } else {
-                    String::new()
-                };
-                Error::no_convergence(time, step, residual, place(node) + &collapsed)
-            }
-            Failure::Impact => {
-                Error::no_convergence(time, step, f64::NAN, "the impacts' impulses".into())
-            }
-            Failure::Passed => {
-                let place = "two things that pass through each other".into();
-                Error::no_convergence(time, step, f64::NAN, place)
-            }
-            Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
-            Failure::Singular(Singular::Constraints) => {
-                Error::singular(time, "the joints and supports".into())
-            }
-        }
-    }
-
-    /// The least stretch at any Gauss point, and the first node of its element.
-    fn least_stretch(&self) -> (f64, usize) {
-        let mut least = (f64::INFINITY, 0);
-        for span in &self.model.spans {
-            for k in 0..span.elements.len() {
-                let node = span.nodes.start + k;
-                let [a, b] = [node, node + 1].map(|n| &self.state.displacement[n]);
-                let u = ElementValues::new(a, b);
-                for row in &span.table(k).rows {
-                    let stretch = norm(add(row.tangent, u.at(&row.first)));
-                    if stretch < least.0 {
-                        least = (stretch, node);
-                    }
-                }
-            }
-        }
-        least
     }
 
     /// Measures the new state; follows every accepted step.

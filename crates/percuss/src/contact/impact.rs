@@ -4,8 +4,8 @@
 //! `-L_t in mu L_n Sgn(z_t - target)`; rates `z = free + W L` with the Delassus operator W. A contact may have carried impulses
 //! before, which its conditions then count in. Solved by the proximal-point iteration of the paper (eqs. 14 to 16), contact after
 //! contact; where that is slow, by Newton's iteration on what each contact does, and where that fails, by Lemke's method, which ends
-//! after a finite number of exchanges however redundant the contacts are.
-//! What is returned has been checked against the conditions themselves.
+//! after a finite number of exchanges however redundant the contacts are. What is returned has been checked against the conditions
+//! themselves.
 
 mod direct;
 mod statuses;
@@ -140,7 +140,11 @@ impl ImpactProblem {
         let single = self.len() == 1 && self.contacts[0].friction == 0.0;
         let enough = Self::ACCEPTED * self.scale();
         for round in 0..Self::ROUNDS {
-            if self.sweeps(impulses, round == 0) || single || self.residual(impulses) <= enough {
+            let converged = self.sweeps(impulses, round == 0);
+            if !impulses.iter().all(|x| x.is_finite()) {
+                return Err(Stalled);
+            }
+            if converged || single || self.residual(impulses) <= enough {
                 return Ok(());
             }
             let solved = round == 0

@@ -1,6 +1,6 @@
 //! The linear complementarity problem: `w = M x + q`, `0 <= w  perp  x >= 0`.
 //!
-//! Lemke's method (Cottle, Pang, Stone, *The Linear Complementarity Problem*, section 4.4): one more variable, the cover, makes
+//! Lemke's method (Cottle, Pang, Stone, *The Linear Complementarity Problem*): one more variable, the cover, makes
 //! everything positive; it is driven out by exchanging variables with their complements, one pair at a time. Ties are broken
 //! lexicographically, as if q were `q + (e, e^2, e^3, ...)`, so that no basis comes twice and the method ends. The last basis is
 //! solved once more afresh: no round-off of the exchanges stays in the solution. The matrix may be singular; but where it is, round-off
@@ -203,8 +203,9 @@ impl Lemke {
                 x[*i] = self.rows[row * (n + 2)].max(0.0);
             }
         }
-        // What is basic: x where its w vanishes. Complements of each other never are both.
-        let active: Vec<usize> = (0..n).filter(|i| self.basis.contains(&Variable::X(*i))).collect();
+        // Of each pair one is in the basis now: x where w is outside.
+        let outside = |i: &usize| matches!(self.places[*i], Place::Column(_));
+        let active: Vec<usize> = (0..n).filter(outside).collect();
         self.matrix.clear();
         for i in &active {
             self.matrix.extend(active.iter().map(|j| matrix[i * n + j]));

@@ -1,11 +1,11 @@
 //! The impact problem as a linear complementarity problem, for where sweeps are slow.
 //!
-//! Coulomb's law in the plane is piecewise linear (Anitescu and Potra, *Nonlinear Dynamics* 14, 1997, eqs. 8 to 10 with two
-//! directions): with tangential impulses forwards and backwards, both positive, and the sliding speed g, `g + z_t >= 0` is
-//! complementary to the one forwards, `g - z_t >= 0` to the one backwards, and what friction could still give, `mu L_n` without their
-//! sum, to g. The unknowns are the normal impulse and, with friction, these three. The matrix is copositive, so that Lemke's method
-//! finds a solution wherever contacts that wedge each other ask for nothing impossible. Impulses are measured such that the operator
-//! has ones on its diagonal, rates such that the largest is of order one.
+//! Coulomb's law in the plane is piecewise linear (Anitescu and Potra, *Nonlinear Dynamics* 14, 1997, with two directions): with
+//! tangential impulses forwards and backwards, both positive, and the sliding speed g, `g + z_t >= 0` is complementary to the one
+//! forwards, `g - z_t >= 0` to the one backwards, and what friction could still give, `mu L_n` without their sum, to g. The unknowns
+//! are the normal impulse and, with friction, these three. The matrix is copositive, so that Lemke's method finds a solution wherever
+//! contacts that wedge each other ask for nothing impossible. Impulses are measured such that the operator has ones on its diagonal,
+//! rates such that the largest is of order one.
 
 use super::ImpactProblem;
 use crate::linalg::complementarity::Lemke;

@@ -1,0 +1,74 @@
+//! What is said of a step that fails however small it is: what did not converge, and where.
+
+use super::simulation::Simulation;
+use crate::element::beam::ElementValues;
+use crate::error::Error;
+use crate::math::vec2::{add, norm};
+use crate::step::newton::Failure;
+use crate::step::tangent::Singular;
+
+/// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
+const COLLAPSED: f64 = 0.2;
+
+impl Simulation<'_> {
+    /// Why the run ends here, after a step of the given size has failed.
+    pub(super) fn give_up(&self, failure: Failure, step: f64) -> Error {
+        let place = |node: usize| {
+            let beam = self.model.beams.iter().find(|b| b.nodes.contains(&node));
+            let body = || {
+                let body = node.checked_sub(self.model.beam_node_count());
+                let body = body.and_then(|i| self.model.bodies.get(i));
+                body.map_or_else(String::new, |b| format!("`{}`", b.name))
+            };
+            beam.map_or_else(body, |b| {
+                let element = (node - b.nodes.start).min(b.elements.len() - 1) + 1;
+                format!("element {element} of {} of beam `{}`", b.elements.len(), b.name)
+            })
+        };
+        let time = self.state.time;
+        match failure {
+            Failure::Diverged { residual, node } => {
+                let (stretch, at) = self.least_stretch();
+                let collapsed = if stretch < COLLAPSED {
+                    let (beam, share) = (place(at), 100.0 * stretch);
+                    format!(" ({beam} has collapsed: its axis is pressed to {share:.1} % there)")
+                } else {
+                    String::new()
+                };
+                let at = place(node) + &collapsed;
+                let what = format!("scaled residual {residual:.3e}, largest at {at}");
+                Error::no_convergence(time, step, what)
+            }
+            Failure::Impact => {
+                let what = "no impulses meet the conditions of all contacts";
+                Error::no_convergence(time, step, what.into())
+            }
+            Failure::Passed => {
+                Error::no_convergence(time, step, "two things pass through each other".into())
+            }
+            Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
+            Failure::Singular(Singular::Constraints) => {
+                Error::singular(time, "the joints and supports".into())
+            }
+        }
+    }
+
+    /// The least stretch at any Gauss point, and the first node of its element.
+    fn least_stretch(&self) -> (f64, usize) {
+        let mut least = (f64::INFINITY, 0);
+        for span in &self.model.spans {
+            for k in 0..span.elements.len() {
+                let node = span.nodes.start + k;
+                let [a, b] = [node, node + 1].map(|n| &self.state.displacement[n]);
+                let u = ElementValues::new(a, b);
+                for row in &span.table(k).rows {
+                    let stretch = norm(add(row.tangent, u.at(&row.first)));
+                    if stretch < least.0 {
+                        least = (stretch, node);
+                    }
+                }
+            }
+        }
+        least
+    }
+}
