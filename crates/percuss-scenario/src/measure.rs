@@ -12,21 +12,24 @@ pub(crate) trait Measure: 'static {
     const UNIT: &'static str;
     /// An example as it stands in a file.
     const EXAMPLE: &'static str;
+    /// Whether the radian may be left out of its unit.
+    const ANGLE_IMPLIED: bool;
     /// Units of the same dimension that mean something else.
     const REFUSED: &'static [&'static str];
 }
 
 /// Declares the measures, and the list that names a dimension in messages.
 macro_rules! measures {
-    ($($name:ident = ($m:literal, $kg:literal, $s:literal) $about:literal, $unit:literal, $example:literal
-        $(, not [$($refused:literal),*])?;)*) => {
+    ($($name:ident = ($m:literal, $kg:literal, $s:literal $(, rad $rad:literal)? $(, implied $implied:literal)?)
+        $about:literal, $unit:literal, $example:literal $(, not [$($refused:literal),*])?;)*) => {
         $(
             #[doc = $about]
             pub(crate) struct $name;
 
             impl Measure for $name {
                 const DIMENSION: Dimension =
-                    Dimension::halves($m as f64, $kg as f64, $s as f64);
+                    Dimension::halves($m as f64, $kg as f64, $s as f64)$(.with_radian($rad))?;
+                const ANGLE_IMPLIED: bool = false $(|| $implied)?;
                 const NAME: &'static str = $about;
                 const UNIT: &'static str = $unit;
                 const EXAMPLE: &'static str = $example;
@@ -55,13 +58,13 @@ measures! {
     Stiffness = (0, 1, -2) "a stiffness", "N/m", "\"7.5e5 N/m\"";
     HertzStiffness = (-0.5, 1, -2) "a Hertz stiffness", "N/m^1.5", "\"5e8 N/m^1.5\"";
     Dissipation = (-1, 0, 1) "a dissipation factor", "s/m", "\"0.2 s/m\"";
-    Angle = (0, 0, 0) "an angle", "rad", "\"30 deg\"";
-    Frequency = (0, 0, -1) "a frequency", "Hz", "\"50 Hz\"", not ["rpm", "rad", "deg", "°"];
-    Spin = (0, 0, -1) "an angular velocity", "rad/s", "\"90 deg/s\"", not ["Hz"];
-    Rate = (0, 0, -1) "a rate", "1/s", "\"0.5 1/s\"", not ["rpm", "Hz"];
+    Angle = (0, 0, 0, rad 1, implied true) "an angle", "rad", "\"30 deg\"";
+    Frequency = (0, 0, -1) "a frequency", "Hz", "\"50 Hz\"";
+    Spin = (0, 0, -1, rad 1) "an angular velocity", "rad/s", "\"90 deg/s\"";
+    Rate = (0, 0, -1) "a rate", "1/s", "\"0.5 1/s\"", not ["Hz"];
     Damping = (0, 1, -1) "a damping constant", "N*s/m", "\"200 N*s/m\"";
-    TurnStiffness = (2, 1, -2) "a rotational stiffness", "N*m", "\"5 kN*m/rad\"";
-    TurnDamping = (2, 1, -1) "a rotational damping constant", "N*m*s", "\"20 N*m*s\"";
+    TurnStiffness = (2, 1, -2, rad -1, implied true) "a rotational stiffness", "N*m", "\"5 kN*m/rad\"";
+    TurnDamping = (2, 1, -1, rad -1, implied true) "a rotational damping constant", "N*m*s", "\"20 N*m*s\"";
     MassInertia = (2, 1, 0) "a mass moment of inertia", "kg*m^2", "\"2 kg*m^2\"";
     LineForce = (0, 1, -2) "a force per length", "N/m", "\"5 kN/m\"";
     LineInertia = (1, 1, 0) "a rotary inertia per length", "kg*m", "\"10 kg*m\"";
@@ -76,6 +79,12 @@ const OTHERS: &[(Dimension, &str, &str)] = &[
     (Dimension::new(-2, 1, 0), "a mass per area", "kg/m^2"),
     (Dimension::new(3, 1, -2), "a bending stiffness", "N*m^2"),
 ];
+
+/// Whether a quantity of some dimension can be what `M` measures.
+pub(crate) fn fits<M: Measure>(dimension: Dimension) -> bool {
+    let implied = M::ANGLE_IMPLIED && dimension == M::DIMENSION.without_angle();
+    dimension == M::DIMENSION || implied
+}
 
 /// `an area (m^2)`; a dimension without a name by its unit.
 pub(crate) fn name(dimension: Dimension) -> String {

@@ -108,7 +108,7 @@ fn with_unit<M: Measure>(node: &Node<'_>, text: &str, reader: &mut Reader<'_>) -
             return None;
         }
     };
-    if quantity.dimension != M::DIMENSION {
+    if !measure::fits::<M>(quantity.dimension) {
         let found = format!("\"{text}\", which is {}", measure::name(quantity.dimension));
         reader.wrong(node, found, expected::<M>());
         return None;

@@ -11,28 +11,41 @@ use std::ops::Range;
 
 use known::{Unit, meant, symbol};
 
-/// Exponents of metre, kilogram and second, which may be halves: Hertz stiffness is in N/m^1.5.
+/// Exponents of metre, kilogram, second and radian, which may be halves: Hertz stiffness is in N/m^1.5.
+///
+/// The angle counts as a dimension, so that `"1500 1/min"` is no angular velocity and `"17 deg"` no coefficient of friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dimension {
     /// Twice the exponents.
-    doubled: [i32; 3],
+    doubled: [i32; 4],
 }
 
 impl Dimension {
     /// A dimension from its three exponents.
     pub const fn new(metre: i32, kilogram: i32, second: i32) -> Self {
-        Self { doubled: [2 * metre, 2 * kilogram, 2 * second] }
+        Self { doubled: [2 * metre, 2 * kilogram, 2 * second, 0] }
     }
 
     /// A dimension from three exponents that may be halves.
     pub const fn halves(metre: f64, kilogram: f64, second: f64) -> Self {
-        Self { doubled: [(2.0 * metre) as i32, (2.0 * kilogram) as i32, (2.0 * second) as i32] }
+        Self { doubled: [(2.0 * metre) as i32, (2.0 * kilogram) as i32, (2.0 * second) as i32, 0] }
+    }
+
+    /// The same with an exponent of the radian.
+    pub const fn with_radian(self, radian: i32) -> Self {
+        let [metre, kilogram, second, _] = self.doubled;
+        Self { doubled: [metre, kilogram, second, 2 * radian] }
+    }
+
+    /// The same without angle: what a formula makes of it.
+    pub const fn without_angle(self) -> Self {
+        self.with_radian(0)
     }
 
     /// Dimension of a product.
     fn times(self, other: Self) -> Self {
         let sum = |i: usize| self.doubled[i].saturating_add(other.doubled[i]);
-        Self { doubled: [0, 1, 2].map(sum) }
+        Self { doubled: [0, 1, 2, 3].map(sum) }
     }
 
     /// Dimension of the reciprocal.
@@ -50,8 +63,8 @@ impl Dimension {
 impl fmt::Display for Dimension {
     /// Writes the coherent SI unit, for instance `kg*m/s^2`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [metre, kilogram, second] = self.doubled;
-        let bases = [("kg", kilogram), ("m", metre), ("s", second)];
+        let [metre, kilogram, second, radian] = self.doubled;
+        let bases = [("kg", kilogram), ("m", metre), ("rad", radian), ("s", second)];
         let side = |above: bool| -> Vec<String> {
             let one = |&(name, doubled): &(&str, i32)| match doubled.abs() {
                 2 => name.to_string(),
@@ -249,14 +262,15 @@ impl Cursor<'_> {
             if first && from < self.at && !divides {
                 return Err(fault(from..self.at, format!("`{next}` before the unit"), "a unit"));
             }
-            let unit = self.factor(depth)?;
+            let unit = self.factor(depth, first)?;
             out = out.times(if divides { unit.power(-1) } else { unit });
             divided |= divides;
             first = false;
         }
     }
 
-    fn factor(&mut self, depth: usize) -> Result<Unit, UnitFault> {
+    /// A unit with its exponent, or brackets; the first of a product may be the 1 of `1/s`.
+    fn factor(&mut self, depth: usize, first: bool) -> Result<Unit, UnitFault> {
         let from = self.at;
         let unit = if self.eat(|c| c == '(').is_some() {
             if depth >= DEPTH {
@@ -268,12 +282,13 @@ impl Cursor<'_> {
             }
             inner
         } else if self.eat(|c| c == '1').is_some() {
-            if self.peek().is_some_and(|c| c.is_ascii_digit()) {
+            let divided = self.text[self.at..].trim_start().starts_with('/');
+            if !first || !divided {
                 return Err(fault(from..self.text.len(), "a second number", "one number"));
             }
             return Ok(Unit::ONE);
         } else {
-            while self.eat(|c| c.is_alphabetic() || c == '°').is_some() {}
+            while self.eat(|c| c.is_alphabetic() || matches!(c, '°' | '%')).is_some() {}
             let name = &self.text[from..self.at];
             if name.is_empty() {
                 return Err(self.fault_here("no unit before it", "a unit, such as m, kg, s, N, Pa"));
@@ -336,7 +351,7 @@ fn superscript(c: char) -> Option<char> {
 
 fn unknown(name: &str, span: Range<usize>) -> UnitFault {
     let expected = match meant(name) {
-        Some(known) => format!("a known unit (did you mean `{known}`?)"),
+        Some(known) => format!("a known unit (did you mean {known}?)"),
         None => "a known unit, such as m, kg, s, N, Pa, J, W, Hz, deg, in, lbf".into(),
     };
     fault(span, format!("the unknown unit `{name}`"), expected)

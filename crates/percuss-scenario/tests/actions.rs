@@ -196,7 +196,7 @@ fn loads_take_their_course() {
         ),
         (
             "{ kind = \"harmonic\", frequency = \"60 rpm\" }",
-            "17:45: load.l.function.frequency: found \"60 rpm\", in rpm, expected a frequency \
+            "17:45: load.l.function.frequency: found \"60 rpm\", which is an angular velocity (rad/s), expected a frequency \
              (Hz), such as \"50 Hz\"",
         ),
         (
@@ -288,7 +288,7 @@ fn motion_and_damping_of_the_whole_are_read() {
         &[
             "14:12: initial.velocity: found a list of 1 entry, expected two components, each a \
              velocity (m/s), such as [0, \"20 m/s\"]",
-            "15:8: initial.spin: found \"2 Hz\", in Hz, expected an angular velocity (rad/s), \
+            "15:8: initial.spin: found \"2 Hz\", which is a frequency (Hz), expected an angular velocity (rad/s), \
              such as \"90 deg/s\"",
             "16:13: initial.about: found \"1 s\", which is a time (s), expected a length (m), \
              such as \"3 m\"",

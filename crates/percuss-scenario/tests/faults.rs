@@ -53,6 +53,43 @@ fn a_wrong_dimension_names_both() {
 }
 
 #[test]
+fn angles_are_no_ratios_and_revolutions_no_rates() {
+    for (from, to, part) in [
+        (
+            "restitution = 1.0",
+            "restitution = \"30 deg\"",
+            "which is an angle (rad), expected a number",
+        ),
+        (
+            "[time]",
+            "[initial]\nspin = \"1500 1/min\"\n[time]",
+            "which is a frequency (Hz), expected an angular velocity (rad/s)",
+        ),
+        (
+            "[time]",
+            "[initial]\nspin = \"25 Hz\"\n[time]",
+            "which is a frequency (Hz), expected an angular velocity (rad/s)",
+        ),
+        (
+            "restitution = 1.0",
+            "restitution = 1.0\nfriction = \"17 deg\"\ncontact = \"surface\"",
+            "which is an angle (rad), expected a",
+        ),
+    ] {
+        let text = faults(&RIGID.replacen(from, to, 1)).to_string();
+        assert!(text.contains(part), "{to}: {text}");
+    }
+    let turns = "[initial]\nspin = \"1500 rev/min\"\n[time]";
+    let mut scenario = read(&RIGID.replacen("[time]", turns, 1), "f.toml").unwrap();
+    let spin = scenario.field("initial.spin").unwrap();
+    let (value, unit) = scenario.number(&spin).unwrap();
+    assert!(
+        (value / (50.0 * std::f64::consts::PI) - 1.0).abs() < 1e-15 && unit == "rad/s",
+        "{value}"
+    );
+}
+
+#[test]
 fn an_unknown_unit_is_marked_inside_its_text() {
     check(
         ELASTIC,

@@ -39,6 +39,7 @@ fn one_unit_may_be_written_in_many_ways() {
     assert_eq!(value("3 N/(mm s)"), 3000.0);
     assert_eq!(value("3 s^-1"), value("3 1/s"));
     assert_eq!(value("3 /s"), value("3 Hz"));
+    assert_eq!(value("3 1 / s"), value("3 (1/s)"));
     assert_eq!(value("1_000.5 m"), 1000.5);
     assert_eq!(value("−5 m"), -5.0);
 }
@@ -67,6 +68,25 @@ fn every_unit_has_its_factor() {
     close("2 kW", 2000.0);
     close("4 MN/m", 4e6);
     close("1 g", 1e-3);
+    close("5 daN", 50.0);
+    close("1 kp", 9.80665);
+    close("2 kgf/cm^2", 2.0 * 98066.5);
+    close("1 tf", 9806.65);
+    close("1 dyn", 1e-5);
+    close("1 atm", 101325.0);
+    close("1 Msi", 1000.0 * 6894757.293168361);
+    close("1 psf", 6894.757293168361 / 144.0);
+    close("1 ksf", 6894757.293168361 / 144.0);
+    close("1 plf", 4.4482216152605 / 0.3048);
+    close("1 pli", 4.4482216152605 / 0.0254);
+    close("1 klf", 4448.2216152605 / 0.3048);
+    close("1 pcf", 16.018463373960142);
+    close("1 pci", 1728.0 * 16.018463373960142);
+    close("1 slug", 0.45359237 * 9.80665 / 0.3048);
+    close("60 mph", 26.8224);
+    close("1 yd", 0.9144);
+    close("2 rev/s", 4.0 * std::f64::consts::PI);
+    close("5 %", 0.05);
 }
 
 #[test]
@@ -75,7 +95,8 @@ fn dimensions_print_as_coherent_units() {
     assert_eq!(dimension("1 N"), "kg*m/s^2");
     assert_eq!(dimension("1 Pa"), "kg/(m*s^2)");
     assert_eq!(dimension("1 Hz"), "1/s");
-    assert_eq!(dimension("1 rad"), "1");
+    assert_eq!(dimension("1 rad"), "rad");
+    assert_eq!(dimension("1 rpm"), "rad/s");
     assert_eq!(dimension("7"), "1");
 }
 
@@ -100,7 +121,12 @@ fn unknown_units_are_marked_and_come_with_a_suggestion() {
         ("5 KN/m", "KN", "`kN`"),
         ("5 sec", "sec", "`s`"),
         ("5 inch", "inch", "`in`"),
-        ("5 mpa", "mpa", "`MPa`"),
+        ("5 mpa", "mpa", "`MPa` or `mPa`"),
+        ("5 kilonewtons", "kilonewtons", "`kN`"),
+        ("5 newtn", "newtn", "`N`"),
+        ("5 degrees", "degrees", "`deg`"),
+        ("5 mps", "mps", "`m/s`"),
+        ("5 ton", "ton", "`t` (1000 kg), or 2000 lb"),
     ] {
         let (span, found, expected) = fault(text);
         assert_eq!(span, token);
@@ -108,6 +134,19 @@ fn unknown_units_are_marked_and_come_with_a_suggestion() {
         assert!(expected.contains(near), "{text}: {expected}");
     }
     assert!(!fault("5 parsec").2.contains("did you mean"));
+}
+
+#[test]
+fn no_suggestion_differs_from_what_was_written_by_a_power_of_ten_or_a_system() {
+    // Each of these is a unit of somebody's; their neighbours in spelling are units of another size.
+    for text in ["kpa2", "dan", "ozf", "kn2", "kips", "psia", "gal", "pond", "mN2", "tonf", "mil"] {
+        let Err(fault) = parse(&format!("5 {text}")) else { continue };
+        let Some((_, suggestion)) = fault.expected.split_once("did you mean `") else { continue };
+        let suggestion = suggestion.split('`').next().unwrap();
+        assert_eq!(suggestion.to_lowercase(), text.trim_end_matches(char::is_numeric), "{text}");
+    }
+    assert!(!fault("5 ozf").2.contains("did you mean"));
+    assert!(!fault("5 psia").2.contains("did you mean"));
 }
 
 #[test]
@@ -139,6 +178,9 @@ fn texts_that_are_no_quantities_say_why() {
         ("5 (m^0.5)^0.5", "of a square root"),
         ("5 m^13.5", "exponent"),
         ("5 12/s", "second number"),
+        ("8 1 N", "second number"),
+        ("8 N 1/s", "second number"),
+        ("8 1", "second number"),
         ("5 3", "no unit before it"),
         ("5 m ((((((((((m", "too many brackets"),
     ] {

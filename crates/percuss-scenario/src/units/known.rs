@@ -1,7 +1,8 @@
 //! The units known, their prefixes and the words people write instead.
 
+use std::f64::consts::PI;
+
 use super::Dimension;
-use crate::suggest;
 
 /// A unit as `10^power10 * numerator / denominator` of the coherent SI unit.
 #[derive(Clone, Copy)]
@@ -18,6 +19,12 @@ impl Unit {
 
     const fn new(m: i32, kg: i32, s: i32, power10: i32, numerator: f64, denominator: f64) -> Self {
         Self { dimension: Dimension::new(m, kg, s), power10, numerator, denominator }
+    }
+
+    /// A unit with one radian in it, over a power of the second.
+    const fn angle(s: i32, numerator: f64, denominator: f64) -> Self {
+        let dimension = Dimension::new(0, 0, s).with_radian(1);
+        Self { dimension, power10: 0, numerator, denominator }
     }
 
     /// Product of two units.
@@ -71,28 +78,53 @@ const PREFIXABLE: &[(&str, Unit)] = &[
     ("J", Unit::new(2, 1, -2, 0, 1.0, 1.0)),
     ("W", Unit::new(2, 1, -3, 0, 1.0, 1.0)),
     ("Hz", Unit::new(0, 0, -1, 0, 1.0, 1.0)),
-    ("rad", Unit::new(0, 0, 0, 0, 1.0, 1.0)),
+    ("rad", Unit::angle(0, 1.0, 1.0)),
     ("bar", Unit::new(-1, 1, -2, 5, 1.0, 1.0)),
 ];
+
+/// Pound-force and foot in SI \[N, m\].
+const LBF: f64 = 4.448_221_615_260_5;
+const FOOT: f64 = 0.3048;
+const INCH: f64 = 0.0254;
 
 /// Units that stand alone.
 const PLAIN: &[(&str, Unit)] = &[
     ("min", Unit::new(0, 0, 1, 0, 60.0, 1.0)),
     ("h", Unit::new(0, 0, 1, 0, 3600.0, 1.0)),
     ("t", Unit::new(0, 1, 0, 3, 1.0, 1.0)),
-    ("deg", Unit::new(0, 0, 0, 0, std::f64::consts::PI, 180.0)),
-    ("°", Unit::new(0, 0, 0, 0, std::f64::consts::PI, 180.0)),
-    ("rpm", Unit::new(0, 0, -1, 0, std::f64::consts::PI, 30.0)),
-    ("in", Unit::new(1, 0, 0, 0, 0.0254, 1.0)),
-    ("ft", Unit::new(1, 0, 0, 0, 0.3048, 1.0)),
+    ("%", Unit::new(0, 0, 0, -2, 1.0, 1.0)),
+    ("deg", Unit::angle(0, PI, 180.0)),
+    ("°", Unit::angle(0, PI, 180.0)),
+    ("rev", Unit::angle(0, 2.0 * PI, 1.0)),
+    ("rpm", Unit::angle(-1, PI, 30.0)),
+    // Gravitational metric units: standard gravity is 9.80665 m/s^2 by definition.
+    ("kp", Unit::new(1, 1, -2, 0, 9.806_65, 1.0)),
+    ("kgf", Unit::new(1, 1, -2, 0, 9.806_65, 1.0)),
+    ("tf", Unit::new(1, 1, -2, 3, 9.806_65, 1.0)),
+    ("dyn", Unit::new(1, 1, -2, -5, 1.0, 1.0)),
+    ("atm", Unit::new(-1, 1, -2, 0, 101_325.0, 1.0)),
+    // Inch and pound are exact by the agreement of 1959.
+    ("in", Unit::new(1, 0, 0, 0, INCH, 1.0)),
+    ("ft", Unit::new(1, 0, 0, 0, FOOT, 1.0)),
+    ("yd", Unit::new(1, 0, 0, 0, 0.9144, 1.0)),
+    ("mph", Unit::new(1, 0, -1, 0, 1609.344, 3600.0)),
     ("lb", Unit::new(0, 1, 0, 0, 0.453_592_37, 1.0)),
-    ("lbf", Unit::new(1, 1, -2, 0, 4.448_221_615_260_5, 1.0)),
-    ("kip", Unit::new(1, 1, -2, 0, 4_448.221_615_260_5, 1.0)),
+    ("slug", Unit::new(0, 1, 0, 0, LBF, FOOT)),
+    ("pcf", Unit::new(-3, 1, 0, 0, 0.453_592_37, FOOT * FOOT * FOOT)),
+    ("pci", Unit::new(-3, 1, 0, 0, 0.453_592_37, INCH * INCH * INCH)),
+    ("lbf", Unit::new(1, 1, -2, 0, LBF, 1.0)),
+    ("kip", Unit::new(1, 1, -2, 3, LBF, 1.0)),
+    ("plf", Unit::new(0, 1, -2, 0, LBF, FOOT)),
+    ("pli", Unit::new(0, 1, -2, 0, LBF, INCH)),
+    ("klf", Unit::new(0, 1, -2, 3, LBF, FOOT)),
+    ("psf", Unit::new(-1, 1, -2, 0, LBF, FOOT * FOOT)),
+    ("ksf", Unit::new(-1, 1, -2, 3, LBF, FOOT * FOOT)),
     ("psi", Unit::new(-1, 1, -2, 0, 6_894.757_293_168_361, 1.0)),
     ("ksi", Unit::new(-1, 1, -2, 0, 6_894_757.293_168_361, 1.0)),
+    ("Msi", Unit::new(-1, 1, -2, 6, 6_894.757_293_168_361, 1.0)),
 ];
 
-/// SI prefixes; where several fit a misspelt unit, the first is suggested.
+/// SI prefixes.
 const PREFIXES: &[(&str, i32)] = &[
     ("k", 3),
     ("M", 6),
@@ -101,6 +133,7 @@ const PREFIXES: &[(&str, i32)] = &[
     ("m", -3),
     ("c", -2),
     ("d", -1),
+    ("da", 1),
     ("h", 2),
     ("u", -6),
     ("µ", -6), // micro sign
@@ -109,27 +142,62 @@ const PREFIXES: &[(&str, i32)] = &[
     ("p", -12),
 ];
 
-/// Words people write instead of symbols.
-const SYNONYMS: &[(&str, &str)] = &[
+/// Words people write instead of symbols that take a prefix.
+const WORDS: &[(&str, &str)] = &[
     ("meter", "m"),
     ("metre", "m"),
-    ("inch", "in"),
-    ("foot", "ft"),
-    ("feet", "ft"),
+    ("gram", "g"),
+    ("gramme", "g"),
     ("sec", "s"),
     ("second", "s"),
-    ("gram", "g"),
-    ("kilogram", "kg"),
-    ("kilo", "kg"),
     ("newton", "N"),
     ("pascal", "Pa"),
     ("joule", "J"),
-    ("hour", "h"),
-    ("minute", "min"),
-    ("ton", "t"),
-    ("tonne", "t"),
-    ("lbs", "lb"),
-    ("degree", "deg"),
+    ("watt", "W"),
+    ("hertz", "Hz"),
+    ("radian", "rad"),
+];
+
+/// The same for prefixes.
+const PREFIX_WORDS: &[(&str, &str)] = &[
+    ("kilo", "k"),
+    ("mega", "M"),
+    ("giga", "G"),
+    ("milli", "m"),
+    ("centi", "c"),
+    ("deci", "d"),
+    ("deca", "da"),
+    ("hecto", "h"),
+    ("micro", "u"),
+    ("nano", "n"),
+];
+
+/// Other words and abbreviations; a `ton` may be any of three, so it stands for none.
+const SYNONYMS: &[(&str, &str)] = &[
+    ("inch", "`in`"),
+    ("inches", "`in`"),
+    ("foot", "`ft`"),
+    ("feet", "`ft`"),
+    ("yard", "`yd`"),
+    ("kilo", "`kg`"),
+    ("hour", "`h`"),
+    ("hr", "`h`"),
+    ("minute", "`min`"),
+    ("tonne", "`t`"),
+    ("ton", "`t` (1000 kg), or 2000 lb, or 2240 lb"),
+    ("lbm", "`lb`"),
+    ("pound", "`lb` (mass), or `lbf` (force)"),
+    ("kilopond", "`kp`"),
+    ("kpsi", "`ksi`"),
+    ("degree", "`deg`"),
+    ("revolution", "`rev`"),
+    ("percent", "`%`"),
+    ("mp", "`m/s`"), // mps, its `s` taken for a plural's
+    ("mps", "`m/s`"),
+    ("kmh", "`km/h`"),
+    ("kph", "`km/h`"),
+    ("fps", "`ft/s`"),
+    ("rps", "`rev/s`"),
 ];
 
 /// The unit of a symbol, with or without a prefix.
@@ -145,17 +213,43 @@ pub(super) fn symbol(text: &str) -> Option<Unit> {
     })
 }
 
-/// The unit somebody probably meant.
+/// The unit somebody probably meant, in words for a message.
+///
+/// By another spelling of the same unit only: of symbols that look alike most differ by a power of ten or belong to another system, and
+/// who follows the suggestion would not notice.
 pub(super) fn meant(text: &str) -> Option<String> {
     let lower = text.to_lowercase();
-    let singular = lower.strip_suffix('s').unwrap_or(&lower);
-    if let Some(known) = SYNONYMS.iter().find(|s| s.0 == lower || s.0 == singular) {
-        return Some(known.1.to_string());
-    }
+    let synonym = |word: &str| SYNONYMS.iter().find(|s| s.0 == word).map(|s| s.1.to_string());
+    let singular = lower.strip_suffix('s').filter(|s| s.len() > 1);
+    let known = synonym(&lower).or_else(|| singular.and_then(synonym));
+    known.or_else(|| spelt_out(singular.unwrap_or(&lower))).or_else(|| other_case(&lower))
+}
+
+/// `kilonewton`, or `kilonewtn`: a word for a symbol, with at most one letter amiss.
+fn spelt_out(word: &str) -> Option<String> {
+    let whole = ("", "");
+    PREFIX_WORDS.iter().chain([&whole]).find_map(|(prefix, symbol)| {
+        let rest = word.strip_prefix(prefix)?;
+        let near = |name: &str| {
+            rest == name
+                || name.len() > 4 && rest.len() > 4 && strsim::damerau_levenshtein(rest, name) == 1
+        };
+        let unit = WORDS.iter().find(|(name, _)| near(name))?.1;
+        Some(format!("`{symbol}{unit}`"))
+    })
+}
+
+/// Symbols that differ from what was written in the case of their letters: all of them, for `MPa` is not `mPa`.
+fn other_case(lower: &str) -> Option<String> {
     let prefixed = PREFIXABLE.iter().flat_map(|(name, _)| {
         let of = move |(prefix, _): &(&str, i32)| format!("{prefix}{name}");
         PREFIXES.iter().map(of).chain([name.to_string()])
     });
-    let all: Vec<String> = PLAIN.iter().map(|u| u.0.to_string()).chain(prefixed).collect();
-    suggest::nearest(text, all.iter().map(String::as_str)).map(str::to_string)
+    let plain = PLAIN.iter().map(|u| u.0.to_string());
+    let alike: Vec<String> = plain
+        .chain(prefixed)
+        .filter(|known| known.to_lowercase() == lower)
+        .map(|known| format!("`{known}`"))
+        .collect();
+    (!alike.is_empty()).then(|| alike.join(" or "))
 }
