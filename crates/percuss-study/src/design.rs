@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use nalgebra::DMatrix;
+use nalgebra::{Cholesky, DMatrix};
 use rand::seq::SliceRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -148,7 +148,9 @@ impl Design {
                     parts.shuffle(&mut random);
                     parts
                 };
-                Tables::Latin((0..dimensions).map(|_| parts()).collect())
+                let parts: Vec<Vec<u32>> = (0..dimensions).map(|_| parts()).collect();
+                let paired = self.correlation.as_ref().and_then(|lower| paired(&parts, lower));
+                Tables::Latin(paired.unwrap_or(parts))
             }
             Kind::MonteCarlo | Kind::Grid => Tables::None,
         }
@@ -160,13 +162,51 @@ impl Design {
         random
     }
 
-    /// The same point for parameters that are correlated: a Gaussian copula.
+    /// Whether a Latin hypercube has points enough to be paired as its correlation asks.
+    pub fn can_be_paired(&self) -> bool {
+        let latin = self.kind == Kind::LatinHypercube && self.correlation.is_some();
+        // Below some multiple of the dimension the scores of a sample are nearly dependent, and pairing them means little.
+        !latin || self.points >= 4 * self.dimension as u64
+    }
+
+    /// The same point for parameters that are correlated: a Gaussian copula. A Latin hypercube is paired instead, which keeps one
+    /// point in each part of each range.
     fn correlated(&self, point: Vec<f64>) -> Vec<f64> {
         let Some(lower) = &self.correlation else { return point };
+        if self.kind == Kind::LatinHypercube {
+            return point;
+        }
         let z: Vec<f64> = point.iter().map(|u| standard_quantile(*u)).collect();
         let row = |i: usize| (0..=i).map(|j| lower[(i, j)] * z[j]).sum::<f64>();
         (0..z.len()).map(|i| standard_share(row(i))).collect()
     }
+}
+
+/// The parts of each range, put in another order such that they are correlated: ranks follow those of Gaussian scores with the
+/// correlation L L'.
+///
+/// Iman and Conover (1982), A distribution-free approach to inducing rank correlation among input variables, Commun. Statist. Simul.
+/// Comput. 11. `None` if the scores of the sample depend on each other.
+fn paired(parts: &[Vec<u32>], lower: &DMatrix<f64>) -> Option<Vec<Vec<u32>>> {
+    let (n, d) = (parts[0].len(), parts.len());
+    let score = |part: u32| standard_quantile((f64::from(part) + 0.5) / n as f64);
+    let scores: Vec<Vec<f64>> =
+        parts.iter().map(|column| column.iter().map(|part| score(*part)).collect()).collect();
+    let sample = DMatrix::from_fn(d, d, |i, j| {
+        scores[i].iter().zip(&scores[j]).map(|(a, b)| a * b).sum::<f64>() / n as f64
+    });
+    // Scores of the sample become uncorrelated by the inverse of its own factor, then correlated as wanted.
+    let transform = lower * Cholesky::new(sample)?.l().try_inverse()?;
+    let column = |i: usize| {
+        let mixed = |run: usize| (0..=i).map(|j| transform[(i, j)] * scores[j][run]).sum::<f64>();
+        let mixed: Vec<f64> = (0..n).map(mixed).collect();
+        let mut order: Vec<u32> = (0..n as u32).collect();
+        order.sort_by(|a, b| mixed[*a as usize].total_cmp(&mixed[*b as usize]));
+        let mut ranks = vec![0; n];
+        order.iter().zip(0..).for_each(|(run, rank)| ranks[*run as usize] = rank);
+        ranks
+    };
+    Some((0..d).map(column).collect())
 }
 
 /// Random bits as a number between 0 and 1, neither of them included.
@@ -250,5 +290,26 @@ mod tests {
         let coefficient = sum / f64::from(1 << 14);
         // A Sobol sequence of 16384 points integrates the product to a few parts in a thousand.
         assert!((coefficient - 0.6).abs() < 5e-3, "{coefficient}");
+    }
+
+    #[test]
+    fn a_correlated_latin_hypercube_keeps_its_parts_and_has_the_coefficient() {
+        let mut design = Design::new(Kind::LatinHypercube, 500, 3, 11);
+        let wanted = [[1.0, 0.6, -0.3], [0.6, 1.0, 0.2], [-0.3, 0.2, 1.0]];
+        let matrix = DMatrix::from_fn(3, 3, |i, j| wanted[i][j]);
+        design.correlation = Cholesky::new(matrix).map(|c| c.l());
+        let points: Vec<Vec<f64>> = (0..500).map(|run| design.point(run)).collect();
+        for dimension in 0..3 {
+            let mut parts: Vec<usize> =
+                points.iter().map(|p| (p[dimension] * 500.0) as usize).collect();
+            parts.sort_unstable();
+            assert_eq!(parts, (0..500).collect::<Vec<_>>());
+        }
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            let z = |p: &Vec<f64>, k: usize| standard_quantile(p[k]);
+            let sum: f64 = points.iter().map(|p| z(p, i) * z(p, j)).sum();
+            // Ranks are paired, not scores: the sample's coefficient differs by some 1/n.
+            assert!((sum / 500.0 - wanted[i][j]).abs() < 0.01, "{i} {j}: {}", sum / 500.0);
+        }
     }
 }

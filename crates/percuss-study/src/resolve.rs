@@ -60,6 +60,7 @@ pub(crate) fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
             }
         }
     }
+    faults.extend(twice_set(&parameters));
     let complete = parameters.len() == file.content.parameter.len();
     let design = design(&file.content, &parameters, complete, &mut faults);
     file.settle(faults)?;
@@ -67,6 +68,30 @@ pub(crate) fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
     content.base = None;
     content.scenario = Some(scenario_text(&scenario));
     Ok(Study::new(content, scenario, parameters, results, design))
+}
+
+/// Parameters that set the same value, or one a part of what the other sets: the last would win.
+fn twice_set(parameters: &[Parameter]) -> Vec<Fault> {
+    let steps = |p: &Parameter| -> Vec<String> {
+        let path = p.field.path().replace('[', ".").replace(']', "");
+        path.split('.').map(str::to_string).collect()
+    };
+    let mut faults = Vec::new();
+    for (i, later) in parameters.iter().enumerate() {
+        let own = steps(later);
+        for earlier in &parameters[..i] {
+            let other = steps(earlier);
+            let shared = own.len().min(other.len());
+            if own[..shared] == other[..shared] {
+                let (path, name) = (later.field.path(), &earlier.name);
+                let found =
+                    format!("`{path}`, which `{name}` sets too (`{}`)", earlier.field.path());
+                let path = format!("parameter.{}.path", later.name);
+                faults.push(Fault::new(path, found, "a value that no other parameter sets"));
+            }
+        }
+    }
+    faults
 }
 
 /// The text of the scenario, ending in a line end, so that it reads well within the study.
@@ -291,12 +316,9 @@ pub(crate) fn result(path: &str, sample: &RunSummary) -> Result<SummaryPath, (St
         Ok(path) => return Ok(path),
         Err(all) => all,
     };
-    let steps = |path: &str| -> Vec<String> {
-        let parts = path.split(['.', '[']).map(|part| part.trim_end_matches(']').to_string());
-        parts.collect()
-    };
-    let known: Vec<Vec<String>> = all.iter().map(|one| steps(&one.path)).collect();
-    let wanted = steps(path);
+    let known: Vec<Vec<String>> =
+        all.iter().map(|one| SummaryPath::steps(&one.path, sample)).collect();
+    let wanted = SummaryPath::steps(path, sample);
     let right = (0..=wanted.len()).rev();
     let right = right.clone().find(|&n| known.iter().any(|k| k.starts_with(&wanted[..n])));
     let right = right.unwrap_or(0);
@@ -361,6 +383,11 @@ fn design(
             add("correlation", "correlated parameters in a grid".into(), expected);
         } else if complete {
             design.correlation = correlation(content, parameters, faults);
+            if !design.can_be_paired() {
+                let found = format!("{} runs of {dimension} correlated parameters", design.points);
+                let expected = "more runs: so few cannot be paired to the coefficients asked for";
+                faults.push(Fault::new("design.runs", found, expected));
+            }
         }
     }
     design
@@ -408,6 +435,7 @@ fn correlation(
     let names: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
     let mut matrix = DMatrix::identity(names.len(), names.len());
     let before = faults.len();
+    let mut told = std::collections::BTreeSet::new();
     let mut add = |found: String, expected: String| {
         faults.push(Fault::new("correlation", found, expected));
     };
@@ -418,6 +446,10 @@ fn correlation(
             add(format!("the unknown parameter {name:?}"), expected);
         }
         let [Some(i), Some(j)] = at else { continue };
+        if i != j && !told.insert((i.min(j), i.max(j))) {
+            let found = format!("a second coefficient for {:?} and {:?}", names[i], names[j]);
+            add(found, "one for each two parameters".into());
+        }
         if i == j {
             add(format!("a correlation of {:?} with itself", names[i]), "two parameters".into());
         }

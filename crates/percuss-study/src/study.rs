@@ -65,10 +65,7 @@ impl Study {
         results: Vec<ResultColumn>,
         design: Design,
     ) -> Self {
-        let mut hash = Sha256::new();
-        hash.update(content.to_toml());
-        hash.update(env!("CARGO_PKG_VERSION"));
-        let fingerprint = hex(&hash.finalize());
+        let fingerprint = fingerprint(&content.to_toml(), percuss::BUILD);
         Self { content, scenario, parameters, results, design, fingerprint }
     }
 
@@ -82,7 +79,8 @@ impl Study {
         &self.content.title
     }
 
-    /// What all its runs follow from, in 64 hexadecimal digits; another study or another version has another one.
+    /// What all its runs follow from, in 64 hexadecimal digits; another study, another version and another build of the mechanics have
+    /// another one.
     pub fn fingerprint(&self) -> &str {
         &self.fingerprint
     }
@@ -105,6 +103,11 @@ impl Study {
     /// Whether its runs are arranged for Sobol indices.
     pub fn has_sobol_indices(&self) -> bool {
         self.design.sobol_indices
+    }
+
+    /// Whether its points fill the ranges more evenly than independent draws would.
+    pub fn is_spread_evenly(&self) -> bool {
+        matches!(self.design.kind, Kind::Sobol | Kind::LatinHypercube)
     }
 
     /// Whether every combination of values is run.
@@ -201,7 +204,31 @@ impl Study {
     }
 }
 
+/// What the runs of a study follow from: its text, and the program that runs them.
+fn fingerprint(text: &str, build: &str) -> String {
+    let mut hash = Sha256::new();
+    for part in [text, env!("CARGO_PKG_VERSION"), build] {
+        hash.update(part);
+        hash.update([0]);
+    }
+    hex(&hash.finalize())
+}
+
 /// Bytes as hexadecimal digits.
 pub(crate) fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_builds_of_one_version_have_two_fingerprints() {
+        let [one, other] = ["0.1.0+a", "0.1.0+b"].map(|build| fingerprint("seed = 1", build));
+        assert_ne!(one, other);
+        assert_eq!(one, fingerprint("seed = 1", "0.1.0+a"));
+        let (version, hash) = percuss::BUILD.split_once('+').expect("version and hash");
+        assert!(version == env!("CARGO_PKG_VERSION") && hash.len() == 32, "{}", percuss::BUILD);
+    }
 }

@@ -355,3 +355,79 @@ fn every_study_at_hand_is_sound_and_so_are_its_runs() {
     }
     assert!(count >= 4, "{count}");
 }
+
+#[test]
+fn what_two_parameters_would_set_is_refused() {
+    let with = |path: &str| {
+        let second = format!("[parameter.again]\npath = \"{path}\"\nvalues = [1]\n[design]");
+        read(&SAMPLED.replace("[design]", &second)).expect_err(path).to_string()
+    };
+    for path in ["projectile.p.mass", "projectile.p.velocity[1]", "projectile.p.velocity.1"] {
+        assert!(with(path).contains("sets too"), "{path}: {}", with(path));
+    }
+    // A list and its entry.
+    let list = SAMPLED.replace(
+        "[design]",
+        "[parameter.all]\npath = \"projectile.p.velocity\"\nvalues = [[0, 2]]\n[design]",
+    );
+    let text = read(&list).expect_err("a list").to_string();
+    assert!(text.contains("`speed` sets too (`projectile.p.velocity[1]`)"), "{text}");
+}
+
+#[test]
+fn a_correlation_told_twice_is_refused() {
+    let one = "[[correlation]]\nbetween = [\"speed\", \"mass\"]\ncoefficient = 0.5\n";
+    let other = one.replace("0.5", "0.2").replace("\"speed\", \"mass\"", "\"mass\", \"speed\"");
+    assert!(read(&format!("{SAMPLED}{one}")).is_ok());
+    let text = read(&format!("{SAMPLED}{one}{other}")).expect_err("twice").to_string();
+    assert!(text.contains("a second coefficient for \"mass\" and \"speed\""), "{text}");
+    let few = SAMPLED.replace("\"sobol\"\nruns = 600", "\"latin-hypercube\"\nruns = 5");
+    let text = read(&format!("{few}{one}")).expect_err("too few").to_string();
+    assert!(text.contains("5 runs of 2 correlated parameters"), "{text}");
+}
+
+#[test]
+fn points_with_a_dot_in_their_name_have_results() {
+    let base = BASE.replace("[time]", "[record]\npoints = [\"b@0.5\", \"b@0.25m\"]\n[time]");
+    let with = |path: &str| {
+        let text = SAMPLED.replace("contact.p.intervals[7].end", path);
+        Study::from_toml(&format!("scenario = \'\'\'{base}\'\'\'\n{text}"), "study.toml")
+    };
+    for name in ["b@0.5", "b@0.25m"] {
+        let study = with(&format!("point.{name}.displacement_max.component_2.value"));
+        let study = study.unwrap_or_else(|faults| panic!("{faults}"));
+        let values = study.run_shard(0).table.numbers("never").expect("numbers");
+        assert!(values.iter().all(|v| v.is_finite() && *v != 0.0), "{name}: {values:?}");
+    }
+    let text = with("point.b@0.4.displacement_max.component_2.value").expect_err("").to_string();
+    assert!(text.contains("`b@0.5`") && text.contains("`b@0.25m`"), "{text}");
+    let text = with("point.b@0.5.displacement").expect_err("").to_string();
+    assert!(
+        text.contains("(did you mean `displacement_max`?)") || text.contains("`displacement_max`"),
+        "{text}"
+    );
+}
+
+#[test]
+fn shares_are_of_the_completed_runs_and_the_three_counts_are_told() {
+    // In 5 ms at 1 to 3 m/s some do not reach the beam.
+    let far = SAMPLED.replace("path = \"projectile.p.mass\"", "path = \"projectile.p.standoff\"").replace(
+        "{ kind = \"normal\", mean = \"10 kg\", deviation = \"2 kg\", truncated = [\"5 kg\", \"15 kg\"] }",
+        "{ kind = \"uniform\", from = \"0 mm\", to = \"20 mm\" }",
+    );
+    let far =
+        far.replace("runs = 600", "runs = 8").replace("intervals[0].end", "intervals[0].start");
+    let base = BASE.replace("mass = 10\n", "mass = 10\nstandoff = 0\n");
+    let study = Study::from_toml(&format!("scenario = \'\'\'{base}\'\'\'\n{far}"), "study.toml");
+    let study = study.unwrap_or_else(|faults| panic!("{faults}"));
+    let table = study.run_shard(0).table;
+    let ends = table.numbers("end").expect("numbers");
+    let touched = ends.iter().filter(|end| end.is_finite()).count();
+    assert!(touched > 1 && touched < 7, "{touched}");
+    let page = percuss_study::report(&study, &table);
+    let counts = format!("8 runs, 8 completed, {touched} of them with a value");
+    assert!(page.contains(&counts), "{counts}");
+    let population =
+        percuss_study::analysis::Population::of(&study, &table, "end").expect("a result");
+    assert_eq!((population.with_value(), population.completed, population.runs), (touched, 8, 8));
+}

@@ -24,6 +24,9 @@ mod state;
 mod step;
 mod summary;
 
+/// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
+pub const BUILD: &str = env!("PERCUSS_BUILD");
+
 pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
 pub use analysis::{
     BucklingMode, Detail, Equilibrium, Mode, Path, PathPoint, Simulation, buckling, equilibrium,

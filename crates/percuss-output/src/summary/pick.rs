@@ -54,10 +54,23 @@ impl SummaryPath {
     pub fn find(path: &str, sample: &RunSummary) -> Result<Self, Vec<Picked>> {
         let all = summary_paths(sample);
         let wanted = unnumbered(&spelled(path));
-        if !all.iter().any(|one| unnumbered(&one.path) == wanted) {
+        // Names may hold dots (`girder@0.5`), which are spelled alike on both sides.
+        if !all.iter().any(|one| unnumbered(&spelled(&one.path)) == wanted) {
             return Err(all);
         }
         Self::split(path, sample).ok_or(all)
+    }
+
+    /// The steps of a path through the summaries of runs such as `sample`: part, name, keys and indices. A name that the run has is
+    /// one step, dots and all.
+    pub fn steps(path: &str, sample: &RunSummary) -> Vec<String> {
+        match Self::split(path, sample) {
+            Some(known) if known.name.is_empty() => {
+                [known.part].into_iter().chain(known.keys).collect()
+            }
+            Some(known) => [known.part, known.name].into_iter().chain(known.keys).collect(),
+            None => keys(path),
+        }
     }
 
     fn split(path: &str, sample: &RunSummary) -> Option<Self> {

@@ -20,6 +20,28 @@ pub struct SobolIndices {
     pub points: usize,
 }
 
+/// Points without a value in any of their runs may be this share of all: without more of them the rest is no longer a sample of
+/// the parameters, and their parameters are no longer independent.
+const MOST_LOST: f64 = 0.2;
+
+/// Why a result has no Sobol indices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoIndices {
+    /// The study was not arranged for them, or has no such result.
+    NotArranged,
+    /// No run has a value.
+    NoValues,
+    /// Too few points have a value in all of their runs.
+    TooFew {
+        /// These.
+        points: usize,
+        /// Points of the design.
+        of: usize,
+    },
+    /// All values are equal, but for round-off.
+    Constant,
+}
+
 /// Sobol indices from results at the points A, B, and A with one column of B, `mixed[i]` with the i-th.
 ///
 /// `None` for fewer than two points and for results that do not vary. The seed is that of the resampling.
@@ -58,12 +80,17 @@ pub fn sobol_indices(a: &[f64], b: &[f64], mixed: &[Vec<f64>], seed: u64) -> Opt
 
 /// Sobol indices of a result of a study that was arranged for them.
 ///
-/// Points of which a run failed do not count. `None` if the study was not arranged for them, or there is nothing to share out.
-pub fn sobol_indices_of(study: &Study, table: &Table, result: &str) -> Option<SobolIndices> {
-    if !study.has_sobol_indices() {
-        return None;
-    }
-    let values = table.numbers(result)?;
+/// Points without a value in one of their runs do not count.
+///
+/// # Errors
+/// Why there are none.
+pub fn sobol_indices_of(
+    study: &Study,
+    table: &Table,
+    result: &str,
+) -> Result<SobolIndices, NoIndices> {
+    let values = table.numbers(result).filter(|_| study.has_sobol_indices());
+    let values = values.ok_or(NoIndices::NotArranged)?;
     let parameters = study.parameters().len();
     let (mut a, mut b, mut mixed) = (Vec::new(), Vec::new(), vec![Vec::new(); parameters]);
     for point in values.chunks_exact(parameters + 2).filter(|p| p.iter().all(|f| f.is_finite())) {
@@ -71,7 +98,14 @@ pub fn sobol_indices_of(study: &Study, table: &Table, result: &str) -> Option<So
         b.push(point[1]);
         mixed.iter_mut().zip(&point[2..]).for_each(|(all, f)| all.push(*f));
     }
-    sobol_indices(&a, &b, &mixed, study.seed())
+    if values.iter().all(|f| !f.is_finite()) {
+        return Err(NoIndices::NoValues);
+    }
+    let (points, of) = (a.len(), values.len() / (parameters + 2));
+    if points < 2 || ((of - points) as f64) > MOST_LOST * of as f64 {
+        return Err(NoIndices::TooFew { points, of });
+    }
+    sobol_indices(&a, &b, &mixed, study.seed()).ok_or(NoIndices::Constant)
 }
 
 #[cfg(test)]

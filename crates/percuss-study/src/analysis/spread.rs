@@ -1,5 +1,7 @@
 //! How values are spread.
 
+use super::confidence::{mean_interval, quantile_ranks};
+
 /// Statistics of the finite values of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
@@ -41,9 +43,31 @@ impl Spread {
         low + (high - low) * at.fract()
     }
 
+    /// 95 % interval of the mean (Student's).
+    pub fn mean_interval(&self) -> [f64; 2] {
+        mean_interval(self.mean, self.deviation, self.count)
+    }
+
+    /// 95 % interval of the quantile `p`, between two of the values, whatever the distribution; NaN on a side that so few values do
+    /// not bound.
+    pub fn quantile_interval(&self, p: f64) -> [f64; 2] {
+        let at = |rank: usize| self.sorted.get(rank.wrapping_sub(1)).copied().unwrap_or(f64::NAN);
+        quantile_ranks(p, self.count).map(at)
+    }
+
+    /// Number of values above `x`.
+    pub fn above(&self, x: f64) -> usize {
+        self.count - self.sorted.partition_point(|value| *value <= x)
+    }
+
     /// Share of the values above `x`.
     pub fn exceedance(&self, x: f64) -> f64 {
-        (self.count - self.sorted.partition_point(|value| *value <= x)) as f64 / self.count as f64
+        self.above(x) as f64 / self.count as f64
+    }
+
+    /// The smallest value that at most `count` values exceed.
+    pub fn exceeded_by(&self, count: usize) -> f64 {
+        self.sorted[self.count.saturating_sub(count + 1)]
     }
 
     /// Smallest value.
@@ -56,12 +80,23 @@ impl Spread {
         self.sorted[self.count - 1]
     }
 
-    /// The values in ascending order, thinned evenly to at most `most`, both ends kept; with the share at or below each.
-    pub fn distribution(&self, most: usize) -> Vec<(f64, f64)> {
-        let n = self.count;
-        let shown = n.min(most.max(2));
-        let place = |k: usize| if shown < 2 { 0 } else { k * (n - 1) / (shown - 1) };
-        (0..shown).map(place).map(|k| (self.sorted[k], (k + 1) as f64 / n as f64)).collect()
+    /// Steps of the empirical distribution: values in ascending order, each once, with the number of values at or below each.
+    ///
+    /// Beyond `most` the middle is thinned evenly; half of them stay in the upper tail and a quarter in the lower one, every step of
+    /// these whole.
+    pub fn steps(&self, most: usize) -> Vec<(f64, usize)> {
+        let last = |k: &usize| self.sorted.get(k + 1).is_none_or(|next| *next > self.sorted[*k]);
+        let all: Vec<usize> = (0..self.count).filter(last).collect();
+        let (n, lower, upper) = (all.len(), most / 4, most / 2);
+        let inner = most.saturating_sub(lower + upper).max(1);
+        let shown = |place: usize| {
+            let middle = n.saturating_sub(lower + upper).max(1);
+            let (before, next) = (place.saturating_sub(lower), place.saturating_sub(lower) + 1);
+            let passes = before * inner / middle != next * inner / middle;
+            n <= most || place < lower || place + upper >= n || passes
+        };
+        let kept = (0..n).filter(|place| shown(*place));
+        kept.map(|place| (self.sorted[all[place]], all[place] + 1)).collect()
     }
 
     /// Counts in parts as wide as Freedman and Diaconis advise, 4 to 80 of them; `None` if all values are equal.
@@ -106,6 +141,21 @@ mod tests {
         assert_eq!((spread.min(), spread.max(), spread.mean), (1.0, 100.0, 50.5));
         assert_eq!(spread.quantile(0.5), 50.5);
         assert_eq!(spread.exceedance(90.0), 0.1);
+        assert_eq!(spread.exceeded_by(10), 90.0);
         assert_eq!(Spread::of(&[f64::NAN]), None);
+    }
+
+    #[test]
+    fn steps_keep_the_tail_whole_however_many_values_there_are() {
+        let values: Vec<f64> = (0..20_000).map(|k| f64::from(k / 2)).collect();
+        let steps = Spread::of(&values).expect("values").steps(800);
+        assert!((700..=800).contains(&steps.len()), "{}", steps.len());
+        // The upper 400 steps, two values each, end with all values.
+        for (k, (value, below)) in steps.iter().rev().take(400).enumerate() {
+            assert_eq!((*value, *below), (9999.0 - k as f64, 20_000 - 2 * k));
+        }
+        assert!(steps.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 < w[1].1));
+        let few = Spread::of(&[1.0, 1.0, 3.0]).expect("values");
+        assert_eq!(few.steps(800), [(1.0, 2), (3.0, 3)]);
     }
 }

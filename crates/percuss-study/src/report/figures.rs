@@ -2,7 +2,7 @@
 
 use percuss_output::report::sheet::{Block, Chart, Curve, Map, Mark, Quantity};
 
-use crate::analysis::Spread;
+use crate::analysis::{Population, Spread};
 use crate::column::Table;
 use crate::parameter::{Parameter, Variation};
 use crate::study::{ResultColumn, Study};
@@ -14,7 +14,7 @@ const POINTS_OF_FIGURE: usize = 4000;
 const POINTS_OF_MAP: usize = 3000;
 /// Groups of runs told apart by colour.
 const GROUPS: usize = 8;
-/// Points of an empirical distribution.
+/// Steps of an empirical distribution at most.
 const STEPS: usize = 800;
 
 /// Runs that take the same words.
@@ -124,10 +124,10 @@ pub(super) fn distributions(study: &Study, table: &Table) -> Vec<Block> {
     }
     let mut charts = Vec::new();
     for result in study.results() {
-        let spread = table.numbers(&result.name).and_then(|values| Spread::of(&values));
-        let Some(spread) = spread else { continue };
-        charts.extend(histogram(result, &spread));
-        charts.push(exceedance(result, &spread));
+        let Some(population) = Population::of(study, table, &result.name) else { continue };
+        let Some(spread) = &population.spread else { continue };
+        charts.extend(histogram(result, &population, spread));
+        charts.push(exceedance(result, &population, spread));
     }
     match charts.is_empty() {
         true => Vec::new(),
@@ -135,42 +135,55 @@ pub(super) fn distributions(study: &Study, table: &Table) -> Vec<Block> {
     }
 }
 
-fn histogram(result: &ResultColumn, spread: &Spread) -> Option<Chart> {
+/// The label of shares, and what they leave out.
+const SHARE: &str = "share of completed runs";
+
+fn histogram(result: &ResultColumn, population: &Population, spread: &Spread) -> Option<Chart> {
     let histogram = spread.histogram()?;
     let mut y = histogram.density;
-    // In shares of all runs: a density would have a unit of its own.
+    // In shares of the runs: a density would have a unit of its own.
     let width = histogram.edges[1] - histogram.edges[0];
-    y.iter_mut().for_each(|density| *density *= width);
+    let valued = population.with_value() as f64 / population.completed as f64;
+    y.iter_mut().for_each(|density| *density *= width * valued);
     y.push(0.0);
-    let curve =
-        Curve { label: "share of runs".into(), style: 1, mark: Mark::Steps, x: histogram.edges, y };
+    let curve = Curve { label: SHARE.into(), style: 1, mark: Mark::Steps, x: histogram.edges, y };
     Some(Chart {
         id: format!("{}-histogram", result.name),
         title: format!("Histogram of {}", result.name),
-        note: String::new(),
+        note: population.counts(),
         x: quantity(&result.name, result.path.unit()),
-        y: quantity("share of runs", "1"),
+        y: quantity(SHARE, "1"),
         from_zero: true,
         curves: vec![curve],
     })
 }
 
-fn exceedance(result: &ResultColumn, spread: &Spread) -> Chart {
-    let (x, below): (Vec<f64>, Vec<f64>) = spread.distribution(STEPS).into_iter().unzip();
-    let above = below.iter().map(|share| 1.0 - share).collect();
+fn exceedance(result: &ResultColumn, population: &Population, spread: &Spread) -> Chart {
+    let n = population.completed as f64;
+    let steps = spread.steps(STEPS);
+    // From below the smallest value on.
+    let first = [(spread.min(), 0)];
+    let all = || first.iter().chain(&steps);
+    let x: Vec<f64> = all().map(|(value, _)| *value).collect();
+    let below = all().map(|(_, count)| *count as f64 / n).collect();
+    let above = all().map(|(_, count)| (spread.count - count) as f64 / n).collect();
     let curve = |label: &str, style, y| Curve {
         label: label.into(),
         style,
-        mark: Mark::Line,
+        mark: Mark::Steps,
         x: x.clone(),
         y,
     };
+    let note = "Share of the completed runs at or below a value, and above it.".to_string();
     Chart {
         id: format!("{}-distribution", result.name),
         title: format!("Distribution of {}", result.name),
-        note: "Share of the runs at or below a value, and above it.".into(),
+        note: match population.counts() {
+            counts if counts.is_empty() => note,
+            counts => format!("{note} {counts}."),
+        },
         x: quantity(&result.name, result.path.unit()),
-        y: quantity("share of runs", "1"),
+        y: quantity(SHARE, "1"),
         from_zero: true,
         curves: vec![curve("at or below", 1, below), curve("above", 2, above)],
     }

@@ -27,6 +27,9 @@ pub fn report(study: &Study, table: &Table) -> String {
     blocks.extend(figures::responses(study, table));
     blocks.extend(figures::maps(study, table));
     blocks.extend(figures::distributions(study, table));
+    if !study.is_grid() {
+        blocks.extend(tables::exceedances(study, table));
+    }
     blocks.extend(tables::audit(table));
     blocks.extend(tables::failures(study, table));
     blocks.push(Block::Heading("Study".into()));

@@ -2,7 +2,7 @@
 
 use percuss_output::report::sheet::{Bar, Block, in_words};
 
-use crate::analysis::{Estimate, Spread, sobol_indices_of};
+use crate::analysis::{Estimate, NoIndices, Population, Spread, share_interval, sobol_indices_of};
 use crate::column::{Role, Table, Values};
 use crate::parameter::Variation;
 use crate::study::Study;
@@ -17,29 +17,126 @@ fn texts(words: &[&str]) -> Vec<String> {
     words.iter().map(|word| (*word).to_string()).collect()
 }
 
+/// Shares of the completed runs that the table of exceedances asks for, as far down as the runs reach.
+const SHARES: [f64; 12] = [0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4];
+
 /// How the results are spread.
 pub(super) fn results(study: &Study, table: &Table) -> Vec<Block> {
-    let header =
-        ["result", "mean", "deviation", "smallest", "5 %", "median", "95 %", "largest", "runs"];
-    let row = |(name, unit, values): (&str, &str, Vec<f64>)| {
+    let header = [
+        "result",
+        "mean",
+        "deviation",
+        "smallest",
+        "5 %",
+        "median",
+        "95 %",
+        "largest",
+        "with a value",
+        "completed",
+        "runs",
+    ];
+    let row = |(name, unit, population): (&str, &str, Population)| {
         let mut row = vec![name.to_string()];
-        match Spread::of(&values) {
+        match &population.spread {
             Some(s) => {
                 let quantiles = [0.0, 0.05, 0.5, 0.95, 1.0].map(|p| s.quantile(p));
                 let all = [s.mean, s.deviation].into_iter().chain(quantiles);
                 row.extend(all.map(|value| in_words(value, unit)));
-                row.push(s.count.to_string());
             }
-            None => row.extend(["no values".to_string()]),
+            None => row.extend(["no values"].iter().chain(&[""; 6]).map(|s| s.to_string())),
         }
+        let counts = [population.with_value(), population.completed, population.runs];
+        row.extend(counts.map(|count| count.to_string()));
         row
     };
-    let columns = study.results().iter();
-    let columns =
-        columns.filter_map(|r| Some((r.name.as_str(), r.path.unit(), table.numbers(&r.name)?)));
-    let rows = columns.map(row).collect();
-    let caption = "Over all runs that completed".to_string();
-    vec![Block::Table { caption, header: texts(&header), rows }]
+    let rows = populations(study, table).map(row).collect();
+    let caption = "Over the runs that completed and have a value".to_string();
+    let mut blocks = vec![Block::Table { caption, header: texts(&header), rows }];
+    if !study.is_grid() {
+        blocks.push(intervals(study, table));
+        blocks.push(Block::Note(about_intervals(study)));
+    }
+    blocks
+}
+
+/// The results with their values.
+fn populations<'s>(
+    study: &'s Study,
+    table: &'s Table,
+) -> impl Iterator<Item = (&'s str, &'s str, Population)> {
+    study.results().iter().filter_map(|r| {
+        Some((r.name.as_str(), r.path.unit(), Population::of(study, table, &r.name)?))
+    })
+}
+
+/// Intervals of confidence of means and quantiles.
+fn intervals(study: &Study, table: &Table) -> Block {
+    let row = |(name, unit, population): (&str, &str, Population)| {
+        let s = population.spread?;
+        let quantiles = [0.05, 0.5, 0.95].map(|p| s.quantile_interval(p));
+        let all = [s.mean_interval()].into_iter().chain(quantiles);
+        let end = |value: f64, open: &str| match value.is_nan() {
+            true => open.to_string(),
+            false => in_words(value, unit),
+        };
+        let words = |[low, high]: [f64; 2]| match (low.is_nan(), high.is_nan()) {
+            (true, true) => "too few runs".to_string(),
+            _ => format!("{} to {}", end(low, "below all"), end(high, "above all")),
+        };
+        Some([name.to_string()].into_iter().chain(all.map(words)).collect())
+    };
+    let rows: Vec<Vec<String>> = populations(study, table).filter_map(row).collect();
+    let header = texts(&["result", "mean", "5 %", "median", "95 %"]);
+    Block::Table { caption: "95 % intervals of these estimates".into(), header, rows }
+}
+
+/// What the intervals mean for the design at hand.
+fn about_intervals(study: &Study) -> String {
+    let mut text = String::from(
+        "Means by Student's t, quantiles between two of the values (binomial ranks), shares by Clopper and Pearson.",
+    );
+    if study.is_spread_evenly() {
+        text += " These hold for independent draws; the points of this design are spread more evenly, so that estimates of \
+                 smooth results err less, often several times less, than their intervals say.";
+    }
+    if study.has_sobol_indices() {
+        text += " Of each point's runs only the two count that are drawn independently.";
+    }
+    text
+}
+
+/// How often the results lie above a value.
+pub(super) fn exceedances(study: &Study, table: &Table) -> Vec<Block> {
+    let header = texts(&["value", "runs above", "share of completed runs", "from", "to (95 %)"]);
+    let one = |(name, unit, population): (&str, &str, Population)| {
+        let s = population.spread.as_ref()?;
+        let n = population.completed;
+        let mut seen = Vec::new();
+        for share in SHARES {
+            let count = (share * n as f64 + 1e-9).floor() as usize;
+            if count == 0 || count >= s.count {
+                continue;
+            }
+            let value = s.exceeded_by(count);
+            let above = s.above(value);
+            if above > 0 && !seen.iter().any(|(_, other)| *other == above) {
+                seen.push((value, above));
+            }
+        }
+        let row = |(value, above): &(f64, usize)| {
+            let [low, high] = share_interval(*above, n);
+            let share = |x: f64| in_words(x, "1");
+            let all = [above.to_string(), share(*above as f64 / n as f64), share(low), share(high)];
+            [in_words(*value, unit)].into_iter().chain(all).collect()
+        };
+        let rows: Vec<Vec<String>> = seen.iter().map(row).collect();
+        let caption = match population.counts() {
+            counts if counts.is_empty() => format!("{name}: how often above"),
+            counts => format!("{name}: how often above ({counts}; a run without one is not above)"),
+        };
+        (!rows.is_empty()).then(|| Block::Table { caption, header: header.clone(), rows })
+    };
+    populations(study, table).filter_map(one).collect()
 }
 
 /// Sobol indices of every result.
@@ -58,9 +155,12 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
     ];
     let mut unsure = false;
     for result in study.results() {
-        let Some(indices) = sobol_indices_of(study, table, &result.name) else {
-            blocks.push(Block::Note(format!("{}: it does not vary.", result.name)));
-            continue;
+        let indices = match sobol_indices_of(study, table, &result.name) {
+            Ok(indices) => indices,
+            Err(reason) => {
+                blocks.push(Block::Note(format!("{}: no indices: {}.", result.name, why(reason))));
+                continue;
+            }
         };
         let bar = |e: &Estimate| Bar { value: e.value, interval: [e.low, e.high] };
         let both = indices.first.iter().zip(&indices.total);
@@ -69,7 +169,10 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
         let lost = study.point_count() as usize - indices.points;
         let caption = match lost {
             0 => format!("{}: {} points", result.name, indices.points),
-            lost => format!("{}: {} points, {lost} left out", result.name, indices.points),
+            lost => format!(
+                "{}: {} points, {lost} left out for a run without a value: the indices are those of the rest",
+                result.name, indices.points
+            ),
         };
         let header = texts(&["parameter", "first-order index", "total index"]);
         blocks.push(Block::Bars { caption, header, rows: rows.collect() });
@@ -79,7 +182,24 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
         let text = format!("Some intervals are wider than {WIDE}: more runs would narrow them.");
         blocks.push(Block::Note(text));
     }
+    if study.is_spread_evenly() {
+        let text = "Resampling takes the points for independent draws. They are spread more evenly, so that indices of smooth \
+                    results err less than the intervals say, often by several times.";
+        blocks.push(Block::Note(text.into()));
+    }
     blocks
+}
+
+/// Why a result has no indices.
+fn why(reason: NoIndices) -> String {
+    match reason {
+        NoIndices::NotArranged => "the study is not arranged for them".into(),
+        NoIndices::NoValues => "no run has a value".into(),
+        NoIndices::TooFew { points, of } => format!(
+            "only {points} of {of} points have a value in all of their runs, and those are no sample of the parameters"
+        ),
+        NoIndices::Constant => "its values are all the same".into(),
+    }
 }
 
 /// Whether the books of the runs closed.
