@@ -246,7 +246,7 @@ impl Struck<'_> {
     pub fn two_masses(&self, law: &TouchLaw, speed: f64) -> Option<(TwoMassBlow, Span)> {
         let (span, stiffness) = (self.span()?, linear_stiffness(law)?);
         // The duration does not depend on the speed.
-        let unit = TwoMasses::on(&span, self.mass, stiffness).blow(1.0);
+        let unit = TwoMasses::on(&span, self.mass, stiffness).blow(1.0)?;
         if unit.duration < SHORTEST * span.period() {
             return None;
         }
