@@ -133,7 +133,7 @@ pub enum Command {
 /// Arguments of `run`.
 #[derive(Args, Debug)]
 pub struct Run {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Directory of the results; an earlier run in it is replaced [default: runs/ and the name of FILE]
@@ -180,7 +180,7 @@ impl From<History> for HistoryFormat {
 /// Arguments of `check`.
 #[derive(Args, Debug)]
 pub struct Check {
-    /// Scenario or study file
+    /// Scenario or study file, or - for standard input (a scenario)
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Change a value of the scenario, such as time.step=1e-5; may be given again
@@ -245,7 +245,7 @@ pub struct Schema {
 /// Arguments of `static`.
 #[derive(Args, Debug)]
 pub struct Static {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Change a value of the scenario, such as load.tip.force="[0, -10]"; may be given again
@@ -265,7 +265,7 @@ pub struct Static {
 /// Arguments of `sensitivity`.
 #[derive(Args, Debug)]
 pub struct Sensitivity {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Number of the scenario, such as projectile.mass.velocity[1]; may be given again
@@ -285,7 +285,7 @@ pub struct Sensitivity {
 /// Arguments of `modes`.
 #[derive(Args, Debug)]
 pub struct Modes {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Number of modes, from the lowest on

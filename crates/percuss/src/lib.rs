@@ -34,7 +34,7 @@ pub use analysis::{
     reference_state, simulate, simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
-pub use ensemble::{Sensitivities, Variation, sensitivities};
+pub use ensemble::{Grazing, Sensitivities, Undifferentiated, Variation, sensitivities};
 pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;

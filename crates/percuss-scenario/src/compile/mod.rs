@@ -86,7 +86,10 @@ pub(crate) fn sound_part(
     content.beam.iter_mut().for_each(|beam| follow::coarsen(&mut beam.table));
     let mut faults = comparison_faults(&content);
     faults.extend(path(&content).err());
-    if !content.beam.is_empty() {
+    if content.beam.is_empty() {
+        // What refers to beams has been told of by the reader.
+        faults.extend(nothing_moves(&content));
+    } else {
         faults.extend(build(&content, None).err().unwrap_or_default());
     }
     faults.extend(settings_alone(&content, &settings(&content)));
@@ -194,10 +197,18 @@ fn path(content: &Content) -> Result<PathSettings, Fault> {
     }
 }
 
+/// A scene needs a beam, or a free projectile.
+fn nothing_moves(content: &Content) -> Option<Fault> {
+    let expected = "at least one table [beam.NAME], or free projectiles and what they meet";
+    let nothing = content.beam.is_empty() && content.projectile.is_empty();
+    nothing.then(|| Fault::new("beam", "no beam", expected))
+}
+
 /// The model; functions given where none are looked at are left to a sound text.
 fn build(content: &Content, given: Option<&Given>) -> Result<Model, Vec<Fault>> {
     let (builder, mut faults) = build::definitions(content, given);
-    if content.beam.is_empty() {
+    if let Some(fault) = nothing_moves(content) {
+        faults.push(fault);
         return Err(faults);
     }
     match builder.build() {

@@ -8,29 +8,11 @@ use crate::format::{Count, Format, Inline, List, Maybe};
 use crate::measure::{self, Ratio};
 use crate::node::{Body, Node, Reader};
 use crate::point::{Point, PointText};
-use crate::quantity::{Quantity, Vector};
+use crate::quantity::Quantity;
 use crate::reach::Reached;
 use crate::table::{Braces, exclude};
 use crate::words::{Started, Word};
 use crate::write::Writer;
-
-table! {
-    /// Rigid motion in which all beams and point masses start.
-    pub struct InitialMotion {
-        /// Velocity of the point `about` (m/s).
-        velocity: [f64; 2] as Vector<measure::Velocity> = [0.0, 0.0],
-        /// Angular velocity, positive counter-clockwise (rad/s).
-        spin: f64 as Quantity<measure::Spin> = 0.0,
-        /// Centre of the rotation (m).
-        about: [f64; 2] as Vector<measure::Length> = [0.0, 0.0],
-    }
-}
-
-impl Default for InitialMotion {
-    fn default() -> Self {
-        Self { velocity: [0.0; 2], spin: 0.0, about: [0.0; 2] }
-    }
-}
 
 table! {
     /// Damping of the structure as a whole.

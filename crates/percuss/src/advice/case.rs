@@ -108,7 +108,7 @@ fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
         Target::Guided { standoff, .. } => Some(*standoff),
         _ => None,
     };
-    let relative = sub(body.velocity, beam_velocity(model, data.point.position));
+    let relative = sub(body.velocity, beam_velocity(model, data.point.beam, data.point.position));
     Some(Struck {
         mass: body.mass,
         rear,
@@ -121,8 +121,8 @@ fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
 }
 
 /// Velocity that the beams' motion at the start gives a position \[m/s\].
-fn beam_velocity(model: &Model, position: [f64; 2]) -> [f64; 2] {
-    let motion = &model.initial_motion;
+fn beam_velocity(model: &Model, beam: usize, position: [f64; 2]) -> [f64; 2] {
+    let motion = model.initial_motion_of(beam);
     add(motion.velocity, scale(motion.spin, rot90(sub(position, motion.about))))
 }
 
@@ -177,7 +177,7 @@ fn struck_by_disc(
     let data = &model.beams[beam];
     let centre = model.nodes[model.body_node(disc)].position;
     let middle = BeamPlace::new(model, beam, 0.5 * data.length);
-    let relative = sub(body.velocity, beam_velocity(model, centre));
+    let relative = sub(body.velocity, beam_velocity(model, beam, centre));
     let speed = norm(relative);
     let seen = if speed > 0.0 { first_hit(model, data, centre, relative) } else { None };
     let s = match (at, seen) {
@@ -213,7 +213,7 @@ fn points_of_beams<'a>(
         _ => None,
     };
     let nodes = &model.beams[beam].nodes;
-    let velocity = beam_velocity(model, model.nodes[nodes.start + nodes.len() / 2].position);
+    let velocity = beam_velocity(model, beam, model.nodes[nodes.start + nodes.len() / 2].position);
     let point_mass = place.mass() / pairs.max(1) as f64;
     Some(Meeting::Beams(Beams { place, point_mass, wall, velocity }))
 }

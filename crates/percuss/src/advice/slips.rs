@@ -58,7 +58,13 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     all
 }
 
-fn slip(part: &str, values: [f64; 2], unit: &'static str, verdict: Verdict, text: String) -> Advice {
+fn slip(
+    part: &str,
+    values: [f64; 2],
+    unit: &'static str,
+    verdict: Verdict,
+    text: String,
+) -> Advice {
     let [value, reference] = values;
     Advice { contact: part.to_owned(), topic: Topic::Slip, value, reference, unit, verdict, text }
 }
@@ -72,7 +78,8 @@ fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
     for row in spans.flat_map(|span| &span.tables).map(|table| &table.rows[1]) {
         let law = &row.section;
         let gyration = (law.bending / law.axial).sqrt();
-        let depth = if row.half_depth > 0.0 { 2.0 * row.half_depth } else { 12_f64.sqrt() * gyration };
+        let depth =
+            if row.half_depth > 0.0 { 2.0 * row.half_depth } else { 12_f64.sqrt() * gyration };
         let found = [
             slender(&name, data.length, depth, row.half_depth > 0.0),
             section(&name, gyration, row.half_depth),
@@ -138,7 +145,8 @@ fn density(name: &str, density: f64) -> Option<Advice> {
     if density == 0.0 || density.is_nan() || (DENSITY[0]..=DENSITY[1]).contains(&density) {
         return None;
     }
-    let units = [("t/mm^3", 1e12), ("kg/mm^3", 1e9), ("g/mm^3", 1e6), ("g/cm^3", 1e3), ("g/m^3", 1e-3)];
+    let units =
+        [("t/mm^3", 1e12), ("kg/mm^3", 1e9), ("g/mm^3", 1e6), ("g/cm^3", 1e3), ("g/m^3", 1e-3)];
     let meant = units.iter().find(|(_, factor)| (300.0..=2.5e4).contains(&(density * factor)));
     let (verdict, reference) = match density < DENSITY[0] {
         true => (Verdict::Note, DENSITY[0]),
@@ -161,7 +169,8 @@ fn young(name: &str, young: f64) -> Option<Advice> {
         format!("; in {unit} it would be {} Pa", digits(young * factor))
     });
     let reference = YOUNG[usize::from(young > YOUNG[1])];
-    let text = format!("Young's modulus {} Pa, where solids have 1e3 to 1e13{meant}", digits(young));
+    let text =
+        format!("Young's modulus {} Pa, where solids have 1e3 to 1e13{meant}", digits(young));
     Some(slip(name, [young, reference], "Pa", Verdict::Warning, text))
 }
 
@@ -179,7 +188,9 @@ fn bodies(model: &Model, all: &mut Vec<Advice>) {
                 all.extend(struck.rear.and_then(|rear| apart(case.name, rear.mass, &struck.place)));
                 all.extend(fast(case.name, struck.speed.abs(), &struck.place));
             }
-            Meeting::Beams(beams) => all.extend(fast(case.name, norm(beams.velocity), &beams.place)),
+            Meeting::Beams(beams) => {
+                all.extend(fast(case.name, norm(beams.velocity), &beams.place))
+            }
             Meeting::Bodies(_) => {}
         }
     }

@@ -1,5 +1,7 @@
 //! Where a transient analysis starts: configuration, velocities, accelerations.
 
+use std::ops::Range;
+
 use super::simulation::Simulation;
 use super::static_search::StaticSearch;
 use super::statics::{equilibrium, mechanisms};
@@ -48,20 +50,47 @@ impl Simulation<'_> {
 
     /// Gives beams and masses the rigid motion of the model, about the configuration they stand in.
     pub(super) fn start_moving(&mut self) {
-        let motion = self.model.initial_motion;
-        if motion == InitialMotion::default() {
+        let model = self.model;
+        if model.is_still() {
             return;
         }
+        self.move_nodes(0..model.beam_node_count(), &model.initial_motion);
+        for (nodes, motion) in &model.own_motions {
+            self.move_nodes(nodes.clone(), motion);
+        }
+        if !model.own_motions.is_empty() && !model.constraints.is_empty() {
+            self.join_velocities();
+        }
+        self.settle_velocities();
+    }
+
+    fn move_nodes(&mut self, range: Range<usize>, motion: &InitialMotion) {
         let state = &mut self.state;
-        let beams = self.model.beam_node_count();
-        let nodes = self.model.nodes[..beams].iter();
-        for ((node, u), v) in nodes.zip(&state.displacement).zip(&mut state.velocity) {
+        let nodes = self.model.nodes[range.clone()].iter();
+        let both = nodes.zip(&state.displacement[range.clone()]);
+        for ((node, u), v) in both.zip(&mut state.velocity[range]) {
             let x = [0, 1].map(|i| node.position[i] + u[i] - motion.about[i]);
             let g = [0, 1].map(|i| node.tangent[i] + u[2 + i]);
             let (x, g) = (scale(motion.spin, rot90(x)), scale(motion.spin, rot90(g)));
             *v = [motion.velocity[0] + x[0], motion.velocity[1] + x[1], g[0], g[1]];
         }
-        self.settle_velocities();
+    }
+
+    /// Where joined parts start in motions that their joints do not allow, they take the nearest ones that these do, in the
+    /// measure of kinetic energy: those after impulses in the joints.
+    fn join_velocities(&mut self) {
+        let model = self.model;
+        let structure = model.structure();
+        let state = self.state.of_structure(&structure);
+        let Ok(mut mass) = effective_mass::mass_matrix(&structure, &state.displacement) else {
+            return;
+        };
+        let band = effective_mass::mass_band(&structure, &state.displacement);
+        let mut velocity = band.multiply(&state.velocity);
+        mass.solve_linear(&structure, &mut velocity);
+        for (own, joined) in self.state.velocity.iter_mut().zip(velocity) {
+            *own = joined;
+        }
     }
 
     fn settle_velocities(&mut self) {

@@ -248,6 +248,23 @@ impl<S: Number> Log<S> {
         }
     }
 
+    /// Projectiles that in the step just solved came nearest without touching: number, time, gap. The first lane alone.
+    pub fn passes<'a>(&'a self, engine: &'a Engine<S>) -> impl Iterator<Item = (usize, S, S)> + 'a {
+        let each = self.gap_start.iter().zip(&engine.guides).enumerate();
+        each.filter_map(|(k, (&[gap, rate], state))| {
+            let open = gap.lane(0) > 0.0 && state.gap.lane(0) > 0.0;
+            if !open || rate.lane(0) >= 0.0 || state.rate.lane(0) < 0.0 {
+                return None;
+            }
+            let path = Path { h: engine.h, start: [gap, rate], end: [state.gap, state.rate] };
+            let own = path.lane(0);
+            let least = own.stationary().min_by(|a, b| own.value(*a).total_cmp(&own.value(*b)));
+            // The gap is stationary there: that the instant moves with the parameters does not change it to first order.
+            let t = engine.h.constant(least?);
+            Some((k, self.time + t, path.value(t)))
+        })
+    }
+
     /// Closed intervals of a lane's contact; the last one may still be closed.
     pub fn intervals(&self, engine: &Engine<S>, k: usize, lane: usize) -> Vec<Closed<S>> {
         let log = &self.guides[k];

@@ -5,9 +5,7 @@ use super::numbers::{GuideLaw, GuideNumbers, HoldNumbers, Numbers, PointNumbers,
 use crate::ledger::RoundOff;
 use crate::math::vec2::dot;
 use crate::model::frozen::{BodyKind, ProjectileData};
-use crate::model::{
-    ContactForce, ImpactLaw, InitialMotion, Model, Potential, StrainMeasure, TouchLaw,
-};
+use crate::model::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw};
 use crate::settings::{ImpactResolution, Scheme, Settings, Start};
 
 /// What runs side by side have in common: all that is no number.
@@ -54,7 +52,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
-        (model.initial_motion != InitialMotion::default(), "beams that move at the start"),
+        (!model.is_still(), "beams that move at the start"),
         (!model.constraints.is_empty(), "joints, or supports between nodes or for a time"),
         (!model.connectors.is_empty(), "springs and dampers"),
         (!model.masses.is_empty(), "point masses"),

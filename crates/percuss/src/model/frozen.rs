@@ -50,6 +50,8 @@ pub struct Model {
     pub(crate) modal_damping: Vec<f64>,
     /// Motion at the start.
     pub(crate) initial_motion: InitialMotion,
+    /// Motions at the start of nodes that have one of their own; later ones count.
+    pub(crate) own_motions: Vec<(Range<usize>, InitialMotion)>,
     /// Recorded points, each once.
     pub(crate) points: Vec<MaterialPoint>,
     /// Mass of beams, point masses and projectiles, a scale \[kg\].
@@ -450,6 +452,18 @@ impl Model {
         structure.contacts.clear();
         structure.pairs.clear();
         structure
+    }
+
+    /// Whether no part of the structure moves at the start.
+    pub(crate) fn is_still(&self) -> bool {
+        self.initial_motion == InitialMotion::default() && self.own_motions.is_empty()
+    }
+
+    /// The motion in which a beam starts.
+    pub(crate) fn initial_motion_of(&self, beam: usize) -> &InitialMotion {
+        let nodes = &self.beams[beam].nodes;
+        let own = self.own_motions.iter().find(|(range, _)| range == nodes);
+        own.map_or(&self.initial_motion, |(_, motion)| motion)
     }
 
     /// Strain measure of the beam called `name`, at its start.

@@ -194,8 +194,9 @@ impl Desk<'_> {
 
     fn at_rest(&self) -> Assumptions {
         let (_, loads) = gravity(self.model);
-        let motion = &self.model.initial_motion;
-        let moves = motion.spin != 0.0 || self.model.supports.iter().any(|s| s.motion.is_some());
+        let model = self.model;
+        let spins = model.initial_motion.spin != 0.0 || !model.own_motions.is_empty();
+        let moves = spins || self.model.supports.iter().any(|s| s.motion.is_some());
         let starts = self.others().filter_map(Touch::first).map(|touch| touch.time());
         let earlier = starts.into_iter().any(|time| time < self.touch.time());
         let still = !(loads || moves || earlier);

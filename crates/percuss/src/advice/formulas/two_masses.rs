@@ -273,12 +273,17 @@ mod tests {
     fn partners_of_any_ratio_meet_like_one_mass_on_one_spring() {
         for power in (9..=60).step_by(3) {
             let far = 10_f64.powi(power);
-            let soft =
-                TwoMasses { mass: 2.0, contact: 800.0, span_mass: 1.0, span_stiffness: 800.0 * far };
+            let soft = TwoMasses {
+                mass: 2.0,
+                contact: 800.0,
+                span_mass: 1.0,
+                span_stiffness: 800.0 * far,
+            };
             let (blow, wall) = (soft.blow(3.0), linear_blow(2.0, 800.0, 3.0));
             near(blow.map_or(f64::NAN, |b| b.duration), wall.duration, 1e-4);
             near(blow.map_or(f64::NAN, |b| b.peak_force), wall.peak_force, 1e-4);
-            let heavy = TwoMasses { mass: 2.0, contact: 800.0, span_mass: far, span_stiffness: 1.0 };
+            let heavy =
+                TwoMasses { mass: 2.0, contact: 800.0, span_mass: far, span_stiffness: 1.0 };
             near(heavy.blow(3.0).map_or(f64::NAN, |b| b.duration), wall.duration, 1e-4);
         }
         let lost = TwoMasses { mass: 1e-300, contact: 1e300, span_mass: 1.0, span_stiffness: 1.0 };
