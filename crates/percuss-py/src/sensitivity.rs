@@ -40,3 +40,10 @@ pub fn sensitivity<'py>(
     result.set_item("one_sided", texts)?;
     Ok(result)
 }
+
+/// Order, limit and uncertainty of a number on finer and finer steps or meshes.
+#[pyfunction]
+pub fn extrapolated(values: Vec<f64>) -> (Option<f64>, f64, f64) {
+    let found = percuss_study::extrapolate(&values);
+    (found.order, found.limit, found.uncertainty)
+}

@@ -86,10 +86,8 @@ pub(crate) fn sound_part(
     content.beam.iter_mut().for_each(|beam| follow::coarsen(&mut beam.table));
     let mut faults = comparison_faults(&content);
     faults.extend(path(&content).err());
-    if content.beam.is_empty() {
-        // What refers to beams has been told of by the reader.
-        faults.extend(nothing_moves(&content));
-    } else {
+    // What refers to beams that are not there has been told of by the reader.
+    if !content.beam.is_empty() {
         faults.extend(build(&content, None).err().unwrap_or_default());
     }
     faults.extend(settings_alone(&content, &settings(&content)));
@@ -197,20 +195,9 @@ fn path(content: &Content) -> Result<PathSettings, Fault> {
     }
 }
 
-/// A scene needs a beam, or a free projectile.
-fn nothing_moves(content: &Content) -> Option<Fault> {
-    let expected = "at least one table [beam.NAME], or free projectiles and what they meet";
-    let nothing = content.beam.is_empty() && content.projectile.is_empty();
-    nothing.then(|| Fault::new("beam", "no beam", expected))
-}
-
 /// The model; functions given where none are looked at are left to a sound text.
 fn build(content: &Content, given: Option<&Given>) -> Result<Model, Vec<Fault>> {
     let (builder, mut faults) = build::definitions(content, given);
-    if let Some(fault) = nothing_moves(content) {
-        faults.push(fault);
-        return Err(faults);
-    }
     match builder.build() {
         Ok(model) if faults.is_empty() => Ok(model),
         Ok(_) => Err(faults),

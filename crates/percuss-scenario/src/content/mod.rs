@@ -75,4 +75,19 @@ table! {
         /// What the report shows.
         report: Report as Single<Report> = Report::plain(),
     }
+    then anything_moves
+}
+
+/// A scene needs a beam or a free projectile.
+fn anything_moves(content: &mut Content, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let given = |key: &str| {
+        let table = body.get(key);
+        table.is_some_and(|node| Body::of(&node).is_none_or(|table| !table.keys().is_empty()))
+    };
+    let read = !content.beam.is_empty() || !content.projectile.is_empty();
+    if !read && !given("beam") && !given("projectile") {
+        let expected =
+            "at least one table [beam.NAME], or free projectiles [projectile.NAME] and what they meet";
+        reader.missing(body, "beam", "no beam", expected);
+    }
 }

@@ -113,7 +113,7 @@ fn slender(name: &str, length: f64, depth: f64, given: bool) -> Option<Advice> {
     }
     let deep = if given { "its section is" } else { "by its inertia its section is some" };
     let text = format!(
-        "{}? {deep} {} deep, and a beam is longer than that",
+        "{} long? {deep} {} deep, and a beam is longer than that",
         quantity(length, "m"),
         quantity(depth, "m")
     );

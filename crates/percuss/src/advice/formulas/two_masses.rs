@@ -268,6 +268,19 @@ mod tests {
         }
     }
 
+    #[test]
+    fn the_work_does_not_grow_with_the_ratio() {
+        for power in -60..=60 {
+            for contact in [1e-3, 1.0, 1e3] {
+                let span_stiffness = 10_f64.powi(power);
+                let model = TwoMasses { mass: 1.0, contact, span_mass: 1.0, span_stiffness };
+                let windows = Modes::new(&model, 1.0).windows();
+                let samples: usize = windows.iter().map(|window| window.samples).sum();
+                assert!(samples <= (FAR as usize + 8) * SAMPLES, "{samples} at 1e{power}");
+            }
+        }
+    }
+
     /// Work is bounded: springs and masses of any ratio give an estimate, that of the slow or the fast partner alone.
     #[test]
     fn partners_of_any_ratio_meet_like_one_mass_on_one_spring() {
