@@ -44,8 +44,8 @@ class Sensitivity:
 
     @property
     def uncertainties(self) -> Floats:
-        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): twice what half the step
-        changes; nan where half the step does not tell."""
+        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): twice what half or
+        four fifths of the step change, the larger; nan where other steps do not tell."""
         uncertainties: Floats = self._native["uncertainties"]
         return uncertainties
 
@@ -88,7 +88,7 @@ def sensitivity(
     ``parameters`` are paths in the scenario (``"projectile.mass.velocity[1]"``), ``results`` paths in the summary
     (``"contact.mass.peak_force.value"``); without results, peaks, impulses and velocities at the end.
 
-    The run is made once more at half its step: what that changes is the ``uncertainties`` of the derivatives.
+    The run is made again at half and at four fifths of its step: what these change makes the ``uncertainties``.
 
     Raises ``ScenarioError`` for paths that lead nowhere, ``AnalysisError`` for what cannot be differentiated.
     """

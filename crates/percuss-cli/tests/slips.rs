@@ -32,7 +32,9 @@ fn numbers(text: &str) -> Vec<Range<usize>> {
         let bytes = code.as_bytes();
         let mut at = begin;
         while at < bytes.len() && !key.starts_with("element") && !code.contains("elements") {
-            let begins = bytes[at].is_ascii_digit() && !bytes[at - 1].is_ascii_alphanumeric() && bytes[at - 1] != b'^';
+            let begins = bytes[at].is_ascii_digit()
+                && !bytes[at - 1].is_ascii_alphanumeric()
+                && bytes[at - 1] != b'^';
             let more = |b: &&u8| b.is_ascii_digit() || matches!(**b, b'.' | b'_');
             let length = bytes[at..].iter().take_while(more).count();
             if begins {
@@ -64,8 +66,11 @@ fn scenarios_off_by_any_power_of_ten_are_answered() {
             for (k, place) in numbers(&text).into_iter().enumerate() {
                 let number: f64 = text[place.clone()].replace('_', "").parse().unwrap();
                 // Two of the powers for each number, so that all of them come round.
-                let powers = [0, 4].map(|shift| [-12, -9, -6, -3, 3, 6, 9, 12][(n + k + shift) % 8]);
-                let odd = ["0", "-1", "9223372036854775807", "0xffffffffffff", "nan", "inf", "1e300"][(n + k) % 7];
+                let powers =
+                    [0, 4].map(|shift| [-12, -9, -6, -3, 3, 6, 9, 12][(n + k + shift) % 8]);
+                let odd =
+                    ["0", "-1", "9223372036854775807", "0xffffffffffff", "nan", "inf", "1e300"]
+                        [(n + k) % 7];
                 let mut values: Vec<String> =
                     powers.iter().map(|p| format!("{:e}", number * 10_f64.powi(*p))).collect();
                 values.push(odd.into());
@@ -96,7 +101,8 @@ fn scenarios_off_by_any_power_of_ten_are_answered() {
 fn nothing_shipped_looks_like_a_slip() {
     for file in shipped() {
         let text = std::fs::read_to_string(&file).unwrap();
-        let advice = look_at(&text, &file.display().to_string()).unwrap_or_else(|| panic!("{file:?}"));
+        let advice =
+            look_at(&text, &file.display().to_string()).unwrap_or_else(|| panic!("{file:?}"));
         let slips: Vec<_> = advice.iter().filter(|one| one.topic == Topic::Slip).collect();
         assert!(slips.is_empty(), "{file:?}: {slips:#?}");
     }
@@ -104,7 +110,8 @@ fn nothing_shipped_looks_like_a_slip() {
 
 #[test]
 fn slips_of_units_are_told_with_what_they_contradict() {
-    let file = shipped().into_iter().find(|file| file.ends_with("paper/elastic-pinned.toml")).unwrap();
+    let file =
+        shipped().into_iter().find(|file| file.ends_with("paper/elastic-pinned.toml")).unwrap();
     let text = std::fs::read_to_string(file).unwrap();
     let cases = [
         ("[[0, 0], [\"3 m\", 0]]", "[[0, 0], [\"3 mm\", 0]]", "3 mm long?"),
@@ -121,8 +128,11 @@ fn slips_of_units_are_told_with_what_they_contradict() {
     for (right, wrong, words) in cases {
         assert!(text.contains(right), "{right}");
         let advice = look_at(&text.replace(right, wrong), "slip.toml").unwrap_or_default();
-        let slips: Vec<&str> =
-            advice.iter().filter(|one| one.topic == Topic::Slip).map(|one| one.text.as_str()).collect();
+        let slips: Vec<&str> = advice
+            .iter()
+            .filter(|one| one.topic == Topic::Slip)
+            .map(|one| one.text.as_str())
+            .collect();
         assert!(slips.iter().any(|text| text.contains(words)), "{wrong}: {slips:#?}");
     }
 }

@@ -60,8 +60,10 @@ pub fn indices_parquet(
         ("points", "points of the design that count"),
     ];
     let texts = texts.into_iter().map(Values::Text);
-    let values: Vec<Values> =
-        texts.chain(numbers.into_iter().map(Values::Number)).chain([Values::Whole(points)]).collect();
+    let values: Vec<Values> = texts
+        .chain(numbers.into_iter().map(Values::Number))
+        .chain([Values::Whole(points)])
+        .collect();
     let layout = names.into_iter().map(column).zip(values.iter().map(Values::like)).collect();
     let fault = |e: parquet::errors::ParquetError| {
         Error::unfit(format!("the indices cannot be written: {e}"))

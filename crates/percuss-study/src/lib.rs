@@ -81,8 +81,8 @@ mod sweep;
 
 pub use column::{Column, Role, Table, Values};
 pub use converge::{
-    Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence, converge,
-    extrapolate,
+    Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence,
+    converge, extrapolate,
 };
 pub use distribution::{Distribution, Gauss};
 pub use error::Error;

@@ -11,6 +11,9 @@ use crate::resolve::result;
 /// functions of it: the error of the fourth-order difference lies at round-off.
 const SHARE: f64 = 1e-3;
 
+/// Shares of the step at which the run is made again, to see what its size does to derivatives.
+const OTHER_STEPS: [f64; 2] = [0.5, 0.8];
+
 /// Changes below this share of a parameter are told where they make or end a contact.
 const NEAR: f64 = 0.01;
 
@@ -46,7 +49,8 @@ pub struct Sensitivity {
     /// Derivatives, shape (n_result, n_parameter), in SI units of both.
     pub derivatives: Vec<Vec<f64>>,
     /// Uncertainty of each derivative from the size of the step, shape and units of `derivatives`: twice what half the step
-    /// changes, which is the error of a derivative of first order in the step. NaN where half the step does not tell.
+    /// changes, which is the error of a derivative of first order in the step, or twice what four fifths of it change, if that
+    /// is more: instants of impacts then lie elsewhere in their steps. NaN where other steps do not tell.
     pub uncertainties: Vec<Vec<f64>>,
     /// Contacts that a small change of a parameter makes or ends.
     pub one_sided: Vec<OneSided>,
@@ -105,7 +109,7 @@ impl From<Diagnostics> for SensitivityError {
     }
 }
 
-/// Runs a scenario, and once more at half its step, and differentiates results, by their paths in the summary, with respect to numbers of the scenario, by
+/// Runs a scenario, and again at other steps, and differentiates results, by their paths in the summary, with respect to numbers of the scenario, by
 /// theirs. Without results, peaks, impulses and velocities at the end.
 ///
 /// # Errors
@@ -150,11 +154,14 @@ pub fn sensitivity(
     }
     let values = pick(&paths, &found.summary);
     let derivatives = derivatives(&paths, &found);
-    let settings = Settings { step: 0.5 * compiled.settings.step, ..compiled.settings.clone() };
-    // A half step that fails leaves the derivatives as they are, and their uncertainty unknown.
-    let finer = sensitivities(&compiled.model, &settings, &variations).ok();
-    let finer = finer.map(|finer| self::derivatives(&paths, &finer));
-    let uncertainties = uncertainties(&derivatives, finer.as_deref());
+    // Another step that fails leaves the derivatives as they are, and their uncertainty unknown.
+    let others = OTHER_STEPS.map(|share| {
+        let step = share * compiled.settings.step;
+        let settings = Settings { step, ..compiled.settings.clone() };
+        let other = sensitivities(&compiled.model, &settings, &variations).ok()?;
+        Some(self::derivatives(&paths, &other))
+    });
+    let uncertainties = uncertainties(&derivatives, &others);
     let one_sided = one_sided(&found.grazing, &differentiated);
     let results = paths.iter().zip(&values).map(|(path, value)| Differentiated {
         path: path.path().into(),
@@ -171,13 +178,21 @@ fn derivatives(paths: &[SummaryPath], found: &Sensitivities) -> Vec<Vec<f64>> {
     (0..paths.len()).map(|k| by.iter().map(|column| column[k]).collect()).collect()
 }
 
-/// What half the step changes, twice.
-fn uncertainties(coarse: &[Vec<f64>], finer: Option<&[Vec<f64>]>) -> Vec<Vec<f64>> {
-    let unknown = |row: &Vec<f64>| vec![f64::NAN; row.len()];
-    let Some(finer) = finer else { return coarse.iter().map(unknown).collect() };
-    let off = |(a, b): (&f64, &f64)| 2.0 * (a - b).abs();
-    let row = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(off).collect();
-    coarse.iter().zip(finer).map(row).collect()
+/// Twice the largest of what other steps change.
+fn uncertainties(own: &[Vec<f64>], others: &[Option<Vec<Vec<f64>>>]) -> Vec<Vec<f64>> {
+    let of = |row: usize, column: usize| {
+        let off = |other: &Option<Vec<Vec<f64>>>| -> f64 {
+            let other = other.as_ref().map_or(f64::NAN, |other| other[row][column]);
+            2.0 * (own[row][column] - other).abs()
+        };
+        // What one of them does not know is unknown.
+        let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
+        others.iter().map(off).fold(0.0, larger)
+    };
+    own.iter()
+        .enumerate()
+        .map(|(row, values)| (0..values.len()).map(|column| of(row, column)).collect())
+        .collect()
 }
 
 /// Contacts that a change of a parameter by less than [`NEAR`] of it makes or ends.

@@ -86,8 +86,7 @@ fn anything_moves(content: &mut Content, body: &Body<'_>, reader: &mut Reader<'_
     };
     let read = !content.beam.is_empty() || !content.projectile.is_empty();
     if !read && !given("beam") && !given("projectile") {
-        let expected =
-            "at least one table [beam.NAME], or free projectiles [projectile.NAME] and what they meet";
+        let expected = "at least one table [beam.NAME], or free projectiles [projectile.NAME] and what they meet";
         reader.missing(body, "beam", "no beam", expected);
     }
 }

@@ -30,7 +30,9 @@ impl Cheapest {
         let mut counted = Vec::new();
         for result in results {
             let off = |sequence: &Sequence, k: i32| error(sequence, k) / result.limit.abs();
-            let best = (-COARSER..=FINER).map(|k| off(&result.step, k)).fold(f64::INFINITY, f64::min)
+            let best = (-COARSER..=FINER)
+                .map(|k| off(&result.step, k))
+                .fold(f64::INFINITY, f64::min)
                 + (-COARSER..=FINER).map(|k| off(&result.mesh, k)).fold(f64::INFINITY, f64::min);
             if result.limit.is_nan() {
                 let of_step = result.step.no_limit || result.step.found.limit.is_nan();
@@ -47,9 +49,9 @@ impl Cheapest {
             }
         }
         let fits = |step: i32, mesh: i32| {
-            counted.iter().all(|r| {
-                error(&r.step, step) + error(&r.mesh, mesh) <= accuracy * r.limit.abs()
-            })
+            counted
+                .iter()
+                .all(|r| error(&r.step, step) + error(&r.mesh, mesh) <= accuracy * r.limit.abs())
         };
         let all = (-COARSER..=FINER).flat_map(|s| (-COARSER..=FINER).map(move |m| (s, m)));
         // Of equal cost the finer mesh: its errors are the less regular ones.

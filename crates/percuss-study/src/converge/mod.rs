@@ -183,7 +183,8 @@ pub fn converge(
             both(path, step, mesh)
         })
         .collect();
-    let cheapest = ladder.accuracy.map(|accuracy| Cheapest::of(&results, accuracy, &steps, &elements));
+    let cheapest =
+        ladder.accuracy.map(|accuracy| Cheapest::of(&results, accuracy, &steps, &elements));
     Ok(Convergence { steps, elements, results, cheapest })
 }
 
@@ -309,7 +310,8 @@ impl Why<'_> {
 
     /// Forces of rigid impacts are impulses spread over a step: they grow as it shrinks.
     fn impulsive(&self, values: &[f64]) -> Option<String> {
-        let is_force = ["section_forces.", "support."].iter().any(|part| self.path.starts_with(part));
+        let is_force =
+            ["section_forces.", "support."].iter().any(|part| self.path.starts_with(part));
         let struck = self.summary.contacts.iter().any(|contact| {
             matches!(&contact.record, percuss::ContactRecord::Nonsmooth { impact_count, .. } if *impact_count > 0)
         });
@@ -325,8 +327,11 @@ impl Why<'_> {
         let contacts = self.summary.contacts.iter().zip(masses);
         let bare = contacts.into_iter().find(|(contact, mass)| {
             let rigid = matches!(contact.record, percuss::ContactRecord::Nonsmooth { .. });
-            let own = [format!("contact.{}.", contact.name), format!("projectile.{}.", contact.name)];
-            rigid && mass.depends_on_mesh() && own.iter().any(|part| self.path.starts_with(part.as_str()))
+            let own =
+                [format!("contact.{}.", contact.name), format!("projectile.{}.", contact.name)];
+            rigid
+                && mass.depends_on_mesh()
+                && own.iter().any(|part| self.path.starts_with(part.as_str()))
         });
         bare.map(|(_, mass)| {
             format!(

@@ -82,7 +82,12 @@ mod tests {
 
     #[test]
     fn what_does_not_close_in_steadily_has_no_order() {
-        for values in [[1.0, 2.0, 1.5, 1.7], [1.0, 1.1, 1.2, 1.3], [1.0, 1.0, 1.1, 1.1], [5.0, 1.0, 1.1, 1.12]] {
+        for values in [
+            [1.0, 2.0, 1.5, 1.7],
+            [1.0, 1.1, 1.2, 1.3],
+            [1.0, 1.0, 1.1, 1.1],
+            [5.0, 1.0, 1.1, 1.12],
+        ] {
             let found = extrapolate(&values);
             assert_eq!((found.order, found.limit), (None, values[3]));
             assert!(found.uncertainty > 0.0 && !found.constant);

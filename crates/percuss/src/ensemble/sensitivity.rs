@@ -258,7 +258,6 @@ impl<'a> Flight<'a> {
             self.log.begin(&self.engine);
             self.solve(left, None)?;
             let struck = self.first_contact(left)?;
-            self.misses.extend(self.log.passes(&self.engine));
             offset += self.engine.h;
             self.accept();
             if let Some(k) = struck {
@@ -286,6 +285,9 @@ impl<'a> Flight<'a> {
         self.books.book(&self.engine);
         self.engine.commit();
         self.log.end(&self.engine);
+        if self.engine.striking.is_none() {
+            self.misses.extend(self.log.passes(&self.engine));
+        }
         self.books.close(&self.engine);
         self.log.time += self.engine.h;
     }

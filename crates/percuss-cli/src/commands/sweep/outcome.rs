@@ -72,7 +72,8 @@ fn sobol(study: &Study, indices: &[(String, Option<SobolIndices>)]) -> Value {
         let parameters: Map<String, Value> = each.collect();
         json!({ "variance": found.variance, "points": found.points, "parameter": parameters })
     };
-    let all = indices.iter().map(|(name, found)| (name.clone(), found.as_ref().map_or(Value::Null, of)));
+    let all =
+        indices.iter().map(|(name, found)| (name.clone(), found.as_ref().map_or(Value::Null, of)));
     Value::Object(all.collect())
 }
 
