@@ -212,7 +212,7 @@ fn apart(name: &str, mass: f64, place: &BeamPlace<'_>) -> Option<Advice> {
 
 fn fast(name: &str, speed: f64, place: &BeamPlace<'_>) -> Option<Advice> {
     let wave = place.section().bar_speed();
-    if !(speed > wave) {
+    if speed <= wave || speed.is_nan() || wave.is_nan() {
         return None;
     }
     let text = format!(

@@ -101,7 +101,8 @@ impl InfiniteBeam {
         // The rate falls from one; it has changed sign at pi/2, where the beam gives way the less the smaller beta.
         let mut high = std::f64::consts::FRAC_PI_2;
         for _ in 0..MOST_SHRUNK {
-            if !(self.rate(0.9 * high) < 0.0) {
+            let has_passed = self.rate(0.9 * high) < 0.0;
+            if !has_passed {
                 break;
             }
             high *= 0.9;

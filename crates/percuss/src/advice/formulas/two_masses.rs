@@ -151,7 +151,7 @@ impl Modes {
         let period = 2 * SAMPLES;
         let half = PI / self.slow.frequency;
         let ratio = self.fast.frequency / self.slow.frequency;
-        if !(ratio > FAR) {
+        if ratio <= FAR || ratio.is_nan() {
             // All of half a slow period and two fast ones.
             let samples = (ratio.max(1.0) * SAMPLES as f64) as usize + 2 * period;
             return vec![Window { start: 0.0, samples }];
