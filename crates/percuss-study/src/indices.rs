@@ -15,7 +15,8 @@ pub fn indices(study: &Study, table: &Table) -> Vec<(String, Option<SobolIndices
         return Vec::new();
     }
     let each = study.results().iter();
-    each.map(|result| (result.name.clone(), sobol_indices_of(study, table, &result.name))).collect()
+    each.map(|result| (result.name.clone(), sobol_indices_of(study, table, &result.name).ok()))
+        .collect()
 }
 
 /// The indices as Parquet: a row for every result and parameter, with 95 % intervals.
