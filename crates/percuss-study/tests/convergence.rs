@@ -43,13 +43,14 @@ step = 1e-3
 #[test]
 fn the_limit_of_a_contact_is_its_closed_form_within_its_uncertainty() {
     let scenario = read(DROP, "drop.toml").unwrap();
-    let ladder = ladder(&["contact.ball.peak_force.value"], Some(1e-3));
+    let ladder = ladder(&["contact.ball.peak_force.value"], Some(1e-9));
     let found = converge(&scenario, &ladder, &|| true, &|_, _| {}).unwrap();
     let (m, v, w, g) = (2.0, 3.0, 100.0, 9.81);
     let exact = m * v * w * f64::hypot(1.0, g / (v * w)) + m * g;
     let force = &found.results[0];
     let order = force.step.found.order.unwrap_or(f64::NAN);
-    assert!((order - 2.0).abs() < 0.3, "{force:?}");
+    // Second order at least; nearly all of this error is that of the instant of touch.
+    assert!((1.7..3.5).contains(&order), "{force:?}");
     assert!((force.limit - exact).abs() <= 1.5 * force.uncertainty, "{exact}: {force:?}");
     assert!(force.mesh.words.contains("no mesh"), "{}", force.mesh.words);
     // The step told is good for the accuracy wanted, and not much better.
@@ -58,7 +59,7 @@ fn the_limit_of_a_contact_is_its_closed_form_within_its_uncertainty() {
     let again =
         converge(&read(&text, "drop.toml").unwrap(), &ladder, &|| true, &|_, _| {}).unwrap();
     let off = (again.results[0].value / exact - 1.0).abs();
-    assert!((5e-5..1e-3).contains(&off), "{off} at {}", cheapest.step);
+    assert!((1e-11..1e-9).contains(&off), "{off} at {}", cheapest.step);
 }
 
 #[test]

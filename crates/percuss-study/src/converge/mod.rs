@@ -295,7 +295,11 @@ struct Why<'a> {
 
 impl Why<'_> {
     fn sequence(&self, refined: Refined, values: Vec<f64>) -> Sequence {
-        let found = extrapolate(&values);
+        let found = match values[..] {
+            // Nothing of the kind to refine: it takes no part in what is uncertain.
+            [limit] => Extrapolation { order: None, limit, uncertainty: 0.0, constant: true },
+            _ => extrapolate(&values),
+        };
         let reason = match refined {
             Refined::Step => self.impulsive(&values),
             Refined::Mesh => self.on_a_bare_node(),
