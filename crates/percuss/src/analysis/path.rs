@@ -1,17 +1,20 @@
 //! Equilibrium paths by arc length: past limit points, where load control ends.
 
-use super::static_search::StaticSearch;
-use super::statics::{Equilibrium, finish};
+use super::static_search::{Reached, StaticSearch};
+use super::statics::{Equilibrium, finish, refuse_overlaps};
 use crate::error::Error;
 use crate::model::Model;
 use crate::settings::{PathEnd, PathSettings};
 
-/// Corrections of a point; more and the arc is halved.
+/// Corrections of a point; more and the arc is halved. Contacts close and open one after the other.
 const MOST_ITERATIONS: usize = 16;
+const MOST_WITH_CONTACTS: usize = 60;
 /// Corrections at which the arc stays as it is.
 const WANTED_ITERATIONS: f64 = 5.0;
 /// Last correction of a point relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
+/// Share of the loads by which discs settle on what holds them.
+const LITTLE: f64 = 1e-6;
 /// The arc is halved down to this share of the first before the path ends.
 const SMALLEST_ARC: f64 = 1e-6;
 
@@ -47,14 +50,9 @@ pub struct Path {
 /// # Errors
 /// No point beyond the first found, or an end that names no recorded point.
 pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
-    let mut path = path_of(&model.structure(), settings)?;
-    path.end.state = path.end.state.with_bodies_of(model);
-    Ok(path)
-}
-
-fn path_of(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
+    refuse_overlaps(&StaticSearch::new(model))?;
     let goal = Goal::new(model, &settings.end).ok_or_else(|| Error::no_equilibrium(0.0))?;
-    let mut tracer = Tracer::new(model);
+    let mut tracer = Tracer::new(model)?;
     let mut path = Path {
         names: model.points.iter().map(|p| p.label.clone()).collect(),
         points: vec![tracer.point()],
@@ -130,7 +128,7 @@ impl Goal {
             Self::Factor(f) => side(*f, tracer.factor, before.factor),
             Self::Displacement { point, component, value } => {
                 let at = |d: &[[f64; 4]]| tracer.search.model.points[*point].value(d)[*component];
-                side(*value, at(&tracer.search.work.increment), at(&before.increment))
+                side(*value, at(&tracer.search.work.increment), at(&before.reached.increment))
             }
         }
     }
@@ -140,8 +138,7 @@ impl Goal {
 #[derive(Clone)]
 struct Mark {
     factor: f64,
-    increment: Vec<[f64; 4]>,
-    multiplier: Vec<f64>,
+    reached: Reached,
     /// The last way along the path.
     way: Vec<[f64; 4]>,
     /// Whether the load factor grew where the last way began.
@@ -158,7 +155,7 @@ struct Tracer<'m> {
 }
 
 impl<'m> Tracer<'m> {
-    fn new(model: &'m Model) -> Self {
+    fn new(model: &'m Model) -> Result<Self, Error> {
         let mut search = StaticSearch::new(model);
         search.foresee(true);
         // Springs may be stressed before any load acts.
@@ -166,9 +163,15 @@ impl<'m> Tracer<'m> {
         if stressed.clone().any(|(c, q)| c.potential(*q) > 0.0) {
             search.solve(0.0);
         }
+        // Discs lie on what holds them before the path is followed: nothing answers to their weight till then.
+        if search.contacts.has_discs() && !search.solve(LITTLE) {
+            let lost = search.contacts.lost(model).map(str::to_owned);
+            return Err(lost.map_or(Error::no_equilibrium(0.0), Error::nothing_holds));
+        }
         let zero = vec![[0.0; 4]; model.node_count()];
         let multipliers = search.work.multiplier.clone();
-        Self { search, factor: 0.0, way: zero.clone(), rising: true, response: (zero, multipliers) }
+        let factor = if search.contacts.has_discs() { LITTLE } else { 0.0 };
+        Ok(Self { search, factor, way: zero.clone(), rising: true, response: (zero, multipliers) })
     }
 
     fn point(&self) -> PathPoint {
@@ -180,8 +183,7 @@ impl<'m> Tracer<'m> {
     fn mark(&self) -> Mark {
         Mark {
             factor: self.factor,
-            increment: self.search.work.increment.clone(),
-            multiplier: self.search.work.multiplier.clone(),
+            reached: self.search.reached(),
             way: self.way.clone(),
             rising: self.rising,
         }
@@ -189,11 +191,9 @@ impl<'m> Tracer<'m> {
 
     fn back_to(&mut self, mark: &Mark) {
         self.factor = mark.factor;
-        self.search.work.increment.clone_from(&mark.increment);
-        self.search.work.multiplier.clone_from(&mark.multiplier);
+        self.search.go_back(&mark.reached);
         self.way.clone_from(&mark.way);
         self.rising = mark.rising;
-        self.search.foresee(true);
     }
 
     /// Factors at the current point and finds the response to the loads.
@@ -250,6 +250,7 @@ impl<'m> Tracer<'m> {
         if !self.prepare() {
             return None;
         }
+        self.search.contacts.begin();
         let start = self.search.work.increment.clone();
         let ahead = self.inner(&self.way, &self.response.0);
         let first = self.way.as_flattened().iter().all(|c| *c == 0.0);
@@ -275,7 +276,8 @@ impl<'m> Tracer<'m> {
 
     /// Corrections, each with the change of the load factor that `control` asks for.
     fn iterate(&mut self, control: impl Fn(&Self, &[[f64; 4]]) -> f64) -> Option<usize> {
-        for iteration in 1..=MOST_ITERATIONS {
+        let alone = self.search.contacts.is_empty();
+        for iteration in 1..=if alone { MOST_ITERATIONS } else { MOST_WITH_CONTACTS } {
             if !self.prepare() {
                 return None;
             }
@@ -287,7 +289,9 @@ impl<'m> Tracer<'m> {
             }
             let work = &self.search.work;
             let reach = super::static_search::largest(&work.increment);
-            if super::static_search::largest(&work.correction) <= SETTLED * reach {
+            let small = super::static_search::largest(&work.correction) <= SETTLED * reach;
+            if small && self.search.contacts.settled() {
+                self.search.contacts.accept();
                 return Some(iteration);
             }
         }
