@@ -14,9 +14,17 @@ const WANTED_ITERATIONS: f64 = 5.0;
 /// Last correction of a point relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
 /// Share of the loads by which discs settle on what holds them.
-const LITTLE: f64 = 1e-6;
+const LITTLE: f64 = 1e-4;
 /// The arc is halved down to this share of the first before the path ends.
 const SMALLEST_ARC: f64 = 1e-6;
+/// The longest arc unless the first is longer, in the measure of [`Tracer::inner`]: moves of a twentieth of the structure, turns of a
+/// twentieth of a radian.
+const LONGEST_ARC: f64 = 0.05;
+/// Least cosine between the ways of two points an arc longer than the first apart; less and the path turns unseen between them.
+const LEAST_COSINE: f64 = 0.9;
+/// Most that the load factor's slope at either end of such an arc exceeds the mean: beyond three it may turn twice between
+/// (Fritsch, Carlson 1980).
+const STEEPEST: f64 = 3.0;
 
 /// A point of an equilibrium path.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +69,7 @@ pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, 
         reached: false,
     };
     let first = tracer.first_arc(settings.first).ok_or_else(|| Error::no_equilibrium(0.0))?;
-    let mut arc = first;
+    let (mut arc, longest) = (first, first.max(LONGEST_ARC));
     while path.points.len() <= settings.points {
         let before = tracer.mark();
         let Some(iterations) = tracer.advance(arc) else {
@@ -72,6 +80,13 @@ pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, 
             }
             continue;
         };
+        let course = tracer.course(&before);
+        // Where the load factor turns, arcs are no longer than the first.
+        if arc > first && (course.turned || !course.resolved) {
+            tracer.back_to(&before);
+            arc = (0.5 * arc).max(first);
+            continue;
+        }
         if goal.passed(&before, &tracer) {
             tracer.back_to(&before);
             path.reached = tracer.hit(&goal);
@@ -86,14 +101,14 @@ pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, 
             path.points.push(tracer.point());
             break;
         }
-        if tracer.turned() {
+        if course.turned {
             let after = tracer.mark();
             path.limit_points.extend(tracer.limit_point(&before, arc));
             tracer.back_to(&after);
         }
         path.points.push(tracer.point());
         let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, 1.5);
-        arc = (arc * ease).min(first);
+        arc = (arc * ease).min(longest);
     }
     if path.points.len() < 2 {
         return Err(Error::no_equilibrium(0.0));
@@ -145,9 +160,19 @@ struct Mark {
     rising: bool,
 }
 
+/// How the load factor went along an arc.
+struct Course {
+    /// Whether it turned: an odd number of times.
+    turned: bool,
+    /// Whether the arc tells it well enough for it not to have turned twice unseen.
+    resolved: bool,
+}
+
 struct Tracer<'m> {
     search: StaticSearch<'m>,
     factor: f64,
+    /// Rate of the load factor along the path where the last arc began.
+    slope: f64,
     way: Vec<[f64; 4]>,
     rising: bool,
     /// Response to the loads, and of the multipliers.
@@ -171,7 +196,14 @@ impl<'m> Tracer<'m> {
         let zero = vec![[0.0; 4]; model.node_count()];
         let multipliers = search.work.multiplier.clone();
         let factor = if search.contacts.has_discs() { LITTLE } else { 0.0 };
-        Ok(Self { search, factor, way: zero.clone(), rising: true, response: (zero, multipliers) })
+        Ok(Self {
+            search,
+            factor,
+            slope: 0.0,
+            way: zero.clone(),
+            rising: true,
+            response: (zero, multipliers),
+        })
     }
 
     fn point(&self) -> PathPoint {
@@ -256,6 +288,7 @@ impl<'m> Tracer<'m> {
         let first = self.way.as_flattened().iter().all(|c| *c == 0.0);
         self.rising = first || ahead > 0.0;
         let length = self.inner(&self.response.0, &self.response.0).sqrt();
+        self.slope = 1.0 / length;
         let share = if self.rising { arc / length } else { -arc / length };
         self.search.work.correction.fill([0.0; 4]);
         self.load(share);
@@ -317,10 +350,20 @@ impl<'m> Tracer<'m> {
         }
     }
 
-    /// Whether the load factor has turned on the way to the current point.
-    fn turned(&mut self) -> bool {
-        let then = self.rising;
-        self.rises().is_some_and(|now| now != then)
+    /// How the load factor went on the way from a point to the current one.
+    fn course(&mut self, before: &Mark) -> Course {
+        let then = if self.rising { self.slope } else { -self.slope };
+        let gone = self.inner(&self.way, &self.way).sqrt();
+        let old = self.inner(&before.way, &before.way).sqrt();
+        let along = self.inner(&before.way, &self.way);
+        let Some(rises) = self.rises() else { return Course { turned: false, resolved: true } };
+        let length = self.inner(&self.response.0, &self.response.0).sqrt();
+        let now = if rises { 1.0 / length } else { -1.0 / length };
+        let mean = (self.factor - before.factor) / gone;
+        let turned = then * now < 0.0;
+        let straight = old == 0.0 || along >= LEAST_COSINE * gone * old;
+        let even = |slope: f64| slope / mean >= 0.0 && slope / mean <= STEEPEST;
+        Course { turned, resolved: straight && (turned || (even(then) && even(now))) }
     }
 
     /// Whether the load factor grows along the path at the current point.

@@ -1,8 +1,8 @@
 //! Contacts at rest, without friction: compliant ones by their potential, rigid ones as `0 <= gap  perp  force >= 0`.
 //!
-//! Rigid contacts keep a multiplier each and close by the sign of `multiplier - stiffness gap` (semismooth Newton, or augmented
-//! Lagrangian: Alart, Curnier 1991). Their stiffness only speeds the iteration up: in equilibrium gaps are round-off and forces are the
-//! multipliers. Discs have no stiffness of their own; a weak spring to where the iteration stands, not to any place, keeps the
+//! Rigid contacts keep a multiplier each and press with `multiplier - stiffness gap` while that is positive (augmented Lagrangian:
+//! Alart, Curnier 1991); multipliers follow wherever the closed set has come to rest. Their stiffness only speeds the iteration up: in
+//! equilibrium gaps are round-off and forces are the multipliers. Discs have no stiffness of their own; a weak spring to where the iteration stands, not to any place, keeps the
 //! tangent regular.
 
 use crate::contact::axis::longest_arc;
@@ -21,21 +21,25 @@ use crate::step::tangent::Tangent;
 
 /// Gaps and moves below this share of the positions in play are round-off.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
-/// Stiffness of a rigid contact in units of its element's.
-const STIFFER: f64 = 10.0;
+/// A rigid contact begins as stiff as a foundation that lets its beam sink in over this share of its length: whole stretches come and go
+/// at once on it, which on a stiff one would one by one.
+const SOFT: f64 = 0.1;
+/// Stiffness of a rigid contact in the end, in units of its element's.
+const STIFFER: f64 = 1e3;
 /// The weak spring of a disc, in units of its weight over the size of the structure, and the stiffness of its rigid contacts.
 const WEAK: f64 = 1e-4;
 const STIFF: f64 = 1e5;
-/// Stiffness of a rigid contact grows where a correction leaves more than this share of its gap.
-const SLOW: f64 = 0.1;
-/// The most it grows by altogether.
-const MOST_STIFFER: f64 = 1e8;
+/// Stiffness of a rigid contact grows by this factor where a correction of a closed set that stays leaves more than a share of its gap.
+const GROWTH: f64 = 100.0;
+const SLOW: f64 = 1e-4;
+/// A disc is pushed no deeper into a compliant contact than where it presses with so many times its weight.
+const DEEP: f64 = 4.0;
 /// Change of a multiplier that has settled, relative to the largest.
 const SETTLED: f64 = 1e-9;
 /// A disc moves by no more than this share of the structure in a correction, once it touches.
 const STRIDE: f64 = 0.05;
 /// What has moved by so many times the size of everything is held by nothing.
-const LOST: f64 = 1e3;
+const LOST: f64 = 1e2;
 
 /// A contact of an equilibrium: the sum over the places where it is closed.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,12 +77,13 @@ struct Place {
     multiplier: f64,
     /// Stiffness of a rigid pair \[N/m\]; zero for a compliant one.
     stiffness: f64,
-    /// By how much it has grown.
-    grown: f64,
-    /// Rigid and closed at the last look.
+    /// The one an iteration begins with, and the largest \[N/m\].
+    stiffnesses: [f64; 2],
+    /// Rigid and closed at the last look, and in the tangent assembled last.
     closed: bool,
-    /// Kept closed though it pulls: others that pull harder are let go first.
-    kept: bool,
+    was_closed: bool,
+    /// How deep a disc may be pushed in by a correction \[m\].
+    deep: f64,
     row: Row,
     /// Arc length along the beam \[m\].
     s: f64,
@@ -104,10 +109,9 @@ pub(super) struct StaticContacts {
     has_bodies: bool,
     /// Scale of positions \[m\].
     size: f64,
-    /// Whether closed sets have changed since the last correction, or had before it; looks since the iteration began.
+    /// Whether the closed set of the tangent assembled last is another one than that before; whether it is empty and was not always.
     changed: bool,
-    stirred: bool,
-    looks: usize,
+    opened: bool,
     /// A disc that has left for good.
     lost: Option<usize>,
     arcs: Vec<f64>,
@@ -167,10 +171,11 @@ impl StaticContacts {
                 gap: touch.map_or(f64::INFINITY, |t| t.gap),
                 force: 0.0,
                 multiplier: 0.0,
-                stiffness: if rigid { contacts.stiffness(model, pair) } else { 0.0 },
-                grown: 1.0,
+                stiffness: 0.0,
+                stiffnesses: if rigid { contacts.stiffnesses(model, pair) } else { [0.0; 2] },
                 closed: false,
-                kept: false,
+                was_closed: false,
+                deep: contacts.deep(model, pair),
                 row: Row::default(),
                 s: f64::NAN,
                 change: 0.0,
@@ -179,19 +184,38 @@ impl StaticContacts {
         contacts
     }
 
-    /// Stiffness of a rigid pair: that of the softer party's element, or in units of a disc's weight.
-    fn stiffness(&self, model: &Model, pair: &Pair) -> f64 {
+    /// Stiffnesses of a rigid pair, the first and the largest: in units of the softer party's, or of a disc's weight.
+    fn stiffnesses(&self, model: &Model, pair: &Pair) -> [f64; 2] {
         let beams = model.beams.len();
         let of = |mover: &usize| {
             if let Some(beam) = model.beams.get(*mover) {
-                let row = &model.spans[beam.spans.start].table(0).rows[1].section;
-                let l = model.spans[beam.spans.start].table(0).length;
-                return STIFFER * (row.axial / l + 12.0 * row.bending / l.powi(3));
+                let table = model.spans[beam.spans.start].table(0);
+                let (bending, l) = (table.rows[1].section.bending, table.length);
+                let soft = 4.0 * bending * l / (SOFT * beam.length).powi(4);
+                return [soft, STIFFER * 12.0 * bending / l.powi(3)];
             }
             let disc = self.discs.iter().find(|d| d.body == mover - beams);
-            disc.map_or(f64::INFINITY, |d| STIFF / WEAK * d.spring)
+            let own = disc.map_or(f64::MAX, |d| STIFF / WEAK * d.spring);
+            [own, own]
         };
-        pair.movers.iter().map(of).fold(f64::INFINITY, f64::min).min(f64::MAX)
+        let [a, b] = pair.movers.each_ref().map(of);
+        [a[0].min(b[0]), a[1].min(b[1])]
+    }
+
+    /// How deep a disc of the pair may be pushed in by a correction \[m\].
+    fn deep(&self, model: &Model, pair: &Pair) -> f64 {
+        let stride = STRIDE * self.size;
+        if let Target::Round { .. } = pair.target {
+            return (0.5 * pair.reach).min(stride);
+        }
+        let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { return stride };
+        let mass = |disc: &Disc| model.bodies[disc.body].mass;
+        let weight = self.discs.iter().map(mass).fold(0.0, f64::max) * model.gravity();
+        let mut deep = stride;
+        while weight > 0.0 && law.potential.force(deep) > DEEP * weight && deep > self.round_off() {
+            deep *= 0.5;
+        }
+        deep
     }
 
     /// Whether there is nothing that could touch or has to be held.
@@ -206,9 +230,7 @@ impl StaticContacts {
 
     /// An iteration begins.
     pub fn begin(&mut self) {
-        self.looks = 0;
-        (self.changed, self.stirred) = (false, true);
-        self.places.iter_mut().for_each(|p| p.kept = false);
+        self.places.iter_mut().for_each(|p| p.stiffness = p.stiffnesses[0]);
     }
 
     /// The equilibrium at hand is one: sides and feet are those seen in it.
@@ -240,7 +262,11 @@ impl StaticContacts {
             self.arcs.extend(arcs);
         }
         let (at, size) = (Configuration { arcs: &self.arcs, ..start }, self.size);
-        self.looks += usize::from(TANGENT);
+        if TANGENT {
+            self.changed = false;
+        }
+        let closed = |contacts: &Self| contacts.places.iter().any(|p| p.was_closed);
+        let held = closed(self);
         for place in &mut self.places {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };
@@ -249,7 +275,11 @@ impl StaticContacts {
                 continue;
             };
             place.seen = touch.memory;
-            place.look(model, pair, &touch, size, &mut self.changed);
+            place.look(model, pair, &touch, size);
+            if TANGENT {
+                self.changed |= place.closed != place.was_closed;
+                place.was_closed = place.closed;
+            }
             if place.force == 0.0 && !place.closed {
                 continue;
             }
@@ -259,6 +289,14 @@ impl StaticContacts {
                 place.add_tangent(model, pair, &touch, tangent);
             }
         }
+        if TANGENT {
+            self.opened = held && !closed(self);
+        }
+    }
+
+    /// Whether everything has come open at once, which was not what the tangent before had in mind.
+    pub fn opened(&self) -> bool {
+        self.opened
     }
 
     /// Bodies: weight of the discs that take part; all others stand still.
@@ -296,18 +334,25 @@ impl StaticContacts {
             let c = correction[disc.node];
             let way = norm([c[0], c[1]]);
             let mover = model.beams.len() + disc.body;
-            let mut free = self.size;
+            let mut free = f64::INFINITY;
             for place in &self.places {
                 let pair = &model.pairs[place.pair];
                 if !pair.movers.contains(&mover) {
                     continue;
                 }
-                let deep = match pair.target {
-                    Target::Round { .. } => 0.5 * pair.reach,
-                    _ => STRIDE * self.size,
-                };
-                free = free.min(place.gap.max(0.0) + deep);
+                let touches = place.force != 0.0;
+                let closing = if touches { -place.row.on(correction) } else { way };
+                let room = place.gap.max(0.0) + place.deep;
+                if closing > room {
+                    share = share.min(room / closing);
+                }
+                if touches {
+                    free = free.min(STRIDE * self.size);
+                } else {
+                    free = free.min(room.max(place.gap));
+                }
             }
+            let free = if free.is_finite() { free } else { self.size };
             if way > free {
                 share = share.min(free / way);
             }
@@ -317,54 +362,58 @@ impl StaticContacts {
 
     /// Takes in a correction, of which a share was taken.
     pub fn correct(&mut self, correction: &[[f64; 4]], share: f64, u: &[[f64; 4]]) {
-        self.stirred = std::mem::take(&mut self.changed);
-        let round_off = self.round_off();
-        for place in self.places.iter_mut().filter(|p| p.stiffness > 0.0) {
+        let (round_off, follows) = (self.round_off(), !self.changed);
+        for place in self.places.iter_mut().filter(|p| p.stiffnesses[0] > 0.0) {
             place.change = 0.0;
             if !place.closed {
                 place.multiplier = 0.0;
                 continue;
             }
-            let moved = place.row.on(correction) / share;
-            let linear = place.force - place.stiffness * moved;
-            let gap = place.gap;
-            if gap.abs() > round_off
-                && (gap + moved).abs() > SLOW * gap.abs()
-                && place.grown < MOST_STIFFER
-            {
-                place.grown *= 10.0;
-                place.stiffness *= 10.0;
+            if !follows {
+                continue;
             }
-            place.change = share * (linear - place.multiplier);
+            let moved = place.row.on(correction) / share;
+            let pushed = (place.force - place.stiffness * moved).max(0.0);
+            place.change = share * (pushed - place.multiplier);
             place.multiplier += place.change;
-            place.kept = false;
+            let gap = place.gap.abs();
+            if gap > round_off && (place.gap + moved).abs() > SLOW * gap {
+                place.stiffness = (GROWTH * place.stiffness).min(place.stiffnesses[1]);
+            }
         }
-        self.let_go_singly();
         let far = LOST * self.size;
         let lost = |d: &&Disc| !(norm([u[d.node][0], u[d.node][1]]) <= far);
         self.lost = self.discs.iter().find(lost).map(|d| d.body);
     }
 
-    /// Where closed sets keep changing, only the contact that pulls most is let go at once.
-    fn let_go_singly(&mut self) {
-        if self.looks < PATIENCE {
-            return;
-        }
-        let worst = self.places.iter().map(|p| p.multiplier).fold(0.0, f64::min);
-        for place in self.places.iter_mut().filter(|p| p.closed && p.multiplier < 0.0) {
-            place.kept = place.multiplier > worst;
-        }
+    pub fn debug(&self) -> String {
+        let closed = self.places.iter().filter(|p| p.closed).count();
+        let g = self.places.iter().filter(|p| p.closed).map(|p| p.gap.abs()).fold(0.0, f64::max);
+        let f = self.places.iter().map(|p| p.force).fold(0.0, f64::max);
+        let m = self.places.iter().map(|p| p.multiplier).fold(0.0, f64::min);
+        let c = self.places.iter().map(|p| p.change.abs()).fold(0.0, f64::max);
+        let k = self.places.iter().map(|p| p.stiffness).fold(0.0, f64::max);
+        let open =
+            self.places.iter().filter(|p| !p.closed).map(|p| p.gap).fold(f64::INFINITY, f64::min);
+        format!(
+            "closed {closed} gap {g:.1e} open {open:.1e} force {f:.2e} least {m:.1e} change {c:.1e} grown {k:.0e} changed {}",
+            self.changed
+        )
+    }
+
+    /// Whether the closed set of the tangent assembled last is another one than that before.
+    pub fn changed(&self) -> bool {
+        self.changed
     }
 
     /// Whether the last look found nothing to change, and the last correction hardly changed a force.
     pub fn settled(&self) -> bool {
         let most = self.places.iter().map(|p| p.force.abs()).fold(0.0, f64::max);
         let rests = |p: &Place| {
-            let pulls = p.kept && p.multiplier < 0.0;
-            let touches = !p.closed || p.stiffness == 0.0 || p.gap.abs() <= self.round_off();
-            !pulls && touches && p.change.abs() <= SETTLED * most
+            let touches = !p.closed || p.stiffnesses[0] == 0.0 || p.gap.abs() <= self.round_off();
+            touches && p.change.abs() <= SETTLED * most
         };
-        !self.stirred && self.places.iter().all(rests)
+        !self.changed && self.places.iter().all(rests)
     }
 
     fn round_off(&self) -> f64 {
@@ -447,9 +496,6 @@ impl StaticContacts {
     }
 }
 
-/// Looks after which closed sets that still change are changed more carefully.
-const PATIENCE: usize = 15;
-
 /// A contact without any force.
 fn open(model: &Model, contact: usize) -> StaticContact {
     let data = &model.contacts[contact];
@@ -467,7 +513,7 @@ fn open(model: &Model, contact: usize) -> StaticContact {
 
 impl Place {
     /// Gap and force where the pair is nearest.
-    fn look(&mut self, model: &Model, pair: &Pair, touch: &Touch, size: f64, changed: &mut bool) {
+    fn look(&mut self, model: &Model, pair: &Pair, touch: &Touch, size: f64) {
         self.gap = touch.gap;
         self.s = super::contact_log::along(pair, touch);
         match &model.contacts[pair.contact].law {
@@ -479,10 +525,8 @@ impl Place {
                 let round_off = ROUND_OFF * size;
                 let gap = if touch.gap.abs() <= round_off { 0.0 } else { touch.gap };
                 let pushed = self.multiplier - self.stiffness * gap;
-                let closes = pushed > 0.0 || (self.kept && gap.is_finite());
-                *changed |= closes != self.closed;
-                self.closed = closes;
-                self.force = if closes { pushed } else { 0.0 };
+                self.closed = pushed > 0.0;
+                self.force = pushed.max(0.0);
             }
         }
     }

@@ -24,6 +24,11 @@ use crate::summary::SectionForceSummary;
 /// Corrections before an equilibrium counts as not found; with contacts, which close and open one after the other, more.
 const MOST_ITERATIONS: usize = 30;
 const MOST_WITH_CONTACTS: usize = 200;
+/// Corrections from which on those that change which contacts are closed are followed only as far as unbalanced forces pull.
+const PATIENCE: usize = 6;
+/// Looks along such a correction, and the share of the unbalanced forces that may be left against it.
+const MOST_LOOKS: usize = 8;
+const ENOUGH: f64 = 0.5;
 /// Last correction of an equilibrium, relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
 /// Corrections this small against the size of the structure are round-off of its positions.
@@ -92,18 +97,26 @@ impl<'m> StaticSearch<'m> {
             .filter(|(_, body)| body.kind == BodyKind::Obstacle)
             .for_each(|(d, _)| *d = [0.0; 4]);
         self.contacts.begin();
-        let alone = self.contacts.is_empty();
+        let (alone, mut restless) = (self.contacts.is_empty(), 0);
         for _ in 0..if alone { MOST_ITERATIONS } else { MOST_WITH_CONTACTS } {
             if !self.factor() {
                 return false;
             }
             self.correction();
             let ahead = ahead.get_or_insert_with(|| self.work.correction.clone());
-            if !self.correct() {
+            restless = if self.contacts.changed() { restless + 1 } else { 0 };
+            let careful = restless > PATIENCE || self.contacts.opened();
+            if !if careful { self.correct_along() } else { self.correct() } {
                 return false;
             }
             let correction = largest(&self.work.correction);
             let moved = correction / largest(&self.work.increment);
+            if std::env::var_os("DEBUG_STATIC").is_some() {
+                eprintln!(
+                    "share {share:.4} correction {correction:.2e} moved {moved:.2e} {}",
+                    self.contacts.debug()
+                );
+            }
             let small = moved.is_nan() || moved <= SETTLED || correction <= ROUND_OFF * self.size();
             if small && self.contacts.settled() {
                 let way = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn(|i| a[i] - b[i]);
@@ -177,6 +190,35 @@ impl<'m> StaticSearch<'m> {
         let reach = largest(&work.increment);
         let lost = self.contacts.lost(self.model).is_some();
         !lost && largest(&work.correction).is_finite() && reach <= 1e6 * self.size()
+    }
+
+    /// Applies the share of the correction along which the unbalanced forces have done most of their work: contacts that close on
+    /// the way end it.
+    fn correct_along(&mut self) -> bool {
+        let (start, full) = (self.work.increment.clone(), self.work.correction.clone());
+        let before = inner(&self.work.residual, &full);
+        if !self.correct() || !(before < 0.0) {
+            return before.is_finite();
+        }
+        let whole = inner(&self.work.correction, &full) / inner(&full, &full);
+        let mut share = whole;
+        for _ in 0..MOST_LOOKS {
+            self.assemble::<false>();
+            let after = inner(&self.work.residual, &full);
+            if after <= -ENOUGH * before {
+                break;
+            }
+            share *= (before / (before - after)).clamp(0.1, 0.7);
+            self.work.increment.copy_from_slice(&start);
+            for (c, f) in self.work.correction.iter_mut().zip(&full) {
+                *c = f.map(|x| share * x);
+            }
+            self.foresee(false);
+            for (d, c) in self.work.increment.iter_mut().zip(&self.work.correction) {
+                (0..4).for_each(|i| d[i] += c[i]);
+            }
+        }
+        true
     }
 
     /// Strains that the correction leads to, to first order; those of the increment itself if `still`.
