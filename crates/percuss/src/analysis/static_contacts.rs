@@ -21,12 +21,15 @@ use crate::step::tangent::Tangent;
 
 /// Gaps and moves below this share of the positions in play are round-off.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+/// Gaps below this share of the positions in play are closed: a tenth of what a transient holds to be none.
+const CLOSED: f64 = 1e-13;
 /// A rigid contact begins as stiff as a foundation that lets its beam sink in over this share of its length: whole stretches come and go
 /// at once on it, which on a stiff one would one by one.
 const SOFT: f64 = 0.1;
 /// Stiffness of a rigid contact in the end, in units of its element's.
 const STIFFER: f64 = 1e3;
-/// The weak spring of a disc, in units of its weight over the size of the structure, and the stiffness of its rigid contacts.
+/// The weak spring of a disc in the end, in units of its weight over the size of the structure, and the stiffness of its rigid
+/// contacts.
 const WEAK: f64 = 1e-4;
 const STIFF: f64 = 1e5;
 /// Stiffness of a rigid contact grows by this factor where a correction of a closed set that stays leaves more than a share of its gap.
@@ -34,6 +37,8 @@ const GROWTH: f64 = 100.0;
 const SLOW: f64 = 1e-4;
 /// A disc is pushed no deeper into a compliant contact than where it presses with so many times its weight.
 const DEEP: f64 = 4.0;
+/// Forces below this share of the largest.
+const NEXT_TO_NOTHING: f64 = 1e-8;
 /// Change of a multiplier that has settled, relative to the largest.
 const SETTLED: f64 = 1e-9;
 /// A disc moves by no more than this share of the structure in a correction, once it touches.
@@ -82,6 +87,8 @@ struct Place {
     /// Rigid and closed at the last look, and in the tangent assembled last.
     closed: bool,
     was_closed: bool,
+    /// Force in the tangent assembled last \[N\].
+    held: f64,
     /// How deep a disc may be pushed in by a correction \[m\].
     deep: f64,
     row: Row,
@@ -112,6 +119,8 @@ pub(super) struct StaticContacts {
     /// Whether the closed set of the tangent assembled last is another one than that before; whether it is empty and was not always.
     changed: bool,
     opened: bool,
+    /// Weak springs of discs in units of their weights over the size of the structure.
+    damping: f64,
     /// A disc that has left for good.
     lost: Option<usize>,
     arcs: Vec<f64>,
@@ -175,6 +184,7 @@ impl StaticContacts {
                 stiffnesses: if rigid { contacts.stiffnesses(model, pair) } else { [0.0; 2] },
                 closed: false,
                 was_closed: false,
+                held: 0.0,
                 deep: contacts.deep(model, pair),
                 row: Row::default(),
                 s: f64::NAN,
@@ -233,6 +243,24 @@ impl StaticContacts {
         self.places.iter_mut().for_each(|p| p.stiffness = p.stiffnesses[0]);
     }
 
+    /// Discs move cautiously at first: on a beam that has not yet given way their tangent tells little of where they roll to.
+    pub fn slow_discs(&mut self) {
+        self.damping = 1.0;
+    }
+
+    /// Whether a correction moves a disc against the force on it, which a tangent that is not positive does; discs are slower then.
+    pub fn climb(&mut self, residual: &[[f64; 4]], correction: &[[f64; 4]]) -> bool {
+        let uphill = |d: &Disc| {
+            let (r, c) = (&residual[d.node], &correction[d.node]);
+            r[0] * c[0] + r[1] * c[1] > 0.0
+        };
+        let climbs = self.damping < 0.25 && self.discs.iter().any(uphill);
+        if climbs {
+            self.slow_discs();
+        }
+        climbs
+    }
+
     /// The equilibrium at hand is one: sides and feet are those seen in it.
     pub fn accept(&mut self) {
         self.places.iter_mut().for_each(|p| p.accepted = p.seen);
@@ -262,9 +290,7 @@ impl StaticContacts {
             self.arcs.extend(arcs);
         }
         let (at, size) = (Configuration { arcs: &self.arcs, ..start }, self.size);
-        if TANGENT {
-            self.changed = false;
-        }
+        let (mut flips, mut most) = (0.0_f64, 0.0_f64);
         let closed = |contacts: &Self| contacts.places.iter().any(|p| p.was_closed);
         let held = closed(self);
         for place in &mut self.places {
@@ -277,8 +303,11 @@ impl StaticContacts {
             place.seen = touch.memory;
             place.look(model, pair, &touch, size);
             if TANGENT {
-                self.changed |= place.closed != place.was_closed;
-                place.was_closed = place.closed;
+                if place.closed != place.was_closed {
+                    flips = flips.max(place.force).max(place.held);
+                }
+                most = most.max(place.force);
+                (place.was_closed, place.held) = (place.closed, place.force);
             }
             if place.force == 0.0 && !place.closed {
                 continue;
@@ -290,7 +319,10 @@ impl StaticContacts {
             }
         }
         if TANGENT {
+            // What presses next to nothing may come and go by round-off.
+            self.changed = flips > NEXT_TO_NOTHING * most;
             self.opened = held && !closed(self);
+            self.damping = (0.5 * self.damping).max(WEAK);
         }
     }
 
@@ -322,7 +354,8 @@ impl StaticContacts {
             residual[disc.node] = [x, y, 0.0, 0.0];
             if TANGENT {
                 let diagonal = &mut tangent.chain_mut().diag[disc.node];
-                (diagonal[0][0], diagonal[1][1]) = (disc.spring, disc.spring);
+                let spring = self.damping / WEAK * disc.spring;
+                (diagonal[0][0], diagonal[1][1]) = (spring, spring);
             }
         }
     }
@@ -386,21 +419,6 @@ impl StaticContacts {
         self.lost = self.discs.iter().find(lost).map(|d| d.body);
     }
 
-    pub fn debug(&self) -> String {
-        let closed = self.places.iter().filter(|p| p.closed).count();
-        let g = self.places.iter().filter(|p| p.closed).map(|p| p.gap.abs()).fold(0.0, f64::max);
-        let f = self.places.iter().map(|p| p.force).fold(0.0, f64::max);
-        let m = self.places.iter().map(|p| p.multiplier).fold(0.0, f64::min);
-        let c = self.places.iter().map(|p| p.change.abs()).fold(0.0, f64::max);
-        let k = self.places.iter().map(|p| p.stiffness).fold(0.0, f64::max);
-        let open =
-            self.places.iter().filter(|p| !p.closed).map(|p| p.gap).fold(f64::INFINITY, f64::min);
-        format!(
-            "closed {closed} gap {g:.1e} open {open:.1e} force {f:.2e} least {m:.1e} change {c:.1e} grown {k:.0e} changed {}",
-            self.changed
-        )
-    }
-
     /// Whether the closed set of the tangent assembled last is another one than that before.
     pub fn changed(&self) -> bool {
         self.changed
@@ -410,7 +428,7 @@ impl StaticContacts {
     pub fn settled(&self) -> bool {
         let most = self.places.iter().map(|p| p.force.abs()).fold(0.0, f64::max);
         let rests = |p: &Place| {
-            let touches = !p.closed || p.stiffnesses[0] == 0.0 || p.gap.abs() <= self.round_off();
+            let touches = !p.closed || p.stiffnesses[0] == 0.0 || p.gap.abs() <= CLOSED * self.size;
             touches && p.change.abs() <= SETTLED * most
         };
         !self.changed && self.places.iter().all(rests)

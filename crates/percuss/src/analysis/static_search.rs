@@ -97,12 +97,18 @@ impl<'m> StaticSearch<'m> {
             .filter(|(_, body)| body.kind == BodyKind::Obstacle)
             .for_each(|(d, _)| *d = [0.0; 4]);
         self.contacts.begin();
+        self.contacts.slow_discs();
         let (alone, mut restless) = (self.contacts.is_empty(), 0);
         for _ in 0..if alone { MOST_ITERATIONS } else { MOST_WITH_CONTACTS } {
             if !self.factor() {
                 return false;
             }
             self.correction();
+            if largest(&self.work.correction) > 1e-6 * self.size()
+                && self.contacts.climb(&self.work.residual, &self.work.correction)
+            {
+                continue;
+            }
             let ahead = ahead.get_or_insert_with(|| self.work.correction.clone());
             restless = if self.contacts.changed() { restless + 1 } else { 0 };
             let careful = restless > PATIENCE || self.contacts.opened();
@@ -111,12 +117,6 @@ impl<'m> StaticSearch<'m> {
             }
             let correction = largest(&self.work.correction);
             let moved = correction / largest(&self.work.increment);
-            if std::env::var_os("DEBUG_STATIC").is_some() {
-                eprintln!(
-                    "share {share:.4} correction {correction:.2e} moved {moved:.2e} {}",
-                    self.contacts.debug()
-                );
-            }
             let small = moved.is_nan() || moved <= SETTLED || correction <= ROUND_OFF * self.size();
             if small && self.contacts.settled() {
                 let way = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn(|i| a[i] - b[i]);
