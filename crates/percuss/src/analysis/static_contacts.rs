@@ -40,7 +40,7 @@ const DEEP: f64 = 4.0;
 /// Forces below this share of the largest.
 const NEXT_TO_NOTHING: f64 = 1e-8;
 /// Change of a multiplier that has settled, relative to the largest.
-const SETTLED: f64 = 1e-9;
+const SETTLED: f64 = 1e-6;
 /// A disc moves by no more than this share of the structure in a correction, once it touches.
 const STRIDE: f64 = 0.05;
 /// What has moved by so many times the size of everything is held by nothing.
@@ -395,7 +395,7 @@ impl StaticContacts {
 
     /// Takes in a correction, of which a share was taken.
     pub fn correct(&mut self, correction: &[[f64; 4]], share: f64, u: &[[f64; 4]]) {
-        let (round_off, follows) = (self.round_off(), !self.changed);
+        let (size, follows) = (self.size, !self.changed);
         for place in self.places.iter_mut().filter(|p| p.stiffnesses[0] > 0.0) {
             place.change = 0.0;
             if !place.closed {
@@ -410,7 +410,7 @@ impl StaticContacts {
             place.change = share * (pushed - place.multiplier);
             place.multiplier += place.change;
             let gap = place.gap.abs();
-            if gap > round_off && (place.gap + moved).abs() > SLOW * gap {
+            if gap > CLOSED * size && (place.gap + moved).abs() > SLOW * gap {
                 place.stiffness = (GROWTH * place.stiffness).min(place.stiffnesses[1]);
             }
         }

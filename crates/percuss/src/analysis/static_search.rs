@@ -23,7 +23,7 @@ use crate::summary::SectionForceSummary;
 
 /// Corrections before an equilibrium counts as not found; with contacts, which close and open one after the other, more.
 const MOST_ITERATIONS: usize = 30;
-const MOST_WITH_CONTACTS: usize = 200;
+const MOST_WITH_CONTACTS: usize = 300;
 /// Corrections from which on those that change which contacts are closed are followed only as far as unbalanced forces pull.
 const PATIENCE: usize = 6;
 /// Looks along such a correction, and the share of the unbalanced forces that may be left against it.
