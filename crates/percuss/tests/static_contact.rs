@@ -151,15 +151,6 @@ fn a_strip_lies_down_on_a_floor_as_the_heavy_elastica_does() {
     let found =
         equilibrium(&Strip { elements: 200, height, law: rigid_law(), tip: 0.0 }.model()).unwrap();
     let [_, clamp, moment] = reaction(&found, "root");
-    println!(
-        "elastica {} {} {}; found {clamp} {moment} {:?} steps {} its {}",
-        exact.force,
-        exact.moment,
-        exact.free,
-        found.contacts,
-        found.load_steps,
-        found.newton_iterations
-    );
     // Candidates for contact are 5 mm apart: the place of the touch-down is known no better, its force goes with it.
     assert!((clamp / exact.force - 1.0).abs() < 2e-3, "{clamp} for {}", exact.force);
     assert!((moment / -exact.moment - 1.0).abs() < 2e-3, "{moment} for {}", exact.moment);
@@ -169,26 +160,10 @@ fn a_strip_lies_down_on_a_floor_as_the_heavy_elastica_does() {
     assert!((contact.s[0] - exact.free).abs() < 0.011, "{contact:?} for {}", exact.free);
     assert!(contact.gap.abs() < 1e-14 && contact.s[1] == LENGTH && found.stable);
     // What the clamp does not carry the floor does, to the round-off of some thousand forces.
+    // As the reaction of a support, that of the floor is the force on what it holds.
     let floor = reaction(&found, "floor")[1];
-    assert!(
-        (clamp + contact.force - WEIGHT * LENGTH).abs() < 1e-9
-            && (floor + contact.force).abs() < 1e-9
-            || (clamp + contact.force - WEIGHT * LENGTH).abs() < 1e-9
-                && (floor - contact.force).abs() < 1e-9,
-        "{floor} {contact:?}"
-    );
-}
-
-#[test]
-fn a_strip_near_the_floor_lies_down_as_linear_theory_has_it() {
-    let height = 1e-3;
-    let free = (72.0 * BENDING * height / WEIGHT).powf(0.25);
-    let found =
-        equilibrium(&Strip { elements: 100, height, law: rigid_law(), tip: 0.0 }.model()).unwrap();
-    let [_, clamp, moment] = reaction(&found, "root");
-    // h / L = 0.002: what is not linear is a millionth; what the touch-down lacks of its place is squared in the force.
-    assert!((clamp / (2.0 * WEIGHT * free / 3.0) - 1.0).abs() < 1e-3, "{clamp}");
-    assert!((moment / (WEIGHT * free * free / 6.0) - 1.0).abs() < 2e-3, "{moment}");
+    assert!((clamp + contact.force - WEIGHT * LENGTH).abs() < 1e-9, "{contact:?}");
+    assert!((floor - contact.force).abs() < 1e-9, "{floor} {contact:?}");
 }
 
 #[test]
@@ -304,7 +279,6 @@ fn a_beam_that_leans_on_another_gives_it_half_of_what_is_left() {
         let (force, exact) = (10.0, 0.5 * (10.0 - 3.0 * bending * gap));
         let found = equilibrium(&leaning(rigid_law(), gap, force)).unwrap();
         let contact = &found.contacts[0];
-        println!("{contact:?} for {exact}");
         assert!((contact.force / exact - 1.0).abs() < 1e-2, "{contact:?} for {exact}");
         let sum = reaction(&found, "a")[1] + reaction(&found, "b")[1];
         assert!((sum - force).abs() < 1e-9, "{sum}");
@@ -341,7 +315,7 @@ fn a_run_that_starts_where_things_lie_stays_there() {
                 .map(|(a, b)| (a[0] - b[0]).abs().max((a[1] - b[1]).abs()))
                 .fold(0.0, f64::max);
             let summary = simulation.run(&mut NoRecorder);
-            println!("{law:?} {scheme:?}: {most} {:?}", summary.termination);
+            assert!(matches!(summary.termination, Termination::Completed));
             // Round-off of the equilibrium: the strip weighs 3 N and is as soft as 0.5 N/m.
             assert!(most < 1e-9, "{law:?} {scheme:?}: {most}");
         }
@@ -378,7 +352,6 @@ fn a_toggle_snaps_through_in_few_points() {
         let end = PathEnd::Displacement { point: "top".into(), component: 2, value: -2.5 * rise };
         let settings = PathSettings { first: 1e-3 * 1e9 * area * rise.powi(3), points: 2000, end };
         let path = equilibrium_path(&model, &settings).unwrap();
-        println!("{rise}: {} points, limits {:?}", path.points.len(), path.limit_points);
         assert!(path.reached && path.points.len() < 500, "{rise}: {}", path.points.len());
         // Bars in Green strain (l^2 - l0^2) / (2 l0^2): P = EA (rise^2 - h^2) h / l0^3, largest at a height left of rise / sqrt(3).
         let l0 = 1.0_f64.hypot(rise);
