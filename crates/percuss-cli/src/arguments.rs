@@ -113,7 +113,7 @@ pub enum Command {
     Run(Run),
     /// Say everything that is wrong with a scenario or a study, or that nothing is
     Check(Check),
-    /// Static equilibrium under the loads that act at time zero; projectiles take no part
+    /// Static equilibrium under the loads that act at time zero, with contacts; what is on its way takes no part
     #[command(after_help = format!("{STATIC}\n\n{EXIT_STATUS}"))]
     Static(Static),
     /// Natural frequencies and mode shapes; projectiles take no part

@@ -149,7 +149,8 @@ impl Scheme {
 /// How an equilibrium path is followed by arc length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathSettings {
-    /// Load factor of the first point; the arc that leads there is the largest.
+    /// Load factor of the first point; the arc that leads there is the longest at limit points. Elsewhere arcs grow and shrink with the
+    /// corrections they take.
     pub first: f64,
     /// Most points.
     pub points: usize,

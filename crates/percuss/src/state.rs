@@ -171,17 +171,6 @@ impl State {
         state
     }
 
-    /// The same with bodies added, where they start.
-    pub(crate) fn with_bodies_of(mut self, model: &Model) -> Self {
-        let scheme = Scheme::EnergyMomentum;
-        let start = Self::at_rest(model, scheme);
-        let first = self.displacement.len();
-        self.displacement.extend_from_slice(&start.displacement[first..]);
-        self.velocity.resize(model.node_count(), [0.0; 4]);
-        self.pairs = start.pairs;
-        self
-    }
-
     /// Coordinates of the connectors in the configuration as it stands.
     pub(crate) fn with_coordinates(mut self, model: &Model) -> Self {
         let value = |c: &crate::model::frozen::Connector| {

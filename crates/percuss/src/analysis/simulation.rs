@@ -4,17 +4,18 @@ use super::channels::{self, SinceLast};
 use super::impacts::Advance;
 use super::modes;
 use super::monitor::Monitor;
-use super::start::initial_state;
+use super::start::{Initial, initial_state};
+use super::static_contacts::takes_part;
 use super::trial::size_of;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
 use crate::error::Error;
 use crate::ledger::{Books, Measures, RoundOff};
 use crate::math::vec2::{add, dot, norm, scale, sub};
-use crate::model::frozen::BodyKind;
+use crate::model::frozen::{BodyKind, ContactData};
 use crate::model::{Fault, Model};
 use crate::record::{Channel, Flow, Recorder};
-use crate::settings::{SAME_INSTANT, Settings};
+use crate::settings::{SAME_INSTANT, Settings, Start};
 use crate::state::State;
 use crate::step::contacts::ActiveContact;
 use crate::step::forcing::Forcing;
@@ -68,6 +69,8 @@ pub struct Simulation<'m> {
     /// Impulses of the supports since the last row and the time they took, impacts left out; mean reactions then.
     row_reactions: (Vec<[f64; 3]>, f64),
     mean_reactions: Vec<[f64; 3]>,
+    /// Forces of contacts on the nodes in the equilibrium the run started from; empty otherwise \[N\].
+    pub(super) contact_forces: Vec<[f64; 4]>,
     row_iterations: usize,
     /// Time of the last row \[s\].
     row_time: f64,
@@ -97,8 +100,13 @@ impl<'m> Simulation<'m> {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let (state, reactions) = initial_state(model, settings)?;
-        let overlaps = model.overlaps(&state.displacement);
+        let Initial { state, reactions, contact_forces } = initial_state(model, settings)?;
+        // What presses on something in equilibrium may well be inside it.
+        let pressed = |c: &ContactData| {
+            settings.start == Start::Static
+                && model.pairs[c.pairs.clone()].iter().all(|p| takes_part(model, p))
+        };
+        let overlaps = model.overlaps(&state.displacement, |c| !pressed(c));
         if !overlaps.is_empty() {
             return Err(overlaps);
         }
@@ -121,6 +129,7 @@ impl<'m> Simulation<'m> {
             row_impulse: vec![[0.0; 2]; model.contacts.len()],
             row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
             mean_reactions: reactions,
+            contact_forces,
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,

@@ -134,11 +134,23 @@ impl Simulation<'_> {
         for f in &mut force {
             *f = f.map(|c| -c);
         }
+        for (f, contact) in force.iter_mut().zip(&self.contact_forces) {
+            (0..4).for_each(|i| f[i] += contact[i]);
+        }
         mass.solve_linear(&structure, &mut force);
-        // Bodies fall freely: nothing touches, and no spring is pressed.
+        // Bodies fall freely, but for what the contacts of an equilibrium carry: no spring is pressed.
         let falling =
             |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
         force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
+        for (body, (a, f)) in model
+            .bodies
+            .iter()
+            .zip(force[beams..].iter_mut().zip(self.contact_forces.iter().skip(beams)))
+        {
+            if body.mass > 0.0 {
+                (0..2).for_each(|i| a[i] += f[i] / body.mass);
+            }
+        }
         for hold in model.holds.iter().filter(|h| h.node >= beams) {
             project_node(hold, &mut force[hold.node]);
         }
@@ -146,13 +158,20 @@ impl Simulation<'_> {
     }
 }
 
+/// Where a run starts.
+pub(super) struct Initial {
+    pub state: State,
+    /// Reactions of the supports, shape (n_support) \[N, N m\].
+    pub reactions: Vec<[f64; 3]>,
+    /// Forces of the contacts of an equilibrium on the nodes, shape (n_node); empty for the reference configuration.
+    pub contact_forces: Vec<[f64; 4]>,
+}
+
 /// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.
-pub(super) fn initial_state(
-    model: &Model,
-    settings: &Settings,
-) -> Result<(State, Vec<[f64; 3]>), Vec<Fault>> {
+pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
     let mut state = State::at_rest(model, settings.scheme);
     let mut reactions = vec![[0.0; 3]; model.supports.len()];
+    let mut contact_forces = Vec::new();
     if settings.start == Start::Static {
         let fault = |e: Error| {
             let found = format!("loads that no equilibrium was found for ({e})");
@@ -168,10 +187,12 @@ pub(super) fn initial_state(
         }
         let found = equilibrium(model).map_err(fault)?;
         reactions = found.reactions.iter().map(|(_, r)| *r).collect();
+        contact_forces = found.contact_forces;
         let found = found.state;
         state.displacement.copy_from_slice(&found.displacement);
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
+        state.pairs = found.pairs;
         // Projectiles stand off from where their points have moved to.
         for p in &model.projectiles {
             let moved = dot(p.direction, p.point.value(&state.displacement));
@@ -184,7 +205,7 @@ pub(super) fn initial_state(
             stored_strains(model, &mut state);
         }
     }
-    Ok((state, reactions))
+    Ok(Initial { state, reactions, contact_forces })
 }
 
 /// Stores the strains of the configuration, for the scheme that keeps them.

@@ -160,6 +160,25 @@ impl Course {
         }
     }
 
+    /// Times from zero on at which two functions that are not the same differ: kinks, places between and behind them, parts of a
+    /// period, and every order of magnitude.
+    pub fn probes(&self) -> Vec<f64> {
+        let mut times: Vec<f64> =
+            (-24..=24).map(|k| 1.2345 * 10_f64.powf(0.25 * f64::from(k))).collect();
+        let mut ends = vec![0.0];
+        ends.extend(self.kinks.iter().copied().filter(|k| *k > 0.0));
+        let last = *ends.last().unwrap_or(&0.0);
+        ends.push(1.5 * last + f64::from(u8::from(last == 0.0)));
+        for pair in ends.windows(2) {
+            times.extend([0.0, 0.137, 0.382, 0.713].map(|x| pair[0] + x * (pair[1] - pair[0])));
+        }
+        if let TimeFunction::Harmonic { frequency, .. } = self.function {
+            times.extend([0.137, 0.382, 0.713, 1.907].map(|x| x / frequency.abs()));
+        }
+        times.retain(|t| t.is_finite());
+        times
+    }
+
     /// Mean over `[start, start + h]`: exact but for functions given as code, which are taken at three Gauss points.
     pub fn mean(&self, start: f64, h: f64) -> f64 {
         let end = start + h;
