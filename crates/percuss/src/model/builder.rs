@@ -195,10 +195,15 @@ impl ModelBuilder {
             })
             .collect();
         let total = line.length();
+        let values = |k: usize, length: f64, xi: f64| {
+            section_values(material, section, (stations[k] + xi * length) / total)
+        };
         let table = |k: usize, length: f64| {
-            let values =
-                |xi: f64| section_values(material, section, (stations[k] + xi * length) / total);
-            ElementTable::new(length, [frames[k], frames[k + 1]], values)
+            ElementTable::new(length, [frames[k], frames[k + 1]], |xi| values(k, length, xi))
+        };
+        let sections = |k: usize| {
+            let length = stations[k + 1] - stations[k];
+            [0.0, 0.5, 1.0].map(|xi| values(k, length, xi))
         };
         let even = n as f64 * (stations[1] - stations[0]) / (stations[n] - stations[0]);
         let alike = mesh::is_straight(&line.pieces[plan.piece])
@@ -210,10 +215,12 @@ impl ModelBuilder {
             (0..n).map(|k| table(k, stations[k + 1] - stations[k])).collect()
         };
         let (first, element) = (model.nodes.len(), model.element_count());
+        let sections = (0..tables.len()).map(sections).collect();
         let span = Span {
             nodes: first..first + n + 1,
             elements: element..element + n,
             tables,
+            sections,
             stations: stations.clone(),
             measure: material.strain,
             retardation: material.retardation,
