@@ -33,12 +33,7 @@ pub fn strains<S: Real>(
 /// the stretch nu, with the rotation theta of the tangent.
 ///
 /// Green: `N = EA eps nu - EI kappa theta'`, and the moment `M = -EI kappa nu`, not `EA eps` and `EI kappa`.
-pub fn axial_force(
-    law: &SectionLaw<f64>,
-    strain: &Strains<f64>,
-    g: [f64; 2],
-    p: [f64; 2],
-) -> f64 {
+pub fn axial_force(law: &SectionLaw<f64>, strain: &Strains<f64>, g: [f64; 2], p: [f64; 2]) -> f64 {
     let force = law.axial * strain.membrane;
     match law.measure {
         StrainMeasure::Green => {
