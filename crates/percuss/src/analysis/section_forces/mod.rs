@@ -104,11 +104,9 @@ impl Piece<'_> {
 
     /// Takes the element into the extremes of its beam, its places into the envelope from `index` on.
     fn take(&self, out: &mut SectionForceSummary, index: usize, time: f64) {
-        let mut rise = [0.0; PLACES.len()];
-        for (j, xi) in PLACES.into_iter().enumerate() {
-            let forces = self.line.at(xi, self.inner, false);
-            rise[j] = forces.rise;
-            let fibres = self.take_at(out, xi, &forces, time);
+        let places = PLACES.map(|xi| self.line.at(xi, self.inner, false));
+        for (j, forces) in places.iter().enumerate() {
+            let fibres = self.take_at(out, PLACES[j], forces, time);
             let e = &mut out.envelope;
             widen(&mut e.axial, index + j, forces.axial, forces.axial);
             widen(&mut e.shear, index + j, forces.shear, forces.shear);
@@ -121,11 +119,29 @@ impl Piece<'_> {
             self.take_between_forces(out, time);
         } else {
             for j in 1..PLACES.len() {
-                if rise[j - 1] * rise[j] < 0.0 {
+                let [a, b] = [&places[j - 1], &places[j]];
+                if a.rise * b.rise < 0.0 && self.may_exceed(out, a, b) {
                     self.take_stationary(out, [PLACES[j - 1], PLACES[j]], time);
                 }
             }
         }
+    }
+
+    /// Whether a moment between two places half an element apart may be an extreme, or the stress there.
+    fn may_exceed(
+        &self,
+        out: &SectionForceSummary,
+        a: &SectionForces,
+        b: &SectionForces,
+    ) -> bool {
+        if !self.span.sections(self.k)[0].half_depth.is_nan() {
+            return true; // stresses depend on more than the moment
+        }
+        // Further than by its steepest rise it does not get.
+        let reach = 0.5 * a.rise.abs().max(b.rise.abs());
+        let range = &out.moment;
+        a.moment.max(b.moment) + reach > range.max.value
+            || a.moment.min(b.moment) - reach < range.min.value
     }
 
     /// Takes what is behind and ahead of every force inside, and where the moment is largest between them.
