@@ -128,12 +128,7 @@ impl Piece<'_> {
     }
 
     /// Whether a moment between two places half an element apart may be an extreme, or the stress there.
-    fn may_exceed(
-        &self,
-        out: &SectionForceSummary,
-        a: &SectionForces,
-        b: &SectionForces,
-    ) -> bool {
+    fn may_exceed(&self, out: &SectionForceSummary, a: &SectionForces, b: &SectionForces) -> bool {
         if !self.span.sections(self.k)[0].half_depth.is_nan() {
             return true; // stresses depend on more than the moment
         }
