@@ -9,6 +9,7 @@ mod conservation;
 mod elastic;
 mod motion;
 mod rigid;
+mod section_forces;
 mod statics;
 mod stops;
 mod structure;
@@ -147,6 +148,18 @@ pub const CASES: &[Case] = &[
         title: "Equilibria against the size of load steps",
         source: "identity",
         run: statics::load_steps,
+    },
+    Case {
+        id: "section-forces",
+        title: "Section forces under distributed loads, weight, and forces that part a beam",
+        source: "balance of free bodies; any mesh",
+        run: section_forces::in_statics,
+    },
+    Case {
+        id: "tapered-stress",
+        title: "Stress at the thin end of tapered cantilevers",
+        source: "N/A + M/W of the section there",
+        run: section_forces::of_tapers,
     },
     Case {
         id: "simple-beam",

@@ -266,7 +266,7 @@ impl SectionRange {
     }
 }
 
-/// Smallest and largest values along a beam, over time: both ends of each element, shapes (2 n_element).
+/// Smallest and largest values along a beam, over time: start, middle and end of each element, shapes (3 n_element).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Envelope {
     /// Arc length from the start of the beam \[m\].
@@ -283,8 +283,9 @@ pub struct Envelope {
 
 /// Section forces of a beam: extremes over its length and over time.
 ///
-/// True resultants. Within an element the moment is a straight line (least squares through the Gauss points), the axial force the
-/// mean, and the shear force follows from the balance of moments, `V = (rhoI theta'' - M') / nu`.
+/// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and
+/// its inertia: they agree with reactions, and jump only where something acts. Those of a step are its mean; steps with impacts
+/// are left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionForceSummary {
     /// The beam's name.

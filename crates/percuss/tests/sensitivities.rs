@@ -52,7 +52,9 @@ fn scene(p: &[f64; 12], law: Law) -> Model {
     b.projectile(Projectile { standoff: p[8], ..projectile });
     // Loads are numbers like any other: weight, and a push that grows with the first parameters.
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [3.0 * p[4], -9.81] }));
-    let force = [p[3] * 1e8, p[0] * 1e-6];
+    // Across the beam: a force along it would part its spans, which derivatives do not know.
+    let push = p[3] * 3e7 + p[0] * 1e-6;
+    let force = [-p[5] * push, p[4] * push];
     let kind = LoadKind::Point { at: at("pushed", g, 0.3), force, moment: 0.0, follower: false };
     b.load(Load::new("push", kind));
     b.build().unwrap()

@@ -1,7 +1,7 @@
 //! The columns of the history and their values at a state.
 
 use super::contact_log;
-use super::section_forces::{self, Before};
+use super::section_forces::{self, Lines};
 use crate::contact::configuration::Configuration;
 use crate::contact::pair::Memory;
 use crate::contact::pair::Target;
@@ -181,8 +181,8 @@ pub struct SinceLast<'a> {
     pub search: &'a Search,
     /// Mean reactions, shape (n_support) \[N, N m\].
     pub reactions: &'a [[f64; 3]],
-    /// Angular rates at the start of the last step.
-    pub before: Before<'a>,
+    /// Section forces of the last step without impact.
+    pub lines: &'a Lines,
     /// Newton iterations.
     pub iterations: usize,
 }
@@ -225,7 +225,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         row.extend(p.value(&state.velocity));
     }
     for p in &model.points {
-        let forces = section_forces::at_point(model, state, since.before, p);
+        let forces = section_forces::at_point(model, since.lines, state, p);
         row.extend_from_slice(&forces[..if has_depth(model, p) { 4 } else { 3 }]);
     }
     row.extend_from_slice(since.reactions.as_flattened());

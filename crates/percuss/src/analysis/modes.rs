@@ -231,7 +231,7 @@ fn compression(model: &Model, state: &State) -> f64 {
     let mut most = 0.0_f64;
     for (span, k, _, _) in model.each_element() {
         let row = &span.table(k).rows[1];
-        let axial = section_forces::element(span, k, state, None).axial;
+        let axial = section_forces::elastic_axial(span, k, state);
         most = most.max(axial.min(0.0).powi(2) / (row.section.bending * row.mass));
     }
     2.0 * most

@@ -297,7 +297,7 @@ impl<'m> Simulation<'m> {
                 impulse: &self.row_impulse,
                 search: &self.search,
                 reactions: &self.mean_reactions,
-                before: self.monitor.before(),
+                lines: self.monitor.lines(),
                 iterations,
             };
             channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);

@@ -1,6 +1,6 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
-use super::section_forces;
+use super::section_forces::{self, Acting, Lines};
 use super::static_contacts::StaticContacts;
 use crate::contact::effective_mass::mass_band;
 use crate::element::beam::{ElementValues, step_point};
@@ -257,9 +257,9 @@ impl<'m> StaticSearch<'m> {
     /// Residual, and tangent if `TANGENT`, at the current increment.
     pub fn assemble<const TANGENT: bool>(&mut self) {
         let Self { model, base, forcing, contacts, .. } = self;
-        let Workspace { increment, residual, tangent, multiplier, .. } = &mut self.work;
-        let chain = tangent.chain_mut();
-        assemble::beams::<TANGENT>(model, base, &RULE, forcing.gravity, increment, residual, chain);
+        let Workspace { increment, residual, tangent, multiplier, beams, .. } = &mut self.work;
+        let sums = (tangent.chain_mut(), beams);
+        assemble::beams::<TANGENT>(model, base, &RULE, forcing.gravity, increment, residual, sums);
         if TANGENT {
             tangent.clear_ties();
         }
@@ -337,9 +337,14 @@ impl<'m> StaticSearch<'m> {
     }
 
     /// Section forces of largest magnitude in the state reached.
-    pub fn section_forces(&self, state: &State) -> Vec<SectionForceSummary> {
-        let mut forces = section_forces::unset(self.model);
-        section_forces::update(self.model, state, None, &mut forces);
+    pub fn section_forces(&mut self, state: &State) -> Vec<SectionForceSummary> {
+        self.assemble::<false>();
+        let Workspace { increment, beams, .. } = &self.work;
+        let acting =
+            Acting { state: &self.base, increment, theta: 1.0, beams, forcing: &self.forcing };
+        let (mut lines, mut forces) = (Lines::default(), section_forces::unset(self.model));
+        lines.set(self.model, &acting, []);
+        section_forces::update(self.model, &lines, state, &mut forces);
         forces
     }
 

@@ -90,7 +90,7 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
             step *= 0.5;
             search.go_back(&accepted);
             if step < SMALLEST_STEP {
-                return Err(lost(&search, reached));
+                return Err(lost(&mut search, reached));
             }
         }
     }
@@ -147,7 +147,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
 }
 
 /// Why no equilibrium follows the last one found.
-fn lost(search: &StaticSearch, share: f64) -> Error {
+fn lost(search: &mut StaticSearch, share: f64) -> Error {
     let state = search.state();
     let forces = search.section_forces(&state);
     for (beam, found) in search.model.beams.iter().zip(&forces) {

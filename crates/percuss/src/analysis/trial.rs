@@ -206,8 +206,11 @@ impl Simulation<'_> {
     /// Accepts the step solved last, with the contacts that took part in it, and measures the new state.
     pub(super) fn accept(&mut self, h: f64, active: &[ActiveContact]) {
         let integration = Integration::new(self.settings.scheme, h);
-        self.monitor.begin_step(self.model, &self.state, &self.work);
         let brief = h < BRIEF * self.settings.step;
+        let (forcing, persistent) = (&self.forcing, self.persistent.as_slice());
+        let solved =
+            super::monitor::Solved { rule: integration, forcing, brief, active, persistent };
+        self.monitor.begin_step(self.model, &self.state, &self.work, &solved);
         let before = brief.then(|| self.state.multiplier.clone());
         self.remember();
         let (state, forcing) = (&mut self.state, &self.forcing);

@@ -53,7 +53,10 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (!model.is_still(), "beams that move at the start"),
-        (!model.constraints.is_empty(), "joints, or supports between nodes or for a time"),
+        (
+            !model.constraints.is_empty(),
+            "joints, supports between nodes or for a time, or what acts along a beam between its ends",
+        ),
         (!model.connectors.is_empty(), "springs and dampers"),
         (!model.masses.is_empty(), "point masses"),
         (!model.motions.is_empty(), "prescribed motions"),

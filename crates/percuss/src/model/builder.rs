@@ -4,7 +4,7 @@ use super::centre_line::CentreLine;
 use super::definition::*;
 use super::frozen::*;
 use super::mesh::SpanPlan;
-use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs};
+use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs, places};
 use crate::contact::axis::{AxisElement, AxisElements};
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
@@ -175,10 +175,10 @@ impl ModelBuilder {
             points: Vec::new(),
             total_mass: 0.0,
         };
-        for beam in &self.beams {
+        for (index, beam) in self.beams.iter().enumerate() {
             let Some(line) = CentreLine::new(beam) else { continue }; // checked before
             let first = (model.spans.len(), model.nodes.len(), model.element_count());
-            for plan in mesh::spans(beam, &line) {
+            for plan in mesh::spans(beam, &line, &places::of_beam(self, index, &line)) {
                 self.add_span(&line, &plan, &mut model);
             }
             model.beams.push(BeamData {
@@ -205,25 +205,32 @@ impl ModelBuilder {
             })
             .collect();
         let total = line.length();
-        let table = |k: usize, length: f64| {
-            let values =
-                |xi: f64| section_values(material, section, (stations[k] + xi * length) / total);
-            ElementTable::new(length, [frames[k], frames[k + 1]], values)
+        let values = |k: usize, length: f64, xi: f64| {
+            section_values(material, section, (stations[k] + xi * length) / total)
         };
-        let even = n as f64 * (stations[1] - stations[0]) / (stations[n] - stations[0]);
+        let table = |k: usize, length: f64| {
+            ElementTable::new(length, [frames[k], frames[k + 1]], |xi| values(k, length, xi))
+        };
+        let sections = |k: usize| {
+            let length = stations[k + 1] - stations[k];
+            [0.0, 0.5, 1.0].map(|xi| values(k, length, xi))
+        };
+        let share = |w: &[f64]| n as f64 * (w[1] - w[0]) / (stations[n] - stations[0]);
         let alike = mesh::is_straight(&line.pieces[plan.piece])
             && section.stations.is_empty()
-            && (even - 1.0).abs() < 1e-9;
+            && stations.windows(2).all(|w| (share(w) - 1.0).abs() < 1e-9);
         let tables: Vec<ElementTable> = if alike {
             vec![table(0, (stations[n] - stations[0]) / n as f64)]
         } else {
             (0..n).map(|k| table(k, stations[k + 1] - stations[k])).collect()
         };
         let (first, element) = (model.nodes.len(), model.element_count());
+        let sections = (0..tables.len()).map(sections).collect();
         let span = Span {
             nodes: first..first + n + 1,
             elements: element..element + n,
             tables,
+            sections,
             stations: stations.clone(),
             measure: material.strain,
             retardation: material.retardation,

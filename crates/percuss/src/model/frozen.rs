@@ -7,7 +7,7 @@ pub(crate) use super::striking::*;
 use super::time_function::Course;
 use crate::contact::axis::AxisElements;
 use crate::contact::pair::Pair;
-use crate::element::beam::{ElementTable, NodeFrame};
+use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::linalg::block::{Block, IDENTITY};
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
@@ -78,6 +78,8 @@ pub(crate) struct Span {
     pub elements: Range<usize>,
     /// One table for all elements, or one for each.
     pub tables: Vec<ElementTable>,
+    /// Sections at the start, in the middle and at the end of the elements, as many as tables.
+    pub sections: Vec<[SectionValues; 3]>,
     /// Arc length from the start of the beam at the nodes, shape (n_node of the span) \[m\].
     pub stations: Vec<f64>,
     pub measure: StrainMeasure,
@@ -92,6 +94,11 @@ impl Span {
     #[inline(always)]
     pub fn table(&self, k: usize) -> &ElementTable {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
+    }
+
+    /// Sections of the element of number `k` in the span at its start, in its middle and at its end.
+    pub fn sections(&self, k: usize) -> &[SectionValues; 3] {
+        &self.sections[if self.sections.len() == 1 { 0 } else { k }]
     }
 
     /// Whether anything in it is damped by its material.
@@ -198,6 +205,16 @@ impl MaterialPoint {
     #[inline]
     pub fn spread(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
         spread(&self.shape, self.node, force, nodal);
+    }
+
+    /// Adds `shape^T f` to the forces on the two nodes of its element.
+    pub fn spread_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+        spread(&self.shape, 0, force, nodes);
+    }
+
+    /// Adds `slope^T f` to the forces on the two nodes of its element.
+    pub fn spread_gradient_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+        spread(&self.slope, 0, force, nodes);
     }
 
     /// Adds `slope^T f` to nodal forces.
@@ -331,8 +348,8 @@ pub(crate) enum LoadAction {
     Gravity { acceleration: [f64; 2] },
     /// A force, dead or along (tangent, normal), and a moment.
     Point { point: MaterialPoint, force: [f64; 2], moment: f64, follower: bool },
-    /// Nodal forces of a dead distributed load.
-    Dead { nodal: Vec<(usize, [f64; 4])> },
+    /// Nodal forces of a dead distributed load, and each element's share of them, by its node a.
+    Dead { nodal: Vec<(usize, [f64; 4])>, shares: Vec<(usize, [[f64; 4]; 2])> },
     /// Forces per length along (tangent, normal) at quadrature points.
     Follower { points: Vec<FollowerPoint> },
 }
@@ -422,6 +439,12 @@ impl Model {
     pub(crate) fn element_of(&self, node: usize) -> (&Span, usize) {
         let span = &self.spans[self.spans.partition_point(|s| s.nodes.end <= node)];
         (span, (node - span.nodes.start).min(span.elements.len() - 1))
+    }
+
+    /// The element that starts at a node.
+    pub(crate) fn element_at(&self, node: usize) -> usize {
+        let (span, k) = self.element_of(node);
+        span.elements.start + k
     }
 
     /// What is held at a node.

@@ -13,6 +13,7 @@ mod loads;
 mod mesh;
 mod overlaps;
 mod pairs;
+mod places;
 mod prescribed;
 mod striking;
 mod time_function;

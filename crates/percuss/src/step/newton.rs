@@ -236,11 +236,11 @@ impl StepProblem<'_> {
     }
 
     fn residual_with<const TANGENT: bool>(&self, work: &mut Workspace) {
-        let Workspace { increment, residual, tangent, .. } = work;
+        let Workspace { increment, residual, tangent, beams, .. } = work;
         let (model, state, rule) = (self.model, self.state, &self.integration);
         let gravity = self.forcing.gravity;
-        let chain = tangent.chain_mut();
-        assemble::beams::<TANGENT>(model, state, rule, gravity, increment, residual, chain);
+        let sums = (tangent.chain_mut(), beams);
+        assemble::beams::<TANGENT>(model, state, rule, gravity, increment, residual, sums);
         if TANGENT {
             tangent.clear_ties();
         }

@@ -1,5 +1,6 @@
 //! Scratch of a step; may be dropped and rebuilt without changing a result.
 
+use super::assemble::EndForces;
 use super::contacts::{RigidContact, SmoothContact};
 use super::tangent::Tangent;
 use crate::contact::impact::ImpactProblem;
@@ -24,6 +25,8 @@ pub struct Workspace {
     pub rigid_pairs: Vec<usize>,
     /// Residual `M a + f_int - f_ext` of the nodes with everything in it, supports' reactions left over, shape (n_node).
     pub residual: Vec<[f64; 4]>,
+    /// What acts on the elements.
+    pub beams: EndForces,
     /// Right-hand side and correction, shape (n_node).
     pub correction: Vec<[f64; 4]>,
     /// The correction before, in iterations that take long.
@@ -54,6 +57,7 @@ impl Workspace {
             turned: 0.0,
             rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
+            beams: EndForces::new(model),
             correction: vec![[0.0; 4]; n],
             correction_before: Vec::new(),
             tangent: Tangent::new(model),
