@@ -9,12 +9,14 @@ mod giving_up;
 mod impacts;
 mod modes;
 mod monitor;
+mod multiple_impacts;
 mod path;
 mod section_forces;
 mod simulation;
 mod start;
 mod static_search;
 mod statics;
+mod struck_mass;
 mod trial;
 
 pub use batch::{Detail, simulate_batch};

@@ -8,7 +8,7 @@ use crate::model::frozen::{BodyKind, ProjectileData};
 use crate::model::{
     ContactForce, ImpactLaw, InitialMotion, Model, Potential, StrainMeasure, TouchLaw,
 };
-use crate::settings::{ImpactResolution, Scheme, Settings, Start};
+use crate::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
 
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +53,10 @@ impl Shape {
 pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
+        (
+            settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
+            "impacts one after another",
+        ),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (model.initial_motion != InitialMotion::default(), "beams that move at the start"),
         (!model.constraints.is_empty(), "joints, or supports between nodes or for a time"),
