@@ -91,6 +91,7 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
         separation_velocity: 0.0,
         steps: 7,
         steady: true,
+        one_point: true,
         place: Default::default(),
         place_end: Default::default(),
         energy: EnergySplit::default(),
@@ -120,14 +121,23 @@ fn what_the_step_does_not_resolve_has_a_reason_instead_of_a_number() -> Result<(
     let closed = ContactInterval { end: 0.02, separation_velocity: 2.35, ..intervals[0] };
     for (steps, steady, separation, found, why) in [
         (2, true, 2.35, "", "not resolved: 2 steps in contact"),
-        (9, false, 2.35, "", "not resolved: the gap's velocity changes by more than itself in a step"),
+        (
+            9,
+            false,
+            2.35,
+            "",
+            "not resolved: the gap's velocity changes by more than itself in a step",
+        ),
         (9, true, 0.5 * closed.approach_velocity, "0.5", ""),
     ] {
         let interval = ContactInterval { steps, steady, separation_velocity: separation, ..closed };
         let record = ContactRecord::Smooth { peak_force, intervals: vec![interval] };
         let contact = contact("mass", record);
         let rows = written(std::slice::from_ref(&contact))?;
-        assert_eq!([field(&rows[0], "restitution"), field(&rows[0], "no_restitution")], [found, why]);
+        assert_eq!(
+            [field(&rows[0], "restitution"), field(&rows[0], "no_restitution")],
+            [found, why]
+        );
     }
     Ok(())
 }

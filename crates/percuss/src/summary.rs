@@ -144,6 +144,8 @@ pub struct ContactInterval {
     pub steps: usize,
     /// Whether the gap moved steadily before and after: its rate changed by less than itself within a step.
     pub steady: bool,
+    /// Whether the point that touched first is the one that left last: velocities of two points make no coefficient.
+    pub one_point: bool,
     /// Where it closed first.
     pub place: ContactPlace,
     /// Where it opened last, or was last closed.
@@ -165,6 +167,8 @@ pub enum NoRestitution {
     Steps(usize),
     /// Within a step the gap's rate changes by more than itself.
     Unsteady,
+    /// One point touched first, another one left last.
+    Points,
 }
 
 impl std::fmt::Display for NoRestitution {
@@ -175,9 +179,10 @@ impl std::fmt::Display for NoRestitution {
             Self::NoApproach => f.write_str("nothing approached"),
             Self::Steps(1) => f.write_str("not resolved: 1 step in contact"),
             Self::Steps(n) => write!(f, "not resolved: {n} steps in contact"),
-            Self::Unsteady => {
-                f.write_str("not resolved: the gap's velocity changes by more than itself in a step")
-            }
+            Self::Unsteady => f.write_str(
+                "not resolved: the gap's velocity changes by more than itself in a step",
+            ),
+            Self::Points => f.write_str("touched first and left last at different points"),
         }
     }
 }
@@ -202,6 +207,9 @@ impl ContactInterval {
         }
         if !self.steady || self.separation_velocity.is_nan() {
             return Err(NoRestitution::Unsteady);
+        }
+        if !self.one_point {
+            return Err(NoRestitution::Points);
         }
         quotient(self.approach_velocity, self.separation_velocity)
     }

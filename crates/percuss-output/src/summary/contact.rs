@@ -1,7 +1,8 @@
 //! Contacts in `summary.json`.
 
 use percuss::{
-    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact, NoRestitution, Peak,
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact,
+    NoRestitution, Peak,
 };
 use serde_json::{Value, json};
 

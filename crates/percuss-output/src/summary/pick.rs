@@ -210,6 +210,7 @@ fn with_every_event(contacts: &[percuss::ContactSummary]) -> Vec<percuss::Contac
         separation_velocity: nan,
         steps: 0,
         steady: true,
+        one_point: true,
         place,
         place_end: place,
         energy,

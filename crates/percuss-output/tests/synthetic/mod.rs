@@ -353,6 +353,7 @@ pub fn smooth() -> ContactRecord {
             separation_velocity: f64::NAN,
             steps: 1400,
             steady: true,
+            one_point: true,
             place: place(),
             place_end: place(),
             energy: EnergySplit { given: [8000.0, -8800.0], lost: 50.0, stored: 750.0 },

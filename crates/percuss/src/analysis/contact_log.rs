@@ -30,6 +30,8 @@ pub struct ContactLog {
     pub residual: f64,
     /// Number of the open interval of each smooth contact in its record.
     open: Vec<Option<usize>>,
+    /// The pair that touched first in the last interval of each smooth contact.
+    first: Vec<usize>,
     /// Smooth pairs of the step at hand as they were at its start.
     before: Vec<PairState>,
     start: f64,
@@ -89,6 +91,7 @@ impl ContactLog {
             records: model.contacts.iter().map(record).collect(),
             residual: 0.0,
             open: vec![None; contacts],
+            first: vec![0; contacts],
             before: Vec::new(),
             start: state.time,
             free: vec![Free::default(); model.pairs.len()],
@@ -167,6 +170,7 @@ fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInt
         separation_velocity: f64::NAN,
         steps: 0,
         steady: true,
+        one_point: true,
         place,
         place_end: place,
         energy: EnergySplit::default(),

@@ -339,7 +339,11 @@ impl Simulation<'_> {
 
     /// Solves a step with impulses by the contacts' impact law, by another one where that would give energy; tells whether it
     /// would have.
-    pub(super) fn solve_impact(&mut self, h: f64, active: &[ActiveContact]) -> Result<bool, Failure> {
+    pub(super) fn solve_impact(
+        &mut self,
+        h: f64,
+        active: &[ActiveContact],
+    ) -> Result<bool, Failure> {
         let moreau = |c: &ActiveContact| {
             self.rigid_law(c.pair).is_some_and(|law| law.impact == ImpactLaw::Moreau)
         };

@@ -95,7 +95,8 @@ impl Simulation<'_> {
         let contact = |a: usize| self.model.pairs[active[a].pair].contact;
         let bounces = |a: usize| match active[a].phase {
             Phase::Impact { restitution, .. } => {
-                let fast = self.state.pairs[active[a].pair].rate < -self.stick_velocity(active[a].pair);
+                let fast =
+                    self.state.pairs[active[a].pair].rate < -self.stick_velocity(active[a].pair);
                 restitution > 0.0 && impulse(a) > 0.0 && fast
             }
             Phase::Resting { .. } | Phase::Settling { .. } => false,

@@ -60,9 +60,8 @@ impl Model {
 
     /// Mass that a place of a beam carries in itself \[kg\].
     fn mass_at(&self, beam: usize, s: f64) -> f64 {
-        let there = |p: &MaterialPoint| {
-            p.beam == beam && (p.s - s).abs() <= 1e-9 * self.beams[beam].length
-        };
+        let there =
+            |p: &MaterialPoint| p.beam == beam && (p.s - s).abs() <= 1e-9 * self.beams[beam].length;
         self.masses.iter().filter(|m| there(&m.point)).map(|m| m.mass).sum()
     }
 }
@@ -198,7 +197,8 @@ impl EffectiveMass {
         mass.solve_linear(model, &mut x);
         let beams = model.beam_node_count();
         let mobility = row.on_some(&x, |n| n < beams);
-        let sides = [(pair.movers[0], &pair.source, pair.s), (pair.movers[1], &touch.foot, touch.s)];
+        let sides =
+            [(pair.movers[0], &pair.source, pair.s), (pair.movers[1], &touch.foot, touch.s)];
         let (mut softness, mut any) = (0.0, false);
         for (mover, centre, s) in sides {
             let Hold::Beam { slope, tangent, .. } = &centre.hold else { continue };
@@ -210,7 +210,10 @@ impl EffectiveMass {
             if row.on_some(&x, |n| nodes.contains(&n)) <= HELD / model.total_mass {
                 continue;
             }
-            let bent = add(*tangent, hermite_slope(slope, &at.node(centre.node), &at.node(centre.node + 1)));
+            let bent = add(
+                *tangent,
+                hermite_slope(slope, &at.node(centre.node), &at.node(centre.node + 1)),
+            );
             let tangent = scale(1.0 / norm(bent), bent);
             let place = Place { beam: mover, node: centre.node, s, tangent };
             softness += 1.0 / place.limit(model, touch.normal, LEANS);

@@ -283,8 +283,7 @@ impl<S: Number> Engine<S> {
 
     /// The same so long before the end of the step that has just been made.
     fn struck_before(&self, k: usize, since: S) -> [S; 2] {
-        let [now, moved] =
-            [self.struck(k), self.numbers.guides[k].value(&self.increment)];
+        let [now, moved] = [self.struck(k), self.numbers.guides[k].value(&self.increment)];
         let share = since / self.h;
         [now[0] - share * moved[0], now[1] - share * moved[1]]
     }

@@ -143,6 +143,7 @@ impl<S: Number> Telling<'_, S> {
             },
             steps: closed.steps.lane(self.lane) as usize,
             steady: self.is_steady(closed),
+            one_point: true,
             place: self.place(k, closed.place, read),
             place_end: self.place(k, closed.place_end, read),
             energy: EnergySplit {

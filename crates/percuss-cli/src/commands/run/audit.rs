@@ -4,7 +4,7 @@ use std::path::Path;
 
 use percuss::{
     Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak,
-    RunSummary, Termination,
+    RunSummary, Termination, Topic, Verdict,
 };
 use serde_json::Value;
 
@@ -82,7 +82,8 @@ const BOOKS_OPEN: f64 = 1e-8;
 const INSIDE: f64 = 1e-7;
 
 /// What deserves attention.
-pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
+pub(super) fn warnings(ended: &Ended) -> Vec<String> {
+    let run = &ended.summary;
     let mut all = Vec::new();
     if run.contact_residual_max > CONDITIONS {
         let size = small(run.contact_residual_max);
@@ -90,7 +91,7 @@ pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
     }
     all.extend(inside(run));
     all.extend(shared_blows(run));
-    all.extend(meshes(run));
+    all.extend(meshes(run, &ended.value["advice"]));
     let residuals = [
         ("energy", run.energy.residual_max),
         ("linear momentum", run.momentum.linear_residual_max),
@@ -121,12 +122,19 @@ fn shared_blows(run: &RunSummary) -> Option<String> {
     ))
 }
 
-/// Contacts of beams whose rigid impacts are properties of the mesh; of guided projectiles the advisor has said so.
-fn meshes(run: &RunSummary) -> Option<String> {
-    let guided = |c: &ContactSummary| run.projectiles.iter().any(|p| p.name == c.name);
+/// Contacts whose rigid impacts are properties of the mesh, unless the advisor has said so.
+fn meshes(run: &RunSummary, advice: &Value) -> Option<String> {
+    let topic = Topic::EffectiveMass.name();
+    let told = |c: &ContactSummary| {
+        let mut all = advice.as_array().into_iter().flatten();
+        all.any(|one| {
+            let warns = one["topic"] == topic && one["verdict"] == Verdict::Warning.name();
+            warns && one["contact"] == c.name.as_str()
+        })
+    };
     let depends = |c: &&ContactSummary| {
         let rigid = matches!(c.record, ContactRecord::Nonsmooth { .. });
-        rigid && !guided(c) && c.effective_mass.is_some_and(|mass| mass.depends_on_mesh())
+        rigid && !told(c) && c.effective_mass.is_some_and(|mass| mass.depends_on_mesh())
     };
     let mut found = run.contacts.iter().filter(depends);
     let (first, others) = (found.next()?, found.count());

@@ -138,6 +138,7 @@ impl ContactLog {
         };
         let place = seen.place(first.pair, 1.0 - first.after / span.h);
         self.open[contact] = Some(intervals.len());
+        self.first[contact] = first.pair;
         let steady = first.change.abs() <= first.approach.abs();
         let interval = opened(span.start + first.after, first.approach, place);
         intervals.push(ContactInterval { steady, ..interval });
@@ -169,6 +170,7 @@ impl ContactLog {
         let place_end = seen.place(released.pair, since / span.h);
         if let ContactRecord::Smooth { intervals, .. } = &mut self.records[contact] {
             intervals[interval].place_end = place_end;
+            intervals[interval].one_point = self.first[contact] == released.pair;
         }
     }
 
