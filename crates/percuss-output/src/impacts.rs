@@ -118,7 +118,7 @@ impl Row<'_> {
         for count in self.counts {
             let _ = write!(text, ",{}", count.map_or(String::new(), |n| n.to_string()));
         }
-        let why = self.why.map_or(String::new(), |why| csv_text::quote(&why.to_string()).into());
+        let why = self.why.map_or(String::new(), |why| csv_text::quote(&why.to_string()));
         let _ = writeln!(text, ",{why}");
     }
 }

@@ -318,8 +318,10 @@ fn a_contact_begins_where_it_closed_whatever_the_step() {
         let run = oblique(1e4, step);
         let first = &intervals(&run)[0];
         assert!((first.start - time).abs() < 1e-12, "{step}: {first:?}");
-        assert!((first.place.s - s).abs() < 1e-9, "{step}: {:?} {s}", first.place);
-        assert!((first.place.position[1] - 0.004).abs() < 1e-9, "{step}: {:?}", first.place);
+        // What the plank has given way by the end of the step leans its face, by next to nothing within it; the end of the step
+        // lies up to 3.5 mm farther along.
+        assert!((first.place.s - s).abs() < 1e-6, "{step}: {:?} {s}", first.place);
+        assert!((first.place.position[1] - 0.004).abs() < 1e-5, "{step}: {:?}", first.place);
         // It leaves farther along, and not later than it has flown by then.
         let flown = s + 7.0 * (first.end - first.start);
         assert!((first.place_end.s - flown).abs() < 0.02 * (flown - s) + 1e-6, "{first:?} {flown}");

@@ -19,7 +19,7 @@ fn row(masses: &[f64], flying: usize, law: RigidLaw) -> Model {
     b.beam(common::beam("far", [0.0, 9.0], [1.0, 9.0], 1, material, section));
     for (i, two) in balls.windows(2).enumerate() {
         let between = [Party::Disc(two[0]), Party::Disc(two[1])];
-        b.contact(Contact::new(&format!("touch {i}"), between, TouchLaw::Rigid(law)));
+        b.contact(Contact::new(format!("touch {i}"), between, TouchLaw::Rigid(law)));
     }
     b.build().unwrap()
 }
@@ -120,11 +120,11 @@ fn sequences_with_friction_and_weight_keep_their_balances() {
         .collect();
     for (i, two) in [[0, 1], [1, 2], [3, 0]].iter().enumerate() {
         let between = two.map(|k| Party::Disc(balls[k]));
-        b.contact(Contact::new(&format!("touch {i}"), between, TouchLaw::Rigid(law)));
+        b.contact(Contact::new(format!("touch {i}"), between, TouchLaw::Rigid(law)));
     }
     for (i, ball) in balls.iter().enumerate() {
         let between = [Party::Disc(*ball), Party::Obstacle(floor)];
-        b.contact(Contact::new(&format!("floor {i}"), between, TouchLaw::Rigid(law)));
+        b.contact(Contact::new(format!("floor {i}"), between, TouchLaw::Rigid(law)));
     }
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     let settings =

@@ -236,7 +236,7 @@ impl<S: Number> Log<S> {
         }
         let force = state.force;
         log.open.impulse += h * force;
-        log.open.steps = log.open.steps + zero.constant(1.0);
+        log.open.steps += zero.constant(1.0);
         log.open.given[0] += force * guide.along(&engine.increment);
         log.open.given[1] += -(force * state.increment);
         log.open.deepest.take_positive(&path, time);
