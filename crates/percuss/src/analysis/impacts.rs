@@ -282,7 +282,7 @@ impl Simulation<'_> {
     }
 
     /// The pulse in which the impulses of the touching contacts act.
-    fn impact(
+    pub(super) fn impact(
         &mut self,
         touching: &[usize],
         advance: &mut Advance,

@@ -32,6 +32,9 @@ impl Simulation<'_> {
         let mut members: Vec<usize> = resting.iter().map(|c| c.pair).collect();
         members.extend_from_slice(touching);
         let blow = touching.iter().map(|i| -self.state.pairs[*i].rate).fold(0.0, f64::max);
+        if self.fastest(&members, STICK * blow).is_none() {
+            return self.impact(touching, advance, recorder); // all of them stick
+        }
         let mut done = 0.0;
         let most = MOST_IMPACTS.min(IMPACTS_EACH * members.len());
         for _ in 0..most {
