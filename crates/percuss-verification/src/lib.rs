@@ -6,6 +6,7 @@
 mod beams;
 mod check;
 mod conservation;
+mod cradle;
 mod elastic;
 mod motion;
 mod rigid;
@@ -82,6 +83,12 @@ pub const CASES: &[Case] = &[
         title: "F3: bouncing ball, accumulation of impacts and rest",
         source: "closed form",
         run: rigid::bouncing_ball,
+    },
+    Case {
+        id: "cradle",
+        title: "Newton's cradle of five balls: the blow passed on, and shared at once",
+        source: "closed form; Herrmann and Seitz 1982, Am. J. Phys. 50, 977",
+        run: cradle::cradle_of_five,
     },
     Case {
         id: "rigid-rod",

@@ -39,7 +39,9 @@ pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;
 pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder, RecorderError};
-pub use settings::{ImpactResolution, PathEnd, PathSettings, Scheme, Settings, Start};
+pub use settings::{
+    ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,
+};
 pub use state::{PairState, ProjectileState, State};
 pub use step::newton::Effort;
 pub use summary::*;

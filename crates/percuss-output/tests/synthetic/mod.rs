@@ -279,6 +279,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             record,
         }],
         contact_residual_max: 2e-16,
+        shared_blows: percuss::SharedBlows::default(),
         points: vec![PointSummary {
             name: "girder.mid".to_owned(),
             displacement_max: [
@@ -350,6 +351,9 @@ pub fn smooth() -> ContactRecord {
             peak_force,
             approach_velocity: 20.0,
             separation_velocity: f64::NAN,
+            steps: 1400,
+            steady: true,
+            one_point: true,
             place: place(),
             place_end: place(),
             energy: EnergySplit { given: [8000.0, -8800.0], lost: 50.0, stored: 750.0 },
@@ -363,6 +367,7 @@ pub fn impacts(count: usize) -> ContactRecord {
         time: 0.0005 + 1e-5 * k as f64,
         impulse: 3814.98,
         tangential_impulse: 0.0,
+        points: 1,
         approach_velocity: 40.0,
         separation_velocity: 40.0,
         place: place(),

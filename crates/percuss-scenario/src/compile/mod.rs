@@ -120,6 +120,7 @@ fn settings(content: &Content) -> Settings {
     };
     settings.record_every = content.record.every;
     settings.start = content.time.start;
+    settings.multiple_impacts = content.time.multiple_impacts;
     settings
 }
 

@@ -1,6 +1,6 @@
 //! How the structure starts, is damped, is analysed and recorded.
 
-use percuss::Start;
+use percuss::{MultipleImpacts, Start};
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
@@ -11,7 +11,7 @@ use crate::point::{Point, PointText};
 use crate::quantity::Quantity;
 use crate::reach::Reached;
 use crate::table::{Braces, exclude};
-use crate::words::{Started, Word};
+use crate::words::{Multiple, Started, Word};
 use crate::write::Writer;
 
 table! {
@@ -131,6 +131,8 @@ table! {
         step: f64 as Quantity<measure::Time>,
         /// Configuration at time zero.
         start: Start as Word<Started> = Start::Reference,
+        /// How touching bodies that are struck at one instant share the blow.
+        multiple_impacts: MultipleImpacts as Word<Multiple> = MultipleImpacts::Simultaneous,
     }
     with {
         /// How impacts of rigid projectiles are resolved in time.

@@ -15,6 +15,8 @@ use crate::summary::ContactPlace;
 #[derive(Clone, Debug)]
 pub struct Case<'a> {
     pub name: &'a str,
+    /// Number of the contact.
+    pub index: usize,
     pub law: &'a TouchLaw,
     /// Number of its projectile, if that is guided.
     pub guided: Option<usize>,
@@ -90,7 +92,7 @@ pub fn read<'a>(model: &'a Model, index: usize, at: Option<ContactPlace>) -> Opt
         Some(k) => Meeting::Struck(projectile(model, k)?),
         None => meeting(model, contact, at)?,
     };
-    Some(Case { name: &contact.name, law: &contact.law, guided, meeting })
+    Some(Case { name: &contact.name, index, law: &contact.law, guided, meeting })
 }
 
 fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {

@@ -6,6 +6,7 @@
 mod after;
 mod before;
 mod case;
+mod first_touch;
 pub mod formulas;
 mod slips;
 mod structure;
@@ -125,9 +126,13 @@ impl Verdict {
 pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     let masses = model.effective_masses();
     let cases = (0..model.contacts.len()).filter_map(|k| case::read(model, k, None));
+    let mut factored = None;
     let mut all = slips::findings(model, settings);
     for case in cases {
-        let mass = case.guided.and_then(|k| masses.get(k)).copied();
+        let mass = match case.guided {
+            Some(k) => masses.get(k).copied(),
+            None => first_touch::effective_mass(model, case.index, &mut factored),
+        };
         all.extend(before::findings(model, settings, &case, mass));
     }
     all

@@ -9,6 +9,7 @@ mod giving_up;
 mod impacts;
 mod modes;
 mod monitor;
+mod multiple_impacts;
 mod path;
 mod section_forces;
 mod simulation;
@@ -16,6 +17,7 @@ mod start;
 mod static_contacts;
 mod static_search;
 mod statics;
+mod struck_mass;
 mod trial;
 
 pub use batch::{Detail, simulate_batch};

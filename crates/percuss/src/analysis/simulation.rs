@@ -7,6 +7,7 @@ use super::monitor::Monitor;
 use super::start::{Initial, initial_state};
 use super::static_contacts::takes_part;
 use super::trial::size_of;
+use crate::contact::effective_mass::EffectiveMass;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
 use crate::error::Error;
@@ -86,6 +87,10 @@ pub struct Simulation<'m> {
     pub(super) persistent: Vec<bool>,
     /// Whether Moreau's impact law stands in for Newton's in the step solved last.
     pub(super) tamed: bool,
+    /// Effective masses of the beams of each contact, once it has struck under a rigid law.
+    pub(super) struck_masses: Vec<Option<EffectiveMass>>,
+    /// Impacts so far that several touching bodies shared.
+    pub(super) shared_blows: SharedBlows,
     /// Size of the structure \[m\].
     pub(super) size: f64,
 }
@@ -139,6 +144,8 @@ impl<'m> Simulation<'m> {
             looked: Vec::new(),
             persistent: Vec::new(),
             tamed: false,
+            struck_masses: vec![None; model.contacts.len()],
+            shared_blows: SharedBlows::default(),
             size: size_of(model),
         };
         simulation.start_moving();
@@ -418,11 +425,12 @@ impl<'m> Simulation<'m> {
                 .map(|(i, (contact, record))| ContactSummary {
                     name: contact.name.clone(),
                     between: contact.between.clone(),
-                    effective_mass: effective.get(i).copied(),
+                    effective_mass: effective.get(i).copied().or(self.struck_masses[i]),
                     record,
                 })
                 .collect(),
             contact_residual_max: self.monitor.contacts.residual,
+            shared_blows: self.shared_blows,
             points: (self.model.points.iter().zip(self.monitor.points))
                 .map(|(p, displacement_max)| PointSummary {
                     name: p.label.clone(),

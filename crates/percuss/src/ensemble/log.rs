@@ -28,6 +28,9 @@ pub struct Closed<S> {
     pub deepest: Top<S>,
     pub approach: S,
     pub separation: S,
+    /// Steps in which it was closed, and what the gap's rate changed by in the step before it and after it \[m/s\].
+    pub steps: S,
+    pub changes: [S; 2],
     /// Where it closed, and where it was last \[m\].
     pub place: [S; 2],
     pub place_end: [S; 2],
@@ -91,16 +94,21 @@ impl<S: Number> Closed<S> {
             deepest: Top { value: zero, time: nan },
             approach: nan,
             separation: nan,
+            steps: zero,
+            changes: [zero; 2],
             place: [nan; 2],
             place_end: [nan; 2],
         }
     }
 
-    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`.
-    fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) {
+    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`; returns
+    /// how long that is.
+    fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) -> S {
         let [since, rate] = back.closes(h);
         self.end = start + (h - since);
         self.separation = -rate;
+        self.changes[1] = back.acceleration * h;
+        since
     }
 
     fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
@@ -113,7 +121,9 @@ impl<S: Number> Closed<S> {
         set(&mut self.deepest.time, from.deepest.time);
         set(&mut self.approach, from.approach);
         set(&mut self.separation, from.separation);
+        set(&mut self.steps, from.steps);
         for i in 0..2 {
+            set(&mut self.changes[i], from.changes[i]);
             set(&mut self.given[i], from.given[i]);
             set(&mut self.place[i], from.place[i]);
             set(&mut self.place_end[i], from.place_end[i]);
@@ -219,12 +229,14 @@ impl<S: Number> Log<S> {
                 let mut new = Closed::none(zero);
                 new.start = time + opens;
                 new.approach = approach;
-                new.place = engine.struck(k);
+                new.changes[0] = flight.acceleration * h;
+                new.place = engine.struck_before(k, h - opens);
                 log.open.set_lane(lane, &new, lane);
             }
         }
         let force = state.force;
         log.open.impulse += h * force;
+        log.open.steps += zero.constant(1.0);
         log.open.given[0] += force * guide.along(&engine.increment);
         log.open.given[1] += -(force * state.increment);
         log.open.deepest.take_positive(&path, time);
@@ -233,14 +245,14 @@ impl<S: Number> Log<S> {
             if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
                 let parted = FreeGap { gap: state.gap, rate: -state.rate, acceleration: zero };
                 let mut done = log.open;
-                done.part(&parted, [time, h]);
+                let since = done.part(&parted, [time, h]);
                 log.parted.gap.set_lane(lane, parted.gap, lane);
                 log.parted.rate.set_lane(lane, parted.rate, lane);
                 log.parted_at[0].set_lane(lane, time, lane);
                 log.parted_at[1].set_lane(lane, h, lane);
                 let released = log.released;
                 log.released = zero.mask(|i| i == lane || released.lane(i));
-                done.place_end = engine.struck(k);
+                done.place_end = engine.struck_before(k, since);
                 log.closed[lane].push(done);
                 log.is_open[lane] = false;
                 log.open.set_lane(lane, &Closed::none(zero), lane);
@@ -285,26 +297,37 @@ impl<S: Number> Engine<S> {
         let u = guide.value(&self.displacement);
         [guide.struck[0] + u[0], guide.struck[1] + u[1]]
     }
+
+    /// The same so long before the end of the step that has just been made.
+    fn struck_before(&self, k: usize, since: S) -> [S; 2] {
+        let [now, moved] = [self.struck(k), self.numbers.guides[k].value(&self.increment)];
+        let share = since / self.h;
+        [now[0] - share * moved[0], now[1] - share * moved[1]]
+    }
 }
 
 impl<S: Number> GuideLog<S> {
     /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
     #[inline(always)]
     fn open_throughout(&mut self, open: S::Mask, acceleration: S) {
-        self.free = S::choose(open, acceleration, self.free);
-        let freed = self.released & open;
         let zero = acceleration.constant(0.0);
-        // What closes again at once has not flown freely over a step.
-        self.released = zero.less(zero);
-        if !freed.any() {
+        self.free = S::choose(open, acceleration, zero);
+        let (freed, released) = (self.released & open, self.released);
+        if !released.any() {
             return;
+        }
+        self.released = zero.less(zero);
+        // What closes again at once has not flown freely over a step.
+        for lane in (0..S::LANES).filter(|i| released.lane(*i) && !freed.lane(*i)) {
+            if let Some(last) = self.closed[lane].last_mut() {
+                last.changes[1] = zero.constant(f64::NAN);
+            }
         }
         let parted = FreeGap { acceleration, ..self.parted };
         for lane in 0..S::LANES {
-            let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) else {
-                continue;
-            };
-            last.part(&parted, self.parted_at);
+            if let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) {
+                last.part(&parted, self.parted_at);
+            }
         }
     }
 }

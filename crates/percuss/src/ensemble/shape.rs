@@ -6,7 +6,7 @@ use crate::ledger::RoundOff;
 use crate::math::vec2::dot;
 use crate::model::frozen::{BodyKind, ProjectileData};
 use crate::model::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw};
-use crate::settings::{ImpactResolution, Scheme, Settings, Start};
+use crate::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
 
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +51,10 @@ impl Shape {
 pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
+        (
+            settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
+            "impacts one after another",
+        ),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (!model.is_still(), "beams that move at the start"),
         (

@@ -69,6 +69,7 @@ impl<S: Number> Telling<'_, S> {
                 })
                 .collect(),
             contact_residual_max: 0.0,
+            shared_blows: SharedBlows::default(),
             points: (model.points.iter().zip(&self.log.points))
                 .map(|(p, tops)| PointSummary {
                     name: p.label.clone(),
@@ -134,7 +135,15 @@ impl<S: Number> Telling<'_, S> {
             tangential_impulse: f64::NAN,
             peak_force,
             approach_velocity: read(closed.approach),
-            separation_velocity: read(closed.separation),
+            // What has left cannot do so with a velocity of approach.
+            separation_velocity: if closed.separation.lane(self.lane) < 0.0 {
+                f64::NAN
+            } else {
+                read(closed.separation)
+            },
+            steps: closed.steps.lane(self.lane) as usize,
+            steady: self.is_steady(closed),
+            one_point: true,
             place: self.place(k, closed.place, read),
             place_end: self.place(k, closed.place_end, read),
             energy: EnergySplit {
@@ -145,11 +154,20 @@ impl<S: Number> Telling<'_, S> {
         }
     }
 
+    /// Whether the gap's rate changed by less than itself in the steps before and after an interval.
+    fn is_steady(&self, closed: &Closed<S>) -> bool {
+        let rates = [closed.approach, closed.separation].map(|v| v.lane(self.lane));
+        let changes = closed.changes.map(|v| v.lane(self.lane).abs());
+        let parted = rates[1].is_nan() || changes[1] <= rates[1];
+        changes[0] <= rates[0].abs() && parted
+    }
+
     fn impact(&self, k: usize, struck: &Struck<S>, read: &dyn Fn(S) -> f64) -> Impact {
         Impact {
             time: read(struck.time),
             impulse: read(struck.impulse),
             tangential_impulse: 0.0,
+            points: 1,
             approach_velocity: read(struck.approach),
             separation_velocity: read(struck.separation),
             place: self.place(k, struck.place, read),

@@ -271,6 +271,11 @@ impl Desk<'_> {
         }
     }
 
+    /// Whether the contact has friction.
+    pub fn rubs(&self) -> bool {
+        matches!(self.case.law, TouchLaw::Rigid(law) if law.friction > 0.0)
+    }
+
     /// The rows every smooth contact has: largest force, duration.
     pub fn force_and_duration(&self, force: f64, duration: f64) -> Vec<Quantity> {
         let Some(interval) = self.interval() else { return Vec::new() };
