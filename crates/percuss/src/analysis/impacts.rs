@@ -55,6 +55,9 @@ impl Simulation<'_> {
         advance: &mut Advance,
         recorder: &mut dyn Recorder,
     ) -> Result<Result<f64, Failure>, Error> {
+        if self.jumps() {
+            return Ok(self.jump(advance.share));
+        }
         match self.settings.impacts {
             ImpactResolution::Event => {
                 self.settle();

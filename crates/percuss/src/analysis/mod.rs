@@ -7,6 +7,7 @@ mod channels;
 mod contact_log;
 mod giving_up;
 mod impacts;
+mod jumps;
 mod modes;
 mod monitor;
 mod path;

@@ -2,6 +2,7 @@
 
 use super::channels::{self, SinceLast};
 use super::impacts::Advance;
+use super::jumps;
 use super::modes;
 use super::monitor::Monitor;
 use super::start::initial_state;
@@ -58,8 +59,10 @@ pub struct Simulation<'m> {
     pub(super) solver_steps: usize,
     step_cuts: usize,
     accumulated_steps: usize,
-    /// Times at which a support lets go \[s\].
-    releases: Vec<f64>,
+    /// Times at which steps are cut, increasing \[s\].
+    pub(super) cuts: Vec<f64>,
+    /// Whether prescribed velocities jump in the pulse at hand.
+    pub(super) jumping: bool,
     measures: Measures,
     rows: usize,
     row: Vec<f64>,
@@ -117,7 +120,8 @@ impl<'m> Simulation<'m> {
             measures: Measures::default(),
             rows: 0,
             row: Vec::new(),
-            releases: model.releases().collect(),
+            cuts: jumps::cuts(model, settings.step),
+            jumping: false,
             row_impulse: vec![[0.0; 2]; model.contacts.len()],
             row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
             mean_reactions: reactions,
@@ -224,7 +228,7 @@ impl<'m> Simulation<'m> {
             if parts > MOST_PARTS {
                 return Err(self.give_up(Failure::Impact, size));
             }
-            let trial = size.min(target - self.state.offset).min(self.until_release());
+            let trial = size.min(target - self.state.offset).min(self.until_cut());
             let mut advance = Advance { size: trial, share: size / target, events_left };
             match self.advance_part(&mut advance, recorder)? {
                 Ok(done) => {
@@ -256,13 +260,6 @@ impl<'m> Simulation<'m> {
         let time = grid.min(self.settings.end) + self.state.offset;
         self.state.time = if self.state.offset > 0.0 { time.max(self.state.time) } else { time };
         Ok(recorder.progress(self.state.time))
-    }
-
-    /// Time to the next release of a support that does not lie at the end of this part of the step \[s\].
-    fn until_release(&self) -> f64 {
-        let slack = SAME_INSTANT * self.settings.step;
-        let ahead = self.releases.iter().map(|t| t - self.state.time);
-        ahead.filter(|t| *t > slack).fold(f64::INFINITY, f64::min)
     }
 
     /// Measures the new state; follows every accepted step.

@@ -10,7 +10,7 @@ use crate::model::frozen::{Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
-use crate::step::commit;
+use crate::step::{commit, lead};
 use crate::step::tangent::project_node;
 
 /// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
@@ -105,7 +105,23 @@ impl Simulation<'_> {
         for f in &mut force {
             *f = f.map(|c| -c);
         }
+        // Prescribed accelerations are taken to the other side.
+        let mut prescribed = vec![[0.0; 4]; beams];
+        for hold in structure.holds.iter() {
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let along = forcing.second_rate_at_start(model, drive, step);
+                (0..4).for_each(|k| prescribed[hold.node][k] += along * normal[k]);
+            }
+        }
+        let mut inertia = vec![[0.0; 4]; beams];
+        lead::add_inertia_of(&structure, &state.displacement, &prescribed, &mut inertia);
+        for (f, m) in force.iter_mut().zip(&inertia) {
+            (0..4).for_each(|k| f[k] -= m[k]);
+        }
         mass.solve_linear(&structure, &mut force);
+        for (f, a) in force.iter_mut().zip(&prescribed) {
+            (0..4).for_each(|k| f[k] += a[k]);
+        }
         // Bodies fall freely: nothing touches, and no spring is pressed.
         let falling =
             |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };

@@ -7,6 +7,7 @@ use crate::contact::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::TouchLaw;
 use crate::model::frozen::BodyKind;
+use crate::settings::Scheme;
 use crate::step::commit;
 use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw};
 use crate::step::integration::Integration;
@@ -41,7 +42,7 @@ impl Simulation<'_> {
             let problem = StepProblem {
                 model: self.model,
                 state: &self.state,
-                integration: Integration::new(self.settings.scheme, h),
+                integration: self.integration(h),
                 forcing: &self.forcing,
                 damping: &self.damping,
                 size: self.size,
@@ -67,6 +68,12 @@ impl Simulation<'_> {
             }
         }
         self.smooth_passage()
+    }
+
+    /// The scheme on a step of size `h`; accelerations know no impulses, so jumps of velocity are made by the midpoint rule.
+    fn integration(&self, h: f64) -> Integration {
+        let by_midpoint = self.jumping && self.settings.scheme.advances_accelerations();
+        Integration::new(if by_midpoint { Scheme::Midpoint } else { self.settings.scheme }, h)
     }
 
     /// Looks at pairs that still sleep, where the state stands. They have not touched since they fell asleep, so they are
@@ -136,7 +143,9 @@ impl Simulation<'_> {
             return [f64::INFINITY, 0.0];
         };
         let row = pair.normal_row(&touch, &at);
-        [touch.gap, 2.0 * row.on(d) / h - row.on(&self.state.velocity)]
+        let lead = &self.work.lead;
+        let leads = if lead.is_empty() { 0.0 } else { row.on(&lead.velocity) };
+        [touch.gap, 2.0 * row.on(d) / h - row.on(&self.state.velocity) + leads]
     }
 
     /// Fails if a smooth pair has passed through unseen.
@@ -205,7 +214,7 @@ impl Simulation<'_> {
 
     /// Accepts the step solved last, with the contacts that took part in it, and measures the new state.
     pub(super) fn accept(&mut self, h: f64, active: &[ActiveContact]) {
-        let integration = Integration::new(self.settings.scheme, h);
+        let integration = self.integration(h);
         self.monitor.begin_step(self.model, &self.state, &self.work);
         let brief = h < BRIEF * self.settings.step;
         let before = brief.then(|| self.state.multiplier.clone());

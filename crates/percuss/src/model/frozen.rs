@@ -487,4 +487,12 @@ impl Model {
     pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
+
+    /// Prescribed values of the structure itself, as nodes or constraints hold it; those of obstacles and of the ground of springs
+    /// are others.
+    pub(crate) fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
+        let beams = self.beam_node_count();
+        let held = self.holds.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
+        held.chain(self.constraints.iter().map(|c| &c.drive))
+    }
 }

@@ -34,6 +34,10 @@ pub fn book(
     books.work_loads += done.work;
     books.impulse_loads = add(books.impulse_loads, done.impulse);
     books.angular_impulse_loads += done.angular_impulse;
+    let led = work.lead.work(model, state, &work.increment, rule);
+    let books = &mut state.books;
+    books.work_supports += led.work;
+    books.angular_impulse_supports += led.angular_impulse;
     let mut entry = Entry { model, state, rule, forcing, work };
     entry.holds();
     entry.constraints();
