@@ -74,6 +74,8 @@ impl Reacting {
 pub(crate) struct Followed {
     /// Its value.
     pub value: f64,
+    /// The value from which displacements count: a start at rest begins where the motion is, in a static one it has moved there.
+    pub origin: f64,
     /// Its rate, as what it holds moves: at a kink the one before it until the jump has been made \[1/s\].
     pub rate: f64,
     /// Whether it holds parts of the structure, whose mass resists a jump of the rate.
@@ -244,7 +246,8 @@ fn followed(model: &Model) -> Vec<Followed> {
     let mut out: Vec<Followed> = model
         .motions
         .iter()
-        .map(|course| Followed { value: course.value(0.0), rate: 0.0, held: false })
+        .map(|course| course.value(0.0))
+        .map(|value| Followed { value, origin: value, rate: 0.0, held: false })
         .collect();
     for drive in model.structural_drives() {
         for (motion, _) in drive {

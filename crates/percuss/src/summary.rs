@@ -87,9 +87,10 @@ pub struct ProjectileSummary {
     pub velocity_final: [f64; 2],
     /// Angular velocity at the end \[rad/s\]; zero for a guided one.
     pub spin_final: f64,
-    /// Momentum given away, along its initial velocity or its line of flight \[kg m/s\].
+    /// Impulse that it gave to others through its contacts, along its line of flight or its initial velocity: what it lost to them, loads
+    /// left out. Of a free body at rest at the start the magnitude, negative: it can only receive \[N s\].
     pub momentum_transferred: f64,
-    /// Kinetic energy given away \[J\].
+    /// Work that it did on others through its contacts, negative if they did work on it; loads and losses inside it left out \[J\].
     pub energy_transferred: f64,
 }
 
@@ -221,6 +222,8 @@ pub struct PointSummary {
     pub name: String,
     /// Displacements of largest magnitude, signed, per component.
     pub displacement_max: [Peak; 2],
+    /// Whether steps resolve each of them; if not, it is the largest at the end of a step, and between there may be more.
+    pub resolved: [bool; 2],
 }
 
 /// A largest section force, where and when it occurred.
@@ -333,6 +336,9 @@ pub struct SupportSummary {
     pub force: [Range; 2],
     /// Moment about the support's point \[N m\].
     pub moment: Range,
+    /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
+    /// point \[N s, N m s\].
+    pub impulse: [f64; 3],
 }
 
 /// The result of a run.

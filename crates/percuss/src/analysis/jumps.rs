@@ -5,8 +5,9 @@
 //! apart from forces as those of impacts are.
 
 use super::simulation::Simulation;
-use crate::model::Model;
+use crate::model::{Course, Model};
 use crate::settings::SAME_INSTANT;
+use crate::step::forcing::WIDTH;
 use crate::step::newton::Failure;
 
 /// Jumps below this share of the rates are none.
@@ -21,6 +22,11 @@ pub(super) fn cuts(model: &Model, step: f64) -> Vec<f64> {
     times.sort_by(f64::total_cmp);
     times.dedup();
     times
+}
+
+/// Rate of a course right after a time.
+pub(super) fn rate_after(course: &Course, time: f64, step: f64) -> f64 {
+    course.rate_on(time, time + 2.0 * SAME_INSTANT * step, WIDTH * step)
 }
 
 impl Simulation<'_> {
@@ -45,10 +51,9 @@ impl Simulation<'_> {
 
     fn rates_jump(&self) -> bool {
         let (time, step) = (self.state.time, self.settings.step);
-        let after = time + 2.0 * SAME_INSTANT * step;
         let motions = self.model.motions.iter().zip(&self.state.followed);
         motions.filter(|(_, followed)| followed.held).any(|(course, followed)| {
-            let rate = course.rate_on(time, after, 0.02 * step);
+            let rate = rate_after(course, time, step);
             (rate - followed.rate).abs() > NO_JUMP * rate.abs().max(followed.rate.abs())
         })
     }

@@ -5,6 +5,8 @@ mod batch;
 mod buckling;
 mod channels;
 mod contact_log;
+pub(crate) mod crest;
+mod given;
 mod giving_up;
 mod impacts;
 mod jumps;

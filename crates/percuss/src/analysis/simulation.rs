@@ -5,14 +5,14 @@ use super::impacts::Advance;
 use super::jumps;
 use super::modes;
 use super::monitor::Monitor;
+use super::given::{Given, RowReactions};
 use super::start::initial_state;
 use super::trial::size_of;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
 use crate::error::Error;
 use crate::ledger::{Books, Measures, RoundOff};
-use crate::math::vec2::{add, dot, norm, scale, sub};
-use crate::model::frozen::BodyKind;
+use crate::math::vec2::{dot, norm, scale};
 use crate::model::{Fault, Model};
 use crate::record::{Channel, Flow, Recorder};
 use crate::settings::{SAME_INSTANT, Settings};
@@ -68,9 +68,10 @@ pub struct Simulation<'m> {
     row: Vec<f64>,
     /// Impulses since the last row along normal and tangent, shape (n_contact) \[N s\].
     row_impulse: Vec<[f64; 2]>,
-    /// Impulses of the supports since the last row and the time they took, impacts left out; mean reactions then.
-    row_reactions: (Vec<[f64; 3]>, f64),
-    mean_reactions: Vec<[f64; 3]>,
+    /// What supports gave since the last row.
+    row_reactions: RowReactions,
+    /// What striking bodies gave through contacts.
+    given: Vec<Given>,
     row_iterations: usize,
     /// Time of the last row \[s\].
     row_time: f64,
@@ -123,8 +124,8 @@ impl<'m> Simulation<'m> {
             cuts: jumps::cuts(model, settings.step),
             jumping: false,
             row_impulse: vec![[0.0; 2]; model.contacts.len()],
-            row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
-            mean_reactions: reactions,
+            row_reactions: RowReactions::new(model, reactions),
+            given: vec![Given::default(); model.striking_bodies().count()],
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,
@@ -153,6 +154,7 @@ impl<'m> Simulation<'m> {
         let round_off = RoundOff::new(self.model, self.settings.step);
         self.state.books = Books::open(&self.measures, &round_off);
         self.monitor = Monitor::new(self.model, &self.state);
+        self.monitor.open_reactions(self.row_reactions.mean(), self.state.time);
         self.row_time = f64::NEG_INFINITY;
     }
 
@@ -280,11 +282,12 @@ impl<'m> Simulation<'m> {
         self.row_time = self.state.time;
         recorder.state(&self.state);
         if recorder.wants_rows() {
-            self.average_reactions();
+            self.row_reactions.close(&self.state);
             let since = SinceLast {
                 impulse: &self.row_impulse,
                 search: &self.search,
-                reactions: &self.mean_reactions,
+                reactions: self.row_reactions.mean(),
+                reaction_impulses: self.row_reactions.impulses(),
                 before: self.monitor.before(),
                 iterations,
             };
@@ -295,17 +298,16 @@ impl<'m> Simulation<'m> {
         Ok(())
     }
 
-    /// Adds the reactions of an accepted part of a step.
-    pub(super) fn gather_reactions(&mut self, h: f64, brief: bool) {
-        if brief {
-            return;
+    /// Adds the reactions of an accepted part of a step; those of an `impulsive` one are no forces.
+    pub(super) fn gather_reactions(&mut self, h: f64, impulsive: bool) {
+        self.row_reactions.gather(&self.state, h, impulsive, &mut self.monitor.supports);
+    }
+
+    /// Adds what striking bodies gave through their contacts in the part of a step that stands solved, before it is accepted.
+    pub(super) fn gather_given(&mut self, h: f64) {
+        for (i, given) in self.model.striking_bodies().zip(&mut self.given) {
+            given.gather(&self.work, self.model.body_node(i), h);
         }
-        let (sum, time) = &mut self.row_reactions;
-        for (support, before) in self.state.reacting.list() {
-            let (sum, now) = (&mut sum[*support], &self.state.reactions[*support]);
-            (0..3).for_each(|i| sum[i] += now[i] - before[i]);
-        }
-        *time += h;
     }
 
     /// Adds the impulses of an accepted part of a step of size `h`.
@@ -320,32 +322,10 @@ impl<'m> Simulation<'m> {
         }
     }
 
-    /// Means of the reactions since the last row; those of the row before if nothing but impacts lies between.
-    fn average_reactions(&mut self) {
-        let (sum, time) = &mut self.row_reactions;
-        if *time > 0.0 {
-            for (mean, sum) in self.mean_reactions.iter_mut().zip(sum.iter_mut()) {
-                *mean = sum.map(|impulse| impulse / *time);
-                *sum = [0.0; 3];
-            }
-        }
-        *time = 0.0;
-    }
-
     fn projectiles(&self) -> Vec<ProjectileSummary> {
         let (model, state) = (self.model, &self.state);
-        let each = model.striking_bodies().map(|first| {
+        let each = model.striking_bodies().zip(&self.given).map(|(first, given)| {
             let body = &model.bodies[first];
-            let next = model.bodies.get(first + 1).map(|b| b.kind);
-            let last = first + usize::from(matches!(next, Some(BodyKind::Rear { .. })));
-            let (mut momentum, mut energy) = ([0.0; 2], 0.0);
-            for i in first..=last {
-                let (own, v) = (&model.bodies[i], &state.velocity[model.body_node(i)]);
-                let squares = |v: [f64; 2], w: f64| own.mass * dot(v, v) + own.inertia * w * w;
-                let given = sub(own.velocity, [v[0], v[1]]);
-                momentum = add(momentum, scale(own.mass, given));
-                energy += 0.5 * (squares(own.velocity, own.spin) - squares([v[0], v[1]], v[2]));
-            }
             let v = &state.velocity[model.body_node(first)];
             // At rest at the start, it has a direction only if it is guided.
             let guide = model.projectiles.iter().find(|p| p.body == first).map(|p| p.direction);
@@ -357,11 +337,11 @@ impl<'m> Simulation<'m> {
                 velocity_final: [plain(v[0]), plain(v[1])],
                 spin_final: plain(v[2]),
                 momentum_transferred: if speed > 0.0 || guide.is_some() {
-                    dot(along, momentum)
+                    plain(dot(along, given.impulse))
                 } else {
-                    -norm(momentum)
+                    plain(-norm(given.impulse))
                 },
-                energy_transferred: energy,
+                energy_transferred: plain(given.work),
             }
         });
         each.collect()
@@ -412,9 +392,13 @@ impl<'m> Simulation<'m> {
                 .collect(),
             contact_residual_max: self.monitor.contacts.residual,
             points: (self.model.points.iter().zip(self.monitor.points))
-                .map(|(p, displacement_max)| PointSummary {
-                    name: p.label.clone(),
-                    displacement_max,
+                .map(|(p, mut crests)| {
+                    crests.iter_mut().for_each(|crest| crest.close(0));
+                    PointSummary {
+                        name: p.label.clone(),
+                        displacement_max: crests.map(|c| Peak { value: c.value, time: c.time }),
+                        resolved: crests.map(|c| c.is_resolved(0)),
+                    }
                 })
                 .collect(),
             supports: self.monitor.supports,

@@ -1,5 +1,6 @@
 //! Where a transient analysis starts: configuration, velocities, accelerations.
 
+use super::jumps;
 use super::simulation::Simulation;
 use super::static_search::StaticSearch;
 use super::statics::{equilibrium, mechanisms};
@@ -65,7 +66,20 @@ impl Simulation<'_> {
     }
 
     fn settle_velocities(&mut self) {
-        crate::step::tangent::project(self.model, &mut self.state.velocity);
+        let (model, state) = (self.model, &mut self.state);
+        crate::step::tangent::project(model, &mut state.velocity);
+        // What moves at the start has been driven before: held components have the velocities of their motions.
+        let step = self.settings.step;
+        for (course, followed) in model.motions.iter().zip(&mut state.followed) {
+            followed.rate = jumps::rate_after(course, 0.0, step);
+        }
+        let beams = model.beam_node_count();
+        for hold in model.holds.iter().filter(|h| h.node < beams) {
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let along: f64 = drive.iter().map(|(m, a)| a * state.followed[*m].rate).sum();
+                (0..4).for_each(|k| state.velocity[hold.node][k] += along * normal[k]);
+            }
+        }
         commit::spin_from_velocity(self.model, &mut self.state);
     }
 
@@ -157,6 +171,7 @@ pub(super) fn initial_state(
         reactions = found.reactions.iter().map(|(_, r)| *r).collect();
         let found = found.state;
         state.displacement.copy_from_slice(&found.displacement);
+        state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
         // Projectiles stand off from where their points have moved to.

@@ -9,7 +9,7 @@ use crate::model::TouchLaw;
 use crate::model::frozen::BodyKind;
 use crate::settings::Scheme;
 use crate::step::commit;
-use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw};
+use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw, Phase};
 use crate::step::integration::Integration;
 use crate::step::newton::{Failure, StepProblem};
 use crate::step::workspace::Workspace;
@@ -218,6 +218,9 @@ impl Simulation<'_> {
         self.monitor.begin_step(self.model, &self.state, &self.work);
         let brief = h < BRIEF * self.settings.step;
         let before = brief.then(|| self.state.multiplier.clone());
+        let strikes = |c: &ActiveContact| !matches!(c.phase, Phase::Resting { .. });
+        let impulsive = brief && (self.jumping || active.iter().any(strikes));
+        self.gather_given(h);
         self.remember();
         let (state, forcing) = (&mut self.state, &self.forcing);
         commit::commit(self.model, state, integration, forcing, &self.damping, &self.work);
@@ -237,7 +240,7 @@ impl Simulation<'_> {
             awake: self.search.awake(),
         };
         self.monitor.end_step(self.model, &self.state, &self.work, &part);
-        self.gather_reactions(h, brief);
+        self.gather_reactions(h, impulsive);
         self.gather_impulses(h, active);
         self.measure();
     }

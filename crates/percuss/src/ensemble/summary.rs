@@ -5,6 +5,7 @@ use super::engine::Engine;
 use super::log::{Closed, Log, Struck, Top};
 use super::newton::Search;
 use super::numbers::GuideLaw;
+use crate::analysis::crest::Crest;
 use crate::model::Model;
 use crate::scalar::Number;
 use crate::summary::*;
@@ -70,9 +71,15 @@ impl<S: Number> Telling<'_, S> {
                 .collect(),
             contact_residual_max: 0.0,
             points: (model.points.iter().zip(&self.log.points))
-                .map(|(p, tops)| PointSummary {
-                    name: p.label.clone(),
-                    displacement_max: tops.map(|top| peak(&top, read)),
+                .map(|(p, crests)| {
+                    let mut crests = *crests;
+                    crests.iter_mut().for_each(|crest| crest.close(self.lane));
+                    let peak = |c: &Crest<S>| Peak { value: read(c.value), time: read(c.time) };
+                    PointSummary {
+                        name: p.label.clone(),
+                        displacement_max: crests.map(|c| peak(&c)),
+                        resolved: crests.map(|c| c.is_resolved(self.lane)),
+                    }
                 })
                 .collect(),
             supports: Vec::new(),
@@ -82,14 +89,14 @@ impl<S: Number> Telling<'_, S> {
 
     fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {
         let guides = self.engine.numbers.guides.iter().zip(&self.engine.guides);
-        let each = guides.zip(&self.model.projectiles).map(|((guide, state), data)| {
-            let given = guide.mass * (guide.speed - state.velocity);
+        let each = guides.zip(&self.model.projectiles).zip(&self.log.guides);
+        let each = each.map(|(((guide, state), data), log)| {
             ProjectileSummary {
                 name: self.model.bodies[data.body].name.clone(),
                 velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
                 spin_final: 0.0,
-                momentum_transferred: read(given),
-                energy_transferred: read(given * (guide.speed + state.velocity) * 0.5),
+                momentum_transferred: read(log.given[0]) + 0.0,
+                energy_transferred: read(log.given[1]) + 0.0,
             }
         });
         each.collect()

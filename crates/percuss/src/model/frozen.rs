@@ -488,6 +488,11 @@ impl Model {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
 
+    /// Whether supports can give impulses: by rigid contacts, or where prescribed velocities jump.
+    pub(crate) fn has_impulses(&self) -> bool {
+        self.has_rigid_contact() || self.structural_drives().any(|drive| !drive.is_empty())
+    }
+
     /// Prescribed values of the structure itself, as nodes or constraints hold it; those of obstacles and of the ground of springs
     /// are others.
     pub(crate) fn structural_drives(&self) -> impl Iterator<Item = &Drive> {

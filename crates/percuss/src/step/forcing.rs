@@ -14,7 +14,7 @@ pub struct Forcing {
     pub factors: Vec<f64>,
     /// Increments of the prescribed motions' courses, shape (n_motion).
     moved: Vec<f64>,
-    /// Values to which the courses were followed by the start, shape (n_motion).
+    /// What the courses had moved by at the start, shape (n_motion).
     started: Vec<f64>,
     /// Derivatives of the courses at the end, from the left, shape (n_motion) \[1/s\].
     rates: Vec<f64>,
@@ -30,7 +30,7 @@ pub struct Forcing {
 /// round-off, and round-off over so short a time a velocity. What they leave out or add the next longer part makes good.
 const SHORT: f64 = 1e-3;
 /// Derivatives of motions given as code are taken over this share of a step.
-const WIDTH: f64 = 0.02;
+pub(crate) const WIDTH: f64 = 0.02;
 
 impl Forcing {
     /// Room for the loads and motions of `model`.
@@ -53,7 +53,7 @@ impl Forcing {
         self.set_loads(model, start, h, 1.0);
         let (end, left) = (start + h, start + h - (0.5 * h).min(2.0 * SAME_INSTANT * step));
         for (i, course) in model.motions.iter().enumerate() {
-            self.started[i] = reached[i].value;
+            self.started[i] = reached[i].value - reached[i].origin;
             self.rates[i] = course.rate_on(end, left, WIDTH * step);
             self.second_rates[i] = course.second_rate_on(end, left, 0.5 * step);
             self.moved[i] = if h >= SHORT * step {
