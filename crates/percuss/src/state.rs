@@ -82,6 +82,17 @@ pub(crate) struct Followed {
     pub held: bool,
 }
 
+/// Reactions at an instant at which forces balance.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Instant {
+    /// Time from it to the end of its step \[s\].
+    pub since: f64,
+    /// Of each support, shape (n_support) \[N, N m\].
+    pub reactions: Vec<[f64; 3]>,
+    /// Of all supports and guides: force, and moment about the origin \[N, N m\].
+    pub total: [f64; 3],
+}
+
 /// State of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
@@ -111,6 +122,8 @@ pub struct State {
     pub mass_spin: Vec<f64>,
     /// Impulse and angular impulse about its own point of each support so far, shape (n_support) \[N s, N m s\].
     pub reactions: Vec<[f64; 3]>,
+    /// Reactions at the last instant of balance of a scheme that advances accelerations.
+    pub(crate) instant: Option<Instant>,
     /// Which of them the part of a step accepted last has changed.
     pub(crate) reacting: Reacting,
     /// Multipliers of the constraints, shape (n_constraint) \[N, N m\].
@@ -140,6 +153,7 @@ impl State {
             coordinates: Vec::new(),
             mass_spin: vec![0.0; model.masses.len()],
             reactions: vec![[0.0; 3]; model.supports.len()],
+            instant: None,
             reacting: Reacting::none(model.supports.len()),
             multiplier: vec![0.0; model.constraints.len()],
             pairs: vec![PairState::unseen(); model.pairs.len()],

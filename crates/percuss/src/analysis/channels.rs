@@ -78,7 +78,8 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         add(format!("support.{name}.moment"), "N*m", text);
         if model.has_impulses() {
             for i in 1..=2 {
-                let text = "Impulse of the support, beyond its force, in impacts since the row before";
+                let text =
+                    "Impulse of the support, beyond its force, in impacts since the row before";
                 add(format!("support.{name}.impulse_{i}"), "N*s", text);
             }
             let text = "Angular impulse of the support in impacts since the row before";

@@ -4,6 +4,7 @@
 //! there as at the release of a support, and the jump is made in a pulse, a very short step of its own, whose impulses are kept
 //! apart from forces as those of impacts are.
 
+use super::impacts::PULSE;
 use super::simulation::Simulation;
 use crate::model::{Course, Model};
 use crate::settings::SAME_INSTANT;
@@ -13,11 +14,13 @@ use crate::step::newton::Failure;
 /// Jumps below this share of the rates are none.
 const NO_JUMP: f64 = 1e-9;
 
-/// Times at which steps are cut, increasing: supports let go, rates of prescribed motions jump \[s\].
+/// Times at which steps are cut, increasing: supports let go, or rates of prescribed motions jump at the end of the pulse that begins
+/// there \[s\].
 pub(super) fn cuts(model: &Model, step: f64) -> Vec<f64> {
     let mut times: Vec<f64> = model.releases().collect();
     for drive in model.structural_drives() {
-        times.extend(drive.iter().flat_map(|(motion, _)| model.motions[*motion].rate_jumps(step)));
+        let jumps = drive.iter().flat_map(|(motion, _)| model.motions[*motion].rate_jumps(step));
+        times.extend(jumps.map(|t| t - PULSE * step).filter(|t| *t > 0.0));
     }
     times.sort_by(f64::total_cmp);
     times.dedup();
@@ -53,7 +56,9 @@ impl Simulation<'_> {
         let (time, step) = (self.state.time, self.settings.step);
         let motions = self.model.motions.iter().zip(&self.state.followed);
         motions.filter(|(_, followed)| followed.held).any(|(course, followed)| {
-            let rate = rate_after(course, time, step);
+            // A run begins with the jump, any other pulse ends with it.
+            let jump = if time > 0.0 { time + self.pulse() } else { time };
+            let rate = rate_after(course, jump, step);
             (rate - followed.rate).abs() > NO_JUMP * rate.abs().max(followed.rate.abs())
         })
     }

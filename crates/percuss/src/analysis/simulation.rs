@@ -1,11 +1,11 @@
 //! The transient analysis: steps of the given size, cut where Newton's iteration fails, recorded row by row.
 
 use super::channels::{self, SinceLast};
+use super::given::{Given, RowReactions};
 use super::impacts::Advance;
 use super::jumps;
 use super::modes;
 use super::monitor::Monitor;
-use super::given::{Given, RowReactions};
 use super::start::initial_state;
 use super::trial::size_of;
 use crate::contact::search::Search;
@@ -383,11 +383,14 @@ impl<'m> Simulation<'m> {
             },
             projectiles: self.projectiles(),
             contacts: (self.model.contacts.iter().zip(self.monitor.contacts.records).enumerate())
-                .map(|(i, (contact, record))| ContactSummary {
-                    name: contact.name.clone(),
-                    between: contact.between.clone(),
-                    effective_mass: effective.get(i).copied(),
-                    record,
+                .map(|(i, (contact, mut record))| {
+                    record.intervals_mut().iter_mut().for_each(|c| c.energy.balance());
+                    ContactSummary {
+                        name: contact.name.clone(),
+                        between: contact.between.clone(),
+                        effective_mass: effective.get(i).copied(),
+                        record,
+                    }
                 })
                 .collect(),
             contact_residual_max: self.monitor.contacts.residual,

@@ -11,8 +11,8 @@ use crate::model::frozen::{Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
-use crate::step::{commit, lead};
 use crate::step::tangent::project_node;
+use crate::step::{commit, lead};
 
 /// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
 ///

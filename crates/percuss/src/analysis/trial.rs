@@ -8,11 +8,11 @@ use crate::math::vec2::norm;
 use crate::model::TouchLaw;
 use crate::model::frozen::BodyKind;
 use crate::settings::Scheme;
-use crate::step::commit;
 use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw, Phase};
 use crate::step::integration::Integration;
 use crate::step::newton::{Failure, StepProblem};
 use crate::step::workspace::Workspace;
+use crate::step::{books, commit};
 
 /// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
 const AHEAD: f64 = 2.0;
@@ -32,7 +32,11 @@ impl Simulation<'_> {
     ) -> Result<(), Failure> {
         self.solver_steps += 1;
         let (time, step) = (self.state.time, self.settings.step);
-        self.forcing.set(self.model, time, h, step, &self.state.followed);
+        let followed = &self.state.followed;
+        self.forcing.set(self.model, time, h, step, followed);
+        if self.jumping {
+            self.forcing.set_motions(self.model, time, h, step, followed, true);
+        }
         self.search.within(self.model, &self.state.velocity, AHEAD * h, &mut self.near);
         let near = std::mem::take(&mut self.near);
         self.look(&near);
@@ -221,6 +225,7 @@ impl Simulation<'_> {
         let strikes = |c: &ActiveContact| !matches!(c.phase, Phase::Resting { .. });
         let impulsive = brief && (self.jumping || active.iter().any(strikes));
         self.gather_given(h);
+        self.note_start_reactions(integration);
         self.remember();
         let (state, forcing) = (&mut self.state, &self.forcing);
         commit::commit(self.model, state, integration, forcing, &self.damping, &self.work);
@@ -243,6 +248,32 @@ impl Simulation<'_> {
         self.gather_reactions(h, impulsive);
         self.gather_impulses(h, active);
         self.measure();
+    }
+
+    /// Reactions at the start of the step solved last, where the step before does not tell them.
+    fn note_start_reactions(&mut self, integration: Integration) {
+        let Some(at_start) = integration.at_start().filter(|_| self.state.instant.is_none()) else {
+            return;
+        };
+        let (model, state, forcing) = (self.model, &self.state, &self.forcing);
+        let mut work = self.work.clone();
+        let problem = StepProblem {
+            model,
+            state,
+            integration: at_start,
+            forcing,
+            damping: &self.damping,
+            size: self.size,
+            near: &self.near,
+            active: &[],
+            law: ImpulseLaw::Newton,
+            feedback: 0.0,
+            arcs: self.search.arcs(),
+            reach: Reach::Near,
+        };
+        problem.unbalanced(&mut work);
+        let found = books::reactions_at_start(model, state, &at_start, forcing, &work);
+        self.state.instant = Some(found);
     }
 
     /// Sides and feet at the end of the step, as the step has seen them.

@@ -90,14 +90,12 @@ impl<S: Number> Telling<'_, S> {
     fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {
         let guides = self.engine.numbers.guides.iter().zip(&self.engine.guides);
         let each = guides.zip(&self.model.projectiles).zip(&self.log.guides);
-        let each = each.map(|(((guide, state), data), log)| {
-            ProjectileSummary {
-                name: self.model.bodies[data.body].name.clone(),
-                velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
-                spin_final: 0.0,
-                momentum_transferred: read(log.given[0]) + 0.0,
-                energy_transferred: read(log.given[1]) + 0.0,
-            }
+        let each = each.map(|(((guide, state), data), log)| ProjectileSummary {
+            name: self.model.bodies[data.body].name.clone(),
+            velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
+            spin_final: 0.0,
+            momentum_transferred: read(log.given[0]) + 0.0,
+            energy_transferred: read(log.given[1]) + 0.0,
         });
         each.collect()
     }
@@ -134,7 +132,7 @@ impl<S: Number> Telling<'_, S> {
         peak_force: Peak,
         read: &dyn Fn(S) -> f64,
     ) -> ContactInterval {
-        ContactInterval {
+        let mut interval = ContactInterval {
             start: read(closed.start),
             end: read(closed.end),
             impulse: read(closed.impulse),
@@ -148,8 +146,11 @@ impl<S: Number> Telling<'_, S> {
                 given: closed.given.map(read),
                 lost: 0.0,
                 stored: read(closed.stored),
+                scheme: 0.0,
             },
-        }
+        };
+        interval.energy.balance();
+        interval
     }
 
     fn impact(&self, k: usize, struck: &Struck<S>, read: &dyn Fn(S) -> f64) -> Impact {
@@ -164,6 +165,7 @@ impl<S: Number> Telling<'_, S> {
                 given: struck.given.map(read),
                 lost: read(-(struck.given[0] + struck.given[1])),
                 stored: 0.0,
+                scheme: 0.0,
             },
             tamed: false,
         }

@@ -51,11 +51,33 @@ impl Forcing {
     /// `reached`.
     pub fn set(&mut self, model: &Model, start: f64, h: f64, step: f64, reached: &[Followed]) {
         self.set_loads(model, start, h, 1.0);
-        let (end, left) = (start + h, start + h - (0.5 * h).min(2.0 * SAME_INSTANT * step));
+        self.set_motions(model, start, h, step, reached, false);
+        let slack = 0.5 * h.min(SHORT * step);
+        let holds = |until: f64| start + slack < until;
+        for (flag, c) in self.constrained.iter_mut().zip(&model.constraints) {
+            *flag = holds(c.until);
+        }
+        for (flag, c) in self.connected.iter_mut().zip(&model.connectors) {
+            *flag = holds(c.until);
+        }
+    }
+
+    /// Sets the motions alone; with `after`, a jump of a rate at the end of the part has been made there.
+    pub fn set_motions(
+        &mut self,
+        model: &Model,
+        start: f64,
+        h: f64,
+        step: f64,
+        reached: &[Followed],
+        after: bool,
+    ) {
+        let (end, beside) = (start + h, 2.0 * SAME_INSTANT * step);
+        let inside = if after { end + beside } else { end - beside.min(0.5 * h) };
         for (i, course) in model.motions.iter().enumerate() {
             self.started[i] = reached[i].value - reached[i].origin;
-            self.rates[i] = course.rate_on(end, left, WIDTH * step);
-            self.second_rates[i] = course.second_rate_on(end, left, 0.5 * step);
+            self.rates[i] = course.rate_on(end, inside, WIDTH * step);
+            self.second_rates[i] = course.second_rate_on(end, inside, 0.5 * step);
             self.moved[i] = if h >= SHORT * step {
                 course.value(end) - reached[i].value
             } else if reached[i].held {
@@ -64,14 +86,6 @@ impl Forcing {
             } else {
                 h * course.rate(start + 0.5 * h, WIDTH * step)
             };
-        }
-        let slack = 0.5 * h.min(SHORT * step);
-        let holds = |until: f64| start + slack < until;
-        for (flag, c) in self.constrained.iter_mut().zip(&model.constraints) {
-            *flag = holds(c.until);
-        }
-        for (flag, c) in self.connected.iter_mut().zip(&model.connectors) {
-            *flag = holds(c.until);
         }
     }
 

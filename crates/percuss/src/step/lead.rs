@@ -125,8 +125,11 @@ impl Lead {
             if !acts || c.drive.is_empty() {
                 continue;
             }
-            let (turn, rate, second) =
-                (forcing.increment(&c.drive), forcing.rate(&c.drive), forcing.second_rate(&c.drive));
+            let (turn, rate, second) = (
+                forcing.increment(&c.drive),
+                forcing.rate(&c.drive),
+                forcing.second_rate(&c.drive),
+            );
             let none: &[[f64; 4]] = &[];
             let accelerations =
                 if state.acceleration.is_empty() { none } else { &state.acceleration };
@@ -301,12 +304,7 @@ fn times_mass(table: &ElementTable, a: &[f64; 4], b: &[f64; 4]) -> [[f64; 4]; 2]
 }
 
 /// Inertia of the prescribed accelerations `field` of a configuration, added to nodal forces.
-pub fn add_inertia_of(
-    model: &Model,
-    u: &[[f64; 4]],
-    field: &[[f64; 4]],
-    nodal: &mut [[f64; 4]],
-) {
+pub fn add_inertia_of(model: &Model, u: &[[f64; 4]], field: &[[f64; 4]], nodal: &mut [[f64; 4]]) {
     let mut lead = Lead::new(model);
     if lead.is_empty() {
         return;

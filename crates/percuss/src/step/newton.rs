@@ -231,6 +231,11 @@ impl StepProblem<'_> {
         }
     }
 
+    /// Residual of the step solved in `work`.
+    pub fn unbalanced(&self, work: &mut Workspace) {
+        self.residual(work, false);
+    }
+
     /// Residual at the current increment, and the assembled tangent if asked for.
     fn residual(&self, work: &mut Workspace, tangent: bool) {
         if tangent { self.residual_with::<true>(work) } else { self.residual_with::<false>(work) }
