@@ -170,7 +170,7 @@ fn error_of_reactions(model: &Model, course: &Course, scheme: Scheme, steps: usi
     found[1..].iter().zip(&expected).map(off).fold(0.0, f64::max) / size
 }
 
-/// Reactions of driven supports converge at second order in the step, whatever the motion and the scheme. Multipliers at the start of
+/// Reactions of driven supports converge at second order in the step, whatever the motion, under every scheme but generalized-alpha. Multipliers at the start of
 /// a run are unknown to schemes that balance forces at the end of a step, so supports for a time are left to the others.
 #[test]
 fn reactions_of_driven_supports_converge_at_second_order() {
@@ -187,8 +187,11 @@ fn reactions_of_driven_supports_converge_at_second_order() {
             let [coarse, fine] =
                 [500, 1000].map(|n| error_of_reactions(&model, &course, *scheme, n));
             let told = format!("{function:?} {scheme:?} {until}: {coarse:.3e} {fine:.3e}");
-            // A ratio of four, less what terms of third order leave at these steps; kinks fall into steps of the coarser run.
-            assert!(coarse / fine > 3.5 && fine < 1e-3, "{told}");
+            // The acceleration that generalized-alpha carries along lags behind that of the motion, which shows at first order in
+            // reactions; elsewhere a ratio of four, less what terms of third order leave at these steps.
+            let lags = matches!(scheme, Scheme::GeneralizedAlpha { .. });
+            let (ratio, most) = if lags { (1.7, 2e-3) } else { (3.5, 1e-3) };
+            assert!(coarse / fine > ratio && fine < most, "{told}");
         }
     }
 }
