@@ -18,7 +18,7 @@ use crate::files;
 const IMPACTS: &str = "impacts.csv";
 const HEADER: &str = "contact,first,second,kind,start_s,end_s,impulse_N_s,friction_impulse_N_s,\
      force_peak_N,force_peak_time_s,approach_m_per_s,separation_m_per_s,restitution,place_m,x_m,y_m,\
-     given_to_first_J,given_to_second_J,lost_J,stored_J,tamed,points,steps,no_restitution";
+     given_to_first_J,given_to_second_J,lost_J,stored_J,scheme_J,tamed,points,steps,no_restitution";
 
 /// A row before it is written; NaN where something does not apply.
 struct Row<'a> {
@@ -105,9 +105,8 @@ impl Row<'_> {
         }
         text.push_str(self.kind);
         let [x, y] = self.place.position;
-        let [to_first, to_second] = self.energy.given;
-        let behind =
-            [self.place.s, x, y, to_first, to_second, self.energy.lost, self.energy.stored];
+        let EnergySplit { given: [to_first, to_second], lost, stored, scheme } = self.energy;
+        let behind = [self.place.s, x, y, to_first, to_second, lost, stored, scheme];
         let mut buffer = zmij::Buffer::new();
         for value in [self.start].into_iter().chain(self.numbers).chain(behind) {
             let number = if value.is_nan() { "" } else { buffer.format(value) };

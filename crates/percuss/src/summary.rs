@@ -87,9 +87,10 @@ pub struct ProjectileSummary {
     pub velocity_final: [f64; 2],
     /// Angular velocity at the end \[rad/s\]; zero for a guided one.
     pub spin_final: f64,
-    /// Momentum given away, along its initial velocity or its line of flight \[kg m/s\].
+    /// Impulse that it gave to others through its contacts, along its line of flight or its initial velocity: what it lost to them, loads
+    /// left out. Of a free body at rest at the start the magnitude, negative: it can only receive \[N s\].
     pub momentum_transferred: f64,
-    /// Kinetic energy given away \[J\].
+    /// Work that it did on others through its contacts, negative if they did work on it; loads and losses inside it left out \[J\].
     pub energy_transferred: f64,
 }
 
@@ -110,7 +111,7 @@ impl Default for ContactPlace {
 
 /// What a contact did to the energies of the two that touch, over an interval or in an impact.
 ///
-/// `given[0] + given[1] + lost + stored` is zero.
+/// `given[0] + given[1] + lost + stored + scheme` is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergySplit {
     /// Work of the contact on either party: what goes into a beam runs on as waves \[J\].
@@ -119,6 +120,15 @@ pub struct EnergySplit {
     pub lost: f64,
     /// Energy that the contact's own spring holds more than at the start; zero once it is open again \[J\].
     pub stored: f64,
+    /// What the force of a scheme without exact energies takes out of the contact (negative: brings in); round-off of the others \[J\].
+    pub scheme: f64,
+}
+
+impl EnergySplit {
+    /// Leaves to the scheme what is missing.
+    pub(crate) fn balance(&mut self) {
+        self.scheme = 0.0 - (self.given[0] + self.given[1] + self.lost + self.stored);
+    }
 }
 
 /// One closed interval of a contact, resolved within the step: from when the first of its points closes until the last opens.
@@ -286,6 +296,12 @@ pub enum ContactRecord {
 impl ContactRecord {
     /// So many impacts (or intervals) of one contact are kept in the summary, so that memory does not grow with the run.
     pub const IMPACTS_KEPT: usize = 10_000;
+
+    pub(crate) fn intervals_mut(&mut self) -> &mut [ContactInterval] {
+        match self {
+            Self::Smooth { intervals, .. } | Self::Nonsmooth { intervals, .. } => intervals,
+        }
+    }
 }
 
 /// A contact: that of a guided projectile with the point it strikes, or one between two things that can touch.
@@ -326,6 +342,8 @@ pub struct PointSummary {
     pub name: String,
     /// Displacements of largest magnitude, signed, per component.
     pub displacement_max: [Peak; 2],
+    /// Whether steps resolve each of them; if not, it is the largest at the end of a step, and between there may be more.
+    pub resolved: [bool; 2],
 }
 
 /// A largest section force, where and when it occurred.
@@ -439,6 +457,9 @@ pub struct SupportSummary {
     pub force: [Range; 2],
     /// Moment about the support's point \[N m\].
     pub moment: Range,
+    /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
+    /// point \[N s, N m s\].
+    pub impulse: [f64; 3],
 }
 
 /// The result of a run.

@@ -158,7 +158,9 @@ fn points(summary: &Value) -> String {
         for component in ["component_1", "component_2"] {
             let peak = &entry[1]["displacement_max"][component];
             row.push(quantity(peak["value"].as_f64(), "m"));
-            row.push(quantity(peak["time"].as_f64(), "s"));
+            let time = quantity(peak["time"].as_f64(), "s");
+            let doubtful = peak["resolved"].as_bool() == Some(false);
+            row.push(if doubtful { format!("{time}, of step ends: not resolved") } else { time });
         }
         row
     })

@@ -94,5 +94,5 @@ fn place(place: &ContactPlace) -> Value {
 }
 
 fn energy(split: &EnergySplit) -> Value {
-    json!({ "given": split.given, "lost": split.lost, "stored": split.stored })
+    json!({ "given": split.given, "lost": split.lost, "stored": split.stored, "scheme": split.scheme })
 }

@@ -201,10 +201,16 @@ fn projectile(projectile: &ProjectileSummary) -> Value {
 fn point(point: &PointSummary) -> Value {
     json!({
         "displacement_max": {
-            "component_1": peak(&point.displacement_max[0]),
-            "component_2": peak(&point.displacement_max[1]),
+            "component_1": crest(&point.displacement_max[0], point.resolved[0]),
+            "component_2": crest(&point.displacement_max[1], point.resolved[1]),
         }
     })
+}
+
+fn crest(largest: &Peak, resolved: bool) -> Value {
+    let mut value = peak(largest);
+    value["resolved"] = Value::from(resolved);
+    value
 }
 
 fn support(support: &SupportSummary) -> Value {
@@ -213,6 +219,9 @@ fn support(support: &SupportSummary) -> Value {
         "force_1": range(&support.force[0]),
         "force_2": range(&support.force[1]),
         "moment": range(&support.moment),
+        "impulse_1": support.impulse[0],
+        "impulse_2": support.impulse[1],
+        "impulse_moment": support.impulse[2],
     })
 }
 

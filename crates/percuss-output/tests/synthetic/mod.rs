@@ -286,6 +286,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
                 Peak { value: 0.0, time: 0.0 },
                 Peak { value: 0.177864203, time: 0.0504933 },
             ],
+            resolved: [true; 2],
         }],
         supports: vec![support("left", -1.0), support("right", 1.0)],
         section_forces: vec![section_forces("girder", 1.0)],
@@ -302,6 +303,7 @@ pub fn support(name: &str, sign: f64) -> SupportSummary {
         name: name.to_owned(),
         force: [range(-250.0, 1e3), range(-1.5e5, 8e4)],
         moment: range(-4e4 * sign.abs(), 9e4),
+        impulse: [0.0, 12.5 * sign, 0.0],
     }
 }
 
@@ -356,7 +358,12 @@ pub fn smooth() -> ContactRecord {
             one_point: true,
             place: place(),
             place_end: place(),
-            energy: EnergySplit { given: [8000.0, -8800.0], lost: 50.0, stored: 750.0 },
+            energy: EnergySplit {
+                given: [8000.0, -8800.0],
+                lost: 50.0,
+                stored: 750.0,
+                scheme: 0.0,
+            },
         }],
     }
 }
@@ -371,7 +378,7 @@ pub fn impacts(count: usize) -> ContactRecord {
         approach_velocity: 40.0,
         separation_velocity: 40.0,
         place: place(),
-        energy: EnergySplit { given: [79_000.0, -79_000.0], lost: 0.0, stored: 0.0 },
+        energy: EnergySplit { given: [79_000.0, -79_000.0], lost: 0.0, stored: 0.0, scheme: 0.0 },
         tamed: false,
     };
     ContactRecord::Nonsmooth {

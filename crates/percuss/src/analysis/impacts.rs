@@ -18,7 +18,7 @@ use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;
 
 /// Length of a pulse as a share of the step.
-const PULSE: f64 = 1e-6;
+pub(super) const PULSE: f64 = 1e-6;
 /// A contact is located to this share of a pulse.
 const LOCATED: f64 = 1e-3;
 /// Differences of gaps below this share of the size of the structure are round-off.
@@ -55,6 +55,9 @@ impl Simulation<'_> {
         advance: &mut Advance,
         recorder: &mut dyn Recorder,
     ) -> Result<Result<f64, Failure>, Error> {
+        if self.jumps() {
+            return Ok(self.jump(advance.share));
+        }
         match self.settings.impacts {
             ImpactResolution::Event => {
                 self.settle();

@@ -1,20 +1,20 @@
 //! Follows a run and gathers what its summary tells: peaks, contact intervals, impacts, largest residuals.
 //!
 //! Between the ends of a step, gap and displacements are cubics through values and velocities: peaks and instants of contact
-//! are resolved within the step.
+//! are resolved within the step, those of displacements where steps resolve them.
 
 use super::contact_log::ContactLog;
+use super::crest::{Arc, Crest};
 use super::section_forces::{self, Acting, Lines};
 use crate::contact::row::Row;
 use crate::ledger::{Books, Measures};
-use crate::math::hermite::Cubic;
 use crate::model::Model;
 use crate::state::State;
 use crate::step::contacts::{ActiveContact, Phase, RigidContact};
 use crate::step::forcing::Forcing;
 use crate::step::integration::Integration;
 use crate::step::workspace::Workspace;
-use crate::summary::{Peak, Range, SectionForceSummary, SupportSummary};
+use crate::summary::{Range, SectionForceSummary, SupportSummary};
 
 /// An accepted part of a step.
 #[derive(Clone, Copy, Debug)]
@@ -83,10 +83,10 @@ pub struct Monitor {
     /// What happens at contacts.
     pub contacts: ContactLog,
     /// Extremes of the recorded points.
-    pub points: Vec<[Peak; 2]>,
+    pub points: Vec<[Crest<f64>; 2]>,
     /// Extremes of the section forces, one entry a beam.
     pub section_forces: Vec<SectionForceSummary>,
-    /// Extremes of the reactions, one entry a support, and the supports that reacted last; none known before the first step.
+    /// Extremes of the reactions, one entry a support, those of the start among them, and the supports that reacted last.
     pub supports: Vec<SupportSummary>,
     reacted: Option<Vec<usize>>,
     /// Section forces of the last step without impact, and whether the step in hand is one with.
@@ -110,7 +110,7 @@ impl Monitor {
         let points = model
             .points
             .iter()
-            .map(|p| p.value(&state.displacement).map(|value| Peak { value, time: state.time }));
+            .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
         let mut monitor = Self {
             start: Start::default(),
             contacts: ContactLog::new(model, state),
@@ -177,9 +177,19 @@ impl Monitor {
             let (u, v) = (p.value(&state.displacement), p.value(&state.velocity));
             let [u0, v0] = self.start.points[k];
             for c in 0..2 {
-                let path = Cubic { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
-                update_peak(&mut self.points[k][c], &path, self.start.time);
+                let from = self.start.time;
+                let arc = Arc { h, from, start: [u0[c], v0[c]], end: [u[c], v[c]] };
+                self.points[k][c].take(&arc, part.brief);
             }
+        }
+    }
+
+    /// Takes the reactions at the start into the extremes.
+    pub fn open_reactions(&mut self, reactions: &[[f64; 3]], time: f64) {
+        for (summary, [f1, f2, moment]) in self.supports.iter_mut().zip(reactions) {
+            summary.force[0].take(*f1, time);
+            summary.force[1].take(*f2, time);
+            summary.moment.take(*moment, time);
         }
     }
 
@@ -217,24 +227,10 @@ impl Monitor {
 
 fn unset_support(name: &str) -> SupportSummary {
     let none = Range::default();
-    SupportSummary { name: name.into(), force: [none; 2], moment: none }
+    SupportSummary { name: name.into(), force: [none; 2], moment: none, impulse: [0.0; 3] }
 }
 
 /// The larger magnitude; NaN stays, so that a broken book cannot look closed.
 fn larger(a: f64, b: f64) -> f64 {
     if b.abs() > a || b.is_nan() { b.abs() } else { a }
-}
-
-fn update_peak(peak: &mut Peak, path: &Cubic, start: f64) {
-    let reach = path.start[0].abs().max(path.end[0].abs());
-    let overshoot = (path.start[1].abs() + path.end[1].abs()) * path.h;
-    if reach + overshoot <= peak.value.abs() {
-        return;
-    }
-    for t in path.stationary().chain([path.h]) {
-        let value = path.value(t);
-        if value.abs() > peak.value.abs() {
-            *peak = Peak { value, time: start + t };
-        }
-    }
 }

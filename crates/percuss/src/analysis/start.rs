@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::jumps;
 use super::simulation::Simulation;
 use super::static_search::StaticSearch;
 use super::statics::{equilibrium, mechanisms};
@@ -12,8 +13,8 @@ use crate::model::frozen::{Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
-use crate::step::commit;
 use crate::step::tangent::project_node;
+use crate::step::{commit, lead};
 
 /// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
 ///
@@ -94,7 +95,20 @@ impl Simulation<'_> {
     }
 
     fn settle_velocities(&mut self) {
-        crate::step::tangent::project(self.model, &mut self.state.velocity);
+        let (model, state) = (self.model, &mut self.state);
+        crate::step::tangent::project(model, &mut state.velocity);
+        // What moves at the start has been driven before: held components have the velocities of their motions.
+        let step = self.settings.step;
+        for (course, followed) in model.motions.iter().zip(&mut state.followed) {
+            followed.rate = jumps::rate_after(course, 0.0, step);
+        }
+        let beams = model.beam_node_count();
+        for hold in model.holds.iter().filter(|h| h.node < beams) {
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let along: f64 = drive.iter().map(|(m, a)| a * state.followed[*m].rate).sum();
+                (0..4).for_each(|k| state.velocity[hold.node][k] += along * normal[k]);
+            }
+        }
         commit::spin_from_velocity(self.model, &mut self.state);
     }
 
@@ -134,10 +148,26 @@ impl Simulation<'_> {
         for f in &mut force {
             *f = f.map(|c| -c);
         }
+        // Prescribed accelerations are taken to the other side.
+        let mut prescribed = vec![[0.0; 4]; beams];
+        for hold in structure.holds.iter() {
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let along = forcing.second_rate_at_start(model, drive, step);
+                (0..4).for_each(|k| prescribed[hold.node][k] += along * normal[k]);
+            }
+        }
+        let mut inertia = vec![[0.0; 4]; beams];
+        lead::add_inertia_of(&structure, &state.displacement, &prescribed, &mut inertia);
+        for (f, m) in force.iter_mut().zip(&inertia) {
+            (0..4).for_each(|k| f[k] -= m[k]);
+        }
         for (f, contact) in force.iter_mut().zip(&self.contact_forces) {
             (0..4).for_each(|i| f[i] += contact[i]);
         }
         mass.solve_linear(&structure, &mut force);
+        for (f, a) in force.iter_mut().zip(&prescribed) {
+            (0..4).for_each(|k| f[k] += a[k]);
+        }
         // Bodies fall freely, but for what the contacts of an equilibrium carry: no spring is pressed.
         let falling =
             |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
@@ -190,6 +220,7 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
         contact_forces = found.contact_forces;
         let found = found.state;
         state.displacement.copy_from_slice(&found.displacement);
+        state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
         state.pairs = found.pairs;

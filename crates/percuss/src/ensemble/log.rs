@@ -2,10 +2,12 @@
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
+use crate::analysis::crest::{Arc, Crest};
 use crate::contact::free_gap::FreeGap;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::scalar::{Mask, Number};
+use crate::step::contacts::BRIEF;
 
 /// A largest value and when it occurred.
 #[derive(Clone, Copy, Debug)]
@@ -60,6 +62,8 @@ pub struct GuideLog<S: Number> {
     pub deepest: Top<S>,
     /// Impacts, by lane.
     pub impacts: Vec<Vec<Struck<S>>>,
+    /// Impulse that the projectile gave, and work that it did \[N s, J\].
+    pub given: [S; 2],
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
     free: S,
     /// Lanes whose last interval ended in the step before; gap and rate at the end of that step, its time and size.
@@ -74,7 +78,7 @@ pub struct Log<S: Number> {
     /// Time at the start of the step at hand \[s\].
     pub time: S,
     /// Extremes of the recorded points, by component.
-    pub points: Vec<[Top<S>; 2]>,
+    pub points: Vec<[Crest<S>; 2]>,
     /// One entry a guided projectile.
     pub guides: Vec<GuideLog<S>>,
     /// Points, gaps and their rates at the start of the step.
@@ -142,6 +146,7 @@ impl<S: Number> Log<S> {
             closed: vec![Vec::new(); S::LANES],
             deepest: top,
             impacts: vec![Vec::new(); S::LANES],
+            given: [zero; 2],
             free: zero,
             released: zero.less(zero),
             parted: FreeGap { gap: zero, rate: zero, acceleration: zero },
@@ -150,7 +155,7 @@ impl<S: Number> Log<S> {
         let (points, guides) = (engine.numbers.points.len(), engine.guides.len());
         Self {
             time: zero,
-            points: vec![[top; 2]; points],
+            points: vec![[Crest::new(zero, zero); 2]; points],
             guides: (0..guides).map(guide).collect(),
             point_start: vec![[[zero; 2]; 2]; points],
             gap_start: vec![[zero; 2]; guides],
@@ -162,15 +167,15 @@ impl<S: Number> Log<S> {
         let zero = self.time.constant(0.0);
         let none = Closed::none(zero);
         self.time.set_lane(lane, zero, 0);
-        for top in self.points.as_flattened_mut() {
-            top.value.set_lane(lane, zero, 0);
-            top.time.set_lane(lane, zero, 0);
+        for crest in self.points.as_flattened_mut() {
+            crest.reset(lane, zero);
         }
         for log in &mut self.guides {
             log.open.set_lane(lane, &none, 0);
             log.is_open[lane] = false;
             log.closed[lane].clear();
             log.impacts[lane].clear();
+            log.given.iter_mut().for_each(|given| given.set_lane(lane, zero, 0));
             log.free.set_lane(lane, zero, 0);
             let before = log.released;
             log.released = zero.mask(|i| i != lane && before.lane(i));
@@ -193,12 +198,19 @@ impl<S: Number> Log<S> {
     /// Takes in the end of the step.
     #[inline(always)]
     pub fn end(&mut self, engine: &Engine<S>) {
-        for (k, tops) in self.points.iter_mut().enumerate() {
+        let brief = engine.h.less(engine.numbers.step * BRIEF);
+        for (k, crests) in self.points.iter_mut().enumerate() {
             let ([u0, v0], [u1, v1]) = (self.point_start[k], engine.point(k));
             for c in 0..2 {
-                let path = Path { h: engine.h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
-                tops[c].take(&path, self.time);
+                let (h, from) = (engine.h, self.time);
+                let arc = Arc { h, from, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
+                crests[c].take(&arc, brief);
             }
+        }
+        for (log, state) in self.guides.iter_mut().zip(&engine.guides) {
+            let push = state.force + state.impulse / engine.h;
+            log.given[0] += engine.h * push;
+            log.given[1] += push * state.increment;
         }
         for k in 0..self.guides.len() {
             if engine.numbers.guides[k].law != GuideLaw::Rigid {

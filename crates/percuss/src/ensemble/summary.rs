@@ -5,6 +5,7 @@ use super::engine::Engine;
 use super::log::{Closed, Log, Struck, Top};
 use super::newton::Search;
 use super::numbers::GuideLaw;
+use crate::analysis::crest::Crest;
 use crate::model::Model;
 use crate::scalar::Number;
 use crate::summary::*;
@@ -71,9 +72,15 @@ impl<S: Number> Telling<'_, S> {
             contact_residual_max: 0.0,
             shared_blows: SharedBlows::default(),
             points: (model.points.iter().zip(&self.log.points))
-                .map(|(p, tops)| PointSummary {
-                    name: p.label.clone(),
-                    displacement_max: tops.map(|top| peak(&top, read)),
+                .map(|(p, crests)| {
+                    let mut crests = *crests;
+                    crests.iter_mut().for_each(|crest| crest.close(self.lane));
+                    let peak = |c: &Crest<S>| Peak { value: read(c.value), time: read(c.time) };
+                    PointSummary {
+                        name: p.label.clone(),
+                        displacement_max: crests.map(|c| peak(&c)),
+                        resolved: crests.map(|c| c.is_resolved(self.lane)),
+                    }
                 })
                 .collect(),
             supports: Vec::new(),
@@ -83,15 +90,13 @@ impl<S: Number> Telling<'_, S> {
 
     fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {
         let guides = self.engine.numbers.guides.iter().zip(&self.engine.guides);
-        let each = guides.zip(&self.model.projectiles).map(|((guide, state), data)| {
-            let given = guide.mass * (guide.speed - state.velocity);
-            ProjectileSummary {
-                name: self.model.bodies[data.body].name.clone(),
-                velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
-                spin_final: 0.0,
-                momentum_transferred: read(given),
-                energy_transferred: read(given * (guide.speed + state.velocity) * 0.5),
-            }
+        let each = guides.zip(&self.model.projectiles).zip(&self.log.guides);
+        let each = each.map(|(((guide, state), data), log)| ProjectileSummary {
+            name: self.model.bodies[data.body].name.clone(),
+            velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
+            spin_final: 0.0,
+            momentum_transferred: read(log.given[0]) + 0.0,
+            energy_transferred: read(log.given[1]) + 0.0,
         });
         each.collect()
     }
@@ -128,7 +133,7 @@ impl<S: Number> Telling<'_, S> {
         peak_force: Peak,
         read: &dyn Fn(S) -> f64,
     ) -> ContactInterval {
-        ContactInterval {
+        let mut interval = ContactInterval {
             start: read(closed.start),
             end: read(closed.end),
             impulse: read(closed.impulse),
@@ -150,8 +155,11 @@ impl<S: Number> Telling<'_, S> {
                 given: closed.given.map(read),
                 lost: 0.0,
                 stored: read(closed.stored),
+                scheme: 0.0,
             },
-        }
+        };
+        interval.energy.balance();
+        interval
     }
 
     /// Whether the gap's rate changed by less than itself in the steps before and after an interval.
@@ -175,6 +183,7 @@ impl<S: Number> Telling<'_, S> {
                 given: struck.given.map(read),
                 lost: read(-(struck.given[0] + struck.given[1])),
                 stored: 0.0,
+                scheme: 0.0,
             },
             tamed: false,
         }

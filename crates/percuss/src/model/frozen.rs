@@ -524,4 +524,17 @@ impl Model {
     pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
+
+    /// Whether supports can give impulses: by rigid contacts, or where prescribed velocities jump.
+    pub(crate) fn has_impulses(&self) -> bool {
+        self.has_rigid_contact() || self.structural_drives().any(|drive| !drive.is_empty())
+    }
+
+    /// Prescribed values of the structure itself, as nodes or constraints hold it; those of obstacles and of the ground of springs
+    /// are others.
+    pub(crate) fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
+        let beams = self.beam_node_count();
+        let held = self.holds.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
+        held.chain(self.constraints.iter().map(|c| &c.drive))
+    }
 }

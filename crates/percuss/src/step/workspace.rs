@@ -2,6 +2,7 @@
 
 use super::assemble::EndForces;
 use super::contacts::{RigidContact, SmoothContact};
+use super::lead::Lead;
 use super::tangent::Tangent;
 use crate::contact::impact::ImpactProblem;
 use crate::model::Model;
@@ -11,6 +12,8 @@ use crate::model::Model;
 pub struct Workspace {
     /// Increment of the nodal displacements over the step, shape (n_node).
     pub increment: Vec<[f64; 4]>,
+    /// Lead of prescribed velocities over those of the scheme.
+    pub lead: Lead,
     /// Multipliers of the constraints in the step, shape (n_constraint) \[N, N m\].
     pub multiplier: Vec<f64>,
     /// Smooth contacts in the step.
@@ -50,6 +53,7 @@ impl Workspace {
         let n = model.node_count();
         Self {
             increment: vec![[0.0; 4]; n],
+            lead: Lead::new(model),
             multiplier: vec![0.0; model.constraints.len()],
             smooth: Vec::new(),
             arcs: Vec::new(),
