@@ -415,7 +415,10 @@ impl StaticContacts {
             }
         }
         let far = LOST * self.size;
-        let lost = |d: &&Disc| !(norm([u[d.node][0], u[d.node][1]]) <= far);
+        let lost = |d: &&Disc| {
+            let gone = norm([u[d.node][0], u[d.node][1]]);
+            gone > far || gone.is_nan()
+        };
         self.lost = self.discs.iter().find(lost).map(|d| d.body);
     }
 
