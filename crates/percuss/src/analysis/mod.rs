@@ -12,14 +12,15 @@ mod monitor;
 mod path;
 mod section_forces;
 mod simulation;
+mod spectrum;
 mod start;
 mod static_search;
 mod statics;
 mod trial;
 
 pub use batch::{Detail, simulate_batch};
-pub use buckling::{BucklingMode, buckling};
-pub use modes::{Mode, modes_about, natural_frequencies};
+pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling};
+pub use modes::{Mode, ModeKind, modes_about, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};
 pub use simulation::{Simulation, simulate};
 pub use start::reference_state;

@@ -14,7 +14,7 @@ use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::prescribe;
-use crate::step::tangent::{Singular, Tangent, inner, project};
+use crate::step::tangent::{Singular, inner, project};
 use crate::step::workspace::Workspace;
 use crate::step::{assemble, connectors, external};
 use crate::summary::SectionForceSummary;
@@ -294,16 +294,4 @@ pub(super) fn linearized<'m>(model: &'m Model, state: &State) -> StaticSearch<'m
     let mut search = StaticSearch::at(model, state);
     search.assemble::<true>();
     search
-}
-
-/// Factors an assembled tangent plus `shift` times a mass.
-pub(super) fn factor_shifted(
-    search: &mut StaticSearch,
-    mass: &crate::linalg::chain::Chain,
-    shift: f64,
-) -> Option<Tangent> {
-    let chain = search.work.tangent.chain_mut();
-    chain.add_scaled(mass, shift);
-    search.factor_assembled().ok()?;
-    Some(search.work.tangent.clone())
 }

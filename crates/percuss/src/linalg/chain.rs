@@ -51,26 +51,6 @@ impl Chain {
         add(&mut self.diag[a + 1], &left[2..], &right[2..]);
     }
 
-    /// Adds `factor` times another matrix, before factorisation.
-    pub fn add_scaled(&mut self, other: &Self, factor: f64) {
-        let blocks = |c: &mut Self| {
-            [
-                std::mem::take(&mut c.diag),
-                std::mem::take(&mut c.upper),
-                std::mem::take(&mut c.lower),
-            ]
-        };
-        let mut mine = blocks(self);
-        for (target, source) in mine.iter_mut().zip([&other.diag, &other.upper, &other.lower]) {
-            for (t, s) in target.iter_mut().zip(source) {
-                for (t, s) in t.as_flattened_mut().iter_mut().zip(s.as_flattened()) {
-                    *t += factor * s;
-                }
-            }
-        }
-        [self.diag, self.upper, self.lower] = mine;
-    }
-
     /// Product with a vector, before factorisation.
     pub fn multiply(&self, x: &[[f64; 4]]) -> Vec<[f64; 4]> {
         let mut y: Vec<[f64; 4]> =

@@ -1,6 +1,6 @@
 //! An equilibrium and a path, as text.
 
-use percuss::{BucklingMode, Equilibrium, Path, SectionPeak, SectionRange};
+use percuss::{BucklingOutcome, Equilibrium, LinearBuckling, Path, SectionPeak, SectionRange};
 
 use crate::number::{count, number};
 
@@ -8,7 +8,7 @@ use crate::number::{count, number};
 const LISTED: usize = 20;
 
 /// An equilibrium for people.
-pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
+pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     let steps = count(found.load_steps, "load step");
     let mut text =
         format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
@@ -47,11 +47,16 @@ pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
             }
         }
     }
-    if let Some(mode) = linear.first() {
+    if let Some(mode) = linear.modes.first() {
         text.push_str(&format!(
             "linear buckling at {} times the loads (about the reference configuration)\n",
             number(mode.factor)
         ));
+    }
+    if let Some(reason) = linear.outcome.reason()
+        && linear.outcome != BucklingOutcome::Unloaded
+    {
+        text.push_str(&format!("{reason}\n"));
     }
     text
 }

@@ -1,0 +1,255 @@
+//! Natural modes, stability and linear buckling: counts and eigenvalues against closed forms.
+
+use std::f64::consts::{PI, TAU};
+
+use percuss::*;
+
+const YOUNG: f64 = 2.1e11;
+const SIDE: f64 = 0.05;
+const LENGTH: f64 = 3.0;
+
+fn at(beam: BeamId, fraction: f64) -> PointRef {
+    PointRef { label: format!("p{fraction}"), beam, along: Along::Fraction(fraction) }
+}
+
+/// Steel, 50 x 50 mm, without rotary inertia.
+fn steel(b: &mut ModelBuilder, density: f64) -> (MaterialId, SectionId) {
+    let material = b.material(Material::new("steel", YOUNG, density));
+    let mut section = Section::new("square", SIDE * SIDE, SIDE.powi(4) / 12.0);
+    section.rotary_inertia = RotaryInertia::Neglected;
+    (material, b.section(section))
+}
+
+fn bending() -> f64 {
+    YOUNG * SIDE.powi(4) / 12.0
+}
+
+/// A straight beam of 3 m along the first axis, with what `build` adds.
+fn straight(elements: usize, density: f64, build: impl FnOnce(&mut ModelBuilder, BeamId)) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = steel(&mut b, density);
+    let points = [[0.0, 0.0], [LENGTH, 0.0]];
+    let beam = b.beam(Beam::new("beam", &points, elements, material, section));
+    build(&mut b, beam);
+    b.build().unwrap()
+}
+
+fn clamp(b: &mut ModelBuilder, beam: BeamId, fraction: f64) {
+    let name = format!("clamp{fraction}");
+    b.support(Support::new(name, at(beam, fraction), SupportKind::Clamp));
+}
+
+fn tip_mass(b: &mut ModelBuilder, beam: BeamId) {
+    let at = at(beam, 1.0);
+    b.point_mass(PointMass { name: "tip".into(), at, mass: 1000.0, rotary_inertia: 0.0 });
+}
+
+fn close(found: f64, expected: f64, tolerance: f64) {
+    let error = (found - expected).abs() / expected.abs();
+    assert!(error <= tolerance, "found {found}, expected {expected}: {error:.2e}");
+}
+
+/// Roots of `cos x cosh x = sign`, from 1.
+fn roots(sign: f64, count: usize) -> Vec<f64> {
+    let f = |x: f64| x.cos() - sign / x.cosh();
+    let start = if sign > 0.0 { 1 } else { 0 };
+    (start..start + count)
+        .map(|k| {
+            let middle = (k as f64 + 0.5) * PI;
+            let (mut lo, mut hi) = (middle - 1.0, middle + 1.0);
+            for _ in 0..100 {
+                let x = 0.5 * (lo + hi);
+                if (f(x) > 0.0) == (f(lo) > 0.0) { lo = x } else { hi = x }
+            }
+            lo
+        })
+        .collect()
+}
+
+fn hertz(root: f64, density: f64) -> f64 {
+    root * root / (TAU * LENGTH * LENGTH) * (bending() / (density * SIDE * SIDE)).sqrt()
+}
+
+#[test]
+fn meshes_of_any_fineness_have_the_same_ten_lowest_modes() {
+    for elements in [300, 3000, 100_000] {
+        for (clamps, sign, rigid) in [(1, -1.0, 0), (2, 1.0, 0), (0, 1.0, 3)] {
+            let model = straight(elements, 7850.0, |b, beam| {
+                (0..clamps).for_each(|k| clamp(b, beam, f64::from(k)));
+            });
+            let found = natural_frequencies(&model, 10 + rigid);
+            assert_eq!(found.len(), 10 + rigid);
+            assert!(found[..rigid].iter().all(|f| *f == 0.0), "{elements} {found:?}");
+            let across = roots(sign, 10).into_iter().map(|root| hertz(root, 7850.0));
+            let quarters = if clamps == 1 { [1.0, 3.0] } else { [2.0, 4.0] };
+            let wave = (YOUNG / 7850.0_f64).sqrt() / (4.0 * LENGTH);
+            let mut expected: Vec<f64> = across.chain(quarters.map(|q| q * wave)).collect();
+            expected.sort_by(f64::total_cmp);
+            for (f, expected) in found[rigid..].iter().zip(expected) {
+                // 300 elements err by (beta h)^4 / 720 = 2e-7 in the tenth, 100 000 by nothing but round-off.
+                close(*f, expected, 1e-6);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_heavy_tip_leaves_the_lowest_mode_of_a_fine_mesh() {
+    // mu x (sin x cosh x - cos x sinh x) = 1 + cos x cosh x, mu the tip's share of the beam's mass; a light beam only bends.
+    let exact = |density: f64| {
+        if density < 1.0 {
+            let own = 33.0 / 140.0 * density * SIDE * SIDE * LENGTH;
+            return (3.0 * bending() / LENGTH.powi(3) / (1000.0 + own)).sqrt() / TAU;
+        }
+        let mu = 1000.0 / (density * SIDE * SIDE * LENGTH);
+        let f = |x: f64| {
+            let sway = x.sin() * x.cosh() - x.cos() * x.sinh();
+            1.0 + x.cos() * x.cosh() - mu * x * sway
+        };
+        let (mut lo, mut hi) = (0.1, 1.8);
+        for _ in 0..100 {
+            let x = 0.5 * (lo + hi);
+            if f(x) > 0.0 { lo = x } else { hi = x }
+        }
+        hertz(lo, density)
+    };
+    for elements in [4, 200, 300, 2000] {
+        for density in [7850.0, 0.03, 1e-12, 0.0] {
+            let model = straight(elements, density, |b, beam| {
+                clamp(b, beam, 0.0);
+                tip_mass(b, beam);
+            });
+            assert_eq!(mechanisms(&model), []);
+            close(natural_frequencies(&model, 1)[0], exact(density), 1e-8);
+        }
+    }
+}
+
+/// A cantilever under a force that stays tangential at its tip, the case of Beck, and its loaded equilibrium's lowest modes.
+fn beck(elements: usize, load: f64, count: usize) -> (bool, Vec<Mode>) {
+    let model = straight(elements, 7850.0, |b, beam| {
+        clamp(b, beam, 0.0);
+        let force = [-load * bending() / (LENGTH * LENGTH), 0.0];
+        let kind = LoadKind::Point { at: at(beam, 1.0), force, moment: 0.0, follower: true };
+        b.load(Load::new("push", kind));
+    });
+    let found = equilibrium(&model).unwrap();
+    (found.stable, modes_about(&model, &found.state, count))
+}
+
+/// Lowest squares of dimensionless frequencies of Beck's column under `p = P L^2 / EI`: roots of
+/// `p^2 + 2 w^2 (1 + cosh a cos b) + p w sinh a sin b` (Beck 1952, Die Knicklast des einseitig eingespannten, tangential
+/// gedrueckten Stabes), with `a, b = sqrt(sqrt(p^2/4 + w^2) -+ p/2)`.
+fn beck_root(p: f64) -> f64 {
+    let f = |w: f64| {
+        let r = (0.25 * p * p + w * w).sqrt();
+        let (a, b) = ((r - 0.5 * p).sqrt(), (r + 0.5 * p).sqrt());
+        p * p + 2.0 * w * w * (1.0 + a.cosh() * b.cos()) + p * w * a.sinh() * b.sin()
+    };
+    let mut lo = 1.0;
+    while f(lo + 0.01) > 0.0 {
+        lo += 0.01;
+    }
+    let mut hi = lo + 0.01;
+    for _ in 0..100 {
+        let w = 0.5 * (lo + hi);
+        if f(w) > 0.0 { lo = w } else { hi = w }
+    }
+    lo
+}
+
+#[test]
+fn a_tangential_force_leaves_the_frequencies_of_becks_column() {
+    // 5.568, 6.833, 8.749 against 3.516 without load, in units of the unloaded frequency.
+    for load in [5.0, 10.0, 15.0] {
+        let (stable, modes) = beck(24, load, 3);
+        assert!(stable);
+        let expected =
+            beck_root(load) / (TAU * LENGTH * LENGTH) * (bending() / (7850.0 * SIDE * SIDE)).sqrt();
+        // The strain of the load, p I / (A L^2) = 3.5e-4, stiffens and shortens.
+        close(modes[0].frequency(), expected, 2e-3);
+        assert!(modes.iter().all(|m| m.kind() == ModeKind::Vibration));
+    }
+}
+
+#[test]
+fn becks_column_flutters_at_20_05_and_never_diverges() {
+    for (load, flutters) in [(19.9, false), (20.2, true), (30.0, true)] {
+        let (stable, modes) = beck(24, load, 3);
+        assert_eq!(stable, !flutters, "{load}");
+        assert_eq!(modes[0].kind() == ModeKind::Flutter, flutters, "{load} {modes:?}");
+        assert_eq!(modes[0].growth() > 0.0, flutters);
+        assert!(modes.iter().all(|m| m.kind() != ModeKind::Unstable));
+    }
+}
+
+#[test]
+fn linear_buckling_of_forces_that_follow_is_refused() {
+    for elements in [4, 24] {
+        let model = straight(elements, 7850.0, |b, beam| {
+            clamp(b, beam, 0.0);
+            let force = [-1000.0, 0.0];
+            let kind = LoadKind::Point { at: at(beam, 1.0), force, moment: 0.0, follower: true };
+            b.load(Load::new("push", kind));
+        });
+        let found = buckling(&model, 2);
+        assert!(found.modes.is_empty());
+        assert_eq!(found.outcome, BucklingOutcome::Follower);
+    }
+}
+
+/// A pinned column of 3 m beside `ties` rods in tension, pressed by `force`.
+fn column_and_ties(ties: usize, force: f64) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = steel(&mut b, 7850.0);
+    let roller = || SupportKind::Roller { direction: [1.0, 0.0] };
+    for k in 0..=ties {
+        let y = k as f64;
+        let name = format!("b{k}");
+        let points = [[0.0, y], [LENGTH, y]];
+        let beam = b.beam(Beam::new(name.clone(), &points, 16, material, section));
+        b.support(Support::new(format!("{name}.left"), at(beam, 0.0), SupportKind::Pin));
+        b.support(Support::new(format!("{name}.right"), at(beam, 1.0), roller()));
+        let pull = if k == 0 { -force } else { 8.0 * force };
+        let kind =
+            LoadKind::Point { at: at(beam, 1.0), force: [pull, 0.0], moment: 0.0, follower: false };
+        b.load(Load::new(format!("{name}.load"), kind));
+    }
+    b.build().unwrap()
+}
+
+#[test]
+fn negative_factors_hide_no_positive_one() {
+    let euler = PI * PI * bending() / (LENGTH * LENGTH);
+    let found = buckling(&column_and_ties(4, euler / 6.0), 3);
+    assert_eq!(found.outcome, BucklingOutcome::Found);
+    assert_eq!(found.modes.len(), 3);
+    for (k, mode) in (1..).zip(&found.modes) {
+        // The strain of Euler's load, (pi k)^2 I / (A L^2) = 2.3e-4 k^2, and 16 elements.
+        close(mode.factor, 6.0 * f64::from(k * k), 1e-3 * f64::from(k * k));
+    }
+    // Alone in tension nothing buckles, and that is proven.
+    let pulled = buckling(&column_and_ties(0, -euler), 3);
+    assert!(pulled.modes.is_empty());
+    assert!(matches!(pulled.outcome, BucklingOutcome::Never { .. }), "{:?}", pulled.outcome);
+}
+
+#[test]
+fn equal_columns_buckle_as_often_as_there_are() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = steel(&mut b, 7850.0);
+    for k in 0..3 {
+        let points = [[f64::from(k), 0.0], [f64::from(k), LENGTH]];
+        let beam = b.beam(Beam::new(format!("c{k}"), &points, 8, material, section));
+        b.support(Support::new(format!("foot{k}"), at(beam, 0.0), SupportKind::Clamp));
+        let force = [0.0, -1000.0];
+        let kind = LoadKind::Point { at: at(beam, 1.0), force, moment: 0.0, follower: false };
+        b.load(Load::new(format!("load{k}"), kind));
+    }
+    let found = buckling(&b.build().unwrap(), 4).modes;
+    let euler = PI * PI * bending() / (4.0 * LENGTH * LENGTH) / 1000.0;
+    for mode in &found[..3] {
+        close(mode.factor, euler, 1e-3);
+    }
+    close(found[3].factor, 9.0 * euler, 3e-3);
+}
