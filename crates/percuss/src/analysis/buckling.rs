@@ -1,6 +1,6 @@
 //! Linear buckling: the load factor at which the tangent would turn singular if the geometric stiffness grew with the load.
 
-use super::spectrum::{Krylov, Layout, Matrix, Nodal, Pair, Ritz, free_motions};
+use super::spectrum::{Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
 use crate::model::Model;
 use crate::settings::Scheme;
@@ -156,22 +156,14 @@ impl Buckling<'_> {
     fn above(&self, shift: f64, count: usize) -> Option<Vec<BucklingMode>> {
         let factored = self.layout.factor(&self.at(shift), false)?;
         let image_of = |x: &Nodal| self.layout.multiply(&self.stiffness, x);
-        // K x of the solution from its own equation: products with K lose the digits of smooth motions.
-        let operator = |p: &Pair| {
-            let x = factored.solve(&p.image);
-            let mut image = self.layout.multiply(&self.geometric, &x);
-            for (g, k) in image.as_flattened_mut().iter_mut().zip(p.image.as_flattened()) {
-                *g = k - shift * *g;
-            }
-            Pair { x, image }
-        };
-        let mut krylov = Krylov::new(self.layout.model.node_count(), &[], operator);
-        (0..2).for_each(|_| _ = krylov.join(&image_of));
+        let solve = |image: &Nodal| factored.solve(image);
+        let mut krylov = Krylov::new(self.layout.model.node_count(), &[], image_of, solve);
+        (0..2).for_each(|_| _ = krylov.join());
         let factor = |ratio: f64| shift * ratio / (ratio - 1.0);
         let mut least = count;
         for _ in 0..MOST_COUNTS {
             let exhausted = !krylov
-                .grow(&image_of, least, 6 * count + SPARE, |k| k.settled(&k.symmetric(), count));
+                .grow(least, 6 * count + SPARE, |k| k.settled(&k.symmetric(), count));
             let mut found = krylov.symmetric();
             found.retain(|r| r.value.re > 1.0 + 1e-12);
             if let Some(last) = found.get(count.min(found.len()).wrapping_sub(1)) {
@@ -185,7 +177,7 @@ impl Buckling<'_> {
             if exhausted {
                 return None;
             }
-            (0..2).for_each(|_| _ = krylov.join(&image_of));
+            (0..2).for_each(|_| _ = krylov.join());
             least = krylov.size() + 12;
         }
         None

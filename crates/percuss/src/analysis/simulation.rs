@@ -4,7 +4,7 @@ use super::channels::{self, SinceLast};
 use super::impacts::Advance;
 use super::modes;
 use super::monitor::Monitor;
-use super::start::initial_state;
+use super::start::{initial_state, massless};
 use super::trial::size_of;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
@@ -97,6 +97,15 @@ impl<'m> Simulation<'m> {
         if !faults.is_empty() {
             return Err(faults);
         }
+        let massless = massless(model);
+        if !massless.is_empty() {
+            return Err(massless);
+        }
+        Self::about(model, settings)
+    }
+
+    /// The same of structures that may have beams without mass, which nothing moves in time.
+    pub(super) fn about(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
         let (state, reactions) = initial_state(model, settings)?;
         let overlaps = model.overlaps(&state.displacement);
         if !overlaps.is_empty() {

@@ -6,7 +6,7 @@ use super::statics::{equilibrium, mechanisms};
 use crate::contact::effective_mass;
 use crate::error::Error;
 use crate::math::vec2::{dot, rot90, scale};
-use crate::model::frozen::{Body, BodyKind};
+use crate::model::frozen::{BeamData, Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
@@ -18,7 +18,7 @@ use crate::step::tangent::project_node;
 /// # Errors
 /// What overlaps.
 pub fn reference_state(model: &Model) -> Result<State, Vec<Fault>> {
-    let mut state = Simulation::new(model, &Settings::new(1.0, 1.0))?.state().clone();
+    let mut state = Simulation::about(model, &Settings::new(1.0, 1.0))?.state().clone();
     state.velocity.fill([0.0; 4]);
     state.spin.iter_mut().for_each(|spin| spin.fill(0.0));
     Ok(state)
@@ -115,6 +115,21 @@ impl Simulation<'_> {
         }
         self.state.acceleration = force;
     }
+}
+
+/// A fault for each beam without mass. Inertia is all that tells a velocity from the forces: where a node has none its
+/// velocity is no result, whatever the step.
+pub(super) fn massless(model: &Model) -> Vec<Fault> {
+    let without = |beam: &&BeamData| {
+        model.spans[beam.spans.clone()].iter().any(|s| s.tables.iter().any(|t| t.mass[0][0] == 0.0))
+    };
+    let fault = |beam: &BeamData| {
+        let found =
+            format!("no mass: the nodes of `{}` have no inertia to move in time with", beam.name);
+        let expected = "a density above zero for a run in time (statics and modes do without)";
+        Fault::new(format!("beam.{}", beam.name), found, expected)
+    };
+    model.beams.iter().filter(without).map(fault).collect()
 }
 
 /// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.

@@ -1,6 +1,6 @@
 //! Motions that strain nothing: of rigid bodies, of mechanisms.
 
-use super::krylov::{Krylov, Nodal, Pair};
+use super::krylov::{Krylov, Nodal};
 use super::matrix::{Layout, Stress};
 use super::{metric, size};
 use crate::analysis::static_search::{StaticSearch, largest};
@@ -36,13 +36,10 @@ pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
         layout.add_band(&mut shifted, &metric, 1.0);
         if let Some(factored) = layout.factor(&shifted, false) {
             let image_of = |x: &Nodal| metric.multiply(x);
-            let operator = |p: &Pair| {
-                let x = factored.solve(&p.image);
-                Pair { image: image_of(&x), x }
-            };
-            let mut krylov = Krylov::new(model.node_count(), &[], operator);
+            let solve = |image: &Nodal| factored.solve(image);
+            let mut krylov = Krylov::new(model.node_count(), &[], image_of, solve);
             for _ in 0..count {
-                krylov.join(&image_of);
+                krylov.join();
             }
             let most = 12 * count + 20;
             let mut found = Vec::new();

@@ -26,7 +26,10 @@ const ROUND_OFF: f64 = 4e-16;
 
 /// An orthonormal basis with the operator's matrix in it.
 pub struct Krylov<'a> {
-    operator: Box<dyn FnMut(&Pair) -> Pair + 'a>,
+    /// The matrix of the inner product.
+    image_of: Box<dyn Fn(&Nodal) -> Nodal + 'a>,
+    /// The operator: from the image of a vector.
+    solve: Box<dyn Fn(&Nodal) -> Nodal + 'a>,
     /// Directions left out.
     deflated: &'a [Pair],
     basis: Vec<Pair>,
@@ -48,11 +51,12 @@ impl<'a> Krylov<'a> {
     pub fn new(
         nodes: usize,
         deflated: &'a [Pair],
-        operator: impl FnMut(&Pair) -> Pair + 'a,
+        image_of: impl Fn(&Nodal) -> Nodal + 'a,
+        solve: impl Fn(&Nodal) -> Nodal + 'a,
     ) -> Self {
-        let operator = Box::new(operator);
+        let (image_of, solve) = (Box::new(image_of), Box::new(solve));
         let (basis, columns) = (Vec::new(), Vec::new());
-        Self { operator, deflated, basis, columns, seed: 1, nodes }
+        Self { image_of, solve, deflated, basis, columns, seed: 1, nodes }
     }
 
     /// A direction across no motion.
@@ -66,17 +70,21 @@ impl<'a> Krylov<'a> {
     }
 
     /// Lets a new direction join; `false` if the operator leads nowhere new.
-    pub fn join(&mut self, image_of: &dyn Fn(&Nodal) -> Nodal) -> bool {
+    pub fn join(&mut self) -> bool {
         let x = self.random();
-        let image = image_of(&x);
-        let mut pair = Pair { x, image };
+        let mut pair = self.pair(x);
         // Twice: what remains is smooth and within the operator's range.
         for _ in 0..2 {
             self.deflate(&mut pair);
-            pair = (self.operator)(&pair);
+            pair = self.pair((self.solve)(&pair.image));
         }
         self.deflate(&mut pair);
         self.append(pair, &mut Vec::new())
+    }
+
+    fn pair(&self, x: Nodal) -> Pair {
+        let image = (self.image_of)(&x);
+        Pair { x, image }
     }
 
     fn deflate(&self, pair: &mut Pair) {
@@ -98,6 +106,8 @@ impl<'a> Krylov<'a> {
                 subtract(&mut pair, along, other);
                 *c += along;
             }
+            // Anew: what vectors and images differ by would grow from step to step.
+            pair.image = (self.image_of)(&pair.x);
         }
         let size = inner(&pair.x, &pair.image).max(0.0).sqrt();
         if !(size > DEPENDENT * before && size.is_normal()) {
@@ -114,7 +124,7 @@ impl<'a> Krylov<'a> {
     /// Forms the image of the next vector of the basis; `false` if all have theirs.
     pub fn advance(&mut self) -> bool {
         let Some(next) = self.basis.get(self.columns.len()) else { return false };
-        let image = (self.operator)(next);
+        let image = self.pair((self.solve)(&next.image));
         let mut column = Vec::new();
         self.append(image, &mut column);
         self.columns.push(column);
@@ -122,15 +132,9 @@ impl<'a> Krylov<'a> {
     }
 
     /// Lets the subspace grow until `done` or `most` vectors; `false` if the operator leads nowhere new.
-    pub fn grow(
-        &mut self,
-        image_of: &dyn Fn(&Nodal) -> Nodal,
-        least: usize,
-        most: usize,
-        done: impl Fn(&Self) -> bool,
-    ) -> bool {
+    pub fn grow(&mut self, least: usize, most: usize, done: impl Fn(&Self) -> bool) -> bool {
         while self.size() < most.max(least) {
-            if !self.advance() && !self.join(image_of) {
+            if !self.advance() && !self.join() {
                 return false;
             }
             if self.size() >= least && self.size() % 4 == 0 && done(self) {

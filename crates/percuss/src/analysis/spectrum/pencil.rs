@@ -88,17 +88,14 @@ impl Pencil<'_> {
         }
         let factored = self.layout.factor(&matrix, false)?;
         let image_of = |x: &Nodal| self.mass.multiply(x);
-        let operator = |p: &Pair| {
-            let x = factored.solve(&p.image);
-            Pair { image: image_of(&x), x }
-        };
-        let mut krylov = Krylov::new(self.layout.model.node_count(), deflated, operator);
-        (0..2).for_each(|_| _ = krylov.join(&image_of));
+        let solve = |image: &Nodal| factored.solve(image);
+        let mut krylov = Krylov::new(self.layout.model.node_count(), deflated, image_of, solve);
+        (0..2).for_each(|_| _ = krylov.join());
         let value = |r: &Ritz| 1.0 / r.value.re - shift;
         let mut least = count;
         let mut counted = 0;
         let found = loop {
-            let exhausted = !krylov.grow(&image_of, least, 6 * count + SPARE, |k| {
+            let exhausted = !krylov.grow(least, 6 * count + SPARE, |k| {
                 let found = k.symmetric();
                 k.settled(&found, count)
             });
@@ -114,7 +111,7 @@ impl Pencil<'_> {
             if exhausted || !missing || counted == MOST_COUNTS {
                 break found;
             }
-            (0..2).for_each(|_| _ = krylov.join(&image_of));
+            (0..2).for_each(|_| _ = krylov.join());
             least = krylov.size() + 8;
         };
         let eigen = |r: &Ritz| Eigen { value: value(r).into(), pair: krylov.shape(r) };
@@ -126,15 +123,12 @@ impl Pencil<'_> {
     pub fn nearest(&self, shift: f64, count: usize) -> Option<Vec<Eigen>> {
         let factored = self.layout.factor(&self.shifted(shift), false)?;
         let image_of = |x: &Nodal| self.mass.multiply(x);
-        let operator = |p: &Pair| {
-            let x = factored.solve(&p.image);
-            Pair { image: image_of(&x), x }
-        };
-        let mut krylov = Krylov::new(self.layout.model.node_count(), &[], operator);
-        (0..2).for_each(|_| _ = krylov.join(&image_of));
+        let solve = |image: &Nodal| factored.solve(image);
+        let mut krylov = Krylov::new(self.layout.model.node_count(), &[], image_of, solve);
+        (0..2).for_each(|_| _ = krylov.join());
         // Some more: what grows may hide behind what does not.
         let wanted = count + 4;
-        krylov.grow(&image_of, wanted, 6 * wanted + SPARE, |k| {
+        krylov.grow(wanted, 6 * wanted + SPARE, |k| {
             let found = k.general();
             let there = wanted.min(found.len());
             k.settled(&found, there)
