@@ -72,8 +72,10 @@ fn hertz(root: f64, density: f64) -> f64 {
 
 #[test]
 fn meshes_of_any_fineness_have_the_same_ten_lowest_modes() {
-    for elements in [300, 3000, 100_000] {
-        for (clamps, sign, rigid) in [(1, -1.0, 0), (2, 1.0, 0), (0, 1.0, 3)] {
+    for (elements, kinds) in [(300, 3), (3000, 3), (20_000, 2), (100_000, 1)] {
+        for (clamps, sign, rigid) in
+            [(1, -1.0, 0), (0, 1.0, 3), (2, 1.0, 0)].into_iter().take(kinds)
+        {
             let model = straight(elements, 7850.0, |b, beam| {
                 (0..clamps).for_each(|k| clamp(b, beam, f64::from(k)));
             });
@@ -252,4 +254,97 @@ fn equal_columns_buckle_as_often_as_there_are() {
         close(mode.factor, euler, 1e-3);
     }
     close(found[3].factor, 9.0 * euler, 3e-3);
+}
+
+#[test]
+fn what_has_no_mass_does_not_run_in_time_and_is_named() {
+    let model = straight(4, 0.0, |b, beam| {
+        clamp(b, beam, 0.0);
+        tip_mass(b, beam);
+        let force = [0.0, -100.0];
+        let kind = LoadKind::Point { at: at(beam, 1.0), force, moment: 0.0, follower: false };
+        b.load(Load::new("weight", kind));
+    });
+    // One motion across and one along, of the tip alone.
+    let found = natural_frequencies(&model, 10);
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found.iter().all(|f| f.is_finite() && *f > 0.0));
+    let stiffness = YOUNG * SIDE * SIDE / LENGTH;
+    close(found[1], (stiffness / 1000.0).sqrt() / TAU, 1e-9);
+    let bent = equilibrium(&model).unwrap();
+    assert!(bent.stable);
+    let faults = Simulation::new(&model, &Settings::new(1.0, 1e-3)).err().unwrap();
+    assert_eq!(faults[0].path, "beam.beam");
+    assert!(faults[0].found.contains("no mass"), "{faults:?}");
+}
+
+/// A portal of three storeys, 3 m high and 4 m wide, lumped masses of 1 t at its joints.
+fn portal(density: f64) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = steel(&mut b, density);
+    let mut columns = Vec::new();
+    for (k, x) in [0.0, 4.0].into_iter().enumerate() {
+        let points = [[x, 0.0], [x, 9.0]];
+        let beam = b.beam(Beam::new(format!("column{k}"), &points, 12, material, section));
+        b.support(Support::new(format!("foot{k}"), at(beam, 0.0), SupportKind::Clamp));
+        columns.push(beam);
+    }
+    for storey in 1..=3 {
+        let y = 3.0 * f64::from(storey);
+        let points = [[0.0, y], [4.0, y]];
+        let name = format!("girder{storey}");
+        let beam = b.beam(Beam::new(name.clone(), &points, 4, material, section));
+        for (end, column) in [(0.0, columns[0]), (1.0, columns[1])] {
+            let there = at(column, f64::from(storey) / 3.0);
+            let name = format!("{name}.{end}");
+            b.joint(Joint {
+                name: name.clone(),
+                kind: JointKind::Rigid,
+                between: [at(beam, end), there],
+            });
+            b.point_mass(PointMass { name, at: at(beam, end), mass: 1000.0, rotary_inertia: 0.0 });
+        }
+    }
+    b.build().unwrap()
+}
+
+#[test]
+fn members_without_mass_leave_all_frequencies_of_lumped_masses() {
+    let without = natural_frequencies(&portal(0.0), 20);
+    // Six masses that move in a plane.
+    assert_eq!(without.len(), 12, "{without:?}");
+    assert!(without.windows(2).all(|w| w[0] <= w[1] * (1.0 + 1e-9)));
+    let light = natural_frequencies(&portal(1e-12), 12);
+    for (a, b) in light.iter().zip(&without) {
+        close(*a, *b, 1e-7);
+    }
+    // Slope deflection of the frame's left half, which sways antisymmetrically: girders of half length hinged at mid-span.
+    // Masses move across, joints turn without inertia; columns do not stretch (A h^2 / I = 4e4).
+    let (h, half) = (3.0, 2.0);
+    let ei = bending();
+    let mut stiffness = nalgebra::DMatrix::<f64>::zeros(6, 6);
+    for storey in 0..3_usize {
+        let (c, d) = (12.0 * ei / (h * h * h), 6.0 * ei / (h * h));
+        let (e, f) = (4.0 * ei / h, 2.0 * ei / h);
+        // Displacements 0..3 and rotations 3..6 of the joints; below the first storey is the ground.
+        let ends = [storey.checked_sub(1), Some(storey)];
+        let local = [[c, d, -c, d], [d, e, -d, f], [-c, -d, c, -d], [d, f, -d, e]];
+        let place = |k: usize| ends[k / 2].map(|joint| joint + 3 * (k % 2));
+        for i in 0..4 {
+            for j in 0..4 {
+                if let (Some(i_), Some(j_)) = (place(i), place(j)) {
+                    stiffness[(i_, j_)] += local[i][j];
+                }
+            }
+        }
+        stiffness[(3 + storey, 3 + storey)] += 3.0 * ei / half;
+    }
+    let (uu, ur) = (stiffness.view((0, 0), (3, 3)), stiffness.view((0, 3), (3, 3)));
+    let rr = stiffness.view((3, 3), (3, 3)).into_owned().try_inverse().unwrap();
+    let sway = uu - ur * rr * ur.transpose();
+    let mut squares: Vec<f64> = sway.symmetric_eigenvalues().iter().map(|k| k / 1000.0).collect();
+    squares.sort_by(f64::total_cmp);
+    for (found, square) in without.iter().zip(squares) {
+        close(*found, square.sqrt() / TAU, 2e-3);
+    }
 }

@@ -162,8 +162,8 @@ impl Buckling<'_> {
         let factor = |ratio: f64| shift * ratio / (ratio - 1.0);
         let mut least = count;
         for _ in 0..MOST_COUNTS {
-            let exhausted = !krylov
-                .grow(least, 6 * count + SPARE, |k| k.settled(&k.symmetric(), count));
+            let exhausted =
+                !krylov.grow(least, 6 * count + SPARE, |k| k.settled(&k.symmetric(), count));
             let mut found = krylov.symmetric();
             found.retain(|r| r.value.re > 1.0 + 1e-12);
             if let Some(last) = found.get(count.min(found.len()).wrapping_sub(1)) {

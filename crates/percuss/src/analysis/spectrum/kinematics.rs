@@ -10,6 +10,9 @@ use crate::step::tangent::inner;
 /// that is held is of order one; the greatest of round-off, for 100 000 elements, below 1e-11.
 const NONE: f64 = 1e-9;
 
+/// Energy of stress below this share of that of bending is round-off.
+const ROUND_OFF: f64 = 1e-9;
+
 /// Motions of a structure that strain nothing.
 pub struct FreeMotions {
     /// Nodal values of a basis.
@@ -73,7 +76,8 @@ pub fn strain_share(layout: &Layout, search: &StaticSearch, x: &Nodal) -> f64 {
 pub fn stress_share(layout: &Layout, search: &StaticSearch, x: &Nodal, total: f64) -> f64 {
     let mut parts = 0.0;
     layout.each_energy(search, x, Stress::Taken, |e| parts += e.abs());
-    if parts == 0.0 { 0.0 } else { total.abs() / parts }
+    let scale = inner(x, &metric(layout.model, false).multiply(x));
+    if parts <= ROUND_OFF * scale { 0.0 } else { total.abs() / parts }
 }
 
 /// Components that tell the motions apart, by elimination with pivots sought everywhere; slopes count by a length.

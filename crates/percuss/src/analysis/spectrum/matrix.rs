@@ -573,11 +573,15 @@ fn widened(row: &GaussRow) -> GaussRow<Wide> {
 }
 
 fn widened_samples(samples: &MembraneTable) -> MembraneTable<Wide> {
-    let all = |m: &[[f64; 3]; 3]| m.map(|row| row.map(Wide::from));
+    let w = Wide::from;
+    let all = |m: &[[f64; 3]; 3]| m.map(|row| row.map(w));
     MembraneTable {
         rows: all(&samples.rows),
         tangent: samples.tangent.map(|t| t.map(Wide::from)),
-        stiffness: all(&samples.stiffness),
+        // Symmetric to the last digit, which products in f64 are not.
+        stiffness: std::array::from_fn(|i| {
+            std::array::from_fn(|k| w(samples.stiffness[i.min(k)][i.max(k)]))
+        }),
         at_gauss: all(&samples.at_gauss),
     }
 }
