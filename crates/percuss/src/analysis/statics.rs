@@ -146,12 +146,3 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
     };
     model.beams.iter().filter(|beam| moves(beam)).map(fault).collect()
 }
-
-/// The lowest square of a bending frequency any beam could have \[1/s^2\].
-pub(super) fn bending_scale(model: &Model) -> f64 {
-    let own = |b: &crate::model::frozen::BeamData| {
-        let row = &model.spans[b.spans.start].table(0).rows[1];
-        row.section.bending / (row.mass * b.length.powi(4))
-    };
-    model.beams.iter().map(own).fold(f64::INFINITY, f64::min)
-}

@@ -47,7 +47,7 @@ pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
             let most = 12 * count + 20;
             let mut found = Vec::new();
             while krylov.size() < most && krylov.advance() {
-                if krylov.size() % count == 0 && krylov.size() >= 2 * count {
+                if krylov.size().is_multiple_of(count) && krylov.size() >= 2 * count {
                     found = krylov.symmetric();
                     if krylov.settled(&found, count) {
                         break;

@@ -137,7 +137,7 @@ impl<'a> Krylov<'a> {
             if !self.advance() && !self.join() {
                 return false;
             }
-            if self.size() >= least && self.size() % 4 == 0 && done(self) {
+            if self.size() >= least && self.size().is_multiple_of(4) && done(self) {
                 return true;
             }
         }

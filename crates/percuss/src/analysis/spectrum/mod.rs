@@ -46,6 +46,8 @@ pub fn metric(model: &Model, unit: bool) -> Chain {
 pub fn is_stable(model: &Model, search: &StaticSearch) -> bool {
     /// Stiffness below this share of that of bending counts as none.
     const NEUTRAL: f64 = 1e-6;
+    /// Eigenvalues below this share of the largest one looked at count as none.
+    const ROUND_OFF: f64 = 1e-9;
     /// Modes looked at where frequencies decide.
     const MODES: usize = 8;
     let state = search.state();
@@ -53,9 +55,10 @@ pub fn is_stable(model: &Model, search: &StaticSearch) -> bool {
     let layout = Layout::new(model);
     let mut tangent = layout.tangent(&search);
     if !layout.is_symmetric(&tangent) {
-        let floor = NEUTRAL * super::statics::bending_scale(model);
         let modes = super::modes::lowest(model, &state, MODES);
-        return modes.iter().all(|m| m.imaginary == 0.0 && m.eigenvalue > -floor);
+        let most = modes.iter().fold(0.0_f64, |most, m| most.max(m.eigenvalue.abs()));
+        let floor = ROUND_OFF * most;
+        return modes.iter().all(|m| m.imaginary == 0.0 && m.eigenvalue >= -floor);
     }
     layout.add_band(&mut tangent, &metric(model, false), NEUTRAL);
     layout.factor(&tangent, true).is_some_and(|f| f.negative == 0)

@@ -45,7 +45,7 @@ impl Pencil<'_> {
     }
 
     /// The `count` lowest eigenvalues above minus `shift`, in ascending order: all there are, by count. `springs` stand in for
-    /// the stiffness that the `deflated` motions lack, of which `massive` have eigenvalues of their own.
+    /// the stiffness that motions lack; those `deflated` are left out.
     pub fn lowest(
         &self,
         shift: f64,
