@@ -9,6 +9,7 @@ from typing import Any, NamedTuple, Union
 
 import numpy as np
 
+from . import _percuss
 from ._columns import nearest
 from ._errors import AnalysisError
 from ._progress import Progress
@@ -31,11 +32,13 @@ class Convergence(NamedTuple):
     values: tuple[float, ...]
     """The quantity there."""
     order: float | None
-    """Observed order, from the three finest; none where the values do not approach a limit steadily."""
+    """Observed order, from the three finest; none where the values, all of them, do not approach a limit steadily."""
     limit: float
     """Richardson's extrapolation; the finest value where there is no order."""
     error: float
     """Value under the given settings less the limit."""
+    uncertainty: float
+    """Uncertainty of the limit: without an order what the values but the coarsest still differ by."""
 
     @property
     def relative_error(self) -> float:
@@ -88,13 +91,13 @@ def converge(
                 values.append(_value(_completed(_finer(base, word, factor)), what))
                 bar.to(2 + n * (levels - 1) + k)
             name = what if isinstance(what, str) else getattr(what, "__name__", "quantity")
-            out[word] = Convergence(word, name, factors, tuple(values), *_extrapolated(values))
+            # One home for orders and limits: `percuss converge` tells the same.
+            order, limit, uncertainty = _percuss.extrapolated(values)
+            out[word] = Convergence(word, name, factors, tuple(values), order, limit, values[0] - limit, uncertainty)
     return out
 
 
 def _written(scenario: Scenario, overrides: dict[str, Any]) -> str:
-    from . import _percuss
-
     return _percuss.written(scenario._source(changes_of(overrides)))
 
 
@@ -146,13 +149,3 @@ def _most_moved(result: Result) -> str:
     if not names:
         raise ValueError('no point is recorded: give a quantity, or record.points = ["beam.mid"]')
     return max(names, key=lambda name: float(np.abs(result[name]).max()))
-
-
-def _extrapolated(values: Sequence[float]) -> tuple[float | None, float, float]:
-    """Order, limit and error of the first value, from the three last ones."""
-    a, b, c = values[-3:]
-    if b == c or (a - b) / (b - c) <= 1.0:
-        return None, c, values[0] - c
-    ratio = (a - b) / (b - c)
-    limit = c + (c - b) / (ratio - 1.0)
-    return math.log2(ratio), limit, values[0] - limit

@@ -42,6 +42,18 @@ class Sensitivity:
         derivatives: Floats = self._native["derivatives"]
         return derivatives
 
+    @property
+    def uncertainties(self) -> Floats:
+        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): twice what half or
+        four fifths of the step change, the larger; nan where other steps do not tell."""
+        uncertainties: Floats = self._native["uncertainties"]
+        return uncertainties
+
+    @property
+    def one_sided(self) -> list[str]:
+        """Contacts that a change of a parameter by less than one per cent makes or ends: derivatives by it are one-sided."""
+        return list(self._native["one_sided"])
+
     def __getitem__(self, key: tuple[str, str]) -> float:
         """``s[result, parameter]``."""
         result, parameter = key
@@ -54,10 +66,12 @@ class Sensitivity:
     def _repr_html_(self) -> str:
         heads = "".join(f"<th>{escape(path)}</th>" for path in self.parameters)
         rows = ""
-        for (path, value), row in zip(self.results.items(), self.derivatives, strict=True):
-            cells = "".join(f"<td>{x:.6g}</td>" for x in row)
+        both = zip(self.derivatives, self.uncertainties, strict=True)
+        for (path, value), (row, off) in zip(self.results.items(), both, strict=True):
+            cells = "".join(f"<td>{x:.6g} &plusmn; {u:.1g}</td>" for x, u in zip(row, off, strict=True))
             rows += f"<tr><th>{escape(path)}</th><td>{value:.6g}</td>{cells}</tr>"
-        return f"<table><tr><th>result</th><th>value</th>{heads}</tr>{rows}</table>"
+        notes = "".join(f"<p>{escape(text)}</p>" for text in self.one_sided)
+        return f"<table><tr><th>result</th><th>value</th>{heads}</tr>{rows}</table>{notes}"
 
 
 def sensitivity(
@@ -73,6 +87,8 @@ def sensitivity(
 
     ``parameters`` are paths in the scenario (``"projectile.mass.velocity[1]"``), ``results`` paths in the summary
     (``"contact.mass.peak_force.value"``); without results, peaks, impulses and velocities at the end.
+
+    The run is made again at half and at four fifths of its step: what these change makes the ``uncertainties``.
 
     Raises ``ScenarioError`` for paths that lead nowhere, ``AnalysisError`` for what cannot be differentiated.
     """

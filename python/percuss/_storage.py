@@ -33,7 +33,7 @@ class Store(Protocol):
         """Puts the shards together."""
 
     def report(self) -> None:
-        """Writes ``report.html`` of the finished table."""
+        """Writes ``report.html`` of the finished table, and ``indices.parquet`` of a study with Sobol indices."""
 
     def results(self) -> Columns:
         """Columns of the finished table."""
@@ -63,6 +63,9 @@ class Local:
 
     def report(self) -> None:
         _replace(os.path.join(self.path, "report.html"), self._study.report(self.path).encode())
+        indices = self._study.indices(self.path)
+        if indices is not None:
+            _replace(os.path.join(self.path, "indices.parquet"), indices)
 
     def results(self) -> Columns:
         return self._study.results(self.path)
@@ -119,6 +122,9 @@ class Remote:
     def report(self) -> None:
         with self._here() as place:
             self._files.pipe_file(f"{self._root}/report.html", self._study.report(place).encode())
+            indices = self._study.indices(place)
+            if indices is not None:
+                self._files.pipe_file(f"{self._root}/indices.parquet", indices)
 
     def results(self) -> Columns:
         with self._here() as place:

@@ -54,6 +54,15 @@ const SENSITIVITY: &str = "\
 Every operation of the run is differentiated, the instants of impacts included (forward mode): the derivatives are those of \
 the computed run, not differences of runs. Beams on fixed supports struck by guided projectiles can be differentiated, with the \
 energy-momentum scheme, damping of the material and dead loads that do not change in time.";
+const CONVERGE: &str = "\
+The run is repeated with halved steps on the given mesh, and with doubled elements under the given step. The limit is Richardson's
+extrapolation in both; where values do not close in on one steadily no order is told, and the uncertainty is what they still move.
+Files are not written.
+
+Examples:
+  percuss converge plank.toml
+  percuss converge plank.toml --accuracy \"1 %\" --result contact.mass.peak_force.value
+  percuss converge plank.toml --levels 5 --json | jq '.results[].limit'";
 const MODES: &str = "\
 A frequency of zero is a motion of a rigid body or of a mechanism. About a static equilibrium stresses
 count; a mode that grows says that the equilibrium is unstable.
@@ -104,7 +113,7 @@ pub enum Command {
     Run(Run),
     /// Say everything that is wrong with a scenario or a study, or that nothing is
     Check(Check),
-    /// Static equilibrium under the loads that act at time zero; projectiles take no part
+    /// Static equilibrium under the loads that act at time zero, with contacts; what is on its way takes no part
     #[command(after_help = format!("{STATIC}\n\n{EXIT_STATUS}"))]
     Static(Static),
     /// Natural frequencies and mode shapes; projectiles take no part
@@ -118,6 +127,9 @@ pub enum Command {
     /// Derivatives of a run's results with respect to numbers of its scenario, impacts included
     #[command(after_help = format!("{SENSITIVITY}\n\n{EXIT_STATUS}"))]
     Sensitivity(Sensitivity),
+    /// How far results depend on step and mesh: observed orders, limits with uncertainty, the cheapest settings for an accuracy
+    #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
+    Converge(Converge),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
     /// Rebuild report.html and the figures of a finished run
@@ -133,7 +145,7 @@ pub enum Command {
 /// Arguments of `run`.
 #[derive(Args, Debug)]
 pub struct Run {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Directory of the results; an earlier run in it is replaced [default: runs/ and the name of FILE]
@@ -180,7 +192,7 @@ impl From<History> for HistoryFormat {
 /// Arguments of `check`.
 #[derive(Args, Debug)]
 pub struct Check {
-    /// Scenario or study file
+    /// Scenario or study file, or - for standard input (a scenario)
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Change a value of the scenario, such as time.step=1e-5; may be given again
@@ -245,7 +257,7 @@ pub struct Schema {
 /// Arguments of `static`.
 #[derive(Args, Debug)]
 pub struct Static {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Change a value of the scenario, such as load.tip.force="[0, -10]"; may be given again
@@ -265,7 +277,7 @@ pub struct Static {
 /// Arguments of `sensitivity`.
 #[derive(Args, Debug)]
 pub struct Sensitivity {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Number of the scenario, such as projectile.mass.velocity[1]; may be given again
@@ -282,10 +294,47 @@ pub struct Sensitivity {
     pub json: bool,
 }
 
+/// Arguments of `converge`.
+#[derive(Args, Debug)]
+pub struct Converge {
+    /// Scenario file, or - for standard input
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Number of the summary, such as contact.mass.peak_force.value; may be given again [default: peaks, velocities at the end,
+    /// impulses, largest section forces]
+    #[arg(long, short, value_name = "PATH")]
+    pub result: Vec<String>,
+    /// Accuracy for which the cheapest settings are wanted, such as "1 %" or 0.01
+    #[arg(long, value_name = "SHARE", value_parser = accuracy)]
+    pub accuracy: Option<f64>,
+    /// Levels, each with half the step, or twice the elements, of the one before
+    #[arg(long, value_name = "N", default_value = "4", value_parser = clap::value_parser!(u8).range(3..=8))]
+    pub levels: u8,
+    /// Change a value of the scenario, such as beam.girder.elements=20; may be given again
+    #[arg(long, value_name = "PATH=VALUE")]
+    pub set: Vec<String>,
+    /// Print everything as JSON to standard output, and no table
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+fn accuracy(text: &str) -> Result<f64, String> {
+    let (number, unit) = match text.trim().strip_suffix('%') {
+        Some(number) => (number, 0.01),
+        None => (text, 1.0),
+    };
+    let share = number.trim().parse::<f64>().ok().map(|number| number * unit);
+    let sound = share.filter(|share| *share > 0.0 && *share < 1.0);
+    sound.ok_or_else(|| "expected a share between 0 and 1, such as \"1 %\" or 0.01".into())
+}
+
 /// Arguments of `modes`.
 #[derive(Args, Debug)]
 pub struct Modes {
-    /// Scenario file
+    /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Number of modes, from the lowest on

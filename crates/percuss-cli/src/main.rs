@@ -26,6 +26,7 @@ fn main() -> ExitCode {
         Command::New(arguments) => commands::new::run(&arguments),
         Command::Sweep(arguments) => commands::sweep::run(&arguments),
         Command::Sensitivity(arguments) => commands::sensitivity::run(&arguments),
+        Command::Converge(arguments) => commands::converge::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
         Command::Report(arguments) => commands::report::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),

@@ -1,6 +1,8 @@
 //! A static equilibrium as JSON.
 
-use percuss::{Equilibrium, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange};
+use percuss::{
+    Equilibrium, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange, StaticContact,
+};
 use serde_json::{Map, Value, json};
 
 /// Everything about an equilibrium; what has no value is `null`.
@@ -9,6 +11,7 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
     let supports = found.reactions.iter().map(|(name, [f1, f2, moment])| {
         (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
     });
+    let contacts = found.contacts.iter().map(|c| (c.name.clone(), contact(c)));
     let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
     json!({
         "stable": found.stable,
@@ -16,9 +19,22 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
         "newton_iterations": found.newton_iterations,
         "point": points.collect::<Map<_, _>>(),
         "support": supports.collect::<Map<_, _>>(),
+        "contact": contacts.collect::<Map<_, _>>(),
         "section_forces": forces.collect::<Map<_, _>>(),
         "linear_buckling": linear.modes.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
         "linear_buckling_note": linear.outcome.reason(),
+    })
+}
+
+fn contact(found: &StaticContact) -> Value {
+    json!({
+        "between": found.between,
+        "force": found.force,
+        "resultant": found.resultant,
+        "gap": found.gap,
+        "s": found.s,
+        "centre": found.centre,
+        "friction": "none in statics",
     })
 }
 

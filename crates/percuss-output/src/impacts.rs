@@ -6,17 +6,19 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use percuss::{ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact};
+use percuss::{
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact,
+    NoRestitution,
+};
 
 use crate::csv_text;
 use crate::error::Error;
 use crate::files;
-use crate::summary::{interval_restitution, restitution};
 
 const IMPACTS: &str = "impacts.csv";
 const HEADER: &str = "contact,first,second,kind,start_s,end_s,impulse_N_s,friction_impulse_N_s,\
      force_peak_N,force_peak_time_s,approach_m_per_s,separation_m_per_s,restitution,place_m,x_m,y_m,\
-     given_to_first_J,given_to_second_J,lost_J,stored_J,tamed";
+     given_to_first_J,given_to_second_J,lost_J,stored_J,scheme_J,tamed,points,steps,no_restitution";
 
 /// A row before it is written; NaN where something does not apply.
 struct Row<'a> {
@@ -28,6 +30,10 @@ struct Row<'a> {
     place: ContactPlace,
     energy: EnergySplit,
     tamed: Option<bool>,
+    /// Points of an impact, steps of an interval.
+    counts: [Option<usize>; 2],
+    /// Why there is no coefficient of restitution.
+    why: Option<NoRestitution>,
 }
 
 /// Writes `impacts.csv` into `dir`.
@@ -59,11 +65,13 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
             f64::NAN,
             i.approach_velocity,
             i.separation_velocity,
-            restitution(i.approach_velocity, i.separation_velocity),
+            i.restitution().unwrap_or(f64::NAN),
         ],
         place: i.place,
         energy: i.energy,
         tamed: Some(i.tamed),
+        counts: [Some(i.points), None],
+        why: i.restitution().err(),
     };
     let interval = |i: &ContactInterval| Row {
         contact,
@@ -77,11 +85,13 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
             i.peak_force.time,
             i.approach_velocity,
             i.separation_velocity,
-            interval_restitution(i),
+            i.restitution().unwrap_or(f64::NAN),
         ],
         place: i.place,
         energy: i.energy,
         tamed: None,
+        counts: [None, Some(i.steps)],
+        why: i.restitution().err(),
     };
     impacts.iter().map(impact).chain(intervals.iter().map(interval)).collect()
 }
@@ -95,15 +105,19 @@ impl Row<'_> {
         }
         text.push_str(self.kind);
         let [x, y] = self.place.position;
-        let [to_first, to_second] = self.energy.given;
-        let behind =
-            [self.place.s, x, y, to_first, to_second, self.energy.lost, self.energy.stored];
+        let EnergySplit { given: [to_first, to_second], lost, stored, scheme } = self.energy;
+        let behind = [self.place.s, x, y, to_first, to_second, lost, stored, scheme];
         let mut buffer = zmij::Buffer::new();
         for value in [self.start].into_iter().chain(self.numbers).chain(behind) {
             let number = if value.is_nan() { "" } else { buffer.format(value) };
             let _ = write!(text, ",{number}"); // a String never fails
         }
         let tamed = self.tamed.map_or("", |tamed| if tamed { "true" } else { "false" });
-        let _ = writeln!(text, ",{tamed}");
+        let _ = write!(text, ",{tamed}");
+        for count in self.counts {
+            let _ = write!(text, ",{}", count.map_or(String::new(), |n| n.to_string()));
+        }
+        let why = self.why.map_or(String::new(), |why| csv_text::quote(&why.to_string()));
+        let _ = writeln!(text, ",{why}");
     }
 }

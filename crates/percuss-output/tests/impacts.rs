@@ -89,6 +89,9 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
         peak_force: Peak::default(),
         approach_velocity: 0.0,
         separation_velocity: 0.0,
+        steps: 7,
+        steady: true,
+        one_point: true,
         place: Default::default(),
         place_end: Default::default(),
         energy: EnergySplit::default(),
@@ -106,5 +109,35 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
         assert_eq!(field(&rows[0], column), "", "{column}");
     }
     assert_eq!(field(&rows[0], "friction_impulse_N_s"), "-0.5");
+    assert_eq!(field(&rows[0], "no_restitution"), "persistent contact");
+    assert_eq!([field(&rows[0], "points"), field(&rows[0], "steps")], ["", "7"]);
+    Ok(())
+}
+
+/// A coefficient of restitution that the step does not resolve is left out, with the reason.
+#[test]
+fn what_the_step_does_not_resolve_has_a_reason_instead_of_a_number() -> Result<(), Box<dyn Error>> {
+    let ContactRecord::Smooth { peak_force, intervals } = synthetic::smooth() else { panic!() };
+    let closed = ContactInterval { end: 0.02, separation_velocity: 2.35, ..intervals[0] };
+    for (steps, steady, separation, found, why) in [
+        (2, true, 2.35, "", "not resolved: 2 steps in contact"),
+        (
+            9,
+            false,
+            2.35,
+            "",
+            "not resolved: the gap's velocity changes by more than itself in a step",
+        ),
+        (9, true, 0.5 * closed.approach_velocity, "0.5", ""),
+    ] {
+        let interval = ContactInterval { steps, steady, separation_velocity: separation, ..closed };
+        let record = ContactRecord::Smooth { peak_force, intervals: vec![interval] };
+        let contact = contact("mass", record);
+        let rows = written(std::slice::from_ref(&contact))?;
+        assert_eq!(
+            [field(&rows[0], "restitution"), field(&rows[0], "no_restitution")],
+            [found, why]
+        );
+    }
     Ok(())
 }

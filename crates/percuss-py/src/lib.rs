@@ -25,7 +25,7 @@ mod _percuss {
     #[pymodule_export]
     use super::run::run;
     #[pymodule_export]
-    use super::sensitivity::sensitivity;
+    use super::sensitivity::{extrapolated, sensitivity};
     #[pymodule_export]
     use super::study::Study;
 

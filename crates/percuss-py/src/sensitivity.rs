@@ -9,7 +9,7 @@ use crate::ready::Source;
 use crate::structure::shaped;
 
 /// Values of parameters and results and the derivatives: `parameters` and `results` (lists of path, value, unit),
-/// `derivatives` (n_result, n_parameter).
+/// `derivatives` and `uncertainties` (n_result, n_parameter), `one_sided` (sentences).
 #[pyfunction]
 pub fn sensitivity<'py>(
     py: Python<'py>,
@@ -21,7 +21,9 @@ pub fn sensitivity<'py>(
     let found = py.detach(|| percuss_study::sensitivity(&ready.scenario, &parameters, &results));
     let found = found.map_err(|error| match error {
         SensitivityError::Faults(faults) => scenario_error(py, &faults),
-        SensitivityError::Run(reason) => analysis_error(py, reason),
+        SensitivityError::Refused(reason) | SensitivityError::Run(reason) => {
+            analysis_error(py, reason)
+        }
     })?;
     let list = |all: &[Differentiated]| -> Vec<(String, f64, String)> {
         all.iter().map(|x| (x.path.clone(), x.value, x.unit.clone())).collect()
@@ -32,5 +34,16 @@ pub fn sensitivity<'py>(
     let shape = [found.results.len(), found.parameters.len()];
     let derivatives = found.derivatives.into_iter().flatten().collect();
     result.set_item("derivatives", shaped(py, derivatives, &shape)?)?;
+    let uncertainties = found.uncertainties.into_iter().flatten().collect();
+    result.set_item("uncertainties", shaped(py, uncertainties, &shape)?)?;
+    let texts: Vec<String> = found.one_sided.iter().map(percuss_study::OneSided::text).collect();
+    result.set_item("one_sided", texts)?;
     Ok(result)
+}
+
+/// Order, limit and uncertainty of a number on finer and finer steps or meshes.
+#[pyfunction]
+pub fn extrapolated(values: Vec<f64>) -> (Option<f64>, f64, f64) {
+    let found = percuss_study::extrapolate(&values);
+    (found.order, found.limit, found.uncertainty)
 }

@@ -168,6 +168,20 @@ impl Study {
         self.folder(&directory).map(drop)
     }
 
+    /// `indices.parquet` of the results in a directory; none for a study without Sobol indices.
+    fn indices(&self, py: Python<'_>, directory: PathBuf) -> PyResult<Option<Vec<u8>>> {
+        if !self.inner.has_sobol_indices() {
+            return Ok(None);
+        }
+        let folder = self.folder(&directory)?;
+        let bytes = py.detach(|| {
+            let table = folder.results(&self.inner)?;
+            let indices = percuss_study::indices(&self.inner, &table);
+            percuss_study::indices_parquet(&self.inner, &indices)
+        });
+        bytes.map(Some).map_err(refused)
+    }
+
     /// `report.html` of the results in a directory.
     fn report(&self, py: Python<'_>, directory: PathBuf) -> PyResult<String> {
         let folder = self.folder(&directory)?;

@@ -134,7 +134,7 @@ pub(crate) struct Reader<'s> {
 impl<'s> Reader<'s> {
     pub fn new(text: &'s str, root: &Body<'s>, folder: &Path) -> Self {
         let mut names = BTreeMap::new();
-        for kind in ["material", "section", "beam", "obstacle", "projectile"] {
+        for kind in ["material", "section", "beam", "mass", "obstacle", "projectile"] {
             let table = root.get(kind).as_ref().and_then(Body::of);
             let keys = table.map(|t| t.keys()).unwrap_or_default();
             names.insert(kind, keys.into_iter().map(|(name, _)| name).collect());

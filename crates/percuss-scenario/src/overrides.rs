@@ -5,6 +5,7 @@ use toml::de::DeTable;
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::reach;
 use crate::schema::schema;
 use crate::source::Source;
 use crate::suggest;
@@ -54,16 +55,23 @@ fn apply(document: &mut DocumentMut, schema: &Json, text: &str) -> Result<(), Di
     let (path, value) =
         text.split_once('=').ok_or_else(|| fault("", format!("`{text}`"), example))?;
     let (path, value) = (path.trim(), value.trim());
-    let parts: Vec<&str> = path.split('.').map(str::trim).collect();
+    // `velocity[1]` is `velocity.1`, as in the paths of studies.
+    let steps = reach::steps(path);
+    let parts: Vec<&str> = steps.iter().map(String::as_str).collect();
     let Some(top) = schema["properties"].get(parts[0]) else {
         let expected = suggest::one_of(parts[0], keys(schema).into_iter());
         return Err(fault(path, format!("the unknown key `{}`", parts[0]), expected));
     };
     let value = value.parse().unwrap_or_else(|_| Value::from(value));
-    let named = top.get("additionalProperties").filter(|inner| inner.is_object());
+    // `initial` has keys of its own beside tables with names.
+    let own = parts.get(1).is_some_and(|key| top["properties"].get(*key).is_some());
+    let named = top.get("additionalProperties").filter(|inner| inner.is_object() && !own);
     let inner = named.unwrap_or(top);
     match (parts.as_slice(), named.is_some(), keys(inner).is_empty()) {
         ([key], false, true) => put(document.as_table_mut(), key, value),
+        ([key, ..], false, true) if indices(&parts[1..]).is_some() => {
+            put_inside(path, document.as_table_mut(), &parts, value)?;
+        }
         ([table, keys @ ..], false, false) if !keys.is_empty() => {
             check_keys(path, keys, inner)?;
             let root = document.as_table_mut();
@@ -118,7 +126,7 @@ fn check_keys(path: &str, given: &[&str], table: &Json) -> Result<(), Diagnostic
         let expected = suggest::one_of(key, names.into_iter());
         return Err(fault(path, format!("the unknown key `{key}`"), expected));
     }
-    if rest.is_empty() {
+    if rest.is_empty() || indices(rest).is_some() && inner.iter().all(|i| keys(i).is_empty()) {
         return Ok(());
     }
     let Some(table) = inner.into_iter().find(|schema| !keys(schema).is_empty()) else {
@@ -140,12 +148,50 @@ fn put_inside(
             put(table, key, value);
             Ok(())
         }
+        [key, rest @ ..] if indices(rest).is_some() && !is_table(table, key) => {
+            let item = table.get_mut(key).and_then(Item::as_value_mut);
+            let Some(list) = item else {
+                let expected = format!("a list in the file to change, or {key}=[...]");
+                return Err(fault(path, format!("no `{key}` in the file"), expected));
+            };
+            put_entry(path, list, &indices(rest).unwrap_or_default(), value)
+        }
         [key, rest @ ..] => {
             let braces = || Item::Value(Value::InlineTable(InlineTable::new()));
             let inner = table.entry(key).or_insert_with(braces);
             put_inside(path, table_like(path, inner)?, rest, value)
         }
     }
+}
+
+/// The steps as indices of lists, if all of them are; there is one at least.
+fn indices(steps: &[&str]) -> Option<Vec<usize>> {
+    let all: Option<Vec<usize>> = steps.iter().map(|step| step.parse().ok()).collect();
+    all.filter(|all| !all.is_empty())
+}
+
+fn is_table(table: &dyn TableLike, key: &str) -> bool {
+    table.get(key).is_some_and(Item::is_table_like)
+}
+
+/// Sets an entry of a list, or of a list within it.
+fn put_entry(
+    path: &str,
+    at: &mut Value,
+    indices: &[usize],
+    mut value: Value,
+) -> Result<(), Diagnostic> {
+    let [index, rest @ ..] = indices else {
+        *value.decor_mut() = at.decor().clone();
+        *at = value;
+        return Ok(());
+    };
+    let found = format!("a {} in the file", at.type_name());
+    let Some(list) = at.as_array_mut() else { return Err(fault(path, found, "a list")) };
+    let found = format!("the entry {index} of a list of {}", list.len());
+    let expected = format!("an entry from 0 to {}", list.len().saturating_sub(1));
+    let entry = list.get_mut(*index).ok_or_else(|| fault(path, found, expected))?;
+    put_entry(path, entry, rest, value)
 }
 
 fn table_like<'d>(path: &str, item: &'d mut Item) -> Result<&'d mut dyn TableLike, Diagnostic> {

@@ -133,6 +133,7 @@ impl<'s> Reader<'s> {
             ("material", names(&content.material)),
             ("section", names(&content.section)),
             ("beam", names(&content.beam)),
+            ("mass", names(&content.mass)),
             ("obstacle", names(&content.obstacle)),
             ("projectile", names(&content.projectile)),
         ]);

@@ -3,7 +3,8 @@
 use std::marker::PhantomData;
 
 use percuss::{
-    Component, ContactForce, Curve, ImpactLaw, RotaryInertia, Sides, Start, StrainMeasure,
+    Component, ContactForce, Curve, ImpactLaw, MultipleImpacts, RotaryInertia, Sides, Start,
+    StrainMeasure,
 };
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
@@ -93,6 +94,25 @@ impl Words for Started {
     const WORDS: &'static [(&'static str, Start, &'static str)] = &[
         ("reference", Start::Reference, "the stress-free reference configuration"),
         ("static", Start::Static, "static equilibrium under the loads that act at time zero"),
+    ];
+}
+
+/// How touching bodies that are struck at one instant share the blow.
+pub(crate) struct Multiple;
+
+impl Words for Multiple {
+    type Value = MultipleImpacts;
+    const WORDS: &'static [(&'static str, MultipleImpacts, &'static str)] = &[
+        (
+            "simultaneous",
+            MultipleImpacts::Simultaneous,
+            "all contacts obey the impact law at once and share the blow",
+        ),
+        (
+            "sequential",
+            MultipleImpacts::Sequential,
+            "one after another, the fastest approach first: the blow is passed on",
+        ),
     ];
 }
 

@@ -275,8 +275,8 @@ fn motion_and_damping_of_the_whole_are_read() {
         "[initial]\nvelocity = [\"36 km/h\", 0]\nspin = \"180 deg/s\"\nabout = [\"1 cm\", 0]\n\
                         [damping]\nmodal = 0.01\n",
     );
-    assert_eq!(content.initial.velocity, [10.0, 0.0]);
-    assert_eq!(content.initial.spin, std::f64::consts::PI);
+    assert_eq!(content.initial.all.velocity, [10.0, 0.0]);
+    assert_eq!(content.initial.all.spin, std::f64::consts::PI);
     assert_eq!(
         (&content.damping.modal, content.damping.modes),
         (&ModalRatios::All(0.01), Some(10))

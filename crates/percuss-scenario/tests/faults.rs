@@ -144,7 +144,8 @@ fn a_missing_table_is_named() {
     let beam = faults("[time]\nend = 1\nstep = 0.1\n");
     assert_eq!(
         beam.to_string(),
-        "f.toml:1:1: beam: found no beam, expected at least one table [beam.NAME]"
+        "f.toml:1:1: beam: found no beam, expected at least one table [beam.NAME], or free projectiles \
+         [projectile.NAME] and what they meet"
     );
     let text = &ELASTIC[..ELASTIC.find("[time]").unwrap()];
     assert!(faults(text).to_string().contains("time: found no [time], expected a table with"));

@@ -26,7 +26,7 @@ fn every_key_has_a_description() {
 #[test]
 fn required_keys_and_defaults_are_those_of_the_reader() {
     let schema = schema();
-    assert_eq!(schema["required"], serde_json::json!(["beam", "time"]));
+    assert_eq!(schema["required"], serde_json::json!(["time"]));
     let section = &schema["properties"]["section"]["additionalProperties"]["oneOf"][0];
     assert_eq!(section["required"], serde_json::json!(["area", "inertia"]));
     assert_eq!(section["properties"]["shape"]["const"], serde_json::json!("explicit"));

@@ -61,10 +61,12 @@
 
 pub mod analysis;
 mod column;
+mod converge;
 mod design;
 mod distribution;
 mod error;
 mod folder;
+mod indices;
 mod merge;
 mod parameter;
 mod parquet;
@@ -78,14 +80,19 @@ mod study;
 mod sweep;
 
 pub use column::{Column, Role, Table, Values};
+pub use converge::{
+    Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence,
+    converge, extrapolate,
+};
 pub use distribution::{Distribution, Gauss};
 pub use error::Error;
 pub use folder::{Folder, REPORT, RESULTS};
+pub use indices::{INDICES, indices, indices_parquet};
 pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};
 pub use prepare::Invalid;
 pub use report::report;
-pub use sensitivity::{Differentiated, Sensitivity, SensitivityError, sensitivity};
+pub use sensitivity::{Differentiated, OneSided, Sensitivity, SensitivityError, sensitivity};
 pub use shard::Shard;
 pub use study::{ResultColumn, Study};
 pub use sweep::{Done, Progress, sweep};

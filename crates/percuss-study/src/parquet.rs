@@ -31,7 +31,16 @@ pub(crate) struct Writer<W: Write + Send> {
 impl<W: Write + Send> Writer<W> {
     /// Begins a file; `more` goes into its metadata.
     pub fn new(out: W, study: &Study, more: Vec<(&str, String)>) -> Result<Self> {
-        let layout = study.layout();
+        Self::with_layout(out, study, study.layout(), more)
+    }
+
+    /// Begins a file with columns of its own.
+    pub fn with_layout(
+        out: W,
+        study: &Study,
+        layout: Vec<(Column, Values)>,
+        more: Vec<(&str, String)>,
+    ) -> Result<Self> {
         let properties = Arc::new(properties(study, &layout, more));
         let file = SerializedFileWriter::new(out, schema(&layout)?, properties)?;
         Ok(Self { file })

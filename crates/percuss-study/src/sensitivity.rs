@@ -1,7 +1,7 @@
 //! Derivatives of a run's results with respect to values of its scenario.
 
-use percuss::{Fault, sensitivities};
-use percuss_output::{pick, summary_paths};
+use percuss::{Fault, Grazing, Sensitivities, Settings, Undifferentiated, sensitivities};
+use percuss_output::{SummaryPath, pick, summary_paths};
 use percuss_scenario::{Diagnostics, Scenario};
 
 use crate::prepare::in_one_line;
@@ -10,6 +10,12 @@ use crate::resolve::result;
 /// Change of a parameter over which the numbers of the model are differentiated, as a share of its size. They are smooth
 /// functions of it: the error of the fourth-order difference lies at round-off.
 const SHARE: f64 = 1e-3;
+
+/// Shares of the step at which the run is made again, to see what its size does to derivatives.
+const OTHER_STEPS: [f64; 2] = [0.5, 0.8];
+
+/// Changes below this share of a parameter are told where they make or end a contact.
+const NEAR: f64 = 0.01;
 
 /// What results are differentiated where none are named: how their paths end.
 const USUAL: [&str; 7] = [
@@ -42,6 +48,39 @@ pub struct Sensitivity {
     pub results: Vec<Differentiated>,
     /// Derivatives, shape (n_result, n_parameter), in SI units of both.
     pub derivatives: Vec<Vec<f64>>,
+    /// Uncertainty of each derivative from the size of the step, shape and units of `derivatives`: twice what half the step
+    /// changes, which is the error of a derivative of first order in the step, or twice what four fifths of it change, if that
+    /// is more: instants of impacts then lie elsewhere in their steps. NaN where other steps do not tell.
+    pub uncertainties: Vec<Vec<f64>>,
+    /// Contacts that a small change of a parameter makes or ends.
+    pub one_sided: Vec<OneSided>,
+}
+
+/// A contact that is about to appear or to vanish: derivatives by a parameter hold on the side of the run alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OneSided {
+    /// Name of the contact.
+    pub contact: String,
+    /// When \[s\].
+    pub time: f64,
+    /// Whether it would appear; else it would vanish.
+    pub appears: bool,
+    /// Path of the parameter.
+    pub parameter: String,
+    /// Change of the parameter that does it, to first order, in its SI unit.
+    pub change: f64,
+}
+
+impl OneSided {
+    /// What it means, in a sentence.
+    pub fn text(&self) -> String {
+        let what = if self.appears { "appear" } else { "vanish" };
+        format!(
+            "a contact of `{}` is about to {what} at t = {:.6e} s: a change of {} by {:+.2e} is enough, to first order; \
+             derivatives by it are one-sided",
+            self.contact, self.time, self.parameter, self.change
+        )
+    }
 }
 
 /// Why there are no derivatives.
@@ -49,8 +88,19 @@ pub struct Sensitivity {
 pub enum SensitivityError {
     /// The scenario, or a path.
     Faults(Diagnostics),
-    /// The run, or a part of the model that cannot be differentiated.
+    /// Something that has no derivatives.
+    Refused(String),
+    /// The run fails.
     Run(String),
+}
+
+impl From<Undifferentiated> for SensitivityError {
+    fn from(why: Undifferentiated) -> Self {
+        match why {
+            Undifferentiated::Refused(why) => Self::Refused(why),
+            Undifferentiated::Failed(why) => Self::Run(why),
+        }
+    }
 }
 
 impl From<Diagnostics> for SensitivityError {
@@ -59,7 +109,7 @@ impl From<Diagnostics> for SensitivityError {
     }
 }
 
-/// Runs a scenario and differentiates results, by their paths in the summary, with respect to numbers of the scenario, by
+/// Runs a scenario, and again at other steps, and differentiates results, by their paths in the summary, with respect to numbers of the scenario, by
 /// theirs. Without results, peaks, impulses and velocities at the end.
 ///
 /// # Errors
@@ -85,13 +135,12 @@ pub fn sensitivity(
     if !faults.is_empty() {
         return Err(scenario.diagnostics(faults).into());
     }
-    let found = sensitivities(&compiled.model, &compiled.settings, &variations)
-        .map_err(SensitivityError::Run)?;
+    let found = sensitivities(&compiled.model, &compiled.settings, &variations)?;
     let mut paths = Vec::new();
     for path in wanted(results, &found.summary) {
         match result(&path, &found.summary) {
             Ok(path) if path.is_of_forces() => {
-                return Err(SensitivityError::Run(format!(
+                return Err(SensitivityError::Refused(format!(
                     "derivatives are not known for section forces and reactions (`{}`)",
                     path.path()
                 )));
@@ -104,18 +153,65 @@ pub fn sensitivity(
         return Err(scenario.diagnostics(faults).into());
     }
     let values = pick(&paths, &found.summary);
-    let by: Vec<Vec<f64>> = found.derivatives.iter().map(|d| pick(&paths, d)).collect();
+    let derivatives = derivatives(&paths, &found);
+    // Another step that fails leaves the derivatives as they are, and their uncertainty unknown.
+    let others = OTHER_STEPS.map(|share| {
+        let step = share * compiled.settings.step;
+        let settings = Settings { step, ..compiled.settings.clone() };
+        let other = sensitivities(&compiled.model, &settings, &variations).ok()?;
+        Some(self::derivatives(&paths, &other))
+    });
+    let uncertainties = uncertainties(&derivatives, &others);
+    let one_sided = one_sided(&found.grazing, &differentiated);
     let results = paths.iter().zip(&values).map(|(path, value)| Differentiated {
         path: path.path().into(),
         value: *value,
         unit: path.unit().into(),
     });
-    let derivatives = (0..paths.len()).map(|k| by.iter().map(|column| column[k]).collect());
-    Ok(Sensitivity {
-        parameters: differentiated,
-        results: results.collect(),
-        derivatives: derivatives.collect(),
-    })
+    let results = results.collect();
+    Ok(Sensitivity { parameters: differentiated, results, derivatives, uncertainties, one_sided })
+}
+
+/// Derivatives of the results at these paths, shape (n_result, n_parameter).
+fn derivatives(paths: &[SummaryPath], found: &Sensitivities) -> Vec<Vec<f64>> {
+    let by: Vec<Vec<f64>> = found.derivatives.iter().map(|d| pick(paths, d)).collect();
+    (0..paths.len()).map(|k| by.iter().map(|column| column[k]).collect()).collect()
+}
+
+/// Twice the largest of what other steps change.
+fn uncertainties(own: &[Vec<f64>], others: &[Option<Vec<Vec<f64>>>]) -> Vec<Vec<f64>> {
+    let of = |row: usize, column: usize| {
+        let off = |other: &Option<Vec<Vec<f64>>>| -> f64 {
+            let other = other.as_ref().map_or(f64::NAN, |other| other[row][column]);
+            2.0 * (own[row][column] - other).abs()
+        };
+        // What one of them does not know is unknown.
+        let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
+        others.iter().map(off).fold(0.0, larger)
+    };
+    own.iter()
+        .enumerate()
+        .map(|(row, values)| (0..values.len()).map(|column| of(row, column)).collect())
+        .collect()
+}
+
+/// Contacts that a change of a parameter by less than [`NEAR`] of it makes or ends.
+fn one_sided(grazing: &[Grazing], parameters: &[Differentiated]) -> Vec<OneSided> {
+    let mut all = Vec::new();
+    for one in grazing {
+        for (change, parameter) in one.changes.iter().zip(parameters) {
+            if change.abs() <= NEAR * parameter.value.abs() && change.is_finite() {
+                all.push(OneSided {
+                    contact: one.contact.clone(),
+                    time: one.time,
+                    appears: one.missed_by.is_some(),
+                    parameter: parameter.path.clone(),
+                    change: *change,
+                });
+            }
+        }
+    }
+    all
 }
 
 /// The results asked for, or the usual ones.

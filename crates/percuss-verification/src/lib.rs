@@ -6,9 +6,11 @@
 mod beams;
 mod check;
 mod conservation;
+mod cradle;
 mod elastic;
 mod motion;
 mod rigid;
+mod section_forces;
 mod statics;
 mod stops;
 mod structure;
@@ -83,6 +85,12 @@ pub const CASES: &[Case] = &[
         run: rigid::bouncing_ball,
     },
     Case {
+        id: "cradle",
+        title: "Newton's cradle of five balls: the blow passed on, and shared at once",
+        source: "closed form; Herrmann and Seitz 1982, Am. J. Phys. 50, 977",
+        run: cradle::cradle_of_five,
+    },
+    Case {
         id: "rigid-rod",
         title: "F4: free rigid rod struck off its middle",
         source: "closed form",
@@ -147,6 +155,18 @@ pub const CASES: &[Case] = &[
         title: "Equilibria against the size of load steps",
         source: "identity",
         run: statics::load_steps,
+    },
+    Case {
+        id: "section-forces",
+        title: "Section forces under distributed loads, weight, and forces that part a beam",
+        source: "balance of free bodies; any mesh",
+        run: section_forces::in_statics,
+    },
+    Case {
+        id: "tapered-stress",
+        title: "Stress at the thin end of tapered cantilevers",
+        source: "N/A + M/W of the section there",
+        run: section_forces::of_tapers,
     },
     Case {
         id: "simple-beam",

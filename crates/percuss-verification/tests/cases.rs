@@ -35,6 +35,7 @@ cases! {
     rigid_sequence = "rigid-sequence",
     rigid_linear = "rigid-linear",
     bouncing_ball = "bouncing-ball",
+    cradle = "cradle",
     rigid_rod = "rigid-rod",
     effective_mass = "effective-mass",
     frequencies = "frequencies",

@@ -13,6 +13,8 @@ enum ErrorKind {
     NoConvergence { time: f64, step: f64, what: String },
     NoEquilibrium { share: f64 },
     MomentBeyondLaw { share: f64, beam: String, most: f64 },
+    NothingHolds { body: String },
+    Overlap { what: String },
     Singular { time: f64, place: String },
     Recorder(crate::record::RecorderError),
 }
@@ -31,6 +33,16 @@ impl Error {
     /// No equilibrium beyond a share of the loads, since a section in Green strains carries no larger moment.
     pub(crate) fn moment_beyond_law(share: f64, beam: String, most: f64) -> Self {
         Self { kind: ErrorKind::MomentBeyondLaw { share, beam, most } }
+    }
+
+    /// Loads carry a rigid body away: no contact holds it.
+    pub(crate) fn nothing_holds(body: String) -> Self {
+        Self { kind: ErrorKind::NothingHolds { body } }
+    }
+
+    /// One thing is inside another before any load acts.
+    pub(crate) fn overlap(what: String) -> Self {
+        Self { kind: ErrorKind::Overlap { what } }
     }
 
     /// The tangent cannot be factorised.
@@ -83,6 +95,11 @@ impl fmt::Display for Error {
                  (strain = \"green\") carries a bending moment of at most {most:.6e} N m, \
                  2/3 EI / sqrt(6 I/A); engineering strains (strain = \"engineering\") have no such limit"
             ),
+            ErrorKind::NothingHolds { body } => write!(
+                f,
+                "no equilibrium: nothing holds `{body}`, which the loads carry away for good (in statics contacts have no friction)"
+            ),
+            ErrorKind::Overlap { what } => write!(f, "{what}"),
             ErrorKind::Singular { time, place } => {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")
             }

@@ -30,16 +30,18 @@ pub const BUILD: &str = env!("PERCUSS_BUILD");
 pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
 pub use analysis::{
     BucklingMode, BucklingOutcome, Detail, Equilibrium, LinearBuckling, Mode, ModeKind, Path,
-    PathPoint, Simulation, buckling, equilibrium, equilibrium_in, equilibrium_path, mechanisms,
-    modes_about, natural_frequencies, reference_state, simulate, simulate_batch,
+    PathPoint, Simulation, StaticContact, buckling, equilibrium, equilibrium_in, equilibrium_path,
+    mechanisms, modes_about, natural_frequencies, reference_state, simulate, simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
-pub use ensemble::{Sensitivities, Variation, sensitivities};
+pub use ensemble::{Grazing, Sensitivities, Undifferentiated, Variation, sensitivities};
 pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;
 pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder, RecorderError};
-pub use settings::{ImpactResolution, PathEnd, PathSettings, Scheme, Settings, Start};
+pub use settings::{
+    ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,
+};
 pub use state::{PairState, ProjectileState, State};
 pub use step::newton::Effort;
 pub use summary::*;

@@ -41,6 +41,16 @@ impl ImpactResolution {
     pub const CLOSED_TOLERANCE: f64 = 1e-9;
 }
 
+/// How touching bodies that are struck at one instant share the blow, in [`ImpactResolution::Event`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MultipleImpacts {
+    /// All contacts obey the impact law at once: one problem for all impulses.
+    #[default]
+    Simultaneous,
+    /// One after another, the fastest approach first: the blow is passed on from body to body.
+    Sequential,
+}
+
 /// Configuration in which a transient analysis starts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Start {
@@ -62,6 +72,8 @@ pub struct Settings {
     pub scheme: Scheme,
     /// Resolution of impacts of rigid projectiles.
     pub impacts: ImpactResolution,
+    /// Sharing of a blow among touching bodies.
+    pub multiple_impacts: MultipleImpacts,
     /// A row is recorded every so many steps (and at every impact).
     pub record_every: usize,
     /// Configuration at time zero.
@@ -76,6 +88,7 @@ impl Settings {
             step,
             scheme: Scheme::default(),
             impacts: ImpactResolution::Event,
+            multiple_impacts: MultipleImpacts::Simultaneous,
             record_every: 1,
             start: Start::Reference,
         }
@@ -117,6 +130,13 @@ impl Settings {
             let found = format!("{closed_tolerance} m");
             add("time.closed_tolerance", found, "a length of zero or above");
         }
+        let located = self.impacts == ImpactResolution::Event;
+        if self.multiple_impacts == MultipleImpacts::Sequential && !located {
+            let found = "impacts one after another, with a gap that is looked at once per step";
+            let expected = "impacts = \"event\", or multiple_impacts = \"simultaneous\": \
+                            what is passed on at one instant needs the instant";
+            add("time.multiple_impacts", found.into(), expected);
+        }
         if let Scheme::GeneralizedAlpha { spectral_radius } = self.scheme
             && !(0.0..=1.0).contains(&spectral_radius)
         {
@@ -149,7 +169,8 @@ impl Scheme {
 /// How an equilibrium path is followed by arc length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathSettings {
-    /// Load factor of the first point; the arc that leads there is the largest.
+    /// Load factor of the first point; the arc that leads there is the longest at limit points. Elsewhere arcs grow and shrink with the
+    /// corrections they take.
     pub first: f64,
     /// Most points.
     pub points: usize,

@@ -69,6 +69,30 @@ impl Reacting {
     }
 }
 
+/// How far the course of a prescribed motion was followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Followed {
+    /// Its value.
+    pub value: f64,
+    /// The value from which displacements count: a start at rest begins where the motion is, in a static one it has moved there.
+    pub origin: f64,
+    /// Its rate, as what it holds moves: at a kink the one before it until the jump has been made \[1/s\].
+    pub rate: f64,
+    /// Whether it holds parts of the structure, whose mass resists a jump of the rate.
+    pub held: bool,
+}
+
+/// Reactions at an instant at which forces balance.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Instant {
+    /// Time from it to the end of its step \[s\].
+    pub since: f64,
+    /// Of each support, shape (n_support) \[N, N m\].
+    pub reactions: Vec<[f64; 3]>,
+    /// Of all supports and guides: force, and moment about the origin \[N, N m\].
+    pub total: [f64; 3],
+}
+
 /// State of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
@@ -90,14 +114,16 @@ pub struct State {
     /// Stored strains (membrane, bending) at the Gauss points, shape (n_elem, n_gauss) \[1, 1/m\]; strain-rate scheme
     /// only, empty otherwise.
     pub strain: Vec<[[f64; 2]; GAUSS]>,
-    /// Values to which the courses of prescribed motions were followed, shape (n_motion).
-    pub(crate) followed: Vec<f64>,
+    /// How far prescribed motions were followed, shape (n_motion).
+    pub(crate) followed: Vec<Followed>,
     /// Coordinates of springs and dampers, angles unwound, shape (n_connector) \[m, rad\].
     pub coordinates: Vec<f64>,
     /// Angular rates of the point masses, shape (n_mass) \[rad/s\].
     pub mass_spin: Vec<f64>,
     /// Impulse and angular impulse about its own point of each support so far, shape (n_support) \[N s, N m s\].
     pub reactions: Vec<[f64; 3]>,
+    /// Reactions at the last instant of balance of a scheme that advances accelerations.
+    pub(crate) instant: Option<Instant>,
     /// Which of them the part of a step accepted last has changed.
     pub(crate) reacting: Reacting,
     /// Multipliers of the constraints, shape (n_constraint) \[N, N m\].
@@ -123,10 +149,11 @@ impl State {
             acceleration: if advances_accelerations { vec![[0.0; 4]; nodes] } else { Vec::new() },
             spin: vec![[0.0; GAUSS]; elements],
             strain: if stores_strain { vec![[[0.0; 2]; GAUSS]; elements] } else { Vec::new() },
-            followed: model.motions.iter().map(|course| course.value(0.0)).collect(),
+            followed: followed(model),
             coordinates: Vec::new(),
             mass_spin: vec![0.0; model.masses.len()],
             reactions: vec![[0.0; 3]; model.supports.len()],
+            instant: None,
             reacting: Reacting::none(model.supports.len()),
             multiplier: vec![0.0; model.constraints.len()],
             pairs: vec![PairState::unseen(); model.pairs.len()],
@@ -169,17 +196,6 @@ impl State {
         }
         state.pairs.clear();
         state
-    }
-
-    /// The same with bodies added, where they start.
-    pub(crate) fn with_bodies_of(mut self, model: &Model) -> Self {
-        let scheme = Scheme::EnergyMomentum;
-        let start = Self::at_rest(model, scheme);
-        let first = self.displacement.len();
-        self.displacement.extend_from_slice(&start.displacement[first..]);
-        self.velocity.resize(model.node_count(), [0.0; 4]);
-        self.pairs = start.pairs;
-        self
     }
 
     /// Coordinates of the connectors in the configuration as it stands.
@@ -226,6 +242,22 @@ impl State {
             }
         }
     }
+}
+
+/// Where prescribed motions begin: what they hold is at rest before.
+fn followed(model: &Model) -> Vec<Followed> {
+    let mut out: Vec<Followed> = model
+        .motions
+        .iter()
+        .map(|course| course.value(0.0))
+        .map(|value| Followed { value, origin: value, rate: 0.0, held: false })
+        .collect();
+    for drive in model.structural_drives() {
+        for (motion, _) in drive {
+            out[*motion].held = true;
+        }
+    }
+    out
 }
 
 impl PairState {

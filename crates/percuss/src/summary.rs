@@ -87,9 +87,10 @@ pub struct ProjectileSummary {
     pub velocity_final: [f64; 2],
     /// Angular velocity at the end \[rad/s\]; zero for a guided one.
     pub spin_final: f64,
-    /// Momentum given away, along its initial velocity or its line of flight \[kg m/s\].
+    /// Impulse that it gave to others through its contacts, along its line of flight or its initial velocity: what it lost to them, loads
+    /// left out. Of a free body at rest at the start the magnitude, negative: it can only receive \[N s\].
     pub momentum_transferred: f64,
-    /// Kinetic energy given away \[J\].
+    /// Work that it did on others through its contacts, negative if they did work on it; loads and losses inside it left out \[J\].
     pub energy_transferred: f64,
 }
 
@@ -110,7 +111,7 @@ impl Default for ContactPlace {
 
 /// What a contact did to the energies of the two that touch, over an interval or in an impact.
 ///
-/// `given[0] + given[1] + lost + stored` is zero.
+/// `given[0] + given[1] + lost + stored + scheme` is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EnergySplit {
     /// Work of the contact on either party: what goes into a beam runs on as waves \[J\].
@@ -119,48 +120,134 @@ pub struct EnergySplit {
     pub lost: f64,
     /// Energy that the contact's own spring holds more than at the start; zero once it is open again \[J\].
     pub stored: f64,
+    /// What the force of a scheme without exact energies takes out of the contact (negative: brings in); round-off of the others \[J\].
+    pub scheme: f64,
 }
 
-/// One closed interval of a contact, resolved within the step.
+impl EnergySplit {
+    /// Leaves to the scheme what is missing.
+    pub(crate) fn balance(&mut self) {
+        self.scheme = 0.0 - (self.given[0] + self.given[1] + self.lost + self.stored);
+    }
+}
+
+/// One closed interval of a contact, resolved within the step: from when the first of its points closes until the last opens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactInterval {
     /// Start \[s\].
     pub start: f64,
     /// End \[s\]; NaN if still closed at the end of the run.
     pub end: f64,
-    /// Impulse handed over in it, along the normal \[N s\].
+    /// Impulse handed over in it by all points, along their normals \[N s\].
     pub impulse: f64,
     /// Impulse of friction in it, along the tangent; NaN under a smooth law, which knows none \[N s\].
     pub tangential_impulse: f64,
-    /// Largest force of a smooth contact in it; unset for persistent contact of rigid bodies, which has none but means over
-    /// steps.
+    /// Largest force of a smooth contact in it, summed over its points; unset for persistent contact of rigid bodies, which has
+    /// none but means over steps.
     pub peak_force: Peak,
-    /// Relative velocity at the start, positive when approaching \[m/s\].
+    /// Relative velocity at the start, of the point that touches first, positive when approaching \[m/s\].
     pub approach_velocity: f64,
-    /// Relative velocity at the end, positive when separating; NaN if still closed \[m/s\].
+    /// Relative velocity at the end, of the point that leaves last, positive when separating; NaN if still closed, or if the step
+    /// does not resolve how it parted \[m/s\].
     pub separation_velocity: f64,
-    /// Where it closed.
+    /// Steps in which it was closed, in part or throughout.
+    pub steps: usize,
+    /// Whether the gap moved steadily before and after: its rate changed by less than itself within a step.
+    pub steady: bool,
+    /// Whether the point that touched first is the one that left last: velocities of two points make no coefficient.
+    pub one_point: bool,
+    /// Where it closed first.
     pub place: ContactPlace,
-    /// Where it opened, or was last closed.
+    /// Where it opened last, or was last closed.
     pub place_end: ContactPlace,
     /// Energies.
     pub energy: EnergySplit,
 }
 
-/// One impact of rigid bodies.
+/// Why a touch has no coefficient of restitution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoRestitution {
+    /// It is still closed at the end of the run.
+    Closed,
+    /// Persistent contact, to which rigid things come by being at rest against each other.
+    Persistent,
+    /// Nothing approached.
+    NoApproach,
+    /// It lasted for this number of steps, too few to follow it.
+    Steps(usize),
+    /// Within a step the gap's rate changes by more than itself.
+    Unsteady,
+    /// One point touched first, another one left last.
+    Points,
+}
+
+impl std::fmt::Display for NoRestitution {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Closed => f.write_str("still closed"),
+            Self::Persistent => f.write_str("persistent contact"),
+            Self::NoApproach => f.write_str("nothing approached"),
+            Self::Steps(1) => f.write_str("not resolved: 1 step in contact"),
+            Self::Steps(n) => write!(f, "not resolved: {n} steps in contact"),
+            Self::Unsteady => f.write_str(
+                "not resolved: the gap's velocity changes by more than itself in a step",
+            ),
+            Self::Points => f.write_str("touched first and left last at different points"),
+        }
+    }
+}
+
+impl ContactInterval {
+    /// An interval of fewer steps than this is not resolved: its beginning and its end are half of what is known of it.
+    pub const RESOLVED: usize = 4;
+
+    /// Apparent coefficient of restitution: velocity of separation over that of approach.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn restitution(&self) -> Result<f64, NoRestitution> {
+        if !self.tangential_impulse.is_nan() {
+            return Err(NoRestitution::Persistent);
+        }
+        if self.end.is_nan() {
+            return Err(NoRestitution::Closed);
+        }
+        if self.steps < Self::RESOLVED {
+            return Err(NoRestitution::Steps(self.steps));
+        }
+        if !self.steady || self.separation_velocity.is_nan() {
+            return Err(NoRestitution::Unsteady);
+        }
+        if !self.one_point {
+            return Err(NoRestitution::Points);
+        }
+        quotient(self.approach_velocity, self.separation_velocity)
+    }
+}
+
+/// Separation over approach, where something approached.
+fn quotient(approach: f64, separation: f64) -> Result<f64, NoRestitution> {
+    // What comes to rest and is thrown off later has approached by round-off.
+    let approached = approach > 1e-9 * separation.abs();
+    if approached { Ok(separation / approach) } else { Err(NoRestitution::NoApproach) }
+}
+
+/// One impact of rigid bodies: all points of a contact that strike at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact {
     /// Time \[s\].
     pub time: f64,
-    /// Impulse along the normal \[N s\].
+    /// Impulse along the normal, of all points that struck \[N s\].
     pub impulse: f64,
     /// Impulse of friction, along the tangent: the normal turned by -90 degrees \[N s\].
     pub tangential_impulse: f64,
-    /// Relative velocity before, positive when approaching \[m/s\].
+    /// Points of the contact that struck at this instant.
+    pub points: usize,
+    /// Relative velocity before, of the point that struck fastest, positive when approaching \[m/s\].
     pub approach_velocity: f64,
-    /// Relative velocity after, positive when separating \[m/s\].
+    /// Relative velocity of the same point after, positive when separating \[m/s\].
     pub separation_velocity: f64,
-    /// Where.
+    /// Where that point struck.
     pub place: ContactPlace,
     /// Energies.
     pub energy: EnergySplit,
@@ -168,12 +255,22 @@ pub struct Impact {
     pub tamed: bool,
 }
 
+impl Impact {
+    /// Apparent coefficient of restitution: velocity of separation over that of approach.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn restitution(&self) -> Result<f64, NoRestitution> {
+        quotient(self.approach_velocity, self.separation_velocity)
+    }
+}
+
 /// What happened between two things that can touch.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ContactRecord {
     /// Under a smooth law.
     Smooth {
-        /// Largest force.
+        /// Largest force, summed over all points at one instant.
         peak_force: Peak,
         /// Closed intervals, in the order they began; the first [`ContactRecord::IMPACTS_KEPT`] of them.
         intervals: Vec<ContactInterval>,
@@ -199,6 +296,12 @@ pub enum ContactRecord {
 impl ContactRecord {
     /// So many impacts (or intervals) of one contact are kept in the summary, so that memory does not grow with the run.
     pub const IMPACTS_KEPT: usize = 10_000;
+
+    pub(crate) fn intervals_mut(&mut self) -> &mut [ContactInterval] {
+        match self {
+            Self::Smooth { intervals, .. } | Self::Nonsmooth { intervals, .. } => intervals,
+        }
+    }
 }
 
 /// A contact: that of a guided projectile with the point it strikes, or one between two things that can touch.
@@ -208,10 +311,28 @@ pub struct ContactSummary {
     pub name: String,
     /// Names of the two parties; of a guided projectile's contact, the label of the struck point and the projectile.
     pub between: [String; 2],
-    /// Effective mass of the struck point, of a guided projectile.
+    /// Effective mass of what a guided projectile strikes; under a rigid law, of the beams of any other contact where and when it
+    /// first struck.
     pub effective_mass: Option<EffectiveMass>,
     /// What happened.
     pub record: ContactRecord,
+}
+
+/// Impacts at which several touching bodies were struck at once, so that the impact law shared the blow among them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SharedBlows {
+    /// Their number.
+    pub count: usize,
+    /// Time of the first \[s\]; NaN if there was none.
+    pub first: f64,
+    /// Numbers of two of its contacts, as in [`RunSummary::contacts`].
+    pub contacts: [usize; 2],
+}
+
+impl Default for SharedBlows {
+    fn default() -> Self {
+        Self { count: 0, first: f64::NAN, contacts: [0; 2] }
+    }
 }
 
 /// Extremes of a recorded point.
@@ -221,6 +342,8 @@ pub struct PointSummary {
     pub name: String,
     /// Displacements of largest magnitude, signed, per component.
     pub displacement_max: [Peak; 2],
+    /// Whether steps resolve each of them; if not, it is the largest at the end of a step, and between there may be more.
+    pub resolved: [bool; 2],
 }
 
 /// A largest section force, where and when it occurred.
@@ -266,7 +389,7 @@ impl SectionRange {
     }
 }
 
-/// Smallest and largest values along a beam, over time: both ends of each element, shapes (2 n_element).
+/// Smallest and largest values along a beam, over time: start, middle and end of each element, shapes (3 n_element).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Envelope {
     /// Arc length from the start of the beam \[m\].
@@ -283,8 +406,9 @@ pub struct Envelope {
 
 /// Section forces of a beam: extremes over its length and over time.
 ///
-/// True resultants. Within an element the moment is a straight line (least squares through the Gauss points), the axial force the
-/// mean, and the shear force follows from the balance of moments, `V = (rhoI theta'' - M') / nu`.
+/// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and
+/// its inertia: they agree with reactions, and jump only where something acts. Those of a step are its mean; steps with impacts
+/// are left out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionForceSummary {
     /// The beam's name.
@@ -333,6 +457,9 @@ pub struct SupportSummary {
     pub force: [Range; 2],
     /// Moment about the support's point \[N m\].
     pub moment: Range,
+    /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
+    /// point \[N s, N m s\].
+    pub impulse: [f64; 3],
 }
 
 /// The result of a run.
@@ -368,6 +495,8 @@ pub struct RunSummary {
     pub contacts: Vec<ContactSummary>,
     /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[1\].
     pub contact_residual_max: f64,
+    /// Blows that several touching bodies shared.
+    pub shared_blows: SharedBlows,
     /// One entry a recorded point.
     pub points: Vec<PointSummary>,
     /// One entry a support, in the model's order.

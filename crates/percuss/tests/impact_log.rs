@@ -298,3 +298,58 @@ fn parts_that_move_against_each_other_have_a_scale_of_momentum() {
     assert!(momentum.linear_residual_max < 1e-12, "{momentum:?}");
     assert!(momentum.angular_residual_max < 1e-12, "{momentum:?}");
 }
+
+/// A disc that flies past a wall at an angle and strikes it under a smooth law.
+fn oblique(stiffness: f64, step: f64) -> RunSummary {
+    let mut b = ModelBuilder::new();
+    let ball = b.disc(disc("ball", 0.01, 0.02, [0.1, 0.05], [7.0, -3.0]));
+    let girder = plank(&mut b, 7);
+    held(&mut b, girder);
+    let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
+    b.contact(Contact::new("touch", [Party::Disc(ball), Party::Beam(girder)], law));
+    simulate(&b.build().unwrap(), &Settings::new(0.02, step), &mut NoRecorder).unwrap()
+}
+
+#[test]
+fn a_contact_begins_where_it_closed_whatever_the_step() {
+    // The gap of 26 mm closes at 3 m/s; along the plank the disc goes on at 7 m/s.
+    let (time, s) = (0.026 / 3.0, 0.1 + 7.0 * 0.026 / 3.0);
+    for step in [5e-4, 1e-4, 1e-5] {
+        let run = oblique(1e4, step);
+        let first = &intervals(&run)[0];
+        assert!((first.start - time).abs() < 1e-12, "{step}: {first:?}");
+        // What the plank has given way by the end of the step leans its face, by next to nothing within it; the end of the step
+        // lies up to 3.5 mm farther along.
+        assert!((first.place.s - s).abs() < 1e-6, "{step}: {:?} {s}", first.place);
+        assert!((first.place.position[1] - 0.004).abs() < 1e-5, "{step}: {:?}", first.place);
+        // It leaves farther along, and not later than it has flown by then.
+        let flown = s + 7.0 * (first.end - first.start);
+        assert!((first.place_end.s - flown).abs() < 0.02 * (flown - s) + 1e-6, "{first:?} {flown}");
+    }
+}
+
+#[test]
+fn a_contact_that_the_step_does_not_resolve_has_no_restitution() {
+    let restitution = |stiffness: f64, step: f64| {
+        let run = oblique(stiffness, step);
+        let first = intervals(&run)[0];
+        (first.restitution(), first)
+    };
+    // A half period of pi sqrt(0.01 kg / 1e4 N/m) = 3 ms, in 300 steps and in two or three.
+    let (found, first) = restitution(1e4, 1e-5);
+    assert!(found.is_ok_and(|e| e > 0.0 && e < 1.0), "{first:?}");
+    let (found, first) = restitution(1e6, 2.5e-4);
+    assert!(matches!(found, Err(NoRestitution::Steps(1..=3))), "{first:?}");
+    // Wherever a number is told, it is one that can be.
+    for stiffness in [1e4, 1e5, 1e6, 1e7, 1e8] {
+        for step in [5e-4, 2e-4, 1e-4, 5e-5] {
+            for interval in intervals(&oblique(stiffness, step)) {
+                let impossible = |e: f64| !(0.0..=1e6).contains(&e);
+                assert!(!interval.restitution().is_ok_and(impossible), "{interval:?}");
+                assert!(
+                    interval.separation_velocity.is_nan() || interval.separation_velocity >= 0.0
+                );
+            }
+        }
+    }
+}

@@ -16,12 +16,18 @@ const REASONS: usize = 5;
 
 /// Says what is wrong with a scenario or a study, or what is in it.
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
-    let text = std::fs::read_to_string(&arguments.file).unwrap_or_default();
+    let text = scenario::text(&arguments.file).unwrap_or_default();
     if percuss_scenario::is_study(&text) {
+        if scenario::is_input(&arguments.file) {
+            return Err(Failure::Input(
+                "a study is read from a file, not from standard input".into(),
+            ));
+        }
         return study(arguments);
     }
     let ready = scenario::read(&arguments.file, &arguments.set)?;
-    terminal::print(&format!("{}: sound: {}\n", arguments.file.display(), contents(&ready)))?;
+    let name = scenario::name(&arguments.file);
+    terminal::print(&format!("{name}: sound: {}\n", contents(&ready)))?;
     let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
     let advice = advise(model, settings);
     for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {

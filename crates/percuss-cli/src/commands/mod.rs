@@ -2,6 +2,7 @@
 
 pub mod check;
 pub mod completions;
+pub mod converge;
 pub mod modes;
 pub mod new;
 pub mod report;

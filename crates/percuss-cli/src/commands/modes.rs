@@ -12,6 +12,7 @@ use crate::terminal;
 /// Finds the natural modes of a scenario, prints and draws them.
 pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
+    ready.refuse_without_beam("natural modes")?;
     let compiled = &ready.compiled;
     let model = &compiled.model;
     let about = arguments.about.unwrap_or(match compiled.settings.start {

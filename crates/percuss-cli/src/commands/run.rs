@@ -120,7 +120,7 @@ fn conclude(
         terminal::tell(&audit::table(ended, out));
     }
     if !arguments.quiet {
-        audit::warnings(&ended.summary).iter().for_each(|text| terminal::warning(text));
+        audit::warnings(ended).iter().for_each(|text| terminal::warning(text));
     }
     match &ended.summary.termination {
         Termination::Failed(error) => {

@@ -1,10 +1,10 @@
 //! `percuss sensitivity`.
 
-use percuss_study::{Differentiated, SensitivityError, sensitivity};
+use percuss_study::{Differentiated, OneSided, SensitivityError, sensitivity};
 use serde_json::{Value, json};
 
 use crate::arguments::Sensitivity;
-use crate::number::number;
+use crate::number::{number, small};
 use crate::outcome::{Failure, Status};
 use crate::{scenario, terminal};
 
@@ -17,6 +17,7 @@ pub fn run(arguments: &Sensitivity) -> Result<Status, Failure> {
             let changed = !arguments.set.is_empty();
             return Err(Failure::Faults { faults: Box::new(faults), changed });
         }
+        Err(SensitivityError::Refused(reason)) => return Err(Failure::Input(reason)),
         Err(SensitivityError::Run(reason)) => {
             terminal::error(&reason);
             return Ok(Status::GaveUp);
@@ -27,6 +28,7 @@ pub fn run(arguments: &Sensitivity) -> Result<Status, Failure> {
     } else {
         terminal::print(&table(&found))?;
     }
+    found.one_sided.iter().for_each(|one| terminal::warning(&one.text()));
     Ok(Status::Done)
 }
 
@@ -36,26 +38,46 @@ fn value(found: &percuss_study::Sensitivity) -> Value {
         "parameters": found.parameters.iter().map(one).collect::<Vec<_>>(),
         "results": found.results.iter().map(one).collect::<Vec<_>>(),
         "derivatives": found.derivatives,
+        "uncertainties": found.uncertainties,
+        "one_sided": found.one_sided.iter().map(one_sided).collect::<Vec<_>>(),
     })
 }
 
-/// One block a result: its value, and a line for every parameter with the derivative and what one per cent more would change.
+fn one_sided(one: &OneSided) -> Value {
+    json!({
+        "contact": one.contact,
+        "time": one.time,
+        "appears": one.appears,
+        "parameter": one.parameter,
+        "change": one.change,
+        "text": one.text(),
+    })
+}
+
+/// One block a result: its value, and a line for every parameter with the derivative, its uncertainty from the step and what one per cent more would change.
 fn table(found: &percuss_study::Sensitivity) -> String {
     let width = found.parameters.iter().map(|p| p.path.len()).max().unwrap_or(0);
     let mut text = String::new();
-    for (result, derivatives) in found.results.iter().zip(&found.derivatives) {
+    let rows = found.derivatives.iter().zip(&found.uncertainties);
+    for (result, (derivatives, uncertainties)) in found.results.iter().zip(rows) {
         text += &format!("{} = {} {}\n", result.path, number(result.value), plain(&result.unit));
-        for (parameter, derivative) in found.parameters.iter().zip(derivatives) {
+        let both = derivatives.iter().zip(uncertainties);
+        for (parameter, (derivative, uncertainty)) in found.parameters.iter().zip(both) {
             let share = 100.0 * derivative * 0.01 * parameter.value / result.value;
             let unit = quotient(&result.unit, &parameter.unit);
             text += &format!(
-                "  by {:width$}  {:>13} {unit:<14} 1 % more: {share:+.3} %\n",
+                "  by {:width$}  {:>13} +- {:<9} {unit:<14} 1 % more: {share:+.3} %\n",
                 parameter.path,
                 number(*derivative),
+                uncertain(*uncertainty),
             );
         }
     }
     text
+}
+
+fn uncertain(x: f64) -> String {
+    if x.is_nan() { "unknown".into() } else { small(x) }
 }
 
 fn plain(unit: &str) -> &str {

@@ -15,6 +15,7 @@ use crate::terminal;
 /// Finds the static equilibrium of a scenario, or follows the path to it, and prints what it carries.
 pub fn run(arguments: &Static) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
+    ready.refuse_without_beam("static equilibria")?;
     ready.refuse_mechanism(&arguments.set)?;
     if arguments.path {
         return follow(arguments, &ready);

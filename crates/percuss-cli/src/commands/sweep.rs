@@ -53,6 +53,11 @@ pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     folder.finish(&study)?;
     let table = folder.results(&study)?;
     folder.write(percuss_study::REPORT, percuss_study::report(&study, &table).as_bytes())?;
-    outcome::tell(&study, &table, arguments, &out)?;
+    let indices = percuss_study::indices(&study, &table);
+    if study.has_sobol_indices() {
+        let bytes = percuss_study::indices_parquet(&study, &indices)?;
+        folder.write(percuss_study::INDICES, &bytes)?;
+    }
+    outcome::tell(&study, &table, &indices, arguments, &out)?;
     Ok(Status::Done)
 }

@@ -36,6 +36,7 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
     rows.push(newton(summary));
     rows.push(step_cuts(summary));
     rows.extend(accumulated_steps(summary));
+    rows.extend(shared_blows(summary));
     let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
     table("Audit: largest over the run", &["", "value", "verdict"], &rows)
 }
@@ -107,6 +108,21 @@ fn accumulated_steps(summary: &Value) -> Option<[String; 3]> {
     Some(["steps with accumulated impacts".to_owned(), steps.to_string(), verdict.to_owned()])
 }
 
+/// Impacts that several touching bodies shared, where there are any.
+fn shared_blows(summary: &Value) -> Option<[String; 3]> {
+    let shared = &summary["shared_blows"];
+    let count = shared["count"].as_u64().filter(|count| *count > 0)?;
+    let name = |k: usize| shared["contacts"][k].as_str().unwrap_or("?").to_owned();
+    let verdict = format!(
+        "several touching bodies were struck at once, first at {} by contacts {} and {}: the impact law shared the blow among them; \
+         time.multiple_impacts = \"sequential\" passes it on from one to the next",
+        quantity(shared["first"].as_f64(), "s"),
+        name(0),
+        name(1)
+    );
+    Some(["blows that several bodies shared".to_owned(), count.to_string(), verdict])
+}
+
 /// The settings of the run and its cost.
 pub(super) fn settings(summary: &Value) -> String {
     let settings = &summary["settings"];
@@ -119,6 +135,9 @@ pub(super) fn settings(summary: &Value) -> String {
     let mut impacts = text(&settings["impacts"]);
     if let Some(tolerance) = settings["closed_tolerance"].as_f64() {
         impacts = format!("{impacts}, closed below {}", quantity(Some(tolerance), "m"));
+    }
+    if settings["multiple_impacts"] == "sequential" {
+        impacts += ", several at once settled one after another";
     }
     let start = match settings["start"].as_str() {
         Some("static") => "static equilibrium under the loads at time zero",

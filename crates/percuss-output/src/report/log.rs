@@ -204,6 +204,10 @@ fn place(entry: &Entry<'_>) -> Cell {
 
 fn restitution(entry: &Entry<'_>) -> Cell {
     let value = entry.value["restitution"].as_f64();
+    let why = entry.value["restitution_why"].as_str();
+    if let Some(why) = why.filter(|why| why.starts_with("not resolved")) {
+        return Cell::Text(why.to_owned());
+    }
     // The round-off of a plastic impact is nothing worth reading.
     let text = value.map_or("\u{2013}".to_owned(), |e| match e.abs() < 1e-11 {
         true => "0".to_owned(),

@@ -91,10 +91,7 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> Str
         row("impacts under Moreau's law instead of Newton's", tamed.to_string());
     }
     if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
-        row(
-            "effective mass of the struck point",
-            quantity(contact["effective_mass"].as_f64(), "kg"),
-        );
+        row("effective mass of what is struck", quantity(contact["effective_mass"].as_f64(), "kg"));
         row("its limit on a fine mesh", quantity(contact["effective_mass_limit"].as_f64(), "kg"));
     }
     let title = match projectile {
@@ -134,11 +131,11 @@ fn mass_warning(contact: &Value) -> String {
     let mass = contact["effective_mass"].as_f64();
     let limit = contact["effective_mass_limit"].as_f64();
     let (true, Some(mass), Some(limit)) = (rigid, mass, limit) else { return String::new() };
-    if (mass - limit).abs() <= 0.5 * mass.max(limit) {
+    if (mass - limit).abs() <= 0.5 * limit {
         return String::new();
     }
     let text = format!(
-        "On this mesh the struck point's effective mass is {} kg, its continuum limit {} kg: the \
+        "On this mesh the effective mass of what is struck is {} kg, its continuum limit {} kg: the \
          impulse of a rigid impact is a property of this mesh (see the documentation on restitution \
          and meshes).",
         number(mass),
@@ -161,7 +158,9 @@ fn points(summary: &Value) -> String {
         for component in ["component_1", "component_2"] {
             let peak = &entry[1]["displacement_max"][component];
             row.push(quantity(peak["value"].as_f64(), "m"));
-            row.push(quantity(peak["time"].as_f64(), "s"));
+            let time = quantity(peak["time"].as_f64(), "s");
+            let doubtful = peak["resolved"].as_bool() == Some(false);
+            row.push(if doubtful { format!("{time}, of step ends: not resolved") } else { time });
         }
         row
     })

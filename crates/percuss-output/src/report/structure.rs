@@ -48,7 +48,7 @@ pub(super) fn section_forces(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry>
         (".moment", "section-moment", "Bending moment", "bending moment", "N*m", moment),
         (".stress", "section-stress", "Fibre stress", "stress of larger magnitude", "Pa", 0.0),
     ];
-    let note = "At the recorded points.";
+    let note = "At the recorded points, the mean over the last step without an impact.";
     entries(canvas, "section.", Section::Forces, note, &quantities.map(quantity))
 }
 

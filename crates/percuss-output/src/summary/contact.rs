@@ -1,7 +1,8 @@
 //! Contacts in `summary.json`.
 
 use percuss::{
-    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact, Peak,
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact,
+    NoRestitution, Peak,
 };
 use serde_json::{Value, json};
 
@@ -45,11 +46,12 @@ fn interval(interval: &ContactInterval) -> Value {
         "impulse": interval.impulse,
         "approach_velocity": interval.approach_velocity,
         "separation_velocity": interval.separation_velocity,
-        "restitution": interval_restitution(interval),
+        "steps": interval.steps,
         "place": place(&interval.place),
         "place_end": place(&interval.place_end),
         "energy": energy(&interval.energy),
     });
+    add_restitution(&mut value, interval.restitution());
     // Persistent contact of rigid bodies has no force but means over steps.
     if interval.peak_force != Peak::default() && !interval.peak_force.value.is_nan() {
         value["peak_force"] = peak(&interval.peak_force);
@@ -61,32 +63,29 @@ fn interval(interval: &ContactInterval) -> Value {
 }
 
 fn impact(impact: &Impact) -> Value {
-    json!({
+    let mut value = json!({
         "time": impact.time,
         "impulse": impact.impulse,
         "tangential_impulse": impact.tangential_impulse,
         "approach_velocity": impact.approach_velocity,
         "separation_velocity": impact.separation_velocity,
-        "restitution": restitution(impact.approach_velocity, impact.separation_velocity),
+        "points": impact.points,
         "place": place(&impact.place),
         "energy": energy(&impact.energy),
         "tamed": impact.tamed,
-    })
+    });
+    add_restitution(&mut value, impact.restitution());
+    value
 }
 
-/// Apparent coefficient of restitution: separation over approach; NaN where nothing approached.
-pub(crate) fn restitution(approach: f64, separation: f64) -> f64 {
-    // What comes to rest and is thrown off later has approached by round-off.
-    if approach > 1e-9 * separation.abs() { separation / approach } else { f64::NAN }
-}
-
-/// The same of a closed interval; NaN of persistent contact, which pairs of rigid things come to by being at rest against each other.
-pub(crate) fn interval_restitution(interval: &ContactInterval) -> f64 {
-    let persists = !interval.tangential_impulse.is_nan();
-    if persists {
-        f64::NAN
-    } else {
-        restitution(interval.approach_velocity, interval.separation_velocity)
+/// Adds the coefficient of restitution, or why there is none.
+fn add_restitution(value: &mut Value, restitution: Result<f64, NoRestitution>) {
+    match restitution {
+        Ok(e) => value["restitution"] = e.into(),
+        Err(why) => {
+            value["restitution"] = Value::Null;
+            value["restitution_why"] = why.to_string().into();
+        }
     }
 }
 
@@ -95,5 +94,5 @@ fn place(place: &ContactPlace) -> Value {
 }
 
 fn energy(split: &EnergySplit) -> Value {
-    json!({ "given": split.given, "lost": split.lost, "stored": split.stored })
+    json!({ "given": split.given, "lost": split.lost, "stored": split.stored, "scheme": split.scheme })
 }

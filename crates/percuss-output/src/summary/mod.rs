@@ -7,16 +7,15 @@ mod pick;
 use std::path::Path;
 
 use percuss::{
-    Advice, Comparison, ImpactResolution, Peak, PointSummary, ProjectileSummary, Range, RunSummary,
-    Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start, SupportSummary,
-    Termination,
+    Advice, Comparison, ImpactResolution, MultipleImpacts, Peak, PointSummary, ProjectileSummary,
+    Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start,
+    SupportSummary, Termination,
 };
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;
 use crate::files;
 
-pub(crate) use contact::{interval_restitution, restitution};
 pub use pick::{Picked, SummaryPath, pick, summary_paths};
 
 const SUMMARY: &str = "summary.json";
@@ -58,6 +57,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "projectile": named(&run.projectiles, |p| &p.name, projectile),
         "contact": named(&run.contacts, |c| &c.name, contact::value),
         "contact_residual_max": run.contact_residual_max,
+        "shared_blows": shared_blows(run),
         "point": named(&run.points, |p| &p.name, point),
         "support": named(&run.supports, |s| &s.name, support),
         "section_forces": named(&run.section_forces, |b| &b.name, section_forces),
@@ -68,6 +68,20 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         summary["error"] = Value::from(error.to_string());
     }
     summary
+}
+
+/// Impacts that several touching bodies shared; `null` where there was none.
+fn shared_blows(run: &RunSummary) -> Value {
+    let shared = &run.shared_blows;
+    if shared.count == 0 {
+        return Value::Null;
+    }
+    let name = |k: usize| run.contacts.get(k).map(|c| c.name.as_str());
+    json!({
+        "count": shared.count,
+        "first": shared.first,
+        "contacts": shared.contacts.map(name),
+    })
 }
 
 fn energy(run: &RunSummary) -> Value {
@@ -157,6 +171,10 @@ fn settings(settings: &Settings) -> Value {
         },
         "scheme": scheme,
         "impacts": impacts,
+        "multiple_impacts": match settings.multiple_impacts {
+            MultipleImpacts::Simultaneous => "simultaneous",
+            MultipleImpacts::Sequential => "sequential",
+        },
     });
     if let Some(radius) = spectral_radius {
         value["spectral_radius"] = Value::from(radius);
@@ -183,10 +201,16 @@ fn projectile(projectile: &ProjectileSummary) -> Value {
 fn point(point: &PointSummary) -> Value {
     json!({
         "displacement_max": {
-            "component_1": peak(&point.displacement_max[0]),
-            "component_2": peak(&point.displacement_max[1]),
+            "component_1": crest(&point.displacement_max[0], point.resolved[0]),
+            "component_2": crest(&point.displacement_max[1], point.resolved[1]),
         }
     })
+}
+
+fn crest(largest: &Peak, resolved: bool) -> Value {
+    let mut value = peak(largest);
+    value["resolved"] = Value::from(resolved);
+    value
 }
 
 fn support(support: &SupportSummary) -> Value {
@@ -195,6 +219,9 @@ fn support(support: &SupportSummary) -> Value {
         "force_1": range(&support.force[0]),
         "force_2": range(&support.force[1]),
         "moment": range(&support.moment),
+        "impulse_1": support.impulse[0],
+        "impulse_2": support.impulse[1],
+        "impulse_moment": support.impulse[2],
     })
 }
 

@@ -279,12 +279,14 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             record,
         }],
         contact_residual_max: 2e-16,
+        shared_blows: percuss::SharedBlows::default(),
         points: vec![PointSummary {
             name: "girder.mid".to_owned(),
             displacement_max: [
                 Peak { value: 0.0, time: 0.0 },
                 Peak { value: 0.177864203, time: 0.0504933 },
             ],
+            resolved: [true; 2],
         }],
         supports: vec![support("left", -1.0), support("right", 1.0)],
         section_forces: vec![section_forces("girder", 1.0)],
@@ -301,6 +303,7 @@ pub fn support(name: &str, sign: f64) -> SupportSummary {
         name: name.to_owned(),
         force: [range(-250.0, 1e3), range(-1.5e5, 8e4)],
         moment: range(-4e4 * sign.abs(), 9e4),
+        impulse: [0.0, 12.5 * sign, 0.0],
     }
 }
 
@@ -350,9 +353,17 @@ pub fn smooth() -> ContactRecord {
             peak_force,
             approach_velocity: 20.0,
             separation_velocity: f64::NAN,
+            steps: 1400,
+            steady: true,
+            one_point: true,
             place: place(),
             place_end: place(),
-            energy: EnergySplit { given: [8000.0, -8800.0], lost: 50.0, stored: 750.0 },
+            energy: EnergySplit {
+                given: [8000.0, -8800.0],
+                lost: 50.0,
+                stored: 750.0,
+                scheme: 0.0,
+            },
         }],
     }
 }
@@ -363,10 +374,11 @@ pub fn impacts(count: usize) -> ContactRecord {
         time: 0.0005 + 1e-5 * k as f64,
         impulse: 3814.98,
         tangential_impulse: 0.0,
+        points: 1,
         approach_velocity: 40.0,
         separation_velocity: 40.0,
         place: place(),
-        energy: EnergySplit { given: [79_000.0, -79_000.0], lost: 0.0, stored: 0.0 },
+        energy: EnergySplit { given: [79_000.0, -79_000.0], lost: 0.0, stored: 0.0, scheme: 0.0 },
         tamed: false,
     };
     ContactRecord::Nonsmooth {

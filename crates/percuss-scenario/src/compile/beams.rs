@@ -34,12 +34,8 @@ pub(super) struct Surface {
 }
 
 impl<'c> Beams<'c> {
-    /// Adds materials, sections and beams; `None` for a file without beams.
-    pub fn add(
-        content: &'c Content,
-        builder: &mut ModelBuilder,
-        faults: &mut Vec<Fault>,
-    ) -> Option<Self> {
+    /// Adds materials, sections and beams.
+    pub fn add(content: &'c Content, builder: &mut ModelBuilder, faults: &mut Vec<Fault>) -> Self {
         let materials = materials(content, builder);
         let (mut ids, mut by_name) = (BTreeMap::new(), BTreeMap::new());
         for (section, named) in sections(content, faults).into_iter().zip(&content.section) {
@@ -52,8 +48,8 @@ impl<'c> Beams<'c> {
             let id = builder.beam(beam.clone());
             beams.insert(named.name.as_str(), Placed { id, beam, table: &named.table });
         }
-        let first = beams.values().next()?.id;
-        Some(Self { beams, sections: by_name, first })
+        let first = beams.values().next().map(|placed: &Placed<'_>| placed.id).unwrap_or_default();
+        Self { beams, sections: by_name, first }
     }
 
     /// A beam by its name, if that could be read.

@@ -15,10 +15,7 @@ use crate::table::Named;
 /// Everything the file defines, and the faults that the core would not find or not find in its place.
 pub(super) fn definitions(content: &Content, given: Option<&Given>) -> (ModelBuilder, Vec<Fault>) {
     let (mut builder, mut faults) = (ModelBuilder::new(), Vec::new());
-    let Some(beams) = Beams::add(content, &mut builder, &mut faults) else {
-        faults.push(Fault::new("beam", "no beam", "at least one beam [beam.NAME]"));
-        return (builder, faults);
-    };
+    let beams = Beams::add(content, &mut builder, &mut faults);
     supports(content, given, &beams, &mut builder, &mut faults);
     connections(content, &beams, &mut builder);
     guided(content, given, &beams, &mut builder, &mut faults);
@@ -28,10 +25,17 @@ pub(super) fn definitions(content: &Content, given: Option<&Given>) -> (ModelBui
     for at in content.record.points.iter().chain(end) {
         builder.record_point(beams.point(at));
     }
-    let content::InitialMotion { velocity, spin, about } = content.initial;
-    builder.initial_motion(percuss::InitialMotion { velocity, spin, about });
+    builder.initial_motion(motion(&content.initial.all));
+    for Named { name, table } in &content.initial.of {
+        builder.initial_motion_of(name.as_str(), motion(table));
+    }
     builder.modal_damping(ratios(&content.damping, &mut faults));
     (builder, faults)
+}
+
+fn motion(motion: &content::InitialMotion) -> percuss::InitialMotion {
+    let content::InitialMotion { velocity, spin, about } = *motion;
+    percuss::InitialMotion { velocity, spin, about }
 }
 
 fn supports(

@@ -86,6 +86,7 @@ pub(crate) fn sound_part(
     content.beam.iter_mut().for_each(|beam| follow::coarsen(&mut beam.table));
     let mut faults = comparison_faults(&content);
     faults.extend(path(&content).err());
+    // What refers to beams that are not there has been told of by the reader.
     if !content.beam.is_empty() {
         faults.extend(build(&content, None).err().unwrap_or_default());
     }
@@ -119,6 +120,7 @@ fn settings(content: &Content) -> Settings {
     };
     settings.record_every = content.record.every;
     settings.start = content.time.start;
+    settings.multiple_impacts = content.time.multiple_impacts;
     settings
 }
 
@@ -197,9 +199,6 @@ fn path(content: &Content) -> Result<PathSettings, Fault> {
 /// The model; functions given where none are looked at are left to a sound text.
 fn build(content: &Content, given: Option<&Given>) -> Result<Model, Vec<Fault>> {
     let (builder, mut faults) = build::definitions(content, given);
-    if content.beam.is_empty() {
-        return Err(faults);
-    }
     match builder.build() {
         Ok(model) if faults.is_empty() => Ok(model),
         Ok(_) => Err(faults),

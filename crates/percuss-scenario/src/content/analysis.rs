@@ -1,6 +1,6 @@
 //! How the structure starts, is damped, is analysed and recorded.
 
-use percuss::Start;
+use percuss::{MultipleImpacts, Start};
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
@@ -8,29 +8,11 @@ use crate::format::{Count, Format, Inline, List, Maybe};
 use crate::measure::{self, Ratio};
 use crate::node::{Body, Node, Reader};
 use crate::point::{Point, PointText};
-use crate::quantity::{Quantity, Vector};
+use crate::quantity::Quantity;
 use crate::reach::Reached;
 use crate::table::{Braces, exclude};
-use crate::words::{Started, Word};
+use crate::words::{Multiple, Started, Word};
 use crate::write::Writer;
-
-table! {
-    /// Rigid motion in which all beams and point masses start.
-    pub struct InitialMotion {
-        /// Velocity of the point `about` (m/s).
-        velocity: [f64; 2] as Vector<measure::Velocity> = [0.0, 0.0],
-        /// Angular velocity, positive counter-clockwise (rad/s).
-        spin: f64 as Quantity<measure::Spin> = 0.0,
-        /// Centre of the rotation (m).
-        about: [f64; 2] as Vector<measure::Length> = [0.0, 0.0],
-    }
-}
-
-impl Default for InitialMotion {
-    fn default() -> Self {
-        Self { velocity: [0.0; 2], spin: 0.0, about: [0.0; 2] }
-    }
-}
 
 table! {
     /// Damping of the structure as a whole.
@@ -149,6 +131,8 @@ table! {
         step: f64 as Quantity<measure::Time>,
         /// Configuration at time zero.
         start: Start as Word<Started> = Start::Reference,
+        /// How touching bodies that are struck at one instant share the blow.
+        multiple_impacts: MultipleImpacts as Word<Multiple> = MultipleImpacts::Simultaneous,
     }
     with {
         /// How impacts of rigid projectiles are resolved in time.

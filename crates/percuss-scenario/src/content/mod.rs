@@ -5,6 +5,7 @@
 mod analysis;
 mod contact;
 mod function;
+mod initial;
 mod law;
 mod load;
 mod projectile;
@@ -15,6 +16,7 @@ mod support;
 pub use analysis::*;
 pub use contact::*;
 pub use function::*;
+pub use initial::*;
 pub use law::*;
 pub use load::*;
 pub use projectile::*;
@@ -41,7 +43,7 @@ table! {
         /// Cross sections, by name.
         section: Vec<Named<Section>> as Collection<Section> = Vec::new(),
         /// Beams, by name.
-        beam: Vec<Named<Beam>> as Collection<Beam>,
+        beam: Vec<Named<Beam>> as Collection<Beam> = Vec::new(),
         /// Supports to ground, by name.
         support: Vec<Named<Support>> as Collection<Support> = Vec::new(),
         /// Joints between beams, by name.
@@ -58,8 +60,8 @@ table! {
         contact: Vec<Named<Contact>> as Collection<Contact> = Vec::new(),
         /// Loads, by name.
         load: Vec<Named<Load>> as Collection<Load> = Vec::new(),
-        /// Rigid motion in which all beams and point masses start.
-        initial: InitialMotion as Single<InitialMotion> = InitialMotion::default(),
+        /// Rigid motion in which all beams and point masses start, and those that start in one of their own, by name.
+        initial: Initial as Starts = Initial::default(),
         /// Damping of the structure as a whole.
         damping: Damping as Single<Damping> = Damping::default(),
         /// How long the analysis runs and in which steps.
@@ -72,5 +74,19 @@ table! {
         path: Path as Single<Path> = Path::default(),
         /// What the report shows.
         report: Report as Single<Report> = Report::plain(),
+    }
+    then anything_moves
+}
+
+/// A scene needs a beam or a free projectile.
+fn anything_moves(content: &mut Content, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let given = |key: &str| {
+        let table = body.get(key);
+        table.is_some_and(|node| Body::of(&node).is_none_or(|table| !table.keys().is_empty()))
+    };
+    let read = !content.beam.is_empty() || !content.projectile.is_empty();
+    if !read && !given("beam") && !given("projectile") {
+        let expected = "at least one table [beam.NAME], or free projectiles [projectile.NAME] and what they meet";
+        reader.missing(body, "beam", "no beam", expected);
     }
 }

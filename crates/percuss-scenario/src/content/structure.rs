@@ -59,7 +59,7 @@ table! {
         points: Vec<[f64; 2]> as Points,
         /// How the points are joined.
         curve: Curve as Word<Curved> = Curve::Polyline,
-        /// Number of finite elements; this or `element_length`.
+        /// Least number of finite elements (nodes also stand where something acts); this or `element_length`.
         elements: Option<usize> as Maybe<Count> = None,
         /// Length that no finite element exceeds (m); this or `elements`.
         element_length: Option<f64> as Maybe<Quantity<measure::Length>> = None,

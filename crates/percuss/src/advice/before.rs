@@ -39,7 +39,7 @@ pub fn findings(
             let blow = rigid_blow(case.law, bodies.mass, bodies.speed);
             vec![blow.map(|blow| desk.duration(blow.duration))]
         }
-        Meeting::Beams(beams) => desk.beams(beams),
+        Meeting::Beams(beams) => desk.beams(beams, mass),
     };
     found.into_iter().flatten().collect()
 }
@@ -79,7 +79,7 @@ impl Desk<'_> {
         ]
     }
 
-    fn beams(&self, beams: &Beams<'_>) -> Vec<Option<Advice>> {
+    fn beams(&self, beams: &Beams<'_>, mass: Option<EffectiveMass>) -> Vec<Option<Advice>> {
         let speed = crate::math::vec2::norm(beams.velocity);
         let blow = rigid_blow(self.case.law, beams.point_mass, speed);
         let tangent = beams.place.tangent();
@@ -88,7 +88,11 @@ impl Desk<'_> {
         let end_on = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > END_ON);
         let back = if end_on { 2.0 * beams.place.transit() } else { 0.0 };
         let lasts = |blow: Blow| self.duration(blow.duration.max(back));
-        vec![blow.map(lasts), self.transit(&beams.place, lengthwise)]
+        vec![
+            blow.map(lasts),
+            self.transit(&beams.place, lengthwise),
+            mass.and_then(|mass| self.effective_mass(mass)),
+        ]
     }
 
     fn touch(&self, struck: &Struck<'_>, contact: Option<f64>) -> Option<Advice> {
@@ -202,8 +206,10 @@ impl Desk<'_> {
             let limit = quantity(mass.limit, "kg");
             let text = format!("the struck point answers a blow with {here} on this mesh");
             if mass.depends_on_mesh() {
-                let advice = "take the impulse as that of this mesh, or give the contact a local_mass or \
-                              a compliance of its own";
+                let mass = if self.case.guided.is_some() { "a local_mass or " } else { "" };
+                let advice = format!(
+                    "take the impulse as that of this mesh, or give the contact {mass}a compliance of its own"
+                );
                 let text = format!("{text}, with {limit} on ever finer ones: {advice}");
                 (Verdict::Warning, text)
             } else {

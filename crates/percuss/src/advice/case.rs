@@ -15,6 +15,8 @@ use crate::summary::ContactPlace;
 #[derive(Clone, Debug)]
 pub struct Case<'a> {
     pub name: &'a str,
+    /// Number of the contact.
+    pub index: usize,
     pub law: &'a TouchLaw,
     /// Number of its projectile, if that is guided.
     pub guided: Option<usize>,
@@ -90,7 +92,7 @@ pub fn read<'a>(model: &'a Model, index: usize, at: Option<ContactPlace>) -> Opt
         Some(k) => Meeting::Struck(projectile(model, k)?),
         None => meeting(model, contact, at)?,
     };
-    Some(Case { name: &contact.name, law: &contact.law, guided, meeting })
+    Some(Case { name: &contact.name, index, law: &contact.law, guided, meeting })
 }
 
 fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
@@ -108,7 +110,7 @@ fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
         Target::Guided { standoff, .. } => Some(*standoff),
         _ => None,
     };
-    let relative = sub(body.velocity, beam_velocity(model, data.point.position));
+    let relative = sub(body.velocity, beam_velocity(model, data.point.beam, data.point.position));
     Some(Struck {
         mass: body.mass,
         rear,
@@ -121,8 +123,8 @@ fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
 }
 
 /// Velocity that the beams' motion at the start gives a position \[m/s\].
-fn beam_velocity(model: &Model, position: [f64; 2]) -> [f64; 2] {
-    let motion = &model.initial_motion;
+fn beam_velocity(model: &Model, beam: usize, position: [f64; 2]) -> [f64; 2] {
+    let motion = model.initial_motion_of(beam);
     add(motion.velocity, scale(motion.spin, rot90(sub(position, motion.about))))
 }
 
@@ -177,7 +179,7 @@ fn struck_by_disc(
     let data = &model.beams[beam];
     let centre = model.nodes[model.body_node(disc)].position;
     let middle = BeamPlace::new(model, beam, 0.5 * data.length);
-    let relative = sub(body.velocity, beam_velocity(model, centre));
+    let relative = sub(body.velocity, beam_velocity(model, beam, centre));
     let speed = norm(relative);
     let seen = if speed > 0.0 { first_hit(model, data, centre, relative) } else { None };
     let s = match (at, seen) {
@@ -213,7 +215,7 @@ fn points_of_beams<'a>(
         _ => None,
     };
     let nodes = &model.beams[beam].nodes;
-    let velocity = beam_velocity(model, model.nodes[nodes.start + nodes.len() / 2].position);
+    let velocity = beam_velocity(model, beam, model.nodes[nodes.start + nodes.len() / 2].position);
     let point_mass = place.mass() / pairs.max(1) as f64;
     Some(Meeting::Beams(Beams { place, point_mass, wall, velocity }))
 }
@@ -246,7 +248,7 @@ impl Struck<'_> {
     pub fn two_masses(&self, law: &TouchLaw, speed: f64) -> Option<(TwoMassBlow, Span)> {
         let (span, stiffness) = (self.span()?, linear_stiffness(law)?);
         // The duration does not depend on the speed.
-        let unit = TwoMasses::on(&span, self.mass, stiffness).blow(1.0);
+        let unit = TwoMasses::on(&span, self.mass, stiffness).blow(1.0)?;
         if unit.duration < SHORTEST * span.period() {
             return None;
         }

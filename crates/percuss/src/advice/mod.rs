@@ -6,7 +6,9 @@
 mod after;
 mod before;
 mod case;
+mod first_touch;
 pub mod formulas;
+mod slips;
 mod structure;
 #[cfg(test)]
 mod tests;
@@ -35,6 +37,8 @@ pub enum Topic {
     Span,
     /// Period of a rear mass on its spring against the step \[s\].
     RearMass,
+    /// A value so far from what things are made of that it looks like a slip of a unit, against the nearest usual one.
+    Slip,
 }
 
 /// How much a finding weighs.
@@ -48,10 +52,10 @@ pub enum Verdict {
     Warning,
 }
 
-/// A finding about one contact, before the run.
+/// A finding about one contact, or about what looks like a slip of a unit, before the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advice {
-    /// Name of the contact.
+    /// Name of the contact; for a slip, of the part it is in.
     pub contact: String,
     /// What it is about.
     pub topic: Topic,
@@ -102,6 +106,7 @@ impl Topic {
             Self::Stiffness => "contact stiffness",
             Self::Span => "minimum span",
             Self::RearMass => "rear mass",
+            Self::Slip => "a slip of a unit?",
         }
     }
 }
@@ -117,13 +122,17 @@ impl Verdict {
     }
 }
 
-/// What hand calculation says about each contact of a run that is still to be made, contact after contact.
+/// What looks like a slip of a unit, then what hand calculation says about each contact of a run that is still to be made.
 pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     let masses = model.effective_masses();
     let cases = (0..model.contacts.len()).filter_map(|k| case::read(model, k, None));
-    let mut all = Vec::new();
+    let mut factored = None;
+    let mut all = slips::findings(model, settings);
     for case in cases {
-        let mass = case.guided.and_then(|k| masses.get(k)).copied();
+        let mass = match case.guided {
+            Some(k) => masses.get(k).copied(),
+            None => first_touch::effective_mass(model, case.index, &mut factored),
+        };
         all.extend(before::findings(model, settings, &case, mass));
     }
     all

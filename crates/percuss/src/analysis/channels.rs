@@ -1,7 +1,7 @@
 //! The columns of the history and their values at a state.
 
 use super::contact_log;
-use super::section_forces::{self, Before};
+use super::section_forces::{self, Lines};
 use crate::contact::configuration::Configuration;
 use crate::contact::pair::Memory;
 use crate::contact::pair::Target;
@@ -76,6 +76,15 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         }
         let text = "Moment of the support on the structure, mean since the row before";
         add(format!("support.{name}.moment"), "N*m", text);
+        if model.has_impulses() {
+            for i in 1..=2 {
+                let text =
+                    "Impulse of the support, beyond its force, in impacts since the row before";
+                add(format!("support.{name}.impulse_{i}"), "N*s", text);
+            }
+            let text = "Angular impulse of the support in impacts since the row before";
+            add(format!("support.{name}.impulse_moment"), "N*m*s", text);
+        }
     }
     for (name, unit, description) in BOOK_COLUMNS {
         add(name.into(), unit, description);
@@ -181,8 +190,10 @@ pub struct SinceLast<'a> {
     pub search: &'a Search,
     /// Mean reactions, shape (n_support) \[N, N m\].
     pub reactions: &'a [[f64; 3]],
-    /// Angular rates at the start of the last step.
-    pub before: Before<'a>,
+    /// Their impulses beside, shape (n_support) \[N s, N m s\].
+    pub reaction_impulses: &'a [[f64; 3]],
+    /// Section forces of the last step without impact.
+    pub lines: &'a Lines,
     /// Newton iterations.
     pub iterations: usize,
 }
@@ -225,10 +236,15 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         row.extend(p.value(&state.velocity));
     }
     for p in &model.points {
-        let forces = section_forces::at_point(model, state, since.before, p);
+        let forces = section_forces::at_point(model, since.lines, state, p);
         row.extend_from_slice(&forces[..if has_depth(model, p) { 4 } else { 3 }]);
     }
-    row.extend_from_slice(since.reactions.as_flattened());
+    for (forces, impulses) in since.reactions.iter().zip(since.reaction_impulses) {
+        row.extend_from_slice(forces);
+        if model.has_impulses() {
+            row.extend_from_slice(impulses);
+        }
+    }
     let books = &state.books;
     let residual = books.linear_residual(m);
     row.extend([

@@ -13,18 +13,18 @@ use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::model::{ImpactLaw, RigidLaw, TouchLaw};
 use crate::record::Recorder;
-use crate::settings::ImpactResolution;
+use crate::settings::{ImpactResolution, MultipleImpacts};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;
 
 /// Length of a pulse as a share of the step.
-const PULSE: f64 = 1e-6;
+pub(super) const PULSE: f64 = 1e-6;
 /// A contact is located to this share of a pulse.
 const LOCATED: f64 = 1e-3;
 /// Differences of gaps below this share of the size of the structure are round-off.
 const ROUND_OFF: f64 = 1e-15;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
-const STICK: f64 = 1e-6;
+pub(super) const STICK: f64 = 1e-6;
 /// Nor does approach slower than this share of the velocities in play, which is round-off.
 const NO_APPROACH: f64 = 1e-12;
 /// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
@@ -55,6 +55,9 @@ impl Simulation<'_> {
         advance: &mut Advance,
         recorder: &mut dyn Recorder,
     ) -> Result<Result<f64, Failure>, Error> {
+        if self.jumps() {
+            return Ok(self.jump(advance.share));
+        }
         match self.settings.impacts {
             ImpactResolution::Event => {
                 self.settle();
@@ -62,8 +65,11 @@ impl Simulation<'_> {
                     return Ok(self.accumulated_part(advance.size));
                 }
                 let touching = self.touching();
+                let sequential = self.settings.multiple_impacts == MultipleImpacts::Sequential;
                 if touching.is_empty() {
                     Ok(self.free_part(advance))
+                } else if sequential {
+                    self.impacts_in_sequence(&touching, advance, recorder)
                 } else {
                     self.impact(&touching, advance, recorder)
                 }
@@ -121,7 +127,7 @@ impl Simulation<'_> {
     }
 
     /// Velocities up to this one are none between things that touch \[m/s\].
-    fn no_approach(&self) -> f64 {
+    pub(super) fn no_approach(&self) -> f64 {
         let creep = CREEP * self.model.gravity() * self.settings.step;
         creep.max(NO_APPROACH * self.velocity_in_play())
     }
@@ -279,7 +285,7 @@ impl Simulation<'_> {
     }
 
     /// The pulse in which the impulses of the touching contacts act.
-    fn impact(
+    pub(super) fn impact(
         &mut self,
         touching: &[usize],
         advance: &mut Advance,
@@ -303,15 +309,8 @@ impl Simulation<'_> {
         if strikes {
             self.record(recorder)?;
         }
-        self.tamed = tamed;
-        self.accept(pulse, &active);
-        self.release(&active);
-        for contact in &active {
-            if let Phase::Impact { restitution, .. } = contact.phase {
-                // What sticks is held from here on; if nothing presses it, the next step releases it.
-                self.state.pairs[contact.pair].closed = restitution == 0.0;
-            }
-        }
+        self.note_shared_blow(&active);
+        self.accept_impact(pulse, &active, tamed);
         advance.events_left = advance.events_left.saturating_sub(1);
         if strikes {
             self.record(recorder)?;
@@ -319,8 +318,22 @@ impl Simulation<'_> {
         Ok(Ok(pulse))
     }
 
+    /// Accepts the pulse solved last.
+    pub(super) fn accept_impact(&mut self, pulse: f64, active: &[ActiveContact], tamed: bool) {
+        self.tamed = tamed;
+        self.accept(pulse, active);
+        self.weigh_struck(active);
+        self.release(active);
+        for contact in active {
+            if let Phase::Impact { restitution, .. } = contact.phase {
+                // What sticks is held from here on; if nothing presses it, the next step releases it.
+                self.state.pairs[contact.pair].closed = restitution == 0.0;
+            }
+        }
+    }
+
     /// Pair `i` as it strikes; without restitution where it sticks.
-    fn striking(&self, i: usize, sticks: bool) -> ActiveContact {
+    pub(super) fn striking(&self, i: usize, sticks: bool) -> ActiveContact {
         let law = self.rigid_law(i);
         let e = |law: RigidLaw| (law.restitution, law.tangential_restitution);
         let (restitution, tangential) = law.filter(|_| !sticks).map_or((0.0, 0.0), e);
@@ -329,7 +342,11 @@ impl Simulation<'_> {
 
     /// Solves a step with impulses by the contacts' impact law, by another one where that would give energy; tells whether it
     /// would have.
-    fn solve_impact(&mut self, h: f64, active: &[ActiveContact]) -> Result<bool, Failure> {
+    pub(super) fn solve_impact(
+        &mut self,
+        h: f64,
+        active: &[ActiveContact],
+    ) -> Result<bool, Failure> {
         let moreau = |c: &ActiveContact| {
             self.rigid_law(c.pair).is_some_and(|law| law.impact == ImpactLaw::Moreau)
         };
@@ -381,6 +398,7 @@ impl Simulation<'_> {
             }
         }
         self.tamed = self.solve_impact(size, &active)?;
+        self.note_shared_blow(&active);
         let reached = std::mem::take(&mut self.reached);
         let passed = self.first_passage(&reached);
         self.reached = reached;
@@ -400,6 +418,7 @@ impl Simulation<'_> {
         self.persistent.clear();
         self.persistent.extend(rests);
         self.accept(size, &active);
+        self.weigh_struck(&active);
         self.persistent.clear();
         Ok(size)
     }

@@ -1,17 +1,20 @@
 //! Follows a run and gathers what its summary tells: peaks, contact intervals, impacts, largest residuals.
 //!
 //! Between the ends of a step, gap and displacements are cubics through values and velocities: peaks and instants of contact
-//! are resolved within the step.
+//! are resolved within the step, those of displacements where steps resolve them.
 
 use super::contact_log::ContactLog;
-use super::section_forces;
+use super::crest::{Arc, Crest};
+use super::section_forces::{self, Acting, Lines};
+use crate::contact::row::Row;
 use crate::ledger::{Books, Measures};
-use crate::math::hermite::{Cubic, GAUSS};
 use crate::model::Model;
 use crate::state::State;
-use crate::step::contacts::ActiveContact;
+use crate::step::contacts::{ActiveContact, Phase, RigidContact};
+use crate::step::forcing::Forcing;
+use crate::step::integration::Integration;
 use crate::step::workspace::Workspace;
-use crate::summary::{Peak, Range, SectionForceSummary, SupportSummary};
+use crate::summary::{Range, SectionForceSummary, SupportSummary};
 
 /// An accepted part of a step.
 #[derive(Clone, Copy, Debug)]
@@ -30,12 +33,47 @@ pub struct Part<'a> {
     pub awake: &'a [usize],
 }
 
+/// A solved step that is about to be accepted.
+#[derive(Clone, Copy, Debug)]
+pub struct Solved<'a> {
+    /// Scheme and size.
+    pub rule: Integration,
+    /// Loads over it.
+    pub forcing: &'a Forcing,
+    /// As in [`Part`].
+    pub brief: bool,
+    /// As in [`Part`].
+    pub active: &'a [ActiveContact],
+    /// As in [`Part`].
+    pub persistent: &'a [bool],
+}
+
+impl Solved<'_> {
+    /// Whether something strikes in it: whether a contact that was not at rest gives an impulse.
+    fn strikes(&self, state: &State, work: &Workspace) -> bool {
+        let rests = |i: usize, contact: &ActiveContact| match contact.phase {
+            Phase::Resting { .. } => state.pairs[contact.pair].closed,
+            Phase::Impact { .. } => self.persistent.get(i).is_some_and(|rests| *rests),
+            Phase::Settling { .. } => false,
+        };
+        let given = |found: &RigidContact| found.impulse != [0.0; 2];
+        let mut found = self.active.iter().zip(&work.rigid).enumerate();
+        found.any(|(i, (contact, found))| given(found) && !rests(i, contact))
+    }
+}
+
+/// Forms of the contacts in a step of size `h`, and the forces along them.
+fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], [f64; 2])> {
+    let smooth = work.smooth.iter().map(|c| ([&c.row; 2], [c.force.force, 0.0]));
+    let rigid = work.rigid.iter().map(move |c| ([&c.normal, &c.tangent], c.impulse.map(|l| l / h)));
+    smooth.chain(rigid)
+}
+
 /// Values at the start of a step that the monitor compares with those at its end.
 #[derive(Clone, Debug, Default)]
 struct Start {
     time: f64,
     points: Vec<[[f64; 2]; 2]>,
-    spin: Vec<[f64; GAUSS]>,
 }
 
 /// Follows one run.
@@ -45,14 +83,15 @@ pub struct Monitor {
     /// What happens at contacts.
     pub contacts: ContactLog,
     /// Extremes of the recorded points.
-    pub points: Vec<[Peak; 2]>,
+    pub points: Vec<[Crest<f64>; 2]>,
     /// Extremes of the section forces, one entry a beam.
     pub section_forces: Vec<SectionForceSummary>,
-    /// Extremes of the reactions, one entry a support, and the supports that reacted last; none known before the first step.
+    /// Extremes of the reactions, one entry a support, those of the start among them, and the supports that reacted last.
     pub supports: Vec<SupportSummary>,
     reacted: Option<Vec<usize>>,
-    /// Size of the last step that was not as short as an impact \[s\], and the spins at its start.
-    steady: Option<(Vec<[f64; GAUSS]>, f64)>,
+    /// Section forces of the last step without impact, and whether the step in hand is one with.
+    lines: Lines,
+    impulsive: bool,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
     /// Largest residual of linear momentum \[kg m/s\].
@@ -71,7 +110,7 @@ impl Monitor {
         let points = model
             .points
             .iter()
-            .map(|p| p.value(&state.displacement).map(|value| Peak { value, time: state.time }));
+            .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
         let mut monitor = Self {
             start: Start::default(),
             contacts: ContactLog::new(model, state),
@@ -79,7 +118,8 @@ impl Monitor {
             section_forces: section_forces::unset(model),
             supports: model.supports.iter().map(|s| unset_support(&s.name)).collect(),
             reacted: None,
-            steady: None,
+            lines: Lines::at_rest(model, state),
+            impulsive: false,
             energy_residual: 0.0,
             linear_residual: 0.0,
             angular_residual: 0.0,
@@ -87,15 +127,27 @@ impl Monitor {
             membrane_drift: 0.0,
         };
         monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
-        section_forces::update(model, state, None, &mut monitor.section_forces);
+        section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
         monitor.note_start(model, state);
         monitor
     }
 
     /// Notes the start of a step that stands solved in `work`.
-    pub fn begin_step(&mut self, model: &Model, state: &State, work: &Workspace) {
+    pub fn begin_step(&mut self, model: &Model, state: &State, work: &Workspace, step: &Solved) {
         self.note_start(model, state);
         self.contacts.begin_step(state, work);
+        self.impulsive = step.brief || step.strikes(state, work);
+        if !self.impulsive {
+            let Solved { rule, forcing, .. } = *step;
+            let acting = Acting {
+                state,
+                increment: &work.increment,
+                theta: rule.theta(),
+                beams: &work.beams,
+                forcing,
+            };
+            self.lines.set(model, &acting, contact_forces(work, rule.h));
+        }
     }
 
     fn note_start(&mut self, model: &Model, state: &State) {
@@ -103,35 +155,41 @@ impl Monitor {
         for (start, p) in self.start.points.iter_mut().zip(&model.points) {
             *start = [p.value(&state.displacement), p.value(&state.velocity)];
         }
-        self.start.spin.clone_from(&state.spin);
     }
 
-    /// Angular rates at the start of the last step that was not as short as an impact, and its size.
-    pub fn before(&self) -> section_forces::Before<'_> {
-        self.steady.as_ref().map(|(spin, h)| (spin.as_slice(), *h))
+    /// Section forces of the last step without impact: impulses are no forces, and a step in which something strikes has none
+    /// but impulses over its length.
+    pub fn lines(&self) -> &Lines {
+        &self.lines
     }
 
     /// Takes in the end of a step.
     pub fn end_step(&mut self, model: &Model, state: &State, work: &Workspace, part: &Part) {
         let h = part.h;
-        if part.brief {
-            section_forces::update(model, state, None, &mut self.section_forces);
-        } else {
+        if !part.brief {
             self.reactions(state, h);
-            let (spin, size) = self.steady.get_or_insert_default();
-            spin.clone_from(&self.start.spin);
-            *size = h;
-            let before = self.steady.as_ref().map(|(spin, h)| (spin.as_slice(), *h));
-            section_forces::update(model, state, before, &mut self.section_forces);
+        }
+        if !self.impulsive {
+            section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
         self.contacts.end_step(model, state, work, part);
         for (k, p) in model.points.iter().enumerate() {
             let (u, v) = (p.value(&state.displacement), p.value(&state.velocity));
             let [u0, v0] = self.start.points[k];
             for c in 0..2 {
-                let path = Cubic { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
-                update_peak(&mut self.points[k][c], &path, self.start.time);
+                let from = self.start.time;
+                let arc = Arc { h, from, start: [u0[c], v0[c]], end: [u[c], v[c]] };
+                self.points[k][c].take(&arc, part.brief);
             }
+        }
+    }
+
+    /// Takes the reactions at the start into the extremes.
+    pub fn open_reactions(&mut self, reactions: &[[f64; 3]], time: f64) {
+        for (summary, [f1, f2, moment]) in self.supports.iter_mut().zip(reactions) {
+            summary.force[0].take(*f1, time);
+            summary.force[1].take(*f2, time);
+            summary.moment.take(*moment, time);
         }
     }
 
@@ -169,24 +227,10 @@ impl Monitor {
 
 fn unset_support(name: &str) -> SupportSummary {
     let none = Range::default();
-    SupportSummary { name: name.into(), force: [none; 2], moment: none }
+    SupportSummary { name: name.into(), force: [none; 2], moment: none, impulse: [0.0; 3] }
 }
 
 /// The larger magnitude; NaN stays, so that a broken book cannot look closed.
 fn larger(a: f64, b: f64) -> f64 {
     if b.abs() > a || b.is_nan() { b.abs() } else { a }
-}
-
-fn update_peak(peak: &mut Peak, path: &Cubic, start: f64) {
-    let reach = path.start[0].abs().max(path.end[0].abs());
-    let overshoot = (path.start[1].abs() + path.end[1].abs()) * path.h;
-    if reach + overshoot <= peak.value.abs() {
-        return;
-    }
-    for t in path.stationary().chain([path.h]) {
-        let value = path.value(t);
-        if value.abs() > peak.value.abs() {
-            *peak = Peak { value, time: start + t };
-        }
-    }
 }

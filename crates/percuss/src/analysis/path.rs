@@ -1,19 +1,30 @@
 //! Equilibrium paths by arc length: past limit points, where load control ends.
 
-use super::static_search::StaticSearch;
-use super::statics::{Equilibrium, finish};
+use super::static_search::{Reached, StaticSearch};
+use super::statics::{Equilibrium, finish, refuse_overlaps};
 use crate::error::Error;
 use crate::model::Model;
 use crate::settings::{PathEnd, PathSettings};
 
-/// Corrections of a point; more and the arc is halved.
+/// Corrections of a point; more and the arc is halved. Contacts close and open one after the other.
 const MOST_ITERATIONS: usize = 16;
+const MOST_WITH_CONTACTS: usize = 60;
 /// Corrections at which the arc stays as it is.
 const WANTED_ITERATIONS: f64 = 5.0;
 /// Last correction of a point relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
+/// Share of the loads by which discs settle on what holds them.
+const LITTLE: f64 = 1e-4;
 /// The arc is halved down to this share of the first before the path ends.
 const SMALLEST_ARC: f64 = 1e-6;
+/// The longest arc unless the first is longer, in the measure of [`Tracer::inner`]: moves of a twentieth of the structure, turns of a
+/// twentieth of a radian.
+const LONGEST_ARC: f64 = 0.05;
+/// Least cosine between the ways of two points an arc longer than the first apart; less and the path turns unseen between them.
+const LEAST_COSINE: f64 = 0.9;
+/// Most that the load factor's slope at either end of such an arc exceeds the mean: beyond three it may turn twice between
+/// (Fritsch, Carlson 1980).
+const STEEPEST: f64 = 3.0;
 
 /// A point of an equilibrium path.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,14 +58,9 @@ pub struct Path {
 /// # Errors
 /// No point beyond the first found, or an end that names no recorded point.
 pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
-    let mut path = path_of(&model.structure(), settings)?;
-    path.end.state = path.end.state.with_bodies_of(model);
-    Ok(path)
-}
-
-fn path_of(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
+    refuse_overlaps(&StaticSearch::new(model))?;
     let goal = Goal::new(model, &settings.end).ok_or_else(|| Error::no_equilibrium(0.0))?;
-    let mut tracer = Tracer::new(model);
+    let mut tracer = Tracer::new(model)?;
     let mut path = Path {
         names: model.points.iter().map(|p| p.label.clone()).collect(),
         points: vec![tracer.point()],
@@ -63,7 +69,7 @@ fn path_of(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
         reached: false,
     };
     let first = tracer.first_arc(settings.first).ok_or_else(|| Error::no_equilibrium(0.0))?;
-    let mut arc = first;
+    let (mut arc, longest) = (first, first.max(LONGEST_ARC));
     while path.points.len() <= settings.points {
         let before = tracer.mark();
         let Some(iterations) = tracer.advance(arc) else {
@@ -74,6 +80,13 @@ fn path_of(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
             }
             continue;
         };
+        let course = tracer.course(&before);
+        // Where the load factor turns, arcs are no longer than the first.
+        if arc > first && (course.turned || !course.resolved) {
+            tracer.back_to(&before);
+            arc = (0.5 * arc).max(first);
+            continue;
+        }
         if goal.passed(&before, &tracer) {
             tracer.back_to(&before);
             path.reached = tracer.hit(&goal);
@@ -88,14 +101,14 @@ fn path_of(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
             path.points.push(tracer.point());
             break;
         }
-        if tracer.turned() {
+        if course.turned {
             let after = tracer.mark();
             path.limit_points.extend(tracer.limit_point(&before, arc));
             tracer.back_to(&after);
         }
         path.points.push(tracer.point());
         let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, 1.5);
-        arc = (arc * ease).min(first);
+        arc = (arc * ease).min(longest);
     }
     if path.points.len() < 2 {
         return Err(Error::no_equilibrium(0.0));
@@ -130,7 +143,7 @@ impl Goal {
             Self::Factor(f) => side(*f, tracer.factor, before.factor),
             Self::Displacement { point, component, value } => {
                 let at = |d: &[[f64; 4]]| tracer.search.model.points[*point].value(d)[*component];
-                side(*value, at(&tracer.search.work.increment), at(&before.increment))
+                side(*value, at(&tracer.search.work.increment), at(&before.reached.increment))
             }
         }
     }
@@ -140,17 +153,26 @@ impl Goal {
 #[derive(Clone)]
 struct Mark {
     factor: f64,
-    increment: Vec<[f64; 4]>,
-    multiplier: Vec<f64>,
+    reached: Reached,
     /// The last way along the path.
     way: Vec<[f64; 4]>,
     /// Whether the load factor grew where the last way began.
     rising: bool,
 }
 
+/// How the load factor went along an arc.
+struct Course {
+    /// Whether it turned: an odd number of times.
+    turned: bool,
+    /// Whether the arc tells it well enough for it not to have turned twice unseen.
+    resolved: bool,
+}
+
 struct Tracer<'m> {
     search: StaticSearch<'m>,
     factor: f64,
+    /// Rate of the load factor along the path where the last arc began.
+    slope: f64,
     way: Vec<[f64; 4]>,
     rising: bool,
     /// Response to the loads, and of the multipliers.
@@ -158,7 +180,7 @@ struct Tracer<'m> {
 }
 
 impl<'m> Tracer<'m> {
-    fn new(model: &'m Model) -> Self {
+    fn new(model: &'m Model) -> Result<Self, Error> {
         let mut search = StaticSearch::new(model);
         search.foresee(true);
         // Springs may be stressed before any load acts.
@@ -166,9 +188,22 @@ impl<'m> Tracer<'m> {
         if stressed.clone().any(|(c, q)| c.potential(*q) > 0.0) {
             search.solve(0.0);
         }
+        // Discs lie on what holds them before the path is followed: nothing answers to their weight till then.
+        if search.contacts.has_discs() && !search.solve(LITTLE) {
+            let lost = search.contacts.lost(model).map(str::to_owned);
+            return Err(lost.map_or(Error::no_equilibrium(0.0), Error::nothing_holds));
+        }
         let zero = vec![[0.0; 4]; model.node_count()];
         let multipliers = search.work.multiplier.clone();
-        Self { search, factor: 0.0, way: zero.clone(), rising: true, response: (zero, multipliers) }
+        let factor = if search.contacts.has_discs() { LITTLE } else { 0.0 };
+        Ok(Self {
+            search,
+            factor,
+            slope: 0.0,
+            way: zero.clone(),
+            rising: true,
+            response: (zero, multipliers),
+        })
     }
 
     fn point(&self) -> PathPoint {
@@ -180,8 +215,7 @@ impl<'m> Tracer<'m> {
     fn mark(&self) -> Mark {
         Mark {
             factor: self.factor,
-            increment: self.search.work.increment.clone(),
-            multiplier: self.search.work.multiplier.clone(),
+            reached: self.search.reached(),
             way: self.way.clone(),
             rising: self.rising,
         }
@@ -189,11 +223,9 @@ impl<'m> Tracer<'m> {
 
     fn back_to(&mut self, mark: &Mark) {
         self.factor = mark.factor;
-        self.search.work.increment.clone_from(&mark.increment);
-        self.search.work.multiplier.clone_from(&mark.multiplier);
+        self.search.go_back(&mark.reached);
         self.way.clone_from(&mark.way);
         self.rising = mark.rising;
-        self.search.foresee(true);
     }
 
     /// Factors at the current point and finds the response to the loads.
@@ -250,11 +282,13 @@ impl<'m> Tracer<'m> {
         if !self.prepare() {
             return None;
         }
+        self.search.contacts.begin();
         let start = self.search.work.increment.clone();
         let ahead = self.inner(&self.way, &self.response.0);
         let first = self.way.as_flattened().iter().all(|c| *c == 0.0);
         self.rising = first || ahead > 0.0;
         let length = self.inner(&self.response.0, &self.response.0).sqrt();
+        self.slope = 1.0 / length;
         let share = if self.rising { arc / length } else { -arc / length };
         self.search.work.correction.fill([0.0; 4]);
         self.load(share);
@@ -275,7 +309,8 @@ impl<'m> Tracer<'m> {
 
     /// Corrections, each with the change of the load factor that `control` asks for.
     fn iterate(&mut self, control: impl Fn(&Self, &[[f64; 4]]) -> f64) -> Option<usize> {
-        for iteration in 1..=MOST_ITERATIONS {
+        let alone = self.search.contacts.is_empty();
+        for iteration in 1..=if alone { MOST_ITERATIONS } else { MOST_WITH_CONTACTS } {
             if !self.prepare() {
                 return None;
             }
@@ -287,7 +322,9 @@ impl<'m> Tracer<'m> {
             }
             let work = &self.search.work;
             let reach = super::static_search::largest(&work.increment);
-            if super::static_search::largest(&work.correction) <= SETTLED * reach {
+            let small = super::static_search::largest(&work.correction) <= SETTLED * reach;
+            if small && self.search.contacts.settled() {
+                self.search.contacts.accept();
                 return Some(iteration);
             }
         }
@@ -313,10 +350,20 @@ impl<'m> Tracer<'m> {
         }
     }
 
-    /// Whether the load factor has turned on the way to the current point.
-    fn turned(&mut self) -> bool {
-        let then = self.rising;
-        self.rises().is_some_and(|now| now != then)
+    /// How the load factor went on the way from a point to the current one.
+    fn course(&mut self, before: &Mark) -> Course {
+        let then = if self.rising { self.slope } else { -self.slope };
+        let gone = self.inner(&self.way, &self.way).sqrt();
+        let old = self.inner(&before.way, &before.way).sqrt();
+        let along = self.inner(&before.way, &self.way);
+        let Some(rises) = self.rises() else { return Course { turned: false, resolved: true } };
+        let length = self.inner(&self.response.0, &self.response.0).sqrt();
+        let now = if rises { 1.0 / length } else { -1.0 / length };
+        let mean = (self.factor - before.factor) / gone;
+        let turned = then * now < 0.0;
+        let straight = old == 0.0 || along >= LEAST_COSINE * gone * old;
+        let even = |slope: f64| slope / mean >= 0.0 && slope / mean <= STEEPEST;
+        Course { turned, resolved: straight && (turned || (even(then) && even(now))) }
     }
 
     /// Whether the load factor grows along the path at the current point.

@@ -1,20 +1,24 @@
 //! The transient analysis: steps of the given size, cut where Newton's iteration fails, recorded row by row.
 
 use super::channels::{self, SinceLast};
+use super::given::{Given, RowReactions};
 use super::impacts::Advance;
+use super::jumps;
 use super::modes;
 use super::monitor::Monitor;
-use super::start::{initial_state, massless};
+use super::start::{Initial, initial_state, massless};
+use super::static_contacts::takes_part;
 use super::trial::size_of;
+use crate::contact::effective_mass::EffectiveMass;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
 use crate::error::Error;
 use crate::ledger::{Books, Measures, RoundOff};
-use crate::math::vec2::{add, dot, norm, scale, sub};
-use crate::model::frozen::BodyKind;
+use crate::math::vec2::{dot, norm, scale};
+use crate::model::frozen::ContactData;
 use crate::model::{Fault, Model};
 use crate::record::{Channel, Flow, Recorder};
-use crate::settings::{SAME_INSTANT, Settings};
+use crate::settings::{SAME_INSTANT, Settings, Start};
 use crate::state::State;
 use crate::step::contacts::ActiveContact;
 use crate::step::forcing::Forcing;
@@ -58,16 +62,21 @@ pub struct Simulation<'m> {
     pub(super) solver_steps: usize,
     step_cuts: usize,
     accumulated_steps: usize,
-    /// Times at which a support lets go \[s\].
-    releases: Vec<f64>,
+    /// Times at which steps are cut, increasing \[s\].
+    pub(super) cuts: Vec<f64>,
+    /// Whether prescribed velocities jump in the pulse at hand.
+    pub(super) jumping: bool,
     measures: Measures,
     rows: usize,
     row: Vec<f64>,
     /// Impulses since the last row along normal and tangent, shape (n_contact) \[N s\].
     row_impulse: Vec<[f64; 2]>,
-    /// Impulses of the supports since the last row and the time they took, impacts left out; mean reactions then.
-    row_reactions: (Vec<[f64; 3]>, f64),
-    mean_reactions: Vec<[f64; 3]>,
+    /// What supports gave since the last row.
+    row_reactions: RowReactions,
+    /// What striking bodies gave through contacts.
+    given: Vec<Given>,
+    /// Forces of contacts on the nodes in the equilibrium the run started from; empty otherwise \[N\].
+    pub(super) contact_forces: Vec<[f64; 4]>,
     row_iterations: usize,
     /// Time of the last row \[s\].
     row_time: f64,
@@ -83,6 +92,10 @@ pub struct Simulation<'m> {
     pub(super) persistent: Vec<bool>,
     /// Whether Moreau's impact law stands in for Newton's in the step solved last.
     pub(super) tamed: bool,
+    /// Effective masses of the beams of each contact, once it has struck under a rigid law.
+    pub(super) struck_masses: Vec<Option<EffectiveMass>>,
+    /// Impacts so far that several touching bodies shared.
+    pub(super) shared_blows: SharedBlows,
     /// Size of the structure \[m\].
     pub(super) size: f64,
 }
@@ -106,8 +119,13 @@ impl<'m> Simulation<'m> {
 
     /// The same of structures that may have beams without mass, which nothing moves in time.
     pub(super) fn about(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
-        let (state, reactions) = initial_state(model, settings)?;
-        let overlaps = model.overlaps(&state.displacement);
+        let Initial { state, reactions, contact_forces } = initial_state(model, settings)?;
+        // What presses on something in equilibrium may well be inside it.
+        let pressed = |c: &ContactData| {
+            settings.start == Start::Static
+                && model.pairs[c.pairs.clone()].iter().all(|p| takes_part(model, p))
+        };
+        let overlaps = model.overlaps(&state.displacement, |c| !pressed(c));
         if !overlaps.is_empty() {
             return Err(overlaps);
         }
@@ -126,10 +144,12 @@ impl<'m> Simulation<'m> {
             measures: Measures::default(),
             rows: 0,
             row: Vec::new(),
-            releases: model.releases().collect(),
+            cuts: jumps::cuts(model, settings.step),
+            jumping: false,
             row_impulse: vec![[0.0; 2]; model.contacts.len()],
-            row_reactions: (vec![[0.0; 3]; model.supports.len()], 0.0),
-            mean_reactions: reactions,
+            row_reactions: RowReactions::new(model, reactions),
+            given: vec![Given::default(); model.striking_bodies().count()],
+            contact_forces,
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,
@@ -139,6 +159,8 @@ impl<'m> Simulation<'m> {
             looked: Vec::new(),
             persistent: Vec::new(),
             tamed: false,
+            struck_masses: vec![None; model.contacts.len()],
+            shared_blows: SharedBlows::default(),
             size: size_of(model),
         };
         simulation.start_moving();
@@ -158,6 +180,7 @@ impl<'m> Simulation<'m> {
         let round_off = RoundOff::new(self.model, self.settings.step);
         self.state.books = Books::open(&self.measures, &round_off);
         self.monitor = Monitor::new(self.model, &self.state);
+        self.monitor.open_reactions(self.row_reactions.mean(), self.state.time);
         self.row_time = f64::NEG_INFINITY;
     }
 
@@ -233,7 +256,7 @@ impl<'m> Simulation<'m> {
             if parts > MOST_PARTS {
                 return Err(self.give_up(Failure::Impact, size));
             }
-            let trial = size.min(target - self.state.offset).min(self.until_release());
+            let trial = size.min(target - self.state.offset).min(self.until_cut());
             let mut advance = Advance { size: trial, share: size / target, events_left };
             match self.advance_part(&mut advance, recorder)? {
                 Ok(done) => {
@@ -267,13 +290,6 @@ impl<'m> Simulation<'m> {
         Ok(recorder.progress(self.state.time))
     }
 
-    /// Time to the next release of a support that does not lie at the end of this part of the step \[s\].
-    fn until_release(&self) -> f64 {
-        let slack = SAME_INSTANT * self.settings.step;
-        let ahead = self.releases.iter().map(|t| t - self.state.time);
-        ahead.filter(|t| *t > slack).fold(f64::INFINITY, f64::min)
-    }
-
     /// Measures the new state; follows every accepted step.
     pub(super) fn measure(&mut self) {
         self.measures = Measures::of(self.model, &self.state, self.search.awake());
@@ -292,12 +308,13 @@ impl<'m> Simulation<'m> {
         self.row_time = self.state.time;
         recorder.state(&self.state);
         if recorder.wants_rows() {
-            self.average_reactions();
+            self.row_reactions.close(&self.state);
             let since = SinceLast {
                 impulse: &self.row_impulse,
                 search: &self.search,
-                reactions: &self.mean_reactions,
-                before: self.monitor.before(),
+                reactions: self.row_reactions.mean(),
+                reaction_impulses: self.row_reactions.impulses(),
+                lines: self.monitor.lines(),
                 iterations,
             };
             channels::values(self.model, &self.state, &self.measures, &since, &mut self.row);
@@ -307,17 +324,16 @@ impl<'m> Simulation<'m> {
         Ok(())
     }
 
-    /// Adds the reactions of an accepted part of a step.
-    pub(super) fn gather_reactions(&mut self, h: f64, brief: bool) {
-        if brief {
-            return;
+    /// Adds the reactions of an accepted part of a step; those of an `impulsive` one are no forces.
+    pub(super) fn gather_reactions(&mut self, h: f64, impulsive: bool) {
+        self.row_reactions.gather(&self.state, h, impulsive, &mut self.monitor.supports);
+    }
+
+    /// Adds what striking bodies gave through their contacts in the part of a step that stands solved, before it is accepted.
+    pub(super) fn gather_given(&mut self, h: f64) {
+        for (i, given) in self.model.striking_bodies().zip(&mut self.given) {
+            given.gather(&self.work, self.model.body_node(i), h);
         }
-        let (sum, time) = &mut self.row_reactions;
-        for (support, before) in self.state.reacting.list() {
-            let (sum, now) = (&mut sum[*support], &self.state.reactions[*support]);
-            (0..3).for_each(|i| sum[i] += now[i] - before[i]);
-        }
-        *time += h;
     }
 
     /// Adds the impulses of an accepted part of a step of size `h`.
@@ -332,32 +348,10 @@ impl<'m> Simulation<'m> {
         }
     }
 
-    /// Means of the reactions since the last row; those of the row before if nothing but impacts lies between.
-    fn average_reactions(&mut self) {
-        let (sum, time) = &mut self.row_reactions;
-        if *time > 0.0 {
-            for (mean, sum) in self.mean_reactions.iter_mut().zip(sum.iter_mut()) {
-                *mean = sum.map(|impulse| impulse / *time);
-                *sum = [0.0; 3];
-            }
-        }
-        *time = 0.0;
-    }
-
     fn projectiles(&self) -> Vec<ProjectileSummary> {
         let (model, state) = (self.model, &self.state);
-        let each = model.striking_bodies().map(|first| {
+        let each = model.striking_bodies().zip(&self.given).map(|(first, given)| {
             let body = &model.bodies[first];
-            let next = model.bodies.get(first + 1).map(|b| b.kind);
-            let last = first + usize::from(matches!(next, Some(BodyKind::Rear { .. })));
-            let (mut momentum, mut energy) = ([0.0; 2], 0.0);
-            for i in first..=last {
-                let (own, v) = (&model.bodies[i], &state.velocity[model.body_node(i)]);
-                let squares = |v: [f64; 2], w: f64| own.mass * dot(v, v) + own.inertia * w * w;
-                let given = sub(own.velocity, [v[0], v[1]]);
-                momentum = add(momentum, scale(own.mass, given));
-                energy += 0.5 * (squares(own.velocity, own.spin) - squares([v[0], v[1]], v[2]));
-            }
             let v = &state.velocity[model.body_node(first)];
             // At rest at the start, it has a direction only if it is guided.
             let guide = model.projectiles.iter().find(|p| p.body == first).map(|p| p.direction);
@@ -369,11 +363,11 @@ impl<'m> Simulation<'m> {
                 velocity_final: [plain(v[0]), plain(v[1])],
                 spin_final: plain(v[2]),
                 momentum_transferred: if speed > 0.0 || guide.is_some() {
-                    dot(along, momentum)
+                    plain(dot(along, given.impulse))
                 } else {
-                    -norm(momentum)
+                    plain(-norm(given.impulse))
                 },
-                energy_transferred: energy,
+                energy_transferred: plain(given.work),
             }
         });
         each.collect()
@@ -415,18 +409,26 @@ impl<'m> Simulation<'m> {
             },
             projectiles: self.projectiles(),
             contacts: (self.model.contacts.iter().zip(self.monitor.contacts.records).enumerate())
-                .map(|(i, (contact, record))| ContactSummary {
-                    name: contact.name.clone(),
-                    between: contact.between.clone(),
-                    effective_mass: effective.get(i).copied(),
-                    record,
+                .map(|(i, (contact, mut record))| {
+                    record.intervals_mut().iter_mut().for_each(|c| c.energy.balance());
+                    ContactSummary {
+                        name: contact.name.clone(),
+                        between: contact.between.clone(),
+                        effective_mass: effective.get(i).copied().or(self.struck_masses[i]),
+                        record,
+                    }
                 })
                 .collect(),
             contact_residual_max: self.monitor.contacts.residual,
+            shared_blows: self.shared_blows,
             points: (self.model.points.iter().zip(self.monitor.points))
-                .map(|(p, displacement_max)| PointSummary {
-                    name: p.label.clone(),
-                    displacement_max,
+                .map(|(p, mut crests)| {
+                    crests.iter_mut().for_each(|crest| crest.close(0));
+                    PointSummary {
+                        name: p.label.clone(),
+                        displacement_max: crests.map(|c| Peak { value: c.value, time: c.time }),
+                        resolved: crests.map(|c| c.is_resolved(0)),
+                    }
                 })
                 .collect(),
             supports: self.monitor.supports,

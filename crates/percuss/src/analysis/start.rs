@@ -1,5 +1,8 @@
 //! Where a transient analysis starts: configuration, velocities, accelerations.
 
+use std::ops::Range;
+
+use super::jumps;
 use super::simulation::Simulation;
 use super::static_search::StaticSearch;
 use super::statics::{equilibrium, mechanisms};
@@ -10,8 +13,8 @@ use crate::model::frozen::{BeamData, Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
-use crate::step::commit;
 use crate::step::tangent::project_node;
+use crate::step::{commit, lead};
 
 /// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
 ///
@@ -48,24 +51,64 @@ impl Simulation<'_> {
 
     /// Gives beams and masses the rigid motion of the model, about the configuration they stand in.
     pub(super) fn start_moving(&mut self) {
-        let motion = self.model.initial_motion;
-        if motion == InitialMotion::default() {
+        let model = self.model;
+        if model.is_still() {
             return;
         }
+        self.move_nodes(0..model.beam_node_count(), &model.initial_motion);
+        for (nodes, motion) in &model.own_motions {
+            self.move_nodes(nodes.clone(), motion);
+        }
+        if !model.own_motions.is_empty() && !model.constraints.is_empty() {
+            self.join_velocities();
+        }
+        self.settle_velocities();
+    }
+
+    fn move_nodes(&mut self, range: Range<usize>, motion: &InitialMotion) {
         let state = &mut self.state;
-        let beams = self.model.beam_node_count();
-        let nodes = self.model.nodes[..beams].iter();
-        for ((node, u), v) in nodes.zip(&state.displacement).zip(&mut state.velocity) {
+        let nodes = self.model.nodes[range.clone()].iter();
+        let both = nodes.zip(&state.displacement[range.clone()]);
+        for ((node, u), v) in both.zip(&mut state.velocity[range]) {
             let x = [0, 1].map(|i| node.position[i] + u[i] - motion.about[i]);
             let g = [0, 1].map(|i| node.tangent[i] + u[2 + i]);
             let (x, g) = (scale(motion.spin, rot90(x)), scale(motion.spin, rot90(g)));
             *v = [motion.velocity[0] + x[0], motion.velocity[1] + x[1], g[0], g[1]];
         }
-        self.settle_velocities();
+    }
+
+    /// Where joined parts start in motions that their joints do not allow, they take the nearest ones that these do, in the
+    /// measure of kinetic energy: those after impulses in the joints.
+    fn join_velocities(&mut self) {
+        let model = self.model;
+        let structure = model.structure();
+        let state = self.state.of_structure(&structure);
+        let Ok(mut mass) = effective_mass::mass_matrix(&structure, &state.displacement) else {
+            return;
+        };
+        let band = effective_mass::mass_band(&structure, &state.displacement);
+        let mut velocity = band.multiply(&state.velocity);
+        mass.solve_linear(&structure, &mut velocity);
+        for (own, joined) in self.state.velocity.iter_mut().zip(velocity) {
+            *own = joined;
+        }
     }
 
     fn settle_velocities(&mut self) {
-        crate::step::tangent::project(self.model, &mut self.state.velocity);
+        let (model, state) = (self.model, &mut self.state);
+        crate::step::tangent::project(model, &mut state.velocity);
+        // What moves at the start has been driven before: held components have the velocities of their motions.
+        let step = self.settings.step;
+        for (course, followed) in model.motions.iter().zip(&mut state.followed) {
+            followed.rate = jumps::rate_after(course, 0.0, step);
+        }
+        let beams = model.beam_node_count();
+        for hold in model.holds.iter().filter(|h| h.node < beams) {
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let along: f64 = drive.iter().map(|(m, a)| a * state.followed[*m].rate).sum();
+                (0..4).for_each(|k| state.velocity[hold.node][k] += along * normal[k]);
+            }
+        }
         commit::spin_from_velocity(self.model, &mut self.state);
     }
 
@@ -105,11 +148,39 @@ impl Simulation<'_> {
         for f in &mut force {
             *f = f.map(|c| -c);
         }
+        // Prescribed accelerations are taken to the other side.
+        let mut prescribed = vec![[0.0; 4]; beams];
+        for hold in structure.holds.iter() {
+            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+                let along = forcing.second_rate_at_start(model, drive, step);
+                (0..4).for_each(|k| prescribed[hold.node][k] += along * normal[k]);
+            }
+        }
+        let mut inertia = vec![[0.0; 4]; beams];
+        lead::add_inertia_of(&structure, &state.displacement, &prescribed, &mut inertia);
+        for (f, m) in force.iter_mut().zip(&inertia) {
+            (0..4).for_each(|k| f[k] -= m[k]);
+        }
+        for (f, contact) in force.iter_mut().zip(&self.contact_forces) {
+            (0..4).for_each(|i| f[i] += contact[i]);
+        }
         mass.solve_linear(&structure, &mut force);
-        // Bodies fall freely: nothing touches, and no spring is pressed.
+        for (f, a) in force.iter_mut().zip(&prescribed) {
+            (0..4).for_each(|k| f[k] += a[k]);
+        }
+        // Bodies fall freely, but for what the contacts of an equilibrium carry: no spring is pressed.
         let falling =
             |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
         force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
+        for (body, (a, f)) in model
+            .bodies
+            .iter()
+            .zip(force[beams..].iter_mut().zip(self.contact_forces.iter().skip(beams)))
+        {
+            if body.mass > 0.0 {
+                (0..2).for_each(|i| a[i] += f[i] / body.mass);
+            }
+        }
         for hold in model.holds.iter().filter(|h| h.node >= beams) {
             project_node(hold, &mut force[hold.node]);
         }
@@ -132,13 +203,20 @@ pub(super) fn massless(model: &Model) -> Vec<Fault> {
     model.beams.iter().filter(without).map(fault).collect()
 }
 
+/// Where a run starts.
+pub(super) struct Initial {
+    pub state: State,
+    /// Reactions of the supports, shape (n_support) \[N, N m\].
+    pub reactions: Vec<[f64; 3]>,
+    /// Forces of the contacts of an equilibrium on the nodes, shape (n_node); empty for the reference configuration.
+    pub contact_forces: Vec<[f64; 4]>,
+}
+
 /// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.
-pub(super) fn initial_state(
-    model: &Model,
-    settings: &Settings,
-) -> Result<(State, Vec<[f64; 3]>), Vec<Fault>> {
+pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
     let mut state = State::at_rest(model, settings.scheme);
     let mut reactions = vec![[0.0; 3]; model.supports.len()];
+    let mut contact_forces = Vec::new();
     if settings.start == Start::Static {
         let fault = |e: Error| {
             let found = format!("loads that no equilibrium was found for ({e})");
@@ -154,10 +232,13 @@ pub(super) fn initial_state(
         }
         let found = equilibrium(model).map_err(fault)?;
         reactions = found.reactions.iter().map(|(_, r)| *r).collect();
+        contact_forces = found.contact_forces;
         let found = found.state;
         state.displacement.copy_from_slice(&found.displacement);
+        state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
+        state.pairs = found.pairs;
         // Projectiles stand off from where their points have moved to.
         for p in &model.projectiles {
             let moved = dot(p.direction, p.point.value(&state.displacement));
@@ -170,7 +251,7 @@ pub(super) fn initial_state(
             stored_strains(model, &mut state);
         }
     }
-    Ok((state, reactions))
+    Ok(Initial { state, reactions, contact_forces })
 }
 
 /// Stores the strains of the configuration, for the scheme that keeps them.

@@ -1,12 +1,14 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
-use super::section_forces;
+use super::section_forces::{self, Acting, Lines};
+use super::spectrum::{metric, random, size};
+use super::static_contacts::StaticContacts;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
 use crate::element::membrane::green_or_engineering;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
-use crate::model::frozen::{ConstraintKind, Coordinate};
+use crate::model::frozen::{BodyKind, ConstraintKind, Coordinate};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
@@ -19,12 +21,20 @@ use crate::step::workspace::Workspace;
 use crate::step::{assemble, connectors, external};
 use crate::summary::SectionForceSummary;
 
-/// Corrections before an equilibrium counts as not found.
+/// Corrections before an equilibrium counts as not found; with contacts, which close and open one after the other, more.
 const MOST_ITERATIONS: usize = 30;
+const MOST_WITH_CONTACTS: usize = 300;
+/// Corrections from which on those that change which contacts are closed are followed only as far as unbalanced forces pull.
+const PATIENCE: usize = 6;
+/// Looks along such a correction, and the share of the unbalanced forces that may be left against it.
+const MOST_LOOKS: usize = 8;
+const ENOUGH: f64 = 0.5;
 /// Last correction of an equilibrium, relative to its displacements; the next would be its square.
 const SETTLED: f64 = 1e-9;
 /// Corrections this small against the size of the structure are round-off of its positions.
 const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
+/// Inverse iterations for the lowest eigenvalue.
+const INVERSE_ITERATIONS: usize = 40;
 /// Statics has no step size; this one keeps quotients finite.
 const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 
@@ -35,7 +45,16 @@ pub(super) struct StaticSearch<'m> {
     pub base: State,
     pub work: Workspace,
     pub forcing: Forcing,
+    pub contacts: StaticContacts,
     pub iterations: usize,
+}
+
+/// A place on the way to an equilibrium.
+#[derive(Clone)]
+pub(super) struct Reached {
+    pub increment: Vec<[f64; 4]>,
+    multiplier: Vec<f64>,
+    contacts: StaticContacts,
 }
 
 impl<'m> StaticSearch<'m> {
@@ -45,7 +64,8 @@ impl<'m> StaticSearch<'m> {
         base.coordinates =
             model.connectors.iter().map(|c| c.value(&base.displacement, 0.0)).collect();
         let (work, forcing) = (Workspace::new(model), Forcing::new(model));
-        Self { model, base, work, forcing, iterations: 0 }
+        let contacts = StaticContacts::new(model, &base);
+        Self { model, base, work, forcing, contacts, iterations: 0 }
     }
 
     /// At an equilibrium: increments count from it. In the reference configuration no load acts.
@@ -63,38 +83,71 @@ impl<'m> StaticSearch<'m> {
 
     /// Newton's iteration at a share of the loads, from the increment that stands in the workspace.
     ///
-    /// An equilibrium that lies behind the start, seen along the first correction, is on another branch and does not count.
+    /// An equilibrium that lies behind the start, seen along the first correction, is on another branch and does not count; contacts
+    /// that close may well turn the way round.
     pub fn solve(&mut self, share: f64) -> bool {
         self.forcing.set_static(self.model, share);
         let start = self.work.increment.clone();
         let mut ahead: Option<Vec<[f64; 4]>> = None;
         prescribe(self.model, &self.forcing, &mut self.work.increment);
-        for _ in 0..MOST_ITERATIONS {
+        // Obstacles stand where they are at time zero.
+        self.work.increment[self.model.beam_node_count()..]
+            .iter_mut()
+            .zip(&self.model.bodies)
+            .filter(|(_, body)| body.kind == BodyKind::Obstacle)
+            .for_each(|(d, _)| *d = [0.0; 4]);
+        self.contacts.begin();
+        self.contacts.slow_discs();
+        let (alone, mut restless) = (self.contacts.is_empty(), 0);
+        for _ in 0..if alone { MOST_ITERATIONS } else { MOST_WITH_CONTACTS } {
             if !self.factor() {
                 return false;
             }
             self.correction();
+            if largest(&self.work.correction) > 1e-6 * self.size()
+                && self.contacts.climb(&self.work.residual, &self.work.correction)
+            {
+                continue;
+            }
             let ahead = ahead.get_or_insert_with(|| self.work.correction.clone());
-            if !self.correct() {
+            restless = if self.contacts.changed() { restless + 1 } else { 0 };
+            let careful = restless > PATIENCE || self.contacts.opened();
+            if !if careful { self.correct_along() } else { self.correct() } {
                 return false;
             }
             let correction = largest(&self.work.correction);
             let moved = correction / largest(&self.work.increment);
-            if moved.is_nan() || moved <= SETTLED || correction <= ROUND_OFF * self.size() {
+            let small = moved.is_nan() || moved <= SETTLED || correction <= ROUND_OFF * self.size();
+            if small && self.contacts.settled() {
                 let way = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn(|i| a[i] - b[i]);
                 let gone: Vec<[f64; 4]> =
                     self.work.increment.iter().zip(&start).map(|(a, b)| way(a, b)).collect();
                 // Not a number where nothing moves at all.
-                return moved.is_nan() || inner(&gone, ahead) >= 0.0;
+                let onward = moved.is_nan() || inner(&gone, ahead) >= 0.0;
+                let found = onward || !alone;
+                if found {
+                    self.contacts.accept();
+                }
+                return found;
             }
         }
         false
     }
 
-    /// Goes back to an increment with its multipliers.
-    pub fn go_back(&mut self, place: &(Vec<[f64; 4]>, Vec<f64>)) {
-        self.work.increment.copy_from_slice(&place.0);
-        self.work.multiplier.copy_from_slice(&place.1);
+    /// The place reached.
+    pub fn reached(&self) -> Reached {
+        Reached {
+            increment: self.work.increment.clone(),
+            multiplier: self.work.multiplier.clone(),
+            contacts: self.contacts.clone(),
+        }
+    }
+
+    /// Goes back to a place.
+    pub fn go_back(&mut self, place: &Reached) {
+        self.work.increment.copy_from_slice(&place.increment);
+        self.work.multiplier.copy_from_slice(&place.multiplier);
+        self.contacts.clone_from(&place.contacts);
         self.foresee(true);
     }
 
@@ -123,14 +176,49 @@ impl<'m> StaticSearch<'m> {
 
     /// Applies the correction; false if it leads nowhere.
     pub fn correct(&mut self) -> bool {
+        let share = self.contacts.share(self.model, &self.work.correction);
+        if share < 1.0 {
+            self.work.correction.as_flattened_mut().iter_mut().for_each(|c| *c *= share);
+        }
         self.foresee(false);
         let work = &mut self.work;
         for (d, c) in work.increment.iter_mut().zip(&work.correction) {
             (0..4).for_each(|i| d[i] += c[i]);
         }
+        self.contacts.correct(&work.correction, share, &work.increment);
         self.iterations += 1;
         let reach = largest(&work.increment);
-        largest(&work.correction).is_finite() && reach <= 1e6 * self.size()
+        let lost = self.contacts.lost(self.model).is_some();
+        !lost && largest(&work.correction).is_finite() && reach <= 1e6 * self.size()
+    }
+
+    /// Applies the share of the correction along which the unbalanced forces have done most of their work: contacts that close on
+    /// the way end it.
+    fn correct_along(&mut self) -> bool {
+        let (start, full) = (self.work.increment.clone(), self.work.correction.clone());
+        let before = inner(&self.work.residual, &full);
+        if !self.correct() || !(before < 0.0) {
+            return before.is_finite();
+        }
+        let whole = inner(&self.work.correction, &full) / inner(&full, &full);
+        let mut share = whole;
+        for _ in 0..MOST_LOOKS {
+            self.assemble::<false>();
+            let after = inner(&self.work.residual, &full);
+            if after <= -ENOUGH * before {
+                break;
+            }
+            share *= (before / (before - after)).clamp(0.1, 0.7);
+            self.work.increment.copy_from_slice(&start);
+            for (c, f) in self.work.correction.iter_mut().zip(&full) {
+                *c = f.map(|x| share * x);
+            }
+            self.foresee(false);
+            for (d, c) in self.work.increment.iter_mut().zip(&self.work.correction) {
+                (0..4).for_each(|i| d[i] += c[i]);
+            }
+        }
+        true
     }
 
     /// Strains that the correction leads to, to first order; those of the increment itself if `still`.
@@ -168,16 +256,17 @@ impl<'m> StaticSearch<'m> {
 
     /// Residual, and tangent if `TANGENT`, at the current increment.
     pub fn assemble<const TANGENT: bool>(&mut self) {
-        let Self { model, base, forcing, .. } = self;
-        let Workspace { increment, residual, tangent, multiplier, .. } = &mut self.work;
-        let chain = tangent.chain_mut();
-        assemble::beams::<TANGENT>(model, base, &RULE, forcing.gravity, increment, residual, chain);
+        let Self { model, base, forcing, contacts, .. } = self;
+        let Workspace { increment, residual, tangent, multiplier, beams, .. } = &mut self.work;
+        let sums = (tangent.chain_mut(), beams);
+        assemble::beams::<TANGENT>(model, base, &RULE, forcing.gravity, increment, residual, sums);
         if TANGENT {
             tangent.clear_ties();
         }
         weigh_masses(model, forcing, residual);
         external::apply::<TANGENT>(model, base, forcing, 1.0, increment, residual, tangent);
         connectors::apply::<TANGENT>(model, base, &RULE, forcing, increment, residual, tangent);
+        contacts.assemble::<TANGENT>(model, base, forcing, increment, residual, tangent);
         let step = constraint_step(base, increment, forcing);
         for (i, (c, multiplier)) in model.constraints.iter().zip(multiplier.iter()).enumerate() {
             step.add_gradient(c, *multiplier, residual);
@@ -188,6 +277,39 @@ impl<'m> StaticSearch<'m> {
                 tangent.add_hessian(i, points, &k);
             }
         }
+    }
+
+    /// Whether no motion about the equilibrium reached grows, with what is closed held closed: by the sign of the lowest
+    /// eigenvalue of the tangent, found by inverse iteration.
+    pub fn is_stable_touching(&mut self) -> bool {
+        let model = self.model;
+        self.foresee(true);
+        self.assemble::<true>();
+        self.contacts.without_springs(&mut self.work.tangent);
+        // Measured by stiffness: density has no part in it.
+        let mut mass = metric(model, false);
+        self.contacts.measure_bodies(&mut mass, model);
+        let longest = model.beams.iter().map(|b| b.length).fold(0.0, f64::max);
+        let shift = if longest > 0.0 { (size(model) / longest).powi(4) } else { 1.0 };
+        self.work.tangent.chain_mut().add_scaled(&mass, shift);
+        if self.factor_assembled().is_err() {
+            return false;
+        }
+        let mut x = random(model.node_count(), &mut 1);
+        project(model, &mut x);
+        let mut lowest = f64::INFINITY;
+        for _ in 0..INVERSE_ITERATIONS {
+            let mut y = mass.multiply(&x);
+            let weight = inner(&x, &y);
+            self.work.tangent.solve_linear(model, &mut y);
+            // The inverse's Rayleigh quotient.
+            let inverse = inner(&mass.multiply(&x), &y) / weight;
+            lowest = 1.0 / inverse - shift;
+            let size = inner(&y, &mass.multiply(&y)).sqrt();
+            y.as_flattened_mut().iter_mut().for_each(|c| *c /= size);
+            x = y;
+        }
+        lowest > -1e-6 * shift
     }
 
     /// Size of the structure \[m\].
@@ -214,13 +336,19 @@ impl<'m> StaticSearch<'m> {
         state.coordinates =
             self.model.connectors.iter().zip(&self.base.coordinates).map(step).collect();
         state.strain.clear();
+        self.contacts.enter(&mut state);
         state
     }
 
     /// Section forces of largest magnitude in the state reached.
-    pub fn section_forces(&self, state: &State) -> Vec<SectionForceSummary> {
-        let mut forces = section_forces::unset(self.model);
-        section_forces::update(self.model, state, None, &mut forces);
+    pub fn section_forces(&mut self, state: &State) -> Vec<SectionForceSummary> {
+        self.assemble::<false>();
+        let Workspace { increment, beams, .. } = &self.work;
+        let acting =
+            Acting { state: &self.base, increment, theta: 1.0, beams, forcing: &self.forcing };
+        let (mut lines, mut forces) = (Lines::default(), section_forces::unset(self.model));
+        lines.set(self.model, &acting, []);
+        section_forces::update(self.model, &lines, state, &mut forces);
         forces
     }
 
@@ -265,6 +393,7 @@ impl<'m> StaticSearch<'m> {
                 _ => enter(c.support, force, 0.0),
             }
         }
+        self.contacts.add_reactions(model, &mut out);
         out
     }
 }

@@ -1,6 +1,7 @@
 //! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
 
 use super::spectrum::{Layout, free_motions, is_stable};
+use super::static_contacts::StaticContact;
 use super::static_search::{StaticSearch, largest};
 use crate::error::Error;
 use crate::model::{Fault, Model, StrainMeasure};
@@ -27,6 +28,10 @@ pub struct Equilibrium {
     pub section_forces: Vec<SectionForceSummary>,
     /// Forces (1, 2) and moment of each support on the structure \[N, N m\], with their names.
     pub reactions: Vec<(String, [f64; 3])>,
+    /// Contacts that take part, in the model's order.
+    pub contacts: Vec<StaticContact>,
+    /// Forces of the contacts on the nodes of beams and bodies, shape (n_node).
+    pub(crate) contact_forces: Vec<[f64; 4]>,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
     /// Load steps taken.
@@ -35,12 +40,14 @@ pub struct Equilibrium {
     pub newton_iterations: usize,
 }
 
-/// Static equilibrium of `model` under the loads that act at time zero; projectiles take no part.
+/// Static equilibrium of `model` under the loads that act at time zero, with the contacts a transient knows.
 ///
-/// Newton's iteration in load steps, smaller ones where it does not converge.
+/// Newton's iteration in load steps, smaller ones where it does not converge. Compliant contacts press by their potentials, rigid
+/// ones as gap and force are complementary, all without friction. Guided projectiles and discs on their way take no part.
 ///
 /// # Errors
-/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry.
+/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry. A disc that nothing holds. One
+/// thing inside another before any load acts.
 pub fn equilibrium(model: &Model) -> Result<Equilibrium, Error> {
     equilibrium_in(model, FIRST_STEP)
 }
@@ -50,21 +57,19 @@ pub fn equilibrium(model: &Model) -> Result<Equilibrium, Error> {
 /// # Errors
 /// As [`equilibrium`].
 pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Error> {
-    let mut found = equilibrium_of(&model.structure(), first_step)?;
-    found.state = found.state.with_bodies_of(model);
-    Ok(found)
-}
-
-fn equilibrium_of(model: &Model, first_step: f64) -> Result<Equilibrium, Error> {
+    let structure = model.structure();
     let mut search = StaticSearch::new(model);
+    refuse_overlaps(&search)?;
     search.foresee(true);
-    let mut accepted = (search.work.increment.clone(), search.work.multiplier.clone());
+    let mut accepted = search.reached();
     let (mut reached, mut step, mut load_steps) = (0.0, first_step.clamp(1e-3, 1.0), 0);
     let (finest, mut stable) = (step * FINEST_SHARE, true);
     while reached < 1.0 {
         let target: f64 = f64::min(reached + step, 1.0);
         let found = search.solve(target);
-        if found && stable && !is_stable(model, &search) {
+        // What leans on something has not jumped to another branch for want of stability.
+        let alone = !search.contacts.press();
+        if found && alone && stable && !is_stable_alone(&structure, &search) {
             // A branch that lost its stability may have been jumped to: smaller steps tell.
             if step > finest {
                 step *= 0.5;
@@ -77,19 +82,37 @@ fn equilibrium_of(model: &Model, first_step: f64) -> Result<Equilibrium, Error> 
             reached = if target > 1.0 - 1e-12 { 1.0 } else { target };
             load_steps += 1;
             step = (1.5 * step).min(first_step);
-            accepted = (search.work.increment.clone(), search.work.multiplier.clone());
+            accepted = search.reached();
         } else {
+            if let Some(body) = search.contacts.lost(model) {
+                return Err(Error::nothing_holds(body.to_owned()));
+            }
             step *= 0.5;
             search.go_back(&accepted);
             if step < SMALLEST_STEP {
-                return Err(lost(&search, reached));
+                return Err(lost(&mut search, reached));
             }
         }
     }
     search.forcing.set_static(model, 1.0);
     let mut found = finish(&mut search, load_steps);
-    found.stable = stable || is_stable(model, &search);
+    found.stable = if search.contacts.press() {
+        search.is_stable_touching()
+    } else {
+        stable || is_stable_alone(&structure, &search)
+    };
     Ok(found)
+}
+
+/// Refuses what is inside something else before any load acts.
+pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
+    let overlaps = search.model.overlaps(&search.base.displacement, |_| true);
+    overlaps.first().map_or(Ok(()), |fault| Err(Error::overlap(fault.to_string())))
+}
+
+/// Whether the beams, which touch nothing, return to where they are.
+fn is_stable_alone(structure: &Model, search: &StaticSearch) -> bool {
+    is_stable(structure, &search.state().of_structure(structure))
 }
 
 /// The result at the increment reached.
@@ -99,11 +122,15 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let state = search.state();
     let model = search.model;
     let at = |p: &crate::model::frozen::MaterialPoint| p.value(&state.displacement);
+    let mut contact_forces = vec![[0.0; 4]; model.node_count()];
+    search.contacts.forces().for_each(|(_, force, row)| row.spread(force, &mut contact_forces));
     let names = model.support_names().map(str::to_owned);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
         section_forces: search.section_forces(&state),
         reactions: names.zip(search.reactions(&state)).collect(),
+        contacts: search.contacts.results(model),
+        contact_forces,
         stable: true,
         load_steps,
         newton_iterations: search.iterations,
@@ -112,7 +139,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
 }
 
 /// Why no equilibrium follows the last one found.
-fn lost(search: &StaticSearch, share: f64) -> Error {
+fn lost(search: &mut StaticSearch, share: f64) -> Error {
     let state = search.state();
     let forces = search.section_forces(&state);
     for (beam, found) in search.model.beams.iter().zip(&forces) {

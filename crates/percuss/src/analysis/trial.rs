@@ -7,11 +7,12 @@ use crate::contact::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::TouchLaw;
 use crate::model::frozen::BodyKind;
-use crate::step::commit;
-use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw};
+use crate::settings::Scheme;
+use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw, Phase};
 use crate::step::integration::Integration;
 use crate::step::newton::{Failure, StepProblem};
 use crate::step::workspace::Workspace;
+use crate::step::{books, commit};
 
 /// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
 const AHEAD: f64 = 2.0;
@@ -31,7 +32,11 @@ impl Simulation<'_> {
     ) -> Result<(), Failure> {
         self.solver_steps += 1;
         let (time, step) = (self.state.time, self.settings.step);
-        self.forcing.set(self.model, time, h, step, &self.state.followed);
+        let followed = &self.state.followed;
+        self.forcing.set(self.model, time, h, step, followed);
+        if self.jumping {
+            self.forcing.set_motions(self.model, time, h, step, followed, true);
+        }
         self.search.within(self.model, &self.state.velocity, AHEAD * h, &mut self.near);
         let near = std::mem::take(&mut self.near);
         self.look(&near);
@@ -41,7 +46,7 @@ impl Simulation<'_> {
             let problem = StepProblem {
                 model: self.model,
                 state: &self.state,
-                integration: Integration::new(self.settings.scheme, h),
+                integration: self.integration(h),
                 forcing: &self.forcing,
                 damping: &self.damping,
                 size: self.size,
@@ -67,6 +72,12 @@ impl Simulation<'_> {
             }
         }
         self.smooth_passage()
+    }
+
+    /// The scheme on a step of size `h`; accelerations know no impulses, so jumps of velocity are made by the midpoint rule.
+    fn integration(&self, h: f64) -> Integration {
+        let by_midpoint = self.jumping && self.settings.scheme.advances_accelerations();
+        Integration::new(if by_midpoint { Scheme::Midpoint } else { self.settings.scheme }, h)
     }
 
     /// Looks at pairs that still sleep, where the state stands. They have not touched since they fell asleep, so they are
@@ -136,7 +147,9 @@ impl Simulation<'_> {
             return [f64::INFINITY, 0.0];
         };
         let row = pair.normal_row(&touch, &at);
-        [touch.gap, 2.0 * row.on(d) / h - row.on(&self.state.velocity)]
+        let lead = &self.work.lead;
+        let leads = if lead.is_empty() { 0.0 } else { row.on(&lead.velocity) };
+        [touch.gap, 2.0 * row.on(d) / h - row.on(&self.state.velocity) + leads]
     }
 
     /// Fails if a smooth pair has passed through unseen.
@@ -205,10 +218,17 @@ impl Simulation<'_> {
 
     /// Accepts the step solved last, with the contacts that took part in it, and measures the new state.
     pub(super) fn accept(&mut self, h: f64, active: &[ActiveContact]) {
-        let integration = Integration::new(self.settings.scheme, h);
-        self.monitor.begin_step(self.model, &self.state, &self.work);
+        let integration = self.integration(h);
         let brief = h < BRIEF * self.settings.step;
+        let (forcing, persistent) = (&self.forcing, self.persistent.as_slice());
+        let solved =
+            super::monitor::Solved { rule: integration, forcing, brief, active, persistent };
+        self.monitor.begin_step(self.model, &self.state, &self.work, &solved);
         let before = brief.then(|| self.state.multiplier.clone());
+        let strikes = |c: &ActiveContact| !matches!(c.phase, Phase::Resting { .. });
+        let impulsive = brief && (self.jumping || active.iter().any(strikes));
+        self.gather_given(h);
+        self.note_start_reactions(integration);
         self.remember();
         let (state, forcing) = (&mut self.state, &self.forcing);
         commit::commit(self.model, state, integration, forcing, &self.damping, &self.work);
@@ -228,9 +248,35 @@ impl Simulation<'_> {
             awake: self.search.awake(),
         };
         self.monitor.end_step(self.model, &self.state, &self.work, &part);
-        self.gather_reactions(h, brief);
+        self.gather_reactions(h, impulsive);
         self.gather_impulses(h, active);
         self.measure();
+    }
+
+    /// Reactions at the start of the step solved last, where the step before does not tell them.
+    fn note_start_reactions(&mut self, integration: Integration) {
+        let Some(at_start) = integration.at_start().filter(|_| self.state.instant.is_none()) else {
+            return;
+        };
+        let (model, state, forcing) = (self.model, &self.state, &self.forcing);
+        let mut work = self.work.clone();
+        let problem = StepProblem {
+            model,
+            state,
+            integration: at_start,
+            forcing,
+            damping: &self.damping,
+            size: self.size,
+            near: &self.near,
+            active: &[],
+            law: ImpulseLaw::Newton,
+            feedback: 0.0,
+            arcs: self.search.arcs(),
+            reach: Reach::Near,
+        };
+        problem.unbalanced(&mut work);
+        let found = books::reactions_at_start(model, state, &at_start, forcing, &work);
+        self.state.instant = Some(found);
     }
 
     /// Sides and feet at the end of the step, as the step has seen them.

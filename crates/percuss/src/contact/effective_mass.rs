@@ -1,15 +1,21 @@
 //! Effective mass of a struck point, on the mesh and in the limit of an ever finer one.
 
+use super::configuration::Configuration;
+use super::pair::{Hold, Pair};
+use super::touch::Touch;
 use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::point::PointResponse;
 use crate::linalg::chain::Chain;
-use crate::math::vec2::{add, cross, dot};
+use crate::math::vec2::{add, cross, dot, norm, scale};
 use crate::model::Model;
-use crate::model::frozen::{BeamData, BodyKind, MaterialPoint, ProjectileData};
+use crate::model::frozen::{BodyKind, MaterialPoint, ProjectileData};
 use crate::step::assemble;
 use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
 use crate::step::tangent::{Singular, Tangent};
+
+/// What moves by less than this share of the whole under an impulse is held.
+const HELD: f64 = 1e-12;
 
 /// Effective mass of a struck point, along the line of flight of its projectile.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,17 +46,22 @@ impl Model {
         };
         let both = |p: &ProjectileData| {
             let on_mesh = on_mesh(self, &mut mass, &p.point, p.direction);
-            let own = self.mass_at(&p.point);
-            EffectiveMass { on_mesh, limit: own + limit(self, &p.point, p.direction, on_mesh) }
+            let MaterialPoint { beam, node, s, tangent, .. } = p.point;
+            let place = Place { beam, node, s, tangent };
+            let limit = if on_mesh.is_infinite() {
+                f64::INFINITY
+            } else {
+                place.limit(self, p.direction, ALONG)
+            };
+            EffectiveMass { on_mesh, limit }
         };
         self.projectiles.iter().map(both).collect()
     }
 
-    /// Mass that a point carries in itself \[kg\].
-    fn mass_at(&self, point: &MaterialPoint) -> f64 {
-        let there = |p: &MaterialPoint| {
-            p.beam == point.beam && (p.s - point.s).abs() <= 1e-9 * self.beams[p.beam].length
-        };
+    /// Mass that a place of a beam carries in itself \[kg\].
+    fn mass_at(&self, beam: usize, s: f64) -> f64 {
+        let there =
+            |p: &MaterialPoint| p.beam == beam && (p.s - s).abs() <= 1e-9 * self.beams[beam].length;
         self.masses.iter().filter(|m| there(&m.point)).map(|m| m.mass).sum()
     }
 }
@@ -116,36 +127,104 @@ fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: 
     mass.solve_linear(model, &mut x);
     let mobility = dot(direction, point.value(&x));
     let free = 1.0 / model.total_mass;
-    if mobility <= 1e-12 * free { f64::INFINITY } else { 1.0 / mobility }
+    if mobility <= HELD * free { f64::INFINITY } else { 1.0 / mobility }
 }
 
-/// Limit of the effective mass for an ever finer mesh \[kg\]: `2 sqrt(rhoA rhoI)` across a beam's interior, half of it
-/// across a free end, zero along the beam, infinite where held.
-///
-/// The velocity that an impulse leaves in a Rayleigh beam decays as `exp(-s / l)` with `l = sqrt(rhoI / rhoA)`.
-fn limit(model: &Model, point: &MaterialPoint, direction: [f64; 2], on_mesh: f64) -> f64 {
-    if on_mesh.is_infinite() {
-        return f64::INFINITY;
+/// Directions that lie along a beam by this much have a part along it, in which a fine mesh has no mass.
+const ALONG: f64 = 1e-9;
+/// The same of a normal in a configuration that the run has bent.
+const LEANS: f64 = 1e-3;
+
+/// A place of a beam.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    beam: usize,
+    /// First node of its element.
+    node: usize,
+    /// Arc length \[m\].
+    s: f64,
+    /// Unit tangent.
+    tangent: [f64; 2],
+}
+
+impl Place {
+    /// Limit of the effective mass for an ever finer mesh \[kg\]: `2 sqrt(rhoA rhoI)` across a beam's interior, half of it
+    /// across a free end, what the place carries in itself besides; zero along the beam.
+    ///
+    /// The velocity that an impulse leaves in a Rayleigh beam decays as `exp(-s / l)` with `l = sqrt(rhoI / rhoA)`.
+    fn limit(&self, model: &Model, direction: [f64; 2], leans: f64) -> f64 {
+        let own = model.mass_at(self.beam, self.s);
+        if dot(direction, self.tangent).abs() > leans {
+            return own;
+        }
+        let (span, k) = model.element_of(self.node);
+        let row = &span.table(k).rows[1];
+        let interior = 2.0 * (row.mass * row.section.rotary).sqrt();
+        own + if self.is_free_end(model) {
+            0.5 * interior * cross(self.tangent, direction).abs()
+        } else {
+            interior
+        }
     }
-    if dot(direction, point.tangent).abs() > 1e-9 {
-        return 0.0;
-    }
-    let beam = &model.beams[point.beam];
-    let (span, k) = model.element_of(point.node);
-    let row = &span.table(k).rows[1];
-    let interior = 2.0 * (row.mass * row.section.rotary).sqrt();
-    if is_free_end(model, beam, point) {
-        0.5 * interior * cross(point.tangent, direction).abs()
-    } else {
-        interior
+
+    fn is_free_end(&self, model: &Model) -> bool {
+        let length = model.beams[self.beam].length;
+        let at_end = self.s <= 1e-9 * length || self.s >= length * (1.0 - 1e-9);
+        let joined = model.constraints.iter().filter(|c| c.support.is_none()).any(|c| {
+            let mut points = c.points().iter();
+            points.any(|p| p.beam == self.beam && (p.s - self.s).abs() < 1e-9 * length)
+        });
+        at_end && !joined
     }
 }
 
-fn is_free_end(model: &Model, beam: &BeamData, point: &MaterialPoint) -> bool {
-    let at_end = point.s <= 1e-9 * beam.length || point.s >= beam.length * (1.0 - 1e-9);
-    let joined = model.constraints.iter().filter(|c| c.support.is_none()).any(|c| {
-        let mut points = c.points().iter();
-        points.any(|p| p.beam == point.beam && (p.s - point.s).abs() < 1e-9 * beam.length)
-    });
-    at_end && !joined
+impl EffectiveMass {
+    /// Effective mass of the beams of a pair against an impulse along its normal: `1 / sum(n M^-1 n^T)` over those of the two that
+    /// are beams. None where neither is one.
+    ///
+    /// `mass` is the mass matrix of a configuration, factored; `u` are the displacements in which the two touch.
+    pub(crate) fn of_pair(
+        model: &Model,
+        mass: &mut Tangent,
+        u: &[[f64; 4]],
+        pair: &Pair,
+        touch: &Touch,
+    ) -> Option<Self> {
+        let at = Configuration::of(u);
+        let row = pair.normal_row(touch, &at);
+        let mut x = vec![[0.0; 4]; model.node_count()];
+        row.spread(1.0, &mut x);
+        mass.solve_linear(model, &mut x);
+        let beams = model.beam_node_count();
+        let mobility = row.on_some(&x, |n| n < beams);
+        let sides =
+            [(pair.movers[0], &pair.source, pair.s), (pair.movers[1], &touch.foot, touch.s)];
+        let (mut softness, mut any) = (0.0, false);
+        for (mover, centre, s) in sides {
+            let Hold::Beam { slope, tangent, .. } = &centre.hold else { continue };
+            if mover >= model.beams.len() || s.is_nan() {
+                continue;
+            }
+            any = true;
+            let nodes = model.beams[mover].nodes.clone();
+            if row.on_some(&x, |n| nodes.contains(&n)) <= HELD / model.total_mass {
+                continue;
+            }
+            let bent = add(
+                *tangent,
+                hermite_slope(slope, &at.node(centre.node), &at.node(centre.node + 1)),
+            );
+            let tangent = scale(1.0 / norm(bent), bent);
+            let place = Place { beam: mover, node: centre.node, s, tangent };
+            softness += 1.0 / place.limit(model, touch.normal, LEANS);
+        }
+        let held = mobility <= HELD / model.total_mass;
+        let one_over = |x: f64| if held { f64::INFINITY } else { 1.0 / x };
+        any.then(|| Self { on_mesh: one_over(mobility), limit: one_over(softness) })
+    }
+}
+
+/// Derivative of an element's displacement at a point.
+fn hermite_slope(n: &[f64; 4], a: &[f64; 4], b: &[f64; 4]) -> [f64; 2] {
+    [0, 1].map(|i| n[0] * a[i] + n[1] * a[2 + i] + n[2] * b[i] + n[3] * b[2 + i])
 }

@@ -2,10 +2,12 @@
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
+use crate::analysis::crest::{Arc, Crest};
 use crate::contact::free_gap::FreeGap;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::scalar::{Mask, Number};
+use crate::step::contacts::BRIEF;
 
 /// A largest value and when it occurred.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +30,9 @@ pub struct Closed<S> {
     pub deepest: Top<S>,
     pub approach: S,
     pub separation: S,
+    /// Steps in which it was closed, and what the gap's rate changed by in the step before it and after it \[m/s\].
+    pub steps: S,
+    pub changes: [S; 2],
     /// Where it closed, and where it was last \[m\].
     pub place: [S; 2],
     pub place_end: [S; 2],
@@ -57,6 +62,8 @@ pub struct GuideLog<S: Number> {
     pub deepest: Top<S>,
     /// Impacts, by lane.
     pub impacts: Vec<Vec<Struck<S>>>,
+    /// Impulse that the projectile gave, and work that it did \[N s, J\].
+    pub given: [S; 2],
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
     free: S,
     /// Lanes whose last interval ended in the step before; gap and rate at the end of that step, its time and size.
@@ -71,7 +78,7 @@ pub struct Log<S: Number> {
     /// Time at the start of the step at hand \[s\].
     pub time: S,
     /// Extremes of the recorded points, by component.
-    pub points: Vec<[Top<S>; 2]>,
+    pub points: Vec<[Crest<S>; 2]>,
     /// One entry a guided projectile.
     pub guides: Vec<GuideLog<S>>,
     /// Points, gaps and their rates at the start of the step.
@@ -91,16 +98,21 @@ impl<S: Number> Closed<S> {
             deepest: Top { value: zero, time: nan },
             approach: nan,
             separation: nan,
+            steps: zero,
+            changes: [zero; 2],
             place: [nan; 2],
             place_end: [nan; 2],
         }
     }
 
-    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`.
-    fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) {
+    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`; returns
+    /// how long that is.
+    fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) -> S {
         let [since, rate] = back.closes(h);
         self.end = start + (h - since);
         self.separation = -rate;
+        self.changes[1] = back.acceleration * h;
+        since
     }
 
     fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
@@ -113,7 +125,9 @@ impl<S: Number> Closed<S> {
         set(&mut self.deepest.time, from.deepest.time);
         set(&mut self.approach, from.approach);
         set(&mut self.separation, from.separation);
+        set(&mut self.steps, from.steps);
         for i in 0..2 {
+            set(&mut self.changes[i], from.changes[i]);
             set(&mut self.given[i], from.given[i]);
             set(&mut self.place[i], from.place[i]);
             set(&mut self.place_end[i], from.place_end[i]);
@@ -132,6 +146,7 @@ impl<S: Number> Log<S> {
             closed: vec![Vec::new(); S::LANES],
             deepest: top,
             impacts: vec![Vec::new(); S::LANES],
+            given: [zero; 2],
             free: zero,
             released: zero.less(zero),
             parted: FreeGap { gap: zero, rate: zero, acceleration: zero },
@@ -140,7 +155,7 @@ impl<S: Number> Log<S> {
         let (points, guides) = (engine.numbers.points.len(), engine.guides.len());
         Self {
             time: zero,
-            points: vec![[top; 2]; points],
+            points: vec![[Crest::new(zero, zero); 2]; points],
             guides: (0..guides).map(guide).collect(),
             point_start: vec![[[zero; 2]; 2]; points],
             gap_start: vec![[zero; 2]; guides],
@@ -152,15 +167,15 @@ impl<S: Number> Log<S> {
         let zero = self.time.constant(0.0);
         let none = Closed::none(zero);
         self.time.set_lane(lane, zero, 0);
-        for top in self.points.as_flattened_mut() {
-            top.value.set_lane(lane, zero, 0);
-            top.time.set_lane(lane, zero, 0);
+        for crest in self.points.as_flattened_mut() {
+            crest.reset(lane, zero);
         }
         for log in &mut self.guides {
             log.open.set_lane(lane, &none, 0);
             log.is_open[lane] = false;
             log.closed[lane].clear();
             log.impacts[lane].clear();
+            log.given.iter_mut().for_each(|given| given.set_lane(lane, zero, 0));
             log.free.set_lane(lane, zero, 0);
             let before = log.released;
             log.released = zero.mask(|i| i != lane && before.lane(i));
@@ -183,12 +198,19 @@ impl<S: Number> Log<S> {
     /// Takes in the end of the step.
     #[inline(always)]
     pub fn end(&mut self, engine: &Engine<S>) {
-        for (k, tops) in self.points.iter_mut().enumerate() {
+        let brief = engine.h.less(engine.numbers.step * BRIEF);
+        for (k, crests) in self.points.iter_mut().enumerate() {
             let ([u0, v0], [u1, v1]) = (self.point_start[k], engine.point(k));
             for c in 0..2 {
-                let path = Path { h: engine.h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
-                tops[c].take(&path, self.time);
+                let (h, from) = (engine.h, self.time);
+                let arc = Arc { h, from, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
+                crests[c].take(&arc, brief);
             }
+        }
+        for (log, state) in self.guides.iter_mut().zip(&engine.guides) {
+            let push = state.force + state.impulse / engine.h;
+            log.given[0] += engine.h * push;
+            log.given[1] += push * state.increment;
         }
         for k in 0..self.guides.len() {
             if engine.numbers.guides[k].law != GuideLaw::Rigid {
@@ -219,12 +241,14 @@ impl<S: Number> Log<S> {
                 let mut new = Closed::none(zero);
                 new.start = time + opens;
                 new.approach = approach;
-                new.place = engine.struck(k);
+                new.changes[0] = flight.acceleration * h;
+                new.place = engine.struck_before(k, h - opens);
                 log.open.set_lane(lane, &new, lane);
             }
         }
         let force = state.force;
         log.open.impulse += h * force;
+        log.open.steps += zero.constant(1.0);
         log.open.given[0] += force * guide.along(&engine.increment);
         log.open.given[1] += -(force * state.increment);
         log.open.deepest.take_positive(&path, time);
@@ -233,19 +257,36 @@ impl<S: Number> Log<S> {
             if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
                 let parted = FreeGap { gap: state.gap, rate: -state.rate, acceleration: zero };
                 let mut done = log.open;
-                done.part(&parted, [time, h]);
+                let since = done.part(&parted, [time, h]);
                 log.parted.gap.set_lane(lane, parted.gap, lane);
                 log.parted.rate.set_lane(lane, parted.rate, lane);
                 log.parted_at[0].set_lane(lane, time, lane);
                 log.parted_at[1].set_lane(lane, h, lane);
                 let released = log.released;
                 log.released = zero.mask(|i| i == lane || released.lane(i));
-                done.place_end = engine.struck(k);
+                done.place_end = engine.struck_before(k, since);
                 log.closed[lane].push(done);
                 log.is_open[lane] = false;
                 log.open.set_lane(lane, &Closed::none(zero), lane);
             }
         }
+    }
+
+    /// Projectiles that in the step just solved came nearest without touching: number, time, gap. The first lane alone.
+    pub fn passes<'a>(&'a self, engine: &'a Engine<S>) -> impl Iterator<Item = (usize, S, S)> + 'a {
+        let each = self.gap_start.iter().zip(&engine.guides).enumerate();
+        each.filter_map(|(k, (&[gap, rate], state))| {
+            let open = gap.lane(0) > 0.0 && state.gap.lane(0) > 0.0;
+            if !open || rate.lane(0) >= 0.0 || state.rate.lane(0) < 0.0 {
+                return None;
+            }
+            let path = Path { h: engine.h, start: [gap, rate], end: [state.gap, state.rate] };
+            let own = path.lane(0);
+            let least = own.stationary().min_by(|a, b| own.value(*a).total_cmp(&own.value(*b)));
+            // The gap is stationary there: that the instant moves with the parameters does not change it to first order.
+            let t = engine.h.constant(least?);
+            Some((k, self.time + t, path.value(t)))
+        })
     }
 
     /// Closed intervals of a lane's contact; the last one may still be closed.
@@ -268,26 +309,37 @@ impl<S: Number> Engine<S> {
         let u = guide.value(&self.displacement);
         [guide.struck[0] + u[0], guide.struck[1] + u[1]]
     }
+
+    /// The same so long before the end of the step that has just been made.
+    fn struck_before(&self, k: usize, since: S) -> [S; 2] {
+        let [now, moved] = [self.struck(k), self.numbers.guides[k].value(&self.increment)];
+        let share = since / self.h;
+        [now[0] - share * moved[0], now[1] - share * moved[1]]
+    }
 }
 
 impl<S: Number> GuideLog<S> {
     /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
     #[inline(always)]
     fn open_throughout(&mut self, open: S::Mask, acceleration: S) {
-        self.free = S::choose(open, acceleration, self.free);
-        let freed = self.released & open;
         let zero = acceleration.constant(0.0);
-        // What closes again at once has not flown freely over a step.
-        self.released = zero.less(zero);
-        if !freed.any() {
+        self.free = S::choose(open, acceleration, zero);
+        let (freed, released) = (self.released & open, self.released);
+        if !released.any() {
             return;
+        }
+        self.released = zero.less(zero);
+        // What closes again at once has not flown freely over a step.
+        for lane in (0..S::LANES).filter(|i| released.lane(*i) && !freed.lane(*i)) {
+            if let Some(last) = self.closed[lane].last_mut() {
+                last.changes[1] = zero.constant(f64::NAN);
+            }
         }
         let parted = FreeGap { acceleration, ..self.parted };
         for lane in 0..S::LANES {
-            let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) else {
-                continue;
-            };
-            last.part(&parted, self.parted_at);
+            if let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) {
+                last.part(&parted, self.parted_at);
+            }
         }
     }
 }

@@ -23,4 +23,4 @@ mod shape;
 mod summary;
 
 pub use run::simulate_ensemble;
-pub use sensitivity::{Sensitivities, Variation, sensitivities};
+pub use sensitivity::{Grazing, Sensitivities, Undifferentiated, Variation, sensitivities};

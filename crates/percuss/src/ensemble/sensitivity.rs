@@ -38,6 +38,46 @@ pub struct Variation {
     pub change: f64,
 }
 
+/// A contact that is about to appear or to vanish.
+///
+/// Where it does, results have a kink: derivatives hold on the side of the run alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grazing {
+    /// Name of the contact.
+    pub contact: String,
+    /// When \[s\].
+    pub time: f64,
+    /// Whether the run misses the contact, by so much gap \[m\]; else it has it.
+    pub missed_by: Option<f64>,
+    /// For every parameter, the change that would just make it touch, or miss, to first order; infinite where it has no say.
+    pub changes: Vec<f64>,
+}
+
+/// Why a run has no derivatives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Undifferentiated {
+    /// Something of model, settings or parameters, or something that happens in the run, has no derivatives here.
+    Refused(String),
+    /// The run itself fails.
+    Failed(String),
+}
+
+impl std::fmt::Display for Undifferentiated {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Refused(why) | Self::Failed(why) => f.write_str(why),
+        }
+    }
+}
+
+impl std::error::Error for Undifferentiated {}
+
+impl From<String> for Undifferentiated {
+    fn from(why: String) -> Self {
+        Self::Refused(why)
+    }
+}
+
 /// A run and its derivatives.
 #[derive(Debug)]
 pub struct Sensitivities {
@@ -46,6 +86,8 @@ pub struct Sensitivities {
     /// For every parameter, a summary whose numbers are the derivatives of those of `summary`. Residuals, scales and counts are
     /// those of the run itself.
     pub derivatives: Vec<RunSummary>,
+    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it.
+    pub grazing: Vec<Grazing>,
 }
 
 /// Runs a model and differentiates its results.
@@ -57,15 +99,17 @@ pub fn sensitivities(
     model: &Model,
     settings: &Settings,
     variations: &[Variation],
-) -> Result<Sensitivities, String> {
+) -> Result<Sensitivities, Undifferentiated> {
     if let Some(fault) = settings.validate(model).first() {
-        return Err(fault.to_string());
+        return Err(fault.to_string().into());
     }
     let known = |model: &Model| {
         if model.loads.iter().any(|load| !load.is_steady()) {
-            return Err("derivatives are not known for loads that change in time".into());
+            let why = "derivatives are not known for loads that change in time".to_owned();
+            return Err(Undifferentiated::from(why));
         }
-        numbers(model, settings).map_err(|what| format!("derivatives are not known for {what}"))
+        let refused = |what| format!("derivatives are not known for {what}").into();
+        numbers(model, settings).map_err(refused)
     };
     let base = known(model)?;
     let shape = Shape::of(&base);
@@ -75,18 +119,21 @@ pub fn sensitivities(
         for varied in &variation.models {
             let numbers = known(varied)?;
             if Shape::of(&numbers) != shape {
-                return Err(format!("parameter {} changes the mesh, not numbers alone", i + 1));
+                let why = format!("parameter {} changes the mesh, not numbers alone", i + 1);
+                return Err(why.into());
             }
             flat.push(numbers.flat());
         }
         slopes.push(difference(&flat, variation.change));
     }
-    let mut found =
-        Sensitivities { summary: run(model, settings, &base, &[])?.0, derivatives: Vec::new() };
+    let mut found = run(model, settings, &base, &[])?;
     for chunk in slopes.chunks(TOGETHER) {
-        let (summary, derivatives) = run(model, settings, &base, chunk)?;
-        found.summary = summary;
-        found.derivatives.extend(derivatives);
+        let part = run(model, settings, &base, chunk)?;
+        found.summary = part.summary;
+        found.derivatives.extend(part.derivatives);
+        for (all, more) in found.grazing.iter_mut().zip(part.grazing) {
+            all.changes.extend(more.changes);
+        }
     }
     Ok(found)
 }
@@ -109,7 +156,7 @@ fn run(
     settings: &Settings,
     base: &Numbers<f64>,
     slopes: &[Vec<f64>],
-) -> Result<(RunSummary, Vec<RunSummary>), String> {
+) -> Result<Sensitivities, Undifferentiated> {
     let derived = |(i, value): (usize, f64)| {
         let mut slope = [0.0; TOGETHER + 1];
         slopes.iter().zip(&mut slope).for_each(|(from, to)| *to = from[i]);
@@ -130,7 +177,8 @@ fn run(
     };
     let summary = telling.summary(Termination::Completed, &|x: Derived| x.value);
     let derivative = |j: usize| telling.summary(Termination::Completed, &|x: Derived| x.slope[j]);
-    Ok((summary, (0..slopes.len()).map(derivative).collect()))
+    let derivatives = (0..slopes.len()).map(derivative).collect();
+    Ok(Sensitivities { summary, derivatives, grazing: flight.grazing(model, slopes.len()) })
 }
 
 /// A run in mid-flight.
@@ -141,6 +189,8 @@ struct Flight<'a> {
     log: Log<Derived>,
     search: Search<Derived>,
     solver_steps: usize,
+    /// Projectiles that came near without touching: number, time, gap.
+    misses: Vec<(usize, Derived, Derived)>,
 }
 
 impl<'a> Flight<'a> {
@@ -150,10 +200,10 @@ impl<'a> Flight<'a> {
         let mut search = Search::idle(engine.h);
         search.set_run(0, true);
         let (books, log) = (Books::open(&engine), Log::new(&engine));
-        Self { settings, engine, books, log, search, solver_steps: 0 }
+        Self { settings, engine, books, log, search, solver_steps: 0, misses: Vec::new() }
     }
 
-    fn run(&mut self) -> Result<(), String> {
+    fn run(&mut self) -> Result<(), Undifferentiated> {
         let zero = self.engine.h.constant(0.0);
         let (step, end) = (self.settings.step, self.settings.end);
         let (mut offset, count) = (zero, self.settings.step_count());
@@ -164,11 +214,42 @@ impl<'a> Flight<'a> {
             offset = offset - zero.constant(target);
             self.log.time = zero.constant(((k + 1) as f64 * step).min(end)) + offset;
         }
+        for (k, guide) in self.engine.guides.iter().enumerate() {
+            // What still approaches may touch before the end in a run beside this one.
+            if guide.gap.value > 0.0 && guide.rate.value < 0.0 {
+                self.misses.push((k, self.log.time, guide.gap));
+            }
+        }
         Ok(())
     }
 
+    /// Contacts and misses with the changes of the parameters that would end or begin them.
+    fn grazing(&self, model: &Model, parameters: usize) -> Vec<Grazing> {
+        let mut all = Vec::new();
+        let mut add = |k: usize, time: f64, missed: bool, left: Derived, power: f64| {
+            let change = |slope: f64| -left.value / (power * slope);
+            all.push(Grazing {
+                contact: model.contacts[k].name.clone(),
+                time,
+                missed_by: missed.then_some(left.value),
+                changes: left.slope[..parameters].iter().map(|s| change(*s)).collect(),
+            });
+        };
+        for (k, log) in self.log.guides.iter().enumerate() {
+            for closed in self.log.intervals(&self.engine, k, 0) {
+                add(k, closed.start.value, false, closed.deepest.value, 1.0);
+            }
+            for struck in &log.impacts[0] {
+                // The velocity of approach falls with the root of what a parameter is away from grazing.
+                add(k, struck.time.value, false, struck.approach, 2.0);
+            }
+        }
+        self.misses.iter().for_each(|(k, time, gap)| add(*k, time.value, true, *gap, 1.0));
+        all
+    }
+
     /// Advances by a step of the given size, less what is done of it; returns what is done then.
-    fn advance(&mut self, target: f64, mut offset: Derived) -> Result<Derived, String> {
+    fn advance(&mut self, target: f64, mut offset: Derived) -> Result<Derived, Undifferentiated> {
         for _ in 0..MOST_IMPACTS {
             let left = offset.constant(target) - offset;
             if left.value <= SAME_INSTANT * target {
@@ -183,16 +264,19 @@ impl<'a> Flight<'a> {
                 offset += self.pulse(k)?;
             }
         }
-        Err(format!("impacts accumulate at t = {} s", self.log.time.value))
+        Err(format!("impacts accumulate at t = {} s", self.log.time.value).into())
     }
 
-    fn solve(&mut self, h: Derived, striking: Option<usize>) -> Result<(), String> {
+    fn solve(&mut self, h: Derived, striking: Option<usize>) -> Result<(), Undifferentiated> {
         self.solver_steps += 1;
         self.engine.h = h;
         self.engine.striking = striking;
         self.engine.solve(&self.books, &mut self.search);
         match self.search.failed {
-            true => Err(format!("the iteration fails at t = {} s", self.log.time.value)),
+            true => {
+                let why = format!("the iteration fails at t = {} s", self.log.time.value);
+                Err(Undifferentiated::Failed(why))
+            }
             false => Ok(()),
         }
     }
@@ -201,6 +285,9 @@ impl<'a> Flight<'a> {
         self.books.book(&self.engine);
         self.engine.commit();
         self.log.end(&self.engine);
+        if self.engine.striking.is_none() {
+            self.misses.extend(self.log.passes(&self.engine));
+        }
         self.books.close(&self.engine);
         self.log.time += self.engine.h;
     }
@@ -214,7 +301,7 @@ impl<'a> Flight<'a> {
 
     /// The rigid projectile that touches first within the step solved last, if one does; the step up to that instant is then
     /// the one solved last.
-    fn first_contact(&mut self, size: Derived) -> Result<Option<usize>, String> {
+    fn first_contact(&mut self, size: Derived) -> Result<Option<usize>, Undifferentiated> {
         let rigid = |k: &usize| self.engine.numbers.guides[*k].law == GuideLaw::Rigid;
         let all: Vec<usize> = (0..self.engine.guides.len()).filter(rigid).collect();
         let least = |flight: &Self| {
@@ -242,7 +329,7 @@ impl<'a> Flight<'a> {
                 let (ahead, k) = least(self).expect("a rigid projectile");
                 let approaches = self.engine.gap_next(k)[1].value < 0.0;
                 let open = ahead.value.max(2.0 * tolerance * rate);
-                Ok::<f64, String>(if approaches { ahead.value } else { open })
+                Ok::<f64, Undifferentiated>(if approaches { ahead.value } else { open })
             },
         )?;
         let (_, k) = least(self).expect("a rigid projectile");
@@ -260,10 +347,10 @@ impl<'a> Flight<'a> {
     }
 
     /// The pulse in which the impulse of a projectile acts; returns its length.
-    fn pulse(&mut self, k: usize) -> Result<Derived, String> {
+    fn pulse(&mut self, k: usize) -> Result<Derived, Undifferentiated> {
         let h = self.engine.h.constant(PULSE * self.settings.step);
         if self.engine.numbers.guides[k].stiffness.value == 0.0 {
-            return Err(format!("a contact stays closed at t = {} s", self.log.time.value));
+            return Err(format!("a contact stays closed at t = {} s", self.log.time.value).into());
         }
         self.log.begin(&self.engine);
         let start = self.log.time;

@@ -5,10 +5,8 @@ use super::numbers::{GuideLaw, GuideNumbers, HoldNumbers, Numbers, PointNumbers,
 use crate::ledger::RoundOff;
 use crate::math::vec2::dot;
 use crate::model::frozen::{BodyKind, ProjectileData};
-use crate::model::{
-    ContactForce, ImpactLaw, InitialMotion, Model, Potential, StrainMeasure, TouchLaw,
-};
-use crate::settings::{ImpactResolution, Scheme, Settings, Start};
+use crate::model::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw};
+use crate::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
 
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,9 +51,16 @@ impl Shape {
 pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
+        (
+            settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
+            "impacts one after another",
+        ),
         (settings.start != Start::Reference, "a start in static equilibrium"),
-        (model.initial_motion != InitialMotion::default(), "beams that move at the start"),
-        (!model.constraints.is_empty(), "joints, or supports between nodes or for a time"),
+        (!model.is_still(), "beams that move at the start"),
+        (
+            !model.constraints.is_empty(),
+            "joints, supports between nodes or for a time, or what acts along a beam between its ends",
+        ),
         (!model.connectors.is_empty(), "springs and dampers"),
         (!model.masses.is_empty(), "point masses"),
         (!model.motions.is_empty(), "prescribed motions"),

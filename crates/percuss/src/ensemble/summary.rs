@@ -5,6 +5,7 @@ use super::engine::Engine;
 use super::log::{Closed, Log, Struck, Top};
 use super::newton::Search;
 use super::numbers::GuideLaw;
+use crate::analysis::crest::Crest;
 use crate::model::Model;
 use crate::scalar::Number;
 use crate::summary::*;
@@ -69,10 +70,17 @@ impl<S: Number> Telling<'_, S> {
                 })
                 .collect(),
             contact_residual_max: 0.0,
+            shared_blows: SharedBlows::default(),
             points: (model.points.iter().zip(&self.log.points))
-                .map(|(p, tops)| PointSummary {
-                    name: p.label.clone(),
-                    displacement_max: tops.map(|top| peak(&top, read)),
+                .map(|(p, crests)| {
+                    let mut crests = *crests;
+                    crests.iter_mut().for_each(|crest| crest.close(self.lane));
+                    let peak = |c: &Crest<S>| Peak { value: read(c.value), time: read(c.time) };
+                    PointSummary {
+                        name: p.label.clone(),
+                        displacement_max: crests.map(|c| peak(&c)),
+                        resolved: crests.map(|c| c.is_resolved(self.lane)),
+                    }
                 })
                 .collect(),
             supports: Vec::new(),
@@ -82,15 +90,13 @@ impl<S: Number> Telling<'_, S> {
 
     fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {
         let guides = self.engine.numbers.guides.iter().zip(&self.engine.guides);
-        let each = guides.zip(&self.model.projectiles).map(|((guide, state), data)| {
-            let given = guide.mass * (guide.speed - state.velocity);
-            ProjectileSummary {
-                name: self.model.bodies[data.body].name.clone(),
-                velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
-                spin_final: 0.0,
-                momentum_transferred: read(given),
-                energy_transferred: read(given * (guide.speed + state.velocity) * 0.5),
-            }
+        let each = guides.zip(&self.model.projectiles).zip(&self.log.guides);
+        let each = each.map(|(((guide, state), data), log)| ProjectileSummary {
+            name: self.model.bodies[data.body].name.clone(),
+            velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
+            spin_final: 0.0,
+            momentum_transferred: read(log.given[0]) + 0.0,
+            energy_transferred: read(log.given[1]) + 0.0,
         });
         each.collect()
     }
@@ -127,22 +133,41 @@ impl<S: Number> Telling<'_, S> {
         peak_force: Peak,
         read: &dyn Fn(S) -> f64,
     ) -> ContactInterval {
-        ContactInterval {
+        let mut interval = ContactInterval {
             start: read(closed.start),
             end: read(closed.end),
             impulse: read(closed.impulse),
             tangential_impulse: f64::NAN,
             peak_force,
             approach_velocity: read(closed.approach),
-            separation_velocity: read(closed.separation),
+            // What has left cannot do so with a velocity of approach.
+            separation_velocity: if closed.separation.lane(self.lane) < 0.0 {
+                f64::NAN
+            } else {
+                read(closed.separation)
+            },
+            steps: closed.steps.lane(self.lane) as usize,
+            steady: self.is_steady(closed),
+            one_point: true,
             place: self.place(k, closed.place, read),
             place_end: self.place(k, closed.place_end, read),
             energy: EnergySplit {
                 given: closed.given.map(read),
                 lost: 0.0,
                 stored: read(closed.stored),
+                scheme: 0.0,
             },
-        }
+        };
+        interval.energy.balance();
+        interval
+    }
+
+    /// Whether the gap's rate changed by less than itself in the steps before and after an interval.
+    fn is_steady(&self, closed: &Closed<S>) -> bool {
+        let rates = [closed.approach, closed.separation].map(|v| v.lane(self.lane));
+        let changes = closed.changes.map(|v| v.lane(self.lane).abs());
+        let parted = rates[1].is_nan() || changes[1] <= rates[1];
+        changes[0] <= rates[0].abs() && parted
     }
 
     fn impact(&self, k: usize, struck: &Struck<S>, read: &dyn Fn(S) -> f64) -> Impact {
@@ -150,6 +175,7 @@ impl<S: Number> Telling<'_, S> {
             time: read(struck.time),
             impulse: read(struck.impulse),
             tangential_impulse: 0.0,
+            points: 1,
             approach_velocity: read(struck.approach),
             separation_velocity: read(struck.separation),
             place: self.place(k, struck.place, read),
@@ -157,6 +183,7 @@ impl<S: Number> Telling<'_, S> {
                 given: struck.given.map(read),
                 lost: read(-(struck.given[0] + struck.given[1])),
                 stored: 0.0,
+                scheme: 0.0,
             },
             tamed: false,
         }

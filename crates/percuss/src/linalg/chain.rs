@@ -51,6 +51,17 @@ impl Chain {
         add(&mut self.diag[a + 1], &left[2..], &right[2..]);
     }
 
+    /// Adds `factor` times another matrix, before factorisation.
+    pub fn add_scaled(&mut self, other: &Self, factor: f64) {
+        let add = |blocks: &mut [Block], more: &[Block]| {
+            let both = blocks.as_flattened_mut().as_flattened_mut().iter_mut();
+            both.zip(more.as_flattened().as_flattened()).for_each(|(t, s)| *t += factor * s);
+        };
+        add(&mut self.diag, &other.diag);
+        add(&mut self.upper, &other.upper);
+        add(&mut self.lower, &other.lower);
+    }
+
     /// Product with a vector, before factorisation.
     pub fn multiply(&self, x: &[[f64; 4]]) -> Vec<[f64; 4]> {
         let mut y: Vec<[f64; 4]> =

@@ -43,6 +43,12 @@ impl Spline {
         (self.y[i + 1] - self.y[i]) / h + bend * h / 6.0
     }
 
+    /// Second derivative at `t`.
+    pub fn bend(&self, t: f64) -> f64 {
+        let (i, _, a, b) = self.interval(t);
+        a * self.bend[i] + b * self.bend[i + 1]
+    }
+
     /// Number of the interval that holds `t`, its length, and the shares of its ends.
     fn interval(&self, t: f64) -> (usize, f64, f64, f64) {
         let i = self.x.partition_point(|x| *x <= t).clamp(1, self.x.len() - 1) - 1;

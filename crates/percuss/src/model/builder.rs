@@ -4,7 +4,7 @@ use super::centre_line::CentreLine;
 use super::definition::*;
 use super::frozen::*;
 use super::mesh::SpanPlan;
-use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs};
+use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs, places};
 use crate::contact::axis::{AxisElement, AxisElements};
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
@@ -27,6 +27,8 @@ pub struct ModelBuilder {
     pub(super) springs: Vec<Spring>,
     pub(super) masses: Vec<PointMass>,
     pub(super) initial_motion: InitialMotion,
+    /// Motions of beams and point masses of their own, by name.
+    pub(super) own_motions: Vec<(String, InitialMotion)>,
     pub(super) modal_damping: Vec<f64>,
     pub(super) points: Vec<PointRef>,
 }
@@ -107,6 +109,12 @@ impl ModelBuilder {
         self.initial_motion = motion;
     }
 
+    /// Lets a beam, or a point mass, of this name start in a motion of its own instead. A point mass takes the nodes of its beam
+    /// that lie where it is along.
+    pub fn initial_motion_of(&mut self, name: impl Into<String>, motion: InitialMotion) {
+        self.own_motions.push((name.into(), motion));
+    }
+
     /// Damps the flexible modes of the structure about its initial configuration, from the lowest on, each by a ratio of
     /// critical damping.
     pub fn modal_damping(&mut self, ratios: Vec<f64>) {
@@ -129,6 +137,7 @@ impl ModelBuilder {
         }
         let mut model = self.mesh();
         self.place_masses(&mut model);
+        self.place_motions(&mut model)?;
         connect::supports(self, &mut model);
         bodies::place(self, &mut model);
         loads::place(self, &mut model);
@@ -162,13 +171,14 @@ impl ModelBuilder {
             loads: Vec::new(),
             modal_damping: self.modal_damping.clone(),
             initial_motion: self.initial_motion,
+            own_motions: Vec::new(),
             points: Vec::new(),
             total_mass: 0.0,
         };
-        for beam in &self.beams {
+        for (index, beam) in self.beams.iter().enumerate() {
             let Some(line) = CentreLine::new(beam) else { continue }; // checked before
             let first = (model.spans.len(), model.nodes.len(), model.element_count());
-            for plan in mesh::spans(beam, &line) {
+            for plan in mesh::spans(beam, &line, &places::of_beam(self, index, &line)) {
                 self.add_span(&line, &plan, &mut model);
             }
             model.beams.push(BeamData {
@@ -195,25 +205,32 @@ impl ModelBuilder {
             })
             .collect();
         let total = line.length();
-        let table = |k: usize, length: f64| {
-            let values =
-                |xi: f64| section_values(material, section, (stations[k] + xi * length) / total);
-            ElementTable::new(length, [frames[k], frames[k + 1]], values)
+        let values = |k: usize, length: f64, xi: f64| {
+            section_values(material, section, (stations[k] + xi * length) / total)
         };
-        let even = n as f64 * (stations[1] - stations[0]) / (stations[n] - stations[0]);
+        let table = |k: usize, length: f64| {
+            ElementTable::new(length, [frames[k], frames[k + 1]], |xi| values(k, length, xi))
+        };
+        let sections = |k: usize| {
+            let length = stations[k + 1] - stations[k];
+            [0.0, 0.5, 1.0].map(|xi| values(k, length, xi))
+        };
+        let share = |w: &[f64]| n as f64 * (w[1] - w[0]) / (stations[n] - stations[0]);
         let alike = mesh::is_straight(&line.pieces[plan.piece])
             && section.stations.is_empty()
-            && (even - 1.0).abs() < 1e-9;
+            && stations.windows(2).all(|w| (share(w) - 1.0).abs() < 1e-9);
         let tables: Vec<ElementTable> = if alike {
             vec![table(0, (stations[n] - stations[0]) / n as f64)]
         } else {
             (0..n).map(|k| table(k, stations[k + 1] - stations[k])).collect()
         };
         let (first, element) = (model.nodes.len(), model.element_count());
+        let sections = (0..tables.len()).map(sections).collect();
         let span = Span {
             nodes: first..first + n + 1,
             elements: element..element + n,
             tables,
+            sections,
             stations: stations.clone(),
             measure: material.strain,
             retardation: material.retardation,
@@ -225,6 +242,38 @@ impl ModelBuilder {
         }
         model.nodes.extend(frames);
         model.spans.push(span);
+    }
+
+    /// Motions of beams, then those of point masses, which beams do not overrule.
+    fn place_motions(&self, model: &mut Model) -> Result<(), Vec<Fault>> {
+        let mut faults = Vec::new();
+        let mut of_masses = Vec::new();
+        for (name, motion) in &self.own_motions {
+            if let Some(beam) = self.beams.iter().position(|beam| beam.name == *name) {
+                model.own_motions.push((model.beams[beam].nodes.clone(), *motion));
+            }
+            let Some(mass) = self.masses.iter().position(|mass| mass.name == *name) else {
+                continue;
+            };
+            let point = &model.masses[mass].point;
+            // Nodes of its beam where it is: one, or two where spans meet.
+            let near = 1e-9 * model.beams[point.beam].length;
+            let at = |node: &usize| {
+                let place = model.nodes[*node].position;
+                norm([place[0] - point.position[0], place[1] - point.position[1]]) <= near
+            };
+            let first = point.node.saturating_sub(1);
+            let last = (point.node + 3).min(model.beams[point.beam].nodes.end);
+            let nodes: Vec<usize> = (first..last).filter(at).collect();
+            if nodes.is_empty() {
+                let path = format!("initial.{name}");
+                let found = "a point mass between nodes, whose velocity they cannot take alone";
+                faults.push(Fault::new(path, found, "a point mass at a node of its beam"));
+            }
+            of_masses.extend(nodes.into_iter().map(|node| (node..node + 1, *motion)));
+        }
+        model.own_motions.extend(of_masses);
+        if faults.is_empty() { Ok(()) } else { Err(faults) }
     }
 
     fn place_masses(&self, model: &mut Model) {

@@ -56,6 +56,19 @@ impl CentreLine {
         }
     }
 
+    /// Unit tangent at arc length `s` \[m\]; at a corner that of the part before it.
+    pub fn tangent(&self, s: f64) -> [f64; 2] {
+        let mut start = 0.0;
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let length = piece.length();
+            if s <= start + length || i + 1 == self.pieces.len() {
+                return piece.at(s - start).1;
+            }
+            start += length;
+        }
+        [f64::NAN; 2]
+    }
+
     /// Position at arc length `s` \[m\].
     pub fn position(&self, s: f64) -> [f64; 2] {
         let mut start = 0.0;

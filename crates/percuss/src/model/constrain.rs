@@ -7,6 +7,7 @@ use super::connect::drive_of;
 use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
+use super::prescribed::Prescribed;
 use crate::math::vec2::{cross, dot, norm, rot90, scale};
 
 /// A support holds a direction of the displacement, or of the slope.
@@ -19,12 +20,18 @@ struct HeldDirection {
 /// Adds supports, the joints between spans of a beam, and joints: first what holds for ever, then what holds for a time.
 ///
 /// # Errors
-/// A fault for a joint that repeats what supports and earlier joints already hold.
+/// A fault for a joint that repeats what supports and earlier joints already hold, and for supports that prescribe different
+/// values of the same.
 pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
-    let mut independent = Independent::default();
+    let mut independent = Independent {
+        builder,
+        basis: Vec::new(),
+        touching: BTreeMap::new(),
+        prescribed: Prescribed::default(),
+    };
     for (index, support) in builder.supports.iter().enumerate() {
         if support.until == f64::INFINITY {
-            hold_nodes(index, support, model);
+            hold_nodes(index, support, model, &mut independent);
         }
     }
     model.holds.sort_by_key(|h| h.node);
@@ -34,12 +41,15 @@ pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<F
         }
     }
     corners(model, &mut independent);
-    let faults = joints(builder, model, &mut independent);
-    for (index, support) in builder.supports.iter().enumerate() {
-        if support.until < f64::INFINITY {
-            constrain_points(index, support, model, &mut independent);
-        }
+    let mut faults = joints(builder, model, &mut independent);
+    // Of two that hold the same for a time, the one that holds longer is kept.
+    let mut passing: Vec<(usize, &Support)> =
+        builder.supports.iter().enumerate().filter(|(_, s)| s.until < f64::INFINITY).collect();
+    passing.sort_by(|a, b| b.1.until.total_cmp(&a.1.until));
+    for (index, support) in passing {
+        constrain_points(index, support, model, &mut independent);
     }
+    faults.extend(independent.prescribed.faults(model));
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 
@@ -82,7 +92,7 @@ fn node_of(point: &MaterialPoint) -> Option<usize> {
 }
 
 /// Holds components of nodes; a prescribed rotation is left to a constraint.
-fn hold_nodes(index: usize, support: &Support, model: &mut Model) {
+fn hold_nodes(index: usize, support: &Support, model: &mut Model, independent: &mut Independent) {
     let Some(point) = model.supports[index].point.clone() else { return };
     let Some(node) = node_of(&point) else { return };
     for held in held_directions(support, point.tangent) {
@@ -94,12 +104,19 @@ fn hold_nodes(index: usize, support: &Support, model: &mut Model) {
         } else {
             drive_of(support, model, index, held.direction)
         };
-        hold(model, index, node, held, drive);
+        hold(model, independent, index, node, held, drive);
     }
 }
 
 /// Holds one more direction at a node, unless it is held already (Gram-Schmidt).
-fn hold(model: &mut Model, support: usize, node: usize, held: HeldDirection, mut drive: Drive) {
+fn hold(
+    model: &mut Model,
+    independent: &mut Independent,
+    support: usize,
+    node: usize,
+    held: HeldDirection,
+    mut drive: Drive,
+) {
     let offset = if held.gradient { 2 } else { 0 };
     let mut normal = [0.0; 4];
     normal[offset] = held.direction[0];
@@ -118,7 +135,13 @@ fn hold(model: &mut Model, support: usize, node: usize, held: HeldDirection, mut
     if size > 1e-9 {
         let drive = drive.into_iter().map(|(motion, a)| (motion, a / size)).collect();
         at.hold(normal.map(|c| c / size), drive);
+        independent.prescribed.at_nodes.entry(node).or_default().push(support);
+        return;
     }
+    let others = independent.prescribed.at_nodes.get(&node).cloned().unwrap_or_default();
+    let Independent { builder, prescribed, .. } = independent;
+    let path = format!("support.{}", builder.supports[support].name);
+    prescribed.check(builder, model, &path, &drive, others.into_iter().chain([support]));
 }
 
 /// What a support holds by constraints: between nodes, for a time, or turning the tangent.
@@ -148,7 +171,7 @@ fn constrain_points(
             (ConstraintKind::Held { point: point.clone(), direction, gradient }, drive)
         };
         let constraint = Constraint { kind, support: Some(index), drive, until: support.until };
-        independent.keep(model, constraint);
+        independent.keep(model, constraint, &format!("support.{}", support.name));
     }
 }
 
@@ -158,7 +181,8 @@ fn corners(model: &mut Model, independent: &mut Independent) {
         for span in model.beams[beam].spans.clone().skip(1) {
             let end = end_point(model, beam, span - 1, true);
             let start = end_point(model, beam, span, false);
-            join(model, independent, [end, start], true);
+            let path = format!("beam.{}", model.beams[beam].name);
+            join(model, independent, [end, start], true, &path);
         }
     }
 }
@@ -186,10 +210,10 @@ fn joints(builder: &ModelBuilder, model: &mut Model, independent: &mut Independe
     for joint in &builder.joints {
         let points = [locate(model, &joint.between[0]), locate(model, &joint.between[1])];
         let rigid = joint.kind == JointKind::Rigid;
-        let kept = join(model, independent, points, rigid);
+        let path = format!("joint.{}.between", joint.name);
+        let kept = join(model, independent, points, rigid, &path);
         if kept == 0 && !matches!(joint.kind, JointKind::ElasticHinge { .. }) {
             let found = "a joint between points that are held or joined already";
-            let path = format!("joint.{}.between", joint.name);
             faults.push(Fault::new(path, found, "a joint that connects something"));
         }
     }
@@ -202,6 +226,7 @@ fn join(
     independent: &mut Independent,
     points: [MaterialPoint; 2],
     rigid: bool,
+    path: &str,
 ) -> usize {
     let (ta, tb) = (points[0].tangent, points[1].tangent);
     let shared = |direction| ConstraintKind::Shared { points: Box::new(points.clone()), direction };
@@ -213,92 +238,125 @@ fn join(
     let keep = |kind| {
         let until = f64::INFINITY;
         let constraint = Constraint { kind, support: None, drive: Vec::new(), until };
-        usize::from(independent.keep(model, constraint))
+        usize::from(independent.keep(model, constraint, path))
     };
     kinds.into_iter().map(keep).sum()
 }
 
 /// Keeps constraints that do not follow from held components and the constraints before them, so that no multiplier is
 /// indeterminate (Gram-Schmidt on the constraint gradients of the reference configuration).
-#[derive(Default)]
-struct Independent {
-    basis: Vec<BTreeMap<usize, f64>>,
+struct Independent<'b> {
+    builder: &'b ModelBuilder,
+    basis: Vec<Known>,
     /// Basis vectors that touch a component.
     touching: BTreeMap<usize, Vec<usize>>,
+    prescribed: Prescribed,
 }
 
-impl Independent {
+/// A constraint kept, across those before it.
+struct Known {
+    row: BTreeMap<usize, f64>,
+    /// The value it prescribes, and the supports that do.
+    drive: Drive,
+    supports: Vec<usize>,
+}
+
+impl Independent<'_> {
     /// Adds the constraint to the model if it is independent; tells whether it was.
-    fn keep(&mut self, model: &mut Model, constraint: Constraint) -> bool {
-        let mut row = reference_gradient(&constraint, model);
-        let before = size(&row);
+    fn keep(&mut self, model: &mut Model, constraint: Constraint, path: &str) -> bool {
+        let supports = constraint.support.into_iter().collect();
+        let mut known = Known { row: BTreeMap::new(), drive: constraint.drive.clone(), supports };
+        self.reference_gradient(&constraint, model, &mut known);
+        let before = size(&known.row);
         let mut others: Vec<usize> =
-            row.keys().filter_map(|k| self.touching.get(k)).flatten().copied().collect();
+            known.row.keys().filter_map(|k| self.touching.get(k)).flatten().copied().collect();
         others.sort_unstable();
         others.dedup();
         // Twice is enough: the basis is orthonormal to round-off.
         for _ in 0..2 {
             for other in &others {
-                let b = &self.basis[*other];
-                let along: f64 = b.iter().map(|(k, c)| c * row.get(k).unwrap_or(&0.0)).sum();
-                for (k, c) in b {
+                let other = &self.basis[*other];
+                let row = &mut known.row;
+                let along: f64 =
+                    other.row.iter().map(|(k, c)| c * row.get(k).unwrap_or(&0.0)).sum();
+                for (k, c) in &other.row {
                     *row.entry(*k).or_default() -= along * c;
                 }
+                known.less(along, &other.drive, &other.supports);
             }
         }
-        let after = size(&row);
+        let after = size(&known.row);
         if after <= 1e-9 * before.max(1.0) {
+            let Known { drive, supports, .. } = known;
+            self.prescribed.check(self.builder, model, path, &drive, supports.into_iter());
             return false;
         }
-        row.values_mut().for_each(|c| *c /= after);
-        for k in row.keys() {
+        known.row.values_mut().for_each(|c| *c /= after);
+        known.drive.iter_mut().for_each(|(_, a)| *a /= after);
+        for k in known.row.keys() {
             self.touching.entry(*k).or_default().push(self.basis.len());
         }
-        self.basis.push(row);
+        self.basis.push(known);
         model.constraints.push(constraint);
         true
     }
 }
 
-/// Gradient in the reference configuration by component, free components only.
-fn reference_gradient(constraint: &Constraint, model: &Model) -> BTreeMap<usize, f64> {
-    let mut row = BTreeMap::<usize, [f64; 4]>::new();
-    let mut add = |point: &MaterialPoint, direction: [f64; 2], gradient: bool, sign: f64| {
-        let n = if gradient { point.slope } else { point.shape };
-        for (node, value, slope) in [(point.node, n[0], n[1]), (point.node + 1, n[2], n[3])] {
-            let entry = row.entry(node).or_default();
-            for i in 0..2 {
-                entry[i] += sign * value * direction[i];
-                entry[2 + i] += sign * slope * direction[i];
-            }
-        }
-    };
-    match &constraint.kind {
-        ConstraintKind::Held { point, direction, gradient } => {
-            add(point, *direction, *gradient, 1.0)
-        }
-        ConstraintKind::Turned { point } => add(point, rot90(point.tangent), true, 1.0),
-        ConstraintKind::Shared { points, direction } => {
-            add(&points[0], *direction, false, 1.0);
-            add(&points[1], *direction, false, -1.0);
-        }
-        ConstraintKind::Angle { points, .. } => {
-            add(&points[0], rot90(points[0].tangent), true, 1.0);
-            add(&points[1], rot90(points[1].tangent), true, -1.0);
+impl Known {
+    /// Takes out `along` times what a direction held already prescribes.
+    fn less(&mut self, along: f64, drive: &Drive, supports: &[usize]) {
+        self.drive.extend(drive.iter().map(|(motion, a)| (*motion, -along * a)));
+        if along.abs() > 1e-9 {
+            self.supports.extend_from_slice(supports);
         }
     }
-    for hold in &model.holds {
-        if let Some(entry) = row.get_mut(&hold.node) {
-            for n in &hold.normals {
-                let along: f64 = (0..4).map(|k| n[k] * entry[k]).sum();
-                (0..4).for_each(|k| entry[k] -= along * n[k]);
+}
+
+impl Independent<'_> {
+    /// Gradient in the reference configuration by component, free components only.
+    fn reference_gradient(&self, constraint: &Constraint, model: &Model, known: &mut Known) {
+        let mut row = BTreeMap::<usize, [f64; 4]>::new();
+        let mut add = |point: &MaterialPoint, direction: [f64; 2], gradient: bool, sign: f64| {
+            let n = if gradient { point.slope } else { point.shape };
+            for (node, value, slope) in [(point.node, n[0], n[1]), (point.node + 1, n[2], n[3])] {
+                let entry = row.entry(node).or_default();
+                for i in 0..2 {
+                    entry[i] += sign * value * direction[i];
+                    entry[2 + i] += sign * slope * direction[i];
+                }
+            }
+        };
+        match &constraint.kind {
+            ConstraintKind::Held { point, direction, gradient } => {
+                add(point, *direction, *gradient, 1.0)
+            }
+            ConstraintKind::Turned { point } => add(point, rot90(point.tangent), true, 1.0),
+            ConstraintKind::Shared { points, direction } => {
+                add(&points[0], *direction, false, 1.0);
+                add(&points[1], *direction, false, -1.0);
+            }
+            ConstraintKind::Angle { points, .. } => {
+                add(&points[0], rot90(points[0].tangent), true, 1.0);
+                add(&points[1], rot90(points[1].tangent), true, -1.0);
             }
         }
+        for hold in &model.holds {
+            if let Some(entry) = row.get_mut(&hold.node) {
+                let owners = self.prescribed.at_nodes.get(&hold.node);
+                for (i, n) in hold.normals.iter().enumerate() {
+                    let along: f64 = (0..4).map(|k| n[k] * entry[k]).sum();
+                    (0..4).for_each(|k| entry[k] -= along * n[k]);
+                    let owner = owners.and_then(|o| o.get(i)).map_or(&[][..], std::slice::from_ref);
+                    known.less(along, &hold.drives[i], owner);
+                }
+            }
+        }
+        known.row = row
+            .into_iter()
+            .flat_map(|(node, entry)| (0..4).map(move |k| (4 * node + k, entry[k])))
+            .filter(|(_, value)| *value != 0.0)
+            .collect();
     }
-    row.into_iter()
-        .flat_map(|(node, entry)| (0..4).map(move |k| (4 * node + k, entry[k])))
-        .filter(|(_, value)| *value != 0.0)
-        .collect()
 }
 
 fn size(row: &BTreeMap<usize, f64>) -> f64 {

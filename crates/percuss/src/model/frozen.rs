@@ -7,7 +7,7 @@ pub(crate) use super::striking::*;
 use super::time_function::Course;
 use crate::contact::axis::AxisElements;
 use crate::contact::pair::Pair;
-use crate::element::beam::{ElementTable, NodeFrame};
+use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::linalg::block::{Block, IDENTITY};
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
@@ -50,6 +50,8 @@ pub struct Model {
     pub(crate) modal_damping: Vec<f64>,
     /// Motion at the start.
     pub(crate) initial_motion: InitialMotion,
+    /// Motions at the start of nodes that have one of their own; later ones count.
+    pub(crate) own_motions: Vec<(Range<usize>, InitialMotion)>,
     /// Recorded points, each once.
     pub(crate) points: Vec<MaterialPoint>,
     /// Mass of beams, point masses and projectiles, a scale \[kg\].
@@ -76,6 +78,8 @@ pub(crate) struct Span {
     pub elements: Range<usize>,
     /// One table for all elements, or one for each.
     pub tables: Vec<ElementTable>,
+    /// Sections at the start, in the middle and at the end of the elements, as many as tables.
+    pub sections: Vec<[SectionValues; 3]>,
     /// Arc length from the start of the beam at the nodes, shape (n_node of the span) \[m\].
     pub stations: Vec<f64>,
     pub measure: StrainMeasure,
@@ -90,6 +94,11 @@ impl Span {
     #[inline(always)]
     pub fn table(&self, k: usize) -> &ElementTable {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
+    }
+
+    /// Sections of the element of number `k` in the span at its start, in its middle and at its end.
+    pub fn sections(&self, k: usize) -> &[SectionValues; 3] {
+        &self.sections[if self.sections.len() == 1 { 0 } else { k }]
     }
 
     /// Whether anything in it is damped by its material.
@@ -196,6 +205,16 @@ impl MaterialPoint {
     #[inline]
     pub fn spread(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
         spread(&self.shape, self.node, force, nodal);
+    }
+
+    /// Adds `shape^T f` to the forces on the two nodes of its element.
+    pub fn spread_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+        spread(&self.shape, 0, force, nodes);
+    }
+
+    /// Adds `slope^T f` to the forces on the two nodes of its element.
+    pub fn spread_gradient_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+        spread(&self.slope, 0, force, nodes);
     }
 
     /// Adds `slope^T f` to nodal forces.
@@ -329,8 +348,8 @@ pub(crate) enum LoadAction {
     Gravity { acceleration: [f64; 2] },
     /// A force, dead or along (tangent, normal), and a moment.
     Point { point: MaterialPoint, force: [f64; 2], moment: f64, follower: bool },
-    /// Nodal forces of a dead distributed load.
-    Dead { nodal: Vec<(usize, [f64; 4])> },
+    /// Nodal forces of a dead distributed load, and each element's share of them, by its node a.
+    Dead { nodal: Vec<(usize, [f64; 4])>, shares: Vec<(usize, [[f64; 4]; 2])> },
     /// Forces per length along (tangent, normal) at quadrature points.
     Follower { points: Vec<FollowerPoint> },
 }
@@ -422,6 +441,12 @@ impl Model {
         (span, (node - span.nodes.start).min(span.elements.len() - 1))
     }
 
+    /// The element that starts at a node.
+    pub(crate) fn element_at(&self, node: usize) -> usize {
+        let (span, k) = self.element_of(node);
+        span.elements.start + k
+    }
+
     /// What is held at a node.
     pub(crate) fn hold_at(&self, node: usize) -> Option<&NodeHold> {
         self.holds.binary_search_by_key(&node, |h| h.node).ok().map(|i| &self.holds[i])
@@ -450,6 +475,18 @@ impl Model {
         structure.contacts.clear();
         structure.pairs.clear();
         structure
+    }
+
+    /// Whether no part of the structure moves at the start.
+    pub(crate) fn is_still(&self) -> bool {
+        self.initial_motion == InitialMotion::default() && self.own_motions.is_empty()
+    }
+
+    /// The motion in which a beam starts.
+    pub(crate) fn initial_motion_of(&self, beam: usize) -> &InitialMotion {
+        let nodes = &self.beams[beam].nodes;
+        let own = self.own_motions.iter().find(|(range, _)| range == nodes);
+        own.map_or(&self.initial_motion, |(_, motion)| motion)
     }
 
     /// Strain measure of the beam called `name`, at its start.
@@ -486,5 +523,18 @@ impl Model {
     /// Times at which a support lets go \[s\].
     pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
+    }
+
+    /// Whether supports can give impulses: by rigid contacts, or where prescribed velocities jump.
+    pub(crate) fn has_impulses(&self) -> bool {
+        self.has_rigid_contact() || self.structural_drives().any(|drive| !drive.is_empty())
+    }
+
+    /// Prescribed values of the structure itself, as nodes or constraints hold it; those of obstacles and of the ground of springs
+    /// are others.
+    pub(crate) fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
+        let beams = self.beam_node_count();
+        let held = self.holds.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
+        held.chain(self.constraints.iter().map(|c| &c.drive))
     }
 }

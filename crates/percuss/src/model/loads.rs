@@ -63,8 +63,15 @@ fn distributed(
 /// Nodal forces of a dead load.
 fn dead(points: &[FollowerPoint]) -> LoadAction {
     let mut nodal: Vec<(usize, [f64; 4])> = Vec::new();
+    let mut shares: Vec<(usize, [[f64; 4]; 2])> = Vec::new();
     for p in points {
         let n = &p.point.shape;
+        if shares.last().is_none_or(|(node, _)| *node != p.point.node) {
+            shares.push((p.point.node, [[0.0; 4]; 2]));
+        }
+        if let Some((_, share)) = shares.last_mut() {
+            p.point.spread_over(p.force, share);
+        }
         for (node, value, slope) in [(p.point.node, n[0], n[1]), (p.point.node + 1, n[2], n[3])] {
             let index = nodal.iter().rposition(|(k, _)| *k == node).unwrap_or_else(|| {
                 nodal.push((node, [0.0; 4]));
@@ -76,5 +83,5 @@ fn dead(points: &[FollowerPoint]) -> LoadAction {
             }
         }
     }
-    LoadAction::Dead { nodal }
+    LoadAction::Dead { nodal, shares }
 }

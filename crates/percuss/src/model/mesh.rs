@@ -2,10 +2,12 @@
 //!
 //! A span is a part of a beam without corner, of one material and one section: its nodes follow each other and its
 //! strains are smooth. Where a span ends inside a beam, two nodes stand at the same place, joined rigidly; the
-//! stretch may jump there.
+//! stretch may jump there. Where something acts at a point a node stands, and a span ends if the axial force may jump: the
+//! number of elements asked for is the least.
 
 use super::centre_line::{CentreLine, Piece};
 use super::definition::{Beam, ElementSize, MaterialId, Mesh, SectionId};
+use super::places::Place;
 
 /// A span to be meshed.
 #[derive(Clone, Debug)]
@@ -30,11 +32,91 @@ impl SpanPlan {
 /// Breaks closer than this share of the length are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Spans of a checked beam along its centre line.
-pub fn spans(beam: &Beam, line: &CentreLine) -> Vec<SpanPlan> {
+/// A place is at a node if it is nearer to it than this share of the element: a point is located there as well.
+const AT_NODE: f64 = 1e-9;
+/// Places nearer to each other, or to the end of a part, than this share of an element share a node: a shorter element would cost more
+/// digits than it gains.
+const SLIVER: f64 = 1e-3;
+/// An element that is longer than asked for by no more than this share is not divided.
+const SLACK: f64 = 1e-6;
+
+/// Spans of a checked beam along its centre line, with nodes at `places`.
+pub fn spans(beam: &Beam, line: &CentreLine, places: &[Place]) -> Vec<SpanPlan> {
     let mut plans = parts_of(beam, line);
     divide(&beam.mesh, line, &mut plans);
-    plans
+    let grade = Grade::new(&beam.mesh, line);
+    plans.into_iter().flat_map(|plan| with_places(plan, &grade, places)).collect()
+}
+
+/// A divided part with nodes at the places inside it, cut where spans end.
+fn with_places(mut plan: SpanPlan, grade: &Grade, places: &[Place]) -> Vec<SpanPlan> {
+    let breaks = breaks(&plan.stations, places);
+    if breaks.is_empty() {
+        return vec![plan];
+    }
+    if !breaks.iter().all(|place| plan.stations.contains(&place.s)) {
+        plan.stations = redivided(&plan.stations, grade, &breaks);
+    }
+    let mut out = Vec::new();
+    let start = (plan.offset, plan.stations[0]);
+    let mut rest = plan.stations.as_slice();
+    for place in breaks.iter().filter(|place| place.ends_span) {
+        let Some(i) = rest.iter().position(|s| *s == place.s) else { continue };
+        out.push(SpanPlan { stations: rest[..=i].to_vec(), ..plan.clone() });
+        rest = &rest[i..];
+    }
+    out.push(SpanPlan { stations: rest.to_vec(), ..plan.clone() });
+    for plan in &mut out {
+        plan.offset = start.0 + (plan.stations[0] - start.1);
+    }
+    out
+}
+
+/// The places inside a divided part at which nodes shall stand, in their order: at nodes of its own where they are that near.
+fn breaks(stations: &[f64], places: &[Place]) -> Vec<Place> {
+    let (first, last) = (stations[0], stations[stations.len() - 1]);
+    let mut inside: Vec<Place> =
+        places.iter().copied().filter(|p| p.s > first && p.s < last).collect();
+    inside.sort_by(|a, b| a.s.total_cmp(&b.s));
+    let mut kept: Vec<Place> = Vec::new();
+    for mut place in inside {
+        let next = stations.partition_point(|s| *s <= place.s).clamp(1, stations.len() - 1);
+        let (a, b) = (stations[next - 1], stations[next]);
+        for station in [a, b] {
+            if (place.s - station).abs() <= AT_NODE * (b - a) {
+                place.s = station;
+            }
+        }
+        let near = SLIVER * (b - a);
+        if place.s - first <= near || last - place.s <= near {
+            continue;
+        }
+        match kept.last_mut() {
+            Some(before) if place.s == before.s => before.ends_span |= place.ends_span,
+            Some(before) if place.s - before.s <= near => {}
+            _ => kept.push(place),
+        }
+    }
+    kept
+}
+
+/// Stations of a part between its breaks, elements no longer than they were.
+fn redivided(stations: &[f64], grade: &Grade, breaks: &[Place]) -> Vec<f64> {
+    let (first, last) = (stations[0], stations[stations.len() - 1]);
+    let one = grade.count(first, last) / (stations.len() - 1) as f64;
+    let mut out = vec![first];
+    let mut from = first;
+    for to in breaks.iter().map(|place| place.s).chain([last]) {
+        let weight = grade.count(from, to);
+        let n = (weight / one - SLACK).ceil().max(1.0) as usize;
+        for i in 1..n {
+            let share = i as f64 / n as f64;
+            out.push(grade.station(from, to, weight * share, share));
+        }
+        out.push(to);
+        from = to;
+    }
+    out
 }
 
 /// Number of spans of a beam.
@@ -169,7 +251,38 @@ mod tests {
     fn stations(mesh: Mesh) -> Vec<Vec<f64>> {
         let beam = beam(mesh);
         let line = CentreLine::new(&beam).unwrap();
-        spans(&beam, &line).into_iter().map(|p| p.stations).collect()
+        spans(&beam, &line, &[]).into_iter().map(|p| p.stations).collect()
+    }
+
+    #[test]
+    fn nodes_stand_where_something_acts_and_spans_end_where_the_axial_force_jumps() {
+        let beam = Beam::new("b", &[[0.0, 0.0], [1.0, 0.0]], 4, MaterialId(0), SectionId(0));
+        let line = CentreLine::new(&beam).unwrap();
+        let meshed = |places: &[(f64, bool)]| {
+            let places: Vec<Place> = places
+                .iter()
+                .map(|(s, ends_span)| Place { s: *s, ends_span: *ends_span })
+                .collect();
+            spans(&beam, &line, &places)
+        };
+        let stations = |places: &[(f64, bool)]| -> Vec<Vec<f64>> {
+            meshed(places).into_iter().map(|p| p.stations).collect()
+        };
+        let plain = vec![0.0, 0.25, 0.5, 0.75, 1.0];
+        // At nodes, nearly at nodes, at the ends, and just beside an end: nothing moves.
+        for s in [0.25, 0.25 + 1e-11, 0.0, 1.0, 1e-5] {
+            assert_eq!(stations(&[(s, false)]), [plain.clone()], "{s}");
+        }
+        assert_eq!(stations(&[(0.5, true)]), [plain[..3].to_vec(), plain[2..].to_vec()]);
+        let found = stations(&[(0.4, true), (0.4 + 1e-13, false), (0.9, false)]);
+        let lengths = |s: &[f64]| s.windows(2).map(|w| w[1] - w[0]).collect::<Vec<_>>();
+        assert_eq!(found.len(), 2);
+        assert_eq!(found[0], [0.0, 0.2, 0.4]);
+        assert!(found[1].contains(&0.9) && found[1].first() == Some(&0.4));
+        assert!(lengths(&found[1]).iter().all(|l| *l <= 0.25 + 1e-6), "{found:?}");
+        // Where the second begins on the line.
+        let plans = meshed(&[(0.4, true)]);
+        assert_eq!(plans[1].node(&line, 0).0, [0.4, 0.0]);
     }
 
     #[test]

@@ -13,6 +13,8 @@ mod loads;
 mod mesh;
 mod overlaps;
 mod pairs;
+mod places;
+mod prescribed;
 mod striking;
 mod time_function;
 
@@ -20,4 +22,5 @@ pub use builder::ModelBuilder;
 pub use definition::*;
 pub use fault::Fault;
 pub use frozen::Model;
+pub(crate) use time_function::Course;
 pub use time_function::{Function, TimeFunction};

@@ -15,11 +15,16 @@ const TOUCHING: f64 = 1e-9;
 const CHORDS: usize = 8;
 
 impl Model {
-    /// A fault for each contact that has one thing inside the other in a configuration: how deep, where, and what would cure it.
-    pub(crate) fn overlaps(&self, displacement: &[[f64; 4]]) -> Vec<Fault> {
+    /// A fault for each contact `of` those that has one thing inside the other in a configuration: how deep, where, and what would
+    /// cure it.
+    pub(crate) fn overlaps(
+        &self,
+        displacement: &[[f64; 4]],
+        of: impl Fn(&ContactData) -> bool,
+    ) -> Vec<Fault> {
         let at = Configuration::of(displacement);
         let mut faults = Vec::new();
-        for contact in &self.contacts {
+        for contact in self.contacts.iter().filter(|c| of(c)) {
             let depth = |pair: &Pair| {
                 let touch = pair.touch(self, &at, &Memory::default(), Reach::All)?;
                 (touch.gap < -TOUCHING * self.scale_of(pair)).then_some((touch, pair.source_party))

@@ -33,7 +33,7 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec
         model.contacts.push(ContactData { name, between, law, pairs });
     }
     let rest = vec![[0.0; 4]; model.nodes.len()];
-    let faults = model.overlaps(&rest);
+    let faults = model.overlaps(&rest, |_| true);
     if faults.is_empty() { Ok(()) } else { Err(faults) }
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::math::spline::Spline;
+use crate::settings::SAME_INSTANT;
 
 /// A factor as a function of time, which counts from the start of the load or motion.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -126,15 +127,21 @@ impl Course {
 
     /// Derivative at time `t`, at a kink the one after it; of a function given as code over `width` about it \[1/s\].
     pub fn rate(&self, t: f64, width: f64) -> f64 {
+        self.rate_on(t, t, width)
+    }
+
+    /// Derivative at time `t` of the smooth piece that holds the time `inside`: at a kink from the left or from the right,
+    /// as `inside` lies \[1/s\].
+    pub fn rate_on(&self, t: f64, inside: f64, width: f64) -> f64 {
         use TimeFunction::*;
         let pi = std::f64::consts::PI;
-        let within = |duration: f64| (0.0..duration).contains(&t);
+        let within = |duration: f64| (0.0..duration).contains(&inside);
         match &self.function {
             Constant | Step { .. } => 0.0,
             Ramp { duration } if within(*duration) => 1.0 / duration,
             HalfSine { duration } if within(*duration) => pi / duration * (pi * t / duration).cos(),
             Triangle { duration } if within(*duration) => {
-                if t < 0.5 * duration {
+                if inside < 0.5 * duration {
                     2.0 / duration
                 } else {
                     -2.0 / duration
@@ -145,19 +152,86 @@ impl Course {
                 let rate = 2.0 * pi * frequency;
                 rate * (rate * t + phase).cos()
             }
-            Table { times, .. } if t < times[0] || t >= times[times.len() - 1] => 0.0,
+            Table { times, .. } if inside < times[0] || inside >= times[times.len() - 1] => 0.0,
             Table { times, values, .. } => self.spline.as_ref().map_or_else(
                 || {
-                    let next = times.partition_point(|x| *x <= t);
+                    let next = times.partition_point(|x| *x <= inside);
                     (values[next] - values[next - 1]) / (times[next] - times[next - 1])
                 },
                 |spline| spline.slope(t),
             ),
+            Function(f) if t < 0.5 * width => {
+                // Nothing is asked for before time zero: a parabola through the values after it.
+                let [a, b, c] = [0.0, 0.5, 1.0].map(|x| f.0(t + x * width));
+                (4.0 * b - 3.0 * a - c) / width
+            }
+            Function(f) => (f.0(t + 0.5 * width) - f.0(t - 0.5 * width)) / width,
+        }
+    }
+
+    /// Second derivative at time `t` of the smooth piece that holds the time `inside`; of a function given as code over
+    /// `width` about it \[1/s^2\].
+    pub fn second_rate_on(&self, t: f64, inside: f64, width: f64) -> f64 {
+        use TimeFunction::*;
+        let pi = std::f64::consts::PI;
+        match &self.function {
+            Constant | Step { .. } | Ramp { .. } | Triangle { .. } => 0.0,
+            HalfSine { duration } if (0.0..*duration).contains(&inside) => {
+                let rate = pi / duration;
+                -rate * rate * (rate * t).sin()
+            }
+            HalfSine { .. } => 0.0,
+            Harmonic { frequency, phase } => {
+                let rate = 2.0 * pi * frequency;
+                -rate * rate * (rate * t + phase).sin()
+            }
+            Table { times, .. } => match &self.spline {
+                Some(spline) if inside >= times[0] && inside < times[times.len() - 1] => {
+                    spline.bend(t)
+                }
+                _ => 0.0,
+            },
             Function(f) => {
-                let from = (t - 0.5 * width).max(0.0);
-                (f.0(from + width) - f.0(from)) / width
+                let middle = t.max(width);
+                let [a, b, c] = [-1.0, 0.0, 1.0].map(|x| f.0(middle + x * width));
+                (a - 2.0 * b + c) / (width * width)
             }
         }
+    }
+
+    /// Times from zero on at which two functions that are not the same differ: kinks, places between and behind them, parts of a
+    /// period, and every order of magnitude.
+    pub fn probes(&self) -> Vec<f64> {
+        let mut times: Vec<f64> =
+            (-24..=24).map(|k| 1.2345 * 10_f64.powf(0.25 * f64::from(k))).collect();
+        let mut ends = vec![0.0];
+        ends.extend(self.kinks.iter().copied().filter(|k| *k > 0.0));
+        let last = *ends.last().unwrap_or(&0.0);
+        ends.push(1.5 * last + f64::from(u8::from(last == 0.0)));
+        for pair in ends.windows(2) {
+            times.extend([0.0, 0.137, 0.382, 0.713].map(|x| pair[0] + x * (pair[1] - pair[0])));
+        }
+        if let TimeFunction::Harmonic { frequency, .. } = self.function {
+            times.extend([0.137, 0.382, 0.713, 1.907].map(|x| x / frequency.abs()));
+        }
+        times.retain(|t| t.is_finite());
+        times
+    }
+
+    /// Times at which the derivative jumps, as far as steps of size `step` resolve it: samples of a table that lie closer
+    /// together stand for something smooth.
+    pub fn rate_jumps(&self, step: f64) -> Vec<f64> {
+        use TimeFunction::*;
+        let Table { times, smooth, .. } = &self.function else {
+            return match &self.function {
+                Step { .. } => Vec::new(),
+                _ => self.kinks.clone(),
+            };
+        };
+        let last = times.len() - 1;
+        let apart = |i: usize| times[i] - times[i - 1] >= step * (1.0 - SAME_INSTANT);
+        let jumps = |i: usize| i == 0 || i == last || (!smooth && apart(i) && apart(i + 1));
+        (0..=last).filter(|i| jumps(*i)).map(|i| times[i]).collect()
     }
 
     /// Mean over `[start, start + h]`: exact but for functions given as code, which are taken at three Gauss points.

@@ -28,6 +28,43 @@ struct Place<'a> {
     damping: f64,
 }
 
+/// What acts on the elements, as last assembled: section forces follow from it.
+#[derive(Clone, Debug, Default)]
+pub struct EndForces {
+    /// Forces on both nodes of each element, inertia and gravity included, loads along it not, shape (n_elem) \[N, N m\].
+    pub on_nodes: Vec<[[f64; 4]; 2]>,
+    /// Accelerations of the beams' nodes in the equation of motion, less gravity, with what mass-proportional damping adds,
+    /// shape (n_beam_node) \[m/s^2, 1/s^2\].
+    pub inertia: Vec<[f64; 4]>,
+}
+
+impl EndForces {
+    /// Nothing assembled yet.
+    pub fn new(model: &Model) -> Self {
+        Self {
+            on_nodes: vec![[[0.0; 4]; 2]; model.element_count()],
+            inertia: vec![[0.0; 4]; model.beam_node_count()],
+        }
+    }
+
+    /// Forces of the strains of a state at rest, with gravity.
+    pub fn at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> Self {
+        let mut forces = Self::new(model);
+        let zero = vec![[0.0; 4]; model.node_count()];
+        let mut residual = zero.clone();
+        let integration = &Integration { h: 1.0, rule: Rule::Static };
+        let ends = Ends { model, state, integration, gravity, increment: &zero };
+        ends.sum::<false>(
+            &mut residual,
+            &mut Chain::default(),
+            &mut forces,
+            |point, place| collocation::response::<f64, false>(&place.row.weighed, point, 1.0),
+            |step, measure, _| step.collocated(measure, 1.0, 0.0),
+        );
+        forces
+    }
+}
+
 /// Residual `M (a - gravity) + f_int` of the beams at `increment`, and their tangent if `TANGENT`.
 ///
 /// Must not allocate.
@@ -38,8 +75,9 @@ pub fn beams<const TANGENT: bool>(
     gravity: [f64; 2],
     increment: &[[f64; 4]],
     residual: &mut [[f64; 4]],
-    chain: &mut Chain,
+    sums: (&mut Chain, &mut EndForces),
 ) {
+    let (chain, forces) = sums;
     let h = integration.h;
     let ends = Ends { model, state, integration, gravity, increment };
     let stored = |place: Place| {
@@ -50,6 +88,7 @@ pub fn beams<const TANGENT: bool>(
         Rule::Midpoint(MidpointForces::Invariant) => ends.sum::<TANGENT>(
             residual,
             chain,
+            forces,
             |point, place| {
                 let mut r =
                     energy_momentum::response::<f64, TANGENT>(&place.row.weighed, point, place.lag);
@@ -61,6 +100,7 @@ pub fn beams<const TANGENT: bool>(
         Rule::Midpoint(MidpointForces::StrainRate) => ends.sum::<TANGENT>(
             residual,
             chain,
+            forces,
             |point, place| {
                 let (law, old) = (&place.row.weighed, stored(place));
                 let mut r = strain_rate::response::<f64, TANGENT>(law, point, old, place.lag);
@@ -72,6 +112,7 @@ pub fn beams<const TANGENT: bool>(
         Rule::Midpoint(MidpointForces::Collocated) => ends.sum::<TANGENT>(
             residual,
             chain,
+            forces,
             |point, place| {
                 let mut r =
                     collocation::damped::<f64, TANGENT>(&place.row.weighed, point, place.lag);
@@ -83,6 +124,7 @@ pub fn beams<const TANGENT: bool>(
         Rule::Static => ends.sum::<TANGENT>(
             residual,
             chain,
+            forces,
             |point, place| {
                 let law = &place.row.weighed;
                 collocation::foreseeing::<f64, TANGENT>(law, point, stored(place))
@@ -97,6 +139,7 @@ pub fn beams<const TANGENT: bool>(
             ends.sum::<TANGENT>(
                 residual,
                 chain,
+                forces,
                 |point, place| {
                     let law = &place.row.weighed;
                     let mut r = collocation::response::<f64, TANGENT>(law, point, theta);
@@ -140,6 +183,7 @@ impl Ends<'_> {
         &self,
         residual: &mut [[f64; 4]],
         chain: &mut Chain,
+        forces: &mut EndForces,
         response: impl Fn(&StepPoint<f64>, Place) -> PointResponse<f64>,
         membrane: impl Fn(&MembraneStep<f64>, StrainMeasure, Place) -> MembranePoint<f64>,
     ) {
@@ -155,10 +199,12 @@ impl Ends<'_> {
             let lag = self.integration.lag(span.retardation);
             let damping = span.mass_damping;
             let mut start = self.inertia(span, first);
+            forces.inertia[first] = start;
             for (k, element) in span.elements.clone().enumerate() {
                 let a = first + k;
                 let table = span.table(k);
                 let end = self.inertia(span, a + 1);
+                forces.inertia[a + 1] = end;
                 let u = &self.state.displacement;
                 let old = ElementValues::new(&u[a], &u[a + 1]);
                 let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
@@ -178,6 +224,7 @@ impl Ends<'_> {
                 }
                 let [mut on_a, mut on_b] = sums.nodal_force();
                 table.add_inertia(&start, &end, &mut on_a, &mut on_b);
+                forces.on_nodes[element] = [on_a, on_b];
                 for i in 0..4 {
                     residual[a][i] += on_a[i];
                 }

@@ -4,7 +4,7 @@ use super::bodies::rear_spring;
 use super::constraint::ConstraintStep;
 use super::external::{self, LoadWork};
 use super::forcing::Forcing;
-use super::integration::Integration;
+use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
 use crate::contact::row::Row;
@@ -17,7 +17,7 @@ use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::Model;
 use crate::model::frozen::{Coordinate, MaterialPoint, Place, Span};
 use crate::settings::Scheme;
-use crate::state::State;
+use crate::state::{Instant, State};
 
 /// Books the step from `state` that stands solved in `work`.
 pub fn book(
@@ -30,10 +30,15 @@ pub fn book(
 ) {
     let done = external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
     state.reacting.begin();
+    let before = supports_so_far(state);
     let books = &mut state.books;
     books.work_loads += done.work;
     books.impulse_loads = add(books.impulse_loads, done.impulse);
     books.angular_impulse_loads += done.angular_impulse;
+    let led = work.lead.work(model, state, &work.increment, rule);
+    let books = &mut state.books;
+    books.work_supports += led.work;
+    books.angular_impulse_supports += led.angular_impulse;
     let mut entry = Entry { model, state, rule, forcing, work };
     entry.holds();
     entry.constraints();
@@ -42,6 +47,70 @@ pub fn book(
     entry.modes(damping);
     entry.rear_masses();
     entry.contacts();
+    if let Rule::Alpha(_) = rule.rule {
+        average_reactions(state, rule, before);
+    } else {
+        state.instant = None;
+    }
+}
+
+/// Impulse and angular impulse of all supports and guides so far.
+fn supports_so_far(state: &State) -> [f64; 3] {
+    let [x, y] = state.books.impulse_supports;
+    [x, y, state.books.angular_impulse_supports]
+}
+
+/// Reactions that the part at hand has booked, as those of an instant.
+fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> Instant {
+    let mut reactions = vec![[0.0; 3]; state.reactions.len()];
+    for (support, before) in state.reacting.list() {
+        let now = &state.reactions[*support];
+        reactions[*support] = std::array::from_fn(|i| (now[i] - before[i]) / h);
+    }
+    let now = supports_so_far(state);
+    let total = std::array::from_fn(|i| (now[i] - before[i]) / h);
+    Instant { since, reactions, total }
+}
+
+/// Schemes that advance accelerations balance forces at an instant late in the step: mean reactions over it lie on the line through
+/// those of this instant and of the one before.
+fn average_reactions(state: &mut State, rule: &Integration, before: [f64; 3]) {
+    let (h, theta) = (rule.h, rule.theta());
+    let now = instant(state, h, before, (1.0 - theta) * h);
+    if let Some(last) = state.instant.take() {
+        let share = (theta - 0.5) * h / (theta * h + last.since);
+        let back = |now: f64, last: f64| h * share * (now - last);
+        for k in 0..now.reactions.len() {
+            let (r, l) = (now.reactions[k], last.reactions[k]);
+            if r != l {
+                let own = state.reaction_mut(k);
+                (0..3).for_each(|i| own[i] -= back(r[i], l[i]));
+            }
+        }
+        let (t, l) = (now.total, last.total);
+        let books = &mut state.books;
+        (0..2).for_each(|i| books.impulse_supports[i] -= back(t[i], l[i]));
+        books.angular_impulse_supports -= back(t[2], l[2]);
+    }
+    state.instant = Some(now);
+}
+
+/// Reactions at the start of a step, of which `work` holds the residual; those kept by multipliers are the step's.
+pub fn reactions_at_start(
+    model: &Model,
+    state: &State,
+    rule: &Integration,
+    forcing: &Forcing,
+    work: &Workspace,
+) -> Instant {
+    let mut scratch = state.clone();
+    scratch.reacting.begin();
+    let before = supports_so_far(&scratch);
+    let mut entry = Entry { model, state: &mut scratch, rule, forcing, work };
+    entry.holds();
+    entry.constraints();
+    entry.connectors();
+    instant(&scratch, rule.h, before, 0.0)
 }
 
 struct Entry<'a> {

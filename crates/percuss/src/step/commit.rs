@@ -28,6 +28,8 @@ pub fn commit(
     book(model, state, &integration, forcing, damping, work);
     advance_histories(model, state, &integration, work);
     advance_masses(model, state, &integration, work);
+    let State { displacement, spin, mass_spin, .. } = &mut *state;
+    work.lead.add_spins(model, displacement, &work.increment, spin, mass_spin);
     let before = std::mem::take(&mut state.coordinates);
     advance_nodes(state, &integration, work);
     state.coordinates = coordinates(model, state, forcing, &before, work);
@@ -107,9 +109,17 @@ fn advance_nodes(state: &mut State, rule: &Integration, work: &Workspace) {
             let v0 = state.velocity[n][i];
             state.displacement[n][i] += d[i];
             state.velocity[n][i] = rule.velocity(d[i], v0, a0[i]);
-            if let Some(a) = state.acceleration.get_mut(n) {
+            if let (Rule::Alpha(_), Some(a)) = (rule.rule, state.acceleration.get_mut(n)) {
                 a[i] = rule.acceleration(d[i], v0, a0[i]);
             }
+        }
+    }
+    for (v, lead) in state.velocity.iter_mut().zip(&work.lead.velocity) {
+        (0..4).for_each(|i| v[i] += lead[i]);
+    }
+    if matches!(rule.rule, Rule::Alpha(_)) {
+        for (a, lead) in state.acceleration.iter_mut().zip(&work.lead.acceleration) {
+            (0..4).for_each(|i| a[i] += lead[i]);
         }
     }
 }

@@ -49,6 +49,11 @@ impl ConstraintStep<'_> {
         rot90(turn(angle.cos(), angle.sin(), point.tangent))
     }
 
+    /// Tangent to which a support turns a point at the start of the step, and the direction across that at its end.
+    pub fn turned(&self, c: &Constraint, point: &MaterialPoint) -> ([f64; 2], [f64; 2]) {
+        (scale(-1.0, rot90(self.across(c, point, 0.0))), self.across(c, point, 1.0))
+    }
+
     /// Value of the constraint at the start of the step: round-off of the steps before.
     pub fn start_value(&self, c: &Constraint) -> f64 {
         let u = self.start;

@@ -391,7 +391,7 @@ fn relative_residual(work: &Workspace) -> f64 {
 }
 
 /// Adds `slope row (x) end - bend d(gradient)`; without the second part where the normal does not turn.
-fn add_tangent(
+pub(crate) fn add_tangent(
     tangent: &mut Tangent,
     row: &Row,
     end: &Row,

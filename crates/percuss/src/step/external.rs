@@ -9,7 +9,12 @@ use crate::model::frozen::{LoadAction, MaterialPoint};
 use crate::state::State;
 
 /// Tangent g at a point, `theta` of the way through the step.
-fn tangent_at(p: &MaterialPoint, state: &State, increment: &[[f64; 4]], theta: f64) -> [f64; 2] {
+pub fn tangent_at(
+    p: &MaterialPoint,
+    state: &State,
+    increment: &[[f64; 4]],
+    theta: f64,
+) -> [f64; 2] {
     let (u, d) = (p.gradient(&state.displacement), p.gradient(increment));
     std::array::from_fn(|i| p.tangent[i] + u[i] + theta * d[i])
 }
@@ -56,7 +61,7 @@ pub fn apply<const TANGENT: bool>(
                     add_moment::<TANGENT>(point, moment, g, theta, residual, tangent);
                 }
             }
-            LoadAction::Dead { nodal } => {
+            LoadAction::Dead { nodal, .. } => {
                 for (node, force) in nodal {
                     (0..4).for_each(|i| residual[*node][i] -= factor * force[i]);
                 }
@@ -78,7 +83,7 @@ pub fn apply<const TANGENT: bool>(
 }
 
 /// `f_t g + f_n J g`.
-fn turned(force: [f64; 2], g: [f64; 2]) -> [f64; 2] {
+pub fn turned(force: [f64; 2], g: [f64; 2]) -> [f64; 2] {
     let across = rot90(g);
     [force[0] * g[0] + force[1] * across[0], force[0] * g[1] + force[1] * across[1]]
 }
@@ -188,7 +193,7 @@ pub fn work(
                 sum.work += moment * cross(g, point.gradient(increment)) / dot(g, g);
                 sum.angular_impulse += h * moment;
             }
-            LoadAction::Dead { nodal } => {
+            LoadAction::Dead { nodal, .. } => {
                 for (node, force) in nodal {
                     let force = force.map(|f| factor * f);
                     sum.add_nodal(model, state, increment, *node, &force, h);

@@ -2,6 +2,8 @@
 
 use crate::model::Model;
 use crate::model::frozen::{Drive, LoadAction};
+use crate::settings::SAME_INSTANT;
+use crate::state::Followed;
 
 /// Loads and motions over a step.
 #[derive(Clone, Debug)]
@@ -12,8 +14,12 @@ pub struct Forcing {
     pub factors: Vec<f64>,
     /// Increments of the prescribed motions' courses, shape (n_motion).
     moved: Vec<f64>,
-    /// Values to which the courses were followed by the start, shape (n_motion).
+    /// What the courses had moved by at the start, shape (n_motion).
     started: Vec<f64>,
+    /// Derivatives of the courses at the end, from the left, shape (n_motion) \[1/s\].
+    rates: Vec<f64>,
+    /// Second derivatives there, shape (n_motion) \[1/s^2\].
+    second_rates: Vec<f64>,
     /// Whether each constraint acts, shape (n_constraint).
     pub constrained: Vec<bool>,
     /// Whether each connector acts, shape (n_connector).
@@ -24,7 +30,7 @@ pub struct Forcing {
 /// round-off, and round-off over so short a time a velocity. What they leave out or add the next longer part makes good.
 const SHORT: f64 = 1e-3;
 /// Derivatives of motions given as code are taken over this share of a step.
-const WIDTH: f64 = 0.02;
+pub(crate) const WIDTH: f64 = 0.02;
 
 impl Forcing {
     /// Room for the loads and motions of `model`.
@@ -34,22 +40,18 @@ impl Forcing {
             factors: vec![0.0; model.loads.len()],
             moved: vec![0.0; model.motions.len()],
             started: vec![0.0; model.motions.len()],
+            rates: vec![0.0; model.motions.len()],
+            second_rates: vec![0.0; model.motions.len()],
             constrained: vec![true; model.constraints.len()],
             connected: vec![true; model.connectors.len()],
         }
     }
 
-    /// Sets what acts over the part `[start, start + h]` of a step of size `step`, motions followed to the values `reached`.
-    pub fn set(&mut self, model: &Model, start: f64, h: f64, step: f64, reached: &[f64]) {
+    /// Sets what acts over the part `[start, start + h]` of a step of size `step`, motions followed to the values and rates
+    /// `reached`.
+    pub fn set(&mut self, model: &Model, start: f64, h: f64, step: f64, reached: &[Followed]) {
         self.set_loads(model, start, h, 1.0);
-        for (i, course) in model.motions.iter().enumerate() {
-            self.started[i] = reached[i];
-            self.moved[i] = if h >= SHORT * step {
-                course.value(start + h) - reached[i]
-            } else {
-                h * course.rate(start + 0.5 * h, WIDTH * step)
-            };
-        }
+        self.set_motions(model, start, h, step, reached, false);
         let slack = 0.5 * h.min(SHORT * step);
         let holds = |until: f64| start + slack < until;
         for (flag, c) in self.constrained.iter_mut().zip(&model.constraints) {
@@ -57,6 +59,33 @@ impl Forcing {
         }
         for (flag, c) in self.connected.iter_mut().zip(&model.connectors) {
             *flag = holds(c.until);
+        }
+    }
+
+    /// Sets the motions alone; with `after`, a jump of a rate at the end of the part has been made there.
+    pub fn set_motions(
+        &mut self,
+        model: &Model,
+        start: f64,
+        h: f64,
+        step: f64,
+        reached: &[Followed],
+        after: bool,
+    ) {
+        let (end, beside) = (start + h, 2.0 * SAME_INSTANT * step);
+        let inside = if after { end + beside } else { end - beside.min(0.5 * h) };
+        for (i, course) in model.motions.iter().enumerate() {
+            self.started[i] = reached[i].value - reached[i].origin;
+            self.rates[i] = course.rate_on(end, inside, WIDTH * step);
+            self.second_rates[i] = course.second_rate_on(end, inside, 0.5 * step);
+            self.moved[i] = if h >= SHORT * step {
+                course.value(end) - reached[i].value
+            } else if reached[i].held {
+                // A jump of the rate within so short a part is an impulse: velocities change evenly.
+                0.5 * h * (reached[i].rate + self.rates[i])
+            } else {
+                h * course.rate(start + 0.5 * h, WIDTH * step)
+            };
         }
     }
 
@@ -78,10 +107,11 @@ impl Forcing {
         }
     }
 
-    /// Takes the increments of the motions into the values `reached`.
-    pub fn follow(&self, reached: &mut [f64]) {
-        for (reached, moved) in reached.iter_mut().zip(&self.moved) {
-            *reached += moved;
+    /// Takes the increments and rates of the motions into those `reached`.
+    pub fn follow(&self, reached: &mut [Followed]) {
+        for (i, reached) in reached.iter_mut().enumerate() {
+            reached.value += self.moved[i];
+            reached.rate = self.rates[i];
         }
     }
 
@@ -99,6 +129,23 @@ impl Forcing {
                 self.gravity[1] += *factor * acceleration[1];
             }
         }
+    }
+
+    /// Rate of a prescribed value at the end of the step, from the left.
+    pub fn rate(&self, drive: &Drive) -> f64 {
+        drive.iter().map(|(motion, amplitude)| amplitude * self.rates[*motion]).sum()
+    }
+
+    /// Second derivative of a prescribed value at the end of the step, from the left.
+    pub fn second_rate(&self, drive: &Drive) -> f64 {
+        drive.iter().map(|(motion, amplitude)| amplitude * self.second_rates[*motion]).sum()
+    }
+
+    /// Second derivative of a prescribed value at time zero, from the right.
+    pub fn second_rate_at_start(&self, model: &Model, drive: &Drive, step: f64) -> f64 {
+        let inside = 2.0 * SAME_INSTANT * step;
+        let second = |motion: usize| model.motions[motion].second_rate_on(0.0, inside, 0.5 * step);
+        drive.iter().map(|(motion, amplitude)| amplitude * second(*motion)).sum()
     }
 
     /// Increment of a prescribed value over the step.

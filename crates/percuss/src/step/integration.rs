@@ -74,6 +74,12 @@ impl Integration {
         Self { h, rule }
     }
 
+    /// The same where forces balance at the start of the step, for schemes that advance accelerations.
+    pub fn at_start(&self) -> Option<Self> {
+        let Rule::Alpha(w) = self.rule else { return None };
+        Some(Self { rule: Rule::Alpha(AlphaWeights { alpha_m: 1.0, alpha_f: 1.0, ..w }), ..*self })
+    }
+
     /// Weight of the end of the step in the configuration where forces are evaluated.
     pub fn theta(&self) -> f64 {
         match self.rule {

@@ -15,6 +15,7 @@ pub mod contacts;
 pub mod external;
 pub mod forcing;
 pub mod integration;
+pub mod lead;
 pub mod masses;
 pub mod modal_damping;
 pub mod newton;

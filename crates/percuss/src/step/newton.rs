@@ -217,6 +217,7 @@ impl StepProblem<'_> {
             *d = std::array::from_fn(|i| self.integration.predict(v0[i], a0[i]));
         }
         prescribe(self.model, self.forcing, &mut work.increment);
+        work.lead.set(self.model, state, &self.integration, self.forcing);
         for (i, acts) in self.forcing.constrained.iter().enumerate() {
             work.multiplier[i] = if *acts { state.multiplier[i] } else { 0.0 };
         }
@@ -230,17 +231,22 @@ impl StepProblem<'_> {
         }
     }
 
+    /// Residual of the step solved in `work`.
+    pub fn unbalanced(&self, work: &mut Workspace) {
+        self.residual(work, false);
+    }
+
     /// Residual at the current increment, and the assembled tangent if asked for.
     fn residual(&self, work: &mut Workspace, tangent: bool) {
         if tangent { self.residual_with::<true>(work) } else { self.residual_with::<false>(work) }
     }
 
     fn residual_with<const TANGENT: bool>(&self, work: &mut Workspace) {
-        let Workspace { increment, residual, tangent, .. } = work;
+        let Workspace { increment, residual, tangent, beams, lead, .. } = work;
         let (model, state, rule) = (self.model, self.state, &self.integration);
         let gravity = self.forcing.gravity;
-        let chain = tangent.chain_mut();
-        assemble::beams::<TANGENT>(model, state, rule, gravity, increment, residual, chain);
+        let sums = (tangent.chain_mut(), beams);
+        assemble::beams::<TANGENT>(model, state, rule, gravity, increment, residual, sums);
         if TANGENT {
             tangent.clear_ties();
         }
@@ -249,6 +255,7 @@ impl StepProblem<'_> {
         bodies::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         masses::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         connectors::apply::<TANGENT>(model, state, rule, forcing, increment, residual, tangent);
+        lead.add_inertia(model, &state.displacement, increment, rule, residual);
         self.damping.apply(increment, rule.h, residual);
         let step = self.constraint_step(increment);
         for (i, (c, multiplier)) in model.constraints.iter().zip(&work.multiplier).enumerate() {

@@ -1,6 +1,8 @@
 //! Scratch of a step; may be dropped and rebuilt without changing a result.
 
+use super::assemble::EndForces;
 use super::contacts::{RigidContact, SmoothContact};
+use super::lead::Lead;
 use super::tangent::Tangent;
 use crate::contact::impact::ImpactProblem;
 use crate::model::Model;
@@ -10,6 +12,8 @@ use crate::model::Model;
 pub struct Workspace {
     /// Increment of the nodal displacements over the step, shape (n_node).
     pub increment: Vec<[f64; 4]>,
+    /// Lead of prescribed velocities over those of the scheme.
+    pub lead: Lead,
     /// Multipliers of the constraints in the step, shape (n_constraint) \[N, N m\].
     pub multiplier: Vec<f64>,
     /// Smooth contacts in the step.
@@ -24,6 +28,8 @@ pub struct Workspace {
     pub rigid_pairs: Vec<usize>,
     /// Residual `M a + f_int - f_ext` of the nodes with everything in it, supports' reactions left over, shape (n_node).
     pub residual: Vec<[f64; 4]>,
+    /// What acts on the elements.
+    pub beams: EndForces,
     /// Right-hand side and correction, shape (n_node).
     pub correction: Vec<[f64; 4]>,
     /// The correction before, in iterations that take long.
@@ -47,6 +53,7 @@ impl Workspace {
         let n = model.node_count();
         Self {
             increment: vec![[0.0; 4]; n],
+            lead: Lead::new(model),
             multiplier: vec![0.0; model.constraints.len()],
             smooth: Vec::new(),
             arcs: Vec::new(),
@@ -54,6 +61,7 @@ impl Workspace {
             turned: 0.0,
             rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
+            beams: EndForces::new(model),
             correction: vec![[0.0; 4]; n],
             correction_before: Vec::new(),
             tangent: Tangent::new(model),

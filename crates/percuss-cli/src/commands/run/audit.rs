@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use percuss::{
-    Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, Peak, RunSummary,
-    Termination,
+    Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak,
+    RunSummary, Termination, Topic, Verdict,
 };
 use serde_json::Value;
 
@@ -82,13 +82,16 @@ const BOOKS_OPEN: f64 = 1e-8;
 const INSIDE: f64 = 1e-7;
 
 /// What deserves attention.
-pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
+pub(super) fn warnings(ended: &Ended) -> Vec<String> {
+    let run = &ended.summary;
     let mut all = Vec::new();
     if run.contact_residual_max > CONDITIONS {
         let size = small(run.contact_residual_max);
         all.push(format!("contacts violate their conditions by {size} of the largest velocity"));
     }
     all.extend(inside(run));
+    all.extend(shared_blows(run));
+    all.extend(meshes(run, &ended.value["advice"]));
     let residuals = [
         ("energy", run.energy.residual_max),
         ("linear momentum", run.momentum.linear_residual_max),
@@ -101,6 +104,52 @@ pub(super) fn warnings(run: &RunSummary) -> Vec<String> {
         }
     }
     all
+}
+
+/// Blows that the impact law shared among bodies that touch.
+fn shared_blows(run: &RunSummary) -> Option<String> {
+    let shared = &run.shared_blows;
+    let others = match shared.count {
+        0 => return None,
+        1 => String::new(),
+        count => format!(" (and {} times more)", count - 1),
+    };
+    let [a, b] = shared.contacts.map(|k| run.contacts.get(k).map_or("?", |c| c.name.as_str()));
+    let time = number(shared.first);
+    Some(format!(
+        "several touching bodies were struck at once, at {time} s by contacts {a} and {b}{others}: the impact law shared the blow \
+         among them; with time.multiple_impacts = \"sequential\" it is passed on from one to the next"
+    ))
+}
+
+/// Contacts whose rigid impacts are properties of the mesh, unless the advisor has said so.
+fn meshes(run: &RunSummary, advice: &Value) -> Option<String> {
+    let topic = Topic::EffectiveMass.name();
+    let told = |c: &ContactSummary| {
+        let mut all = advice.as_array().into_iter().flatten();
+        all.any(|one| {
+            let warns = one["topic"] == topic && one["verdict"] == Verdict::Warning.name();
+            warns && one["contact"] == c.name.as_str()
+        })
+    };
+    let depends = |c: &&ContactSummary| {
+        let rigid = matches!(c.record, ContactRecord::Nonsmooth { .. });
+        rigid && !told(c) && c.effective_mass.is_some_and(|mass| mass.depends_on_mesh())
+    };
+    let mut found = run.contacts.iter().filter(depends);
+    let (first, others) = (found.next()?, found.count());
+    let mass = first.effective_mass?;
+    let others = match others {
+        0 => String::new(),
+        _ => format!(" (and {})", count(others, "other contact")),
+    };
+    Some(format!(
+        "contact {}{others}: what is struck answers the first blow with {} kg on this mesh, with {} kg on ever finer ones: impulses \
+         and the number of impacts are properties of the mesh; give the contact a compliance of its own",
+        first.name,
+        number(mass.on_mesh),
+        number(mass.limit)
+    ))
 }
 
 /// Rigid things that were inside each other: the deepest, and how many others.
@@ -227,7 +276,13 @@ fn interval(interval: &ContactInterval) -> String {
         false => format!("{} s", number(interval.end)),
     };
     let (start, impulse) = (number(interval.start), number(interval.impulse));
-    format!("closed from {start} s to {end}, impulse {impulse} N s")
+    let why = match interval.restitution() {
+        Err(why @ (NoRestitution::Steps(_) | NoRestitution::Unsteady)) => {
+            format!(", restitution {why}")
+        }
+        _ => String::new(),
+    };
+    format!("closed from {start} s to {end}, impulse {impulse} N s{why}")
 }
 
 fn impact(impact: &Impact) -> String {
@@ -238,8 +293,12 @@ fn impact(impact: &Impact) -> String {
         0.0 => String::new(),
         impulse => format!(", of friction {} N s", number(impulse)),
     };
+    let points = match impact.points {
+        0 | 1 => String::new(),
+        points => format!(" at {points} points"),
+    };
     format!(
-        "at {} s: impulse {} N s{friction}, approach {} m/s, separation {} m/s",
+        "at {} s: impulse {} N s{points}{friction}, approach {} m/s, separation {} m/s",
         number(impact.time),
         number(impact.impulse),
         number(impact.approach_velocity),

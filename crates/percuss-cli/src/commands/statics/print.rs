@@ -1,6 +1,8 @@
 //! An equilibrium and a path, as text.
 
-use percuss::{BucklingOutcome, Equilibrium, LinearBuckling, Path, SectionPeak, SectionRange};
+use percuss::{
+    BucklingOutcome, Equilibrium, LinearBuckling, Path, SectionPeak, SectionRange, StaticContact,
+};
 
 use crate::number::{count, number};
 
@@ -33,6 +35,7 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
         let [f1, f2, moment] = reaction.map(|r| beside(size, r));
         text.push_str(&format!("  {name}: force {f1} N, {f2} N, moment {moment} N m\n"));
     }
+    text.push_str(&contacts(&found.contacts));
     text.push_str("section forces, smallest to largest\n");
     for beam in &found.section_forces {
         text.push_str(&format!("  {}\n", beam.name));
@@ -49,14 +52,60 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     }
     if let Some(mode) = linear.modes.first() {
         text.push_str(&format!(
-            "linear buckling at {} times the loads (about the reference configuration)\n",
-            number(mode.factor)
+            "linear buckling at {} times the loads (about the reference configuration{})\n",
+            number(mode.factor),
+            if found.contacts.is_empty() { "" } else { ", contacts left out" }
         ));
     }
     if let Some(reason) = linear.outcome.reason()
         && linear.outcome != BucklingOutcome::Unloaded
     {
         text.push_str(&format!("{reason}\n"));
+    }
+    text
+}
+
+/// Contacts: what they carry, and where.
+fn contacts(found: &[StaticContact]) -> String {
+    if found.is_empty() {
+        return String::new();
+    }
+    let friction = if found.iter().any(|c| c.frictional) { ", friction left out" } else { "" };
+    let mut text =
+        format!("contacts, guided projectiles and discs on their way left out{friction}\n");
+    for contact in found {
+        let [a, b] = &contact.between;
+        if contact.force == 0.0 {
+            let gap = if contact.gap.is_finite() {
+                format!("open by {} m", number(contact.gap.max(0.0)))
+            } else {
+                "open".to_owned()
+            };
+            text.push_str(&format!("  {} ({a}, {b}): {gap}\n", contact.name));
+            continue;
+        }
+        let [f1, f2] = contact.resultant.map(|f| beside(contact.force, f));
+        let mut line = format!(
+            "  {} ({a}, {b}): force {} N, on {a} {f1} N, {f2} N",
+            contact.name,
+            number(contact.force)
+        );
+        let [from, to] = contact.s;
+        if from == to {
+            line.push_str(&format!(", at {} m", number(from)));
+        } else if from < to {
+            let centre = number(contact.centre);
+            line.push_str(&format!(
+                ", from {} m to {} m, centre at {centre} m",
+                number(from),
+                number(to)
+            ));
+        }
+        if contact.gap < -1e-12 {
+            line.push_str(&format!(", pressed in by {} m", number(-contact.gap)));
+        }
+        text.push_str(&line);
+        text.push('\n');
     }
     text
 }

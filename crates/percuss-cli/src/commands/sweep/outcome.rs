@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use percuss_study::analysis::{Estimate, SobolIndices};
 use percuss_study::{RESULTS, Study, Table};
 use serde_json::{Map, Value, json};
 
@@ -15,7 +16,13 @@ use crate::terminal;
 const REASONS_SHOWN: usize = 3;
 
 /// Says how the runs went and where the results are.
-pub fn tell(study: &Study, table: &Table, arguments: &Sweep, out: &Path) -> Result<(), Failure> {
+pub fn tell(
+    study: &Study,
+    table: &Table,
+    indices: &[(String, Option<SobolIndices>)],
+    arguments: &Sweep,
+    out: &Path,
+) -> Result<(), Failure> {
     let statuses = statuses(table);
     if arguments.json {
         let results: Map<String, Value> = ranges(study, table)
@@ -24,7 +31,10 @@ pub fn tell(study: &Study, table: &Table, arguments: &Sweep, out: &Path) -> Resu
                 (name.to_string(), range)
             })
             .collect();
-        let value = json!({ "runs": table.rows(), "status": statuses, "results": results });
+        let mut value = json!({ "runs": table.rows(), "status": statuses, "results": results });
+        if study.has_sobol_indices() {
+            value["sobol_indices"] = sobol(study, indices);
+        }
         terminal::print(&format!("{value:#}\n"))?;
     } else if !arguments.quiet {
         let completed = statuses.get("completed").copied().unwrap_or(0);
@@ -48,6 +58,23 @@ pub fn tell(study: &Study, table: &Table, arguments: &Sweep, out: &Path) -> Resu
         }
     }
     Ok(())
+}
+
+/// Indices of every result, by parameter; null of one that does not vary.
+fn sobol(study: &Study, indices: &[(String, Option<SobolIndices>)]) -> Value {
+    let estimate = |e: &Estimate| json!({ "value": e.value, "low": e.low, "high": e.high });
+    let of = |found: &SobolIndices| -> Value {
+        let both = found.first.iter().zip(&found.total);
+        let each = study.parameters().iter().zip(both).map(|(parameter, (first, total))| {
+            let one = json!({ "first": estimate(first), "total": estimate(total) });
+            (parameter.name.clone(), one)
+        });
+        let parameters: Map<String, Value> = each.collect();
+        json!({ "variance": found.variance, "points": found.points, "parameter": parameters })
+    };
+    let all =
+        indices.iter().map(|(name, found)| (name.clone(), found.as_ref().map_or(Value::Null, of)));
+    Value::Object(all.collect())
 }
 
 /// How often each status occurs.

@@ -74,7 +74,10 @@ pub fn impulse_of_struck(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison
     let formula = Formula {
         name: "effective mass of the struck point",
         source: "Newton's impact law with 1/(1/M + n M^-1 n)",
-        assumptions: desk.undisturbed().and(mesh, !mass.depends_on_mesh()),
+        assumptions: desk
+            .undisturbed()
+            .and("no friction", !desk.rubs())
+            .and(mesh, !mass.depends_on_mesh()),
     };
     newton(desk, &formula, reduced_mass([struck.mass, mass.on_mesh]), restitution)
 }

@@ -194,8 +194,9 @@ impl Desk<'_> {
 
     fn at_rest(&self) -> Assumptions {
         let (_, loads) = gravity(self.model);
-        let motion = &self.model.initial_motion;
-        let moves = motion.spin != 0.0 || self.model.supports.iter().any(|s| s.motion.is_some());
+        let model = self.model;
+        let spins = model.initial_motion.spin != 0.0 || !model.own_motions.is_empty();
+        let moves = spins || self.model.supports.iter().any(|s| s.motion.is_some());
         let starts = self.others().filter_map(Touch::first).map(|touch| touch.time());
         let earlier = starts.into_iter().any(|time| time < self.touch.time());
         let still = !(loads || moves || earlier);
@@ -268,6 +269,11 @@ impl Desk<'_> {
             TouchLaw::Rigid(law) => Some(law.restitution),
             TouchLaw::Smooth(_) => None,
         }
+    }
+
+    /// Whether the contact has friction.
+    pub fn rubs(&self) -> bool {
+        matches!(self.case.law, TouchLaw::Rigid(law) if law.friction > 0.0)
     }
 
     /// The rows every smooth contact has: largest force, duration.

@@ -57,7 +57,7 @@ pub fn hertz_blow(mass: f64, stiffness: f64, speed: f64) -> Blow {
 /// turning point, so that the midpoint rule serves.
 pub fn table_blow(penetrations: &[f64], forces: &[f64], mass: f64, speed: f64) -> Blow {
     const INTERVALS: usize = 4000;
-    let law = Lines { penetrations, forces };
+    let law = Lines::new(penetrations, forces);
     let energy = 0.5 * mass * speed * speed;
     let way = law.turning_point(energy);
     let integrand = |k: usize| {
@@ -77,14 +77,30 @@ pub fn table_blow(penetrations: &[f64], forces: &[f64], mass: f64, speed: f64) -
 struct Lines<'a> {
     penetrations: &'a [f64],
     forces: &'a [f64],
+    /// Energy taken up on the way to each point \[J\].
+    energies: Vec<f64>,
 }
 
-impl Lines<'_> {
+impl<'a> Lines<'a> {
+    fn new(penetrations: &'a [f64], forces: &'a [f64]) -> Self {
+        let mut energies = vec![0.0; penetrations.len()];
+        let mut law = Self { penetrations, forces, energies: Vec::new() };
+        for k in 1..penetrations.len() {
+            energies[k] = energies[k - 1] + law.of(k - 1);
+        }
+        law.energies = energies;
+        law
+    }
+
+    /// Number of the line that holds `p`.
+    fn number(&self, p: f64) -> usize {
+        let last = self.penetrations.len().saturating_sub(2);
+        self.penetrations.partition_point(|x| *x <= p).saturating_sub(1).min(last)
+    }
+
     /// Start of the line that holds `p`, force there and slope.
     fn line(&self, p: f64) -> [f64; 3] {
-        let last = self.penetrations.len().saturating_sub(2);
-        let k = self.penetrations.partition_point(|x| *x <= p).saturating_sub(1).min(last);
-        self.line_of(k)
+        self.line_of(self.number(p))
     }
 
     fn line_of(&self, k: usize) -> [f64; 3] {
@@ -99,14 +115,12 @@ impl Lines<'_> {
 
     /// Energy taken up on the way to `p` \[J\].
     fn energy(&self, p: f64) -> f64 {
-        let whole = |k: &usize| self.penetrations[k + 1] <= p && k + 2 < self.penetrations.len();
-        let full: f64 =
-            (0..self.penetrations.len() - 1).take_while(whole).map(|k| self.of(k)).sum();
-        let [start, force, slope] = self.line(p);
-        full + (p - start) * (force + 0.5 * slope * (p - start))
+        let k = self.number(p);
+        let [start, force, slope] = self.line_of(k);
+        self.energies[k] + (p - start) * (force + 0.5 * slope * (p - start))
     }
 
-    /// Energy taken up on the whole of line `k`.
+    /// Energy taken up on the whole of line `k` \[J\].
     fn of(&self, k: usize) -> f64 {
         let (x, f) = (self.penetrations, self.forces);
         0.5 * (x[k + 1] - x[k]) * (f[k] + f[k + 1])
@@ -196,7 +210,7 @@ mod tests {
         let (way, force) = ([0.0, 0.01, 0.05, 0.06], [0.0, 2e4, 2e4, 9e4]);
         for speed in [0.5, 3.0, 9.0] {
             let blow = table_blow(&way, &force, 100.0, speed);
-            let law = Lines { penetrations: &way, forces: &force };
+            let law = Lines::new(&way, &force);
             let [duration, penetration] =
                 integrated(|p| law.force(p), 100.0, speed, 1e-5 * blow.duration);
             near(blow.duration, duration, 1e-6);

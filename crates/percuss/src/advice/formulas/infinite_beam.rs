@@ -43,6 +43,8 @@ const DOUBLE_ROOT: f64 = 1.754_765_350_603_3;
 /// Relative distance from it within which the mean of both sides is taken: its error is the square of this, that of
 /// the partial fractions the precision of numbers over the root of it.
 const BESIDE: f64 = 1e-6;
+/// Tries to bracket the largest force, each a tenth nearer to the touch: down to 1e-46 of the contact time.
+const MOST_SHRUNK: usize = 1000;
 
 impl InfiniteBeam {
     /// For `beta = M^(3/4) k^(1/4) / C`.
@@ -98,7 +100,11 @@ impl InfiniteBeam {
     pub fn peak(&self) -> f64 {
         // The rate falls from one; it has changed sign at pi/2, where the beam gives way the less the smaller beta.
         let mut high = std::f64::consts::FRAC_PI_2;
-        while self.rate(0.9 * high) < 0.0 {
+        for _ in 0..MOST_SHRUNK {
+            let has_passed = self.rate(0.9 * high) < 0.0;
+            if !has_passed {
+                break;
+            }
             high *= 0.9;
         }
         bisect(0.0, high, |x| self.rate(x))

@@ -39,6 +39,15 @@ pub struct Krylov<'a> {
     nodes: usize,
 }
 
+/// Nodal values that are orthogonal to no motion.
+pub fn random(nodes: usize, seed: &mut u64) -> Nodal {
+    let mut next = || {
+        *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (*seed >> 33) as f64 / (1_u64 << 31) as f64 - 0.5
+    };
+    (0..nodes).map(|_| std::array::from_fn(|_| next())).collect()
+}
+
 /// An eigenvalue with its vector's coordinates in the basis.
 #[derive(Clone, Debug)]
 pub struct Ritz {
@@ -59,19 +68,9 @@ impl<'a> Krylov<'a> {
         Self { image_of, solve, deflated, basis, columns, seed: 1, nodes }
     }
 
-    /// A direction across no motion.
-    fn random(&mut self) -> Nodal {
-        let mut next = || {
-            self.seed =
-                self.seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (self.seed >> 33) as f64 / (1_u64 << 31) as f64 - 0.5
-        };
-        (0..self.nodes).map(|_| std::array::from_fn(|_| next())).collect()
-    }
-
     /// Lets a new direction join; `false` if the operator leads nowhere new.
     pub fn join(&mut self) -> bool {
-        let x = self.random();
+        let x = random(self.nodes, &mut self.seed);
         let mut pair = self.pair(x);
         // Twice: what remains is smooth and within the operator's range.
         for _ in 0..2 {

@@ -9,7 +9,7 @@ mod matrix;
 mod pencil;
 
 pub use kinematics::{FreeMotions, free_motions, strain_share, stress_share};
-pub use krylov::{Krylov, Nodal, Pair, Ritz, subtract};
+pub use krylov::{Krylov, Nodal, Pair, Ritz, random, subtract};
 pub use matrix::{Layout, Matrix};
 pub use pencil::{Eigen, Pencil};
 
@@ -17,6 +17,7 @@ use super::static_search::StaticSearch;
 use crate::linalg::chain::Chain;
 use crate::math::hermite;
 use crate::model::Model;
+use crate::state::State;
 
 /// Length of all beams \[m\].
 pub fn size(model: &Model) -> f64 {
@@ -38,24 +39,23 @@ pub fn metric(model: &Model, unit: bool) -> Chain {
     chain
 }
 
-/// Whether no motion about the equilibrium a search has reached grows.
+/// Whether no motion of a structure about an equilibrium grows; contacts are left out.
 ///
 /// Stiffness decides where forces have a potential: no pivot is negative, but for those of round-off beside the bending
 /// stiffness. Density has no part in it. Where a force follows the beams, motions may grow that stiffness knows nothing of
 /// (flutter), and frequencies decide.
-pub fn is_stable(model: &Model, search: &StaticSearch) -> bool {
+pub fn is_stable(model: &Model, state: &State) -> bool {
     /// Stiffness below this share of that of bending counts as none.
     const NEUTRAL: f64 = 1e-6;
     /// Eigenvalues below this share of the largest one looked at count as none.
     const ROUND_OFF: f64 = 1e-9;
     /// Modes looked at where frequencies decide.
     const MODES: usize = 8;
-    let state = search.state();
-    let search = StaticSearch::at(model, &state);
+    let search = StaticSearch::at(model, state);
     let layout = Layout::new(model);
     let mut tangent = layout.tangent(&search);
     if !layout.is_symmetric(&tangent) {
-        let modes = super::modes::lowest(model, &state, MODES);
+        let modes = super::modes::lowest(model, state, MODES);
         let most = modes.iter().fold(0.0_f64, |most, m| most.max(m.eigenvalue.abs()));
         let floor = ROUND_OFF * most;
         return modes.iter().all(|m| m.imaginary == 0.0 && m.eigenvalue >= -floor);

@@ -75,8 +75,8 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
             out.add(path("rotary_inertia"), quantity(value, "kg*m"), "a value of zero or above");
         }
     }
-    if model.beams.is_empty() {
-        out.add("beam".into(), "no beam", "at least one beam");
+    if model.beams.is_empty() && model.discs.is_empty() {
+        out.add("beam".into(), "no beam and no disc", "at least one of them: something that moves");
     }
     for beam in &model.beams {
         check_beam(model, beam, &mut out);
@@ -117,10 +117,20 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
             out.add("damping.modal".into(), quantity(*ratio, ""), "ratios from 0 to below 1");
         }
     }
-    let motion = &model.initial_motion;
-    out.finite("initial.velocity".into(), &motion.velocity, "m/s");
-    out.finite("initial.spin".into(), &[motion.spin], "rad/s");
-    out.finite("initial.about".into(), &motion.about, "m");
+    let all = [(String::new(), model.initial_motion)];
+    for (name, motion) in all.iter().chain(&model.own_motions) {
+        let path = if name.is_empty() { "initial".to_owned() } else { format!("initial.{name}") };
+        out.finite(format!("{path}.velocity"), &motion.velocity, "m/s");
+        out.finite(format!("{path}.spin"), &[motion.spin], "rad/s");
+        out.finite(format!("{path}.about"), &motion.about, "m");
+        let beams = model.beams.iter().filter(|beam| beam.name == *name).count();
+        let masses = model.masses.iter().filter(|mass| mass.name == *name).count();
+        if !name.is_empty() && beams + masses != 1 {
+            let found =
+                if beams + masses == 0 { "no such part" } else { "a beam and a point mass" };
+            out.add(path, found, "the name of one beam, or of one point mass");
+        }
+    }
     for point in &model.points {
         check_point(model, point, "record.points".into(), &mut out);
     }

@@ -29,5 +29,5 @@ pub struct MaterialId(pub(crate) u32);
 pub struct SectionId(pub(crate) u32);
 
 /// Index of a beam, given by [`ModelBuilder::beam`](super::ModelBuilder::beam).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct BeamId(pub(crate) u32);

@@ -1,0 +1,133 @@
+//! `percuss converge`.
+
+use percuss_study::{Cheapest, ConvergeError, Converged, Convergence, Ladder, Sequence, converge};
+use serde_json::{Value, json};
+
+use crate::arguments::Converge;
+use crate::interrupt;
+use crate::number::{number, small};
+use crate::outcome::{Failure, Status};
+use crate::progress::Progress;
+use crate::{scenario, terminal};
+
+/// Repeats a run on finer steps and meshes and says what its results converge to.
+pub fn run(arguments: &Converge) -> Result<Status, Failure> {
+    let ready = scenario::read(&arguments.file, &arguments.set)?;
+    interrupt::install()?;
+    let ladder = Ladder {
+        results: arguments.result.clone(),
+        levels: usize::from(arguments.levels),
+        accuracy: arguments.accuracy,
+    };
+    let runs = 2 * usize::from(arguments.levels) - 1;
+    let bar = (!arguments.quiet).then(|| Progress::of_things("converge", runs));
+    let tell = |done: usize, _| bar.iter().for_each(|bar| bar.reach(done as u64));
+    let found = converge(&ready.scenario, &ladder, &|| !interrupt::requested(), &tell);
+    drop(bar);
+    let found = match found {
+        Ok(found) => found,
+        Err(ConvergeError::Faults(faults)) => {
+            let changed = !arguments.set.is_empty();
+            return Err(Failure::Faults { faults: Box::new(faults), changed });
+        }
+        Err(ConvergeError::Refused(reason)) => return Err(Failure::Input(reason)),
+        Err(ConvergeError::Run(reason)) => {
+            terminal::error(&format!("a finer run gave up {reason}"));
+            return Ok(Status::GaveUp);
+        }
+        Err(ConvergeError::Interrupted) => {
+            terminal::warning("interrupted; the levels done say nothing yet");
+            return Ok(Status::Interrupted);
+        }
+    };
+    if arguments.json {
+        terminal::print(&format!("{:#}\n", value(&found)))?;
+    } else {
+        terminal::print(&table(&found))?;
+    }
+    Ok(Status::Done)
+}
+
+fn value(found: &Convergence) -> Value {
+    json!({
+        "steps": found.steps,
+        "elements": found.elements,
+        "results": found.results.iter().map(result).collect::<Vec<_>>(),
+        "cheapest": found.cheapest.as_ref().map(cheapest),
+    })
+}
+
+fn result(one: &Converged) -> Value {
+    json!({
+        "path": one.path,
+        "unit": one.unit,
+        "value": one.value,
+        "limit": one.limit,
+        "uncertainty": one.uncertainty,
+        "step": sequence(&one.step),
+        "mesh": sequence(&one.mesh),
+    })
+}
+
+fn sequence(one: &Sequence) -> Value {
+    let limit = if one.no_limit { f64::NAN } else { one.found.limit };
+    json!({
+        "values": one.values,
+        "order": one.found.order.filter(|_| !one.no_limit),
+        "limit": limit,
+        "uncertainty": if one.no_limit { f64::NAN } else { one.found.uncertainty },
+        "words": one.words,
+    })
+}
+
+fn cheapest(one: &Cheapest) -> Value {
+    json!({
+        "accuracy": one.accuracy,
+        "step": one.step,
+        "mesh_factor": one.mesh_factor,
+        "elements": one.elements,
+        "cost": one.cost,
+        "out_of_reach": one.out_of_reach,
+    })
+}
+
+fn table(found: &Convergence) -> String {
+    let ends = |all: Vec<String>| format!("{} to {}", all[0], all[all.len() - 1]);
+    let steps = ends(found.steps.iter().map(|step| number(*step)).collect());
+    let elements = ends(found.elements.iter().map(ToString::to_string).collect());
+    let mut text = format!("steps of {steps} s; {elements} elements\n");
+    for one in &found.results {
+        let unit = if one.unit == "1" { "" } else { &one.unit };
+        let value = format!("{} = {} {unit}", one.path, number(one.value));
+        text += &match one.limit.is_nan() {
+            true => format!("{}: no limit\n", value.trim_end()),
+            false => {
+                let (limit, off) = (number(one.limit), small(one.uncertainty));
+                format!("{}, limit {limit} +- {off}\n", value.trim_end())
+            }
+        };
+        text += &format!("  step: {}\n  mesh: {}\n", one.step.words, one.mesh.words);
+    }
+    if let Some(cheapest) = &found.cheapest {
+        text += &advice(cheapest);
+    }
+    text
+}
+
+fn advice(cheapest: &Cheapest) -> String {
+    let percent = number(100.0 * cheapest.accuracy);
+    let mut text = match cheapest.step.is_nan() {
+        true => format!("no settings are known to give {percent} %\n"),
+        false => format!(
+            "cheapest for {percent} %: time.step = {}, {} times the elements ({}), {} times the work\n",
+            number(cheapest.step),
+            number(cheapest.mesh_factor),
+            number(cheapest.elements),
+            number(cheapest.cost),
+        ),
+    };
+    for one in &cheapest.out_of_reach {
+        text += &format!("  not {one}\n");
+    }
+    text
+}

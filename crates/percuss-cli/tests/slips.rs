@@ -1,0 +1,138 @@
+//! Numbers that are far off by a unit: an answer comes at once, and says what looks like a slip.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+use std::time::Duration;
+
+use percuss::{Simulation, Topic, advise};
+
+/// Far beyond what one scenario takes; a loop whose length follows from a value would not end in it.
+const HANGS: Duration = Duration::from_secs(60);
+
+fn shipped() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios");
+    let mut files = Vec::new();
+    for folder in [folder.clone(), folder.join("paper")] {
+        let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        files.extend(entries.filter(|path| path.extension().is_some_and(|e| e == "toml")));
+    }
+    files.sort();
+    files
+}
+
+/// Places of numbers in a file, those of meshes and of comments left out.
+fn numbers(text: &str) -> Vec<Range<usize>> {
+    let mut all = Vec::new();
+    let mut line_start = 0;
+    for line in text.split_inclusive('\n') {
+        let code = line.split('#').next().unwrap_or("");
+        let key = code.split('=').next().unwrap_or("").trim();
+        let begin = code.find('=').unwrap_or(code.len());
+        let bytes = code.as_bytes();
+        let mut at = begin;
+        while at < bytes.len() && !key.starts_with("element") && !code.contains("elements") {
+            let begins = bytes[at].is_ascii_digit()
+                && !bytes[at - 1].is_ascii_alphanumeric()
+                && bytes[at - 1] != b'^';
+            let more = |b: &&u8| b.is_ascii_digit() || matches!(**b, b'.' | b'_');
+            let length = bytes[at..].iter().take_while(more).count();
+            if begins {
+                all.push(line_start + at..line_start + at + length);
+            }
+            at += length.max(1);
+        }
+        line_start += line.len();
+    }
+    all
+}
+
+/// What `check` does, and `run` before its first step.
+fn look_at(text: &str, name: &str) -> Option<Vec<percuss::Advice>> {
+    let compiled = percuss_scenario::read(text, name).ok()?.compile().ok()?;
+    let simulation = Simulation::new(&compiled.model, &compiled.settings).ok()?;
+    assert!(simulation.step_count() > 0);
+    Some(advise(&compiled.model, &compiled.settings))
+}
+
+#[test]
+fn scenarios_off_by_any_power_of_ten_are_answered() {
+    let (told, hears) = mpsc::channel::<String>();
+    let work = std::thread::spawn(move || {
+        let mut tried = [0, 0];
+        for (n, file) in shipped().iter().enumerate() {
+            let text = std::fs::read_to_string(file).unwrap();
+            let name = file.display().to_string();
+            for (k, place) in numbers(&text).into_iter().enumerate() {
+                let number: f64 = text[place.clone()].replace('_', "").parse().unwrap();
+                // Two of the powers for each number, so that all of them come round.
+                let powers =
+                    [0, 4].map(|shift| [-12, -9, -6, -3, 3, 6, 9, 12][(n + k + shift) % 8]);
+                let odd =
+                    ["0", "-1", "9223372036854775807", "0xffffffffffff", "nan", "inf", "1e300"]
+                        [(n + k) % 7];
+                let mut values: Vec<String> =
+                    powers.iter().map(|p| format!("{:e}", number * 10_f64.powi(*p))).collect();
+                values.push(odd.into());
+                for value in values {
+                    let changed = [&text[..place.start], &value, &text[place.end..]].concat();
+                    if told.send(format!("{name}: {} for {value}", &text[place.clone()])).is_err() {
+                        return tried;
+                    }
+                    tried[usize::from(look_at(&changed, &name).is_some())] += 1;
+                }
+            }
+        }
+        tried
+    });
+    let mut last = String::new();
+    loop {
+        match hears.recv_timeout(HANGS) {
+            Ok(what) => last = what,
+            Err(mpsc::RecvTimeoutError::Disconnected) => break,
+            Err(mpsc::RecvTimeoutError::Timeout) => panic!("no answer: {last}"),
+        }
+    }
+    let [refused, sound] = work.join().unwrap();
+    assert!(sound > 300 && refused > 100, "{sound} sound, {refused} refused");
+}
+
+#[test]
+fn nothing_shipped_looks_like_a_slip() {
+    for file in shipped() {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let advice =
+            look_at(&text, &file.display().to_string()).unwrap_or_else(|| panic!("{file:?}"));
+        let slips: Vec<_> = advice.iter().filter(|one| one.topic == Topic::Slip).collect();
+        assert!(slips.is_empty(), "{file:?}: {slips:#?}");
+    }
+}
+
+#[test]
+fn slips_of_units_are_told_with_what_they_contradict() {
+    let file =
+        shipped().into_iter().find(|file| file.ends_with("paper/elastic-pinned.toml")).unwrap();
+    let text = std::fs::read_to_string(file).unwrap();
+    let cases = [
+        ("[[0, 0], [\"3 m\", 0]]", "[[0, 0], [\"3 mm\", 0]]", "3 mm long?"),
+        ("\"8330 cm^4\"", "8330e4", "km deep"),
+        ("\"500 kg\"", "0xffffffffffff", "a mass of 2.81e14 kg on beam girder of 900 kg"),
+        ("\"7.5e5 N/m\"", "\"1e-6 N/m\"", "times softer than beam girder"),
+        ("\"7.5e5 N/m\"", "\"1e16 N/m\"", "times stiffer than beam girder"),
+        ("\"3000 kg/m^3\"", "3e-9", "in t/mm^3 it would be 3000 kg/m^3"),
+        ("\"3000 kg/m^3\"", "3e6", "3.00e6 kg/m^3, where solids have"),
+        ("\"0.2e10 Pa\"", "2", "in GPa it would be 2.00e9 Pa"),
+        ("\"20 m/s\"", "\"20 km/s\"", "faster than waves run through beam girder"),
+        ("\"0.15 s\"", "\"1e7 s\"", "take days"),
+    ];
+    for (right, wrong, words) in cases {
+        assert!(text.contains(right), "{right}");
+        let advice = look_at(&text.replace(right, wrong), "slip.toml").unwrap_or_default();
+        let slips: Vec<&str> = advice
+            .iter()
+            .filter(|one| one.topic == Topic::Slip)
+            .map(|one| one.text.as_str())
+            .collect();
+        assert!(slips.iter().any(|text| text.contains(words)), "{wrong}: {slips:#?}");
+    }
+}

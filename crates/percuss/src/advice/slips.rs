@@ -1,0 +1,279 @@
+//! What looks like a slip of a unit: values that the mechanics takes as they stand, but nothing is made of.
+//!
+//! Limits lie far beyond what is built or measured, so that a finding is worth reading; they are no errors.
+
+use std::f64::consts::PI;
+
+use super::case::{self, Meeting};
+use super::structure::{BeamPlace, gravity};
+use super::words::{digits, quantity};
+use super::{Advice, Topic, Verdict};
+use crate::math::vec2::norm;
+use crate::model::frozen::{BodyKind, ConnectorLaw, Coordinate};
+use crate::model::{Model, Potential, TouchLaw};
+use crate::settings::Settings;
+
+/// Densities of solids, foams and the heaviest metals included \[kg/m^3\].
+const DENSITY: [f64; 2] = [1.0, 3e4];
+/// Young's moduli, from gels to twice diamond and beyond \[Pa\].
+const YOUNG: [f64; 2] = [1e3, 1e13];
+/// Stiffnesses and masses so many times those of a beam have nothing in common with it.
+const APART: f64 = 1e9;
+/// A spring so many times stiffer than the beam is lengthwise is no ordinary stop, whatever the beam is in bending.
+const LENGTHWISE: f64 = 1e6;
+/// Periods of a beam's lowest bending mode in one step, of which nothing can be seen.
+const PERIODS: f64 = 1e4;
+/// Steps that take days.
+const STEPS: f64 = 1e9;
+/// Accelerations of gravity on planets end here \[m/s^2\].
+const GRAVITY: f64 = 500.0;
+
+/// What looks like a slip.
+pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
+    let mut all = Vec::new();
+    for index in 0..model.beams.len() {
+        beam(&BeamPlace::new(model, index, 0.0), settings, &mut all);
+    }
+    bodies(model, &mut all);
+    springs(model, &mut all);
+    let (pull, _) = gravity(model);
+    if norm(pull) > GRAVITY {
+        let text = format!(
+            "{} m/s^2 of gravity, {} times that of the earth: given in mm/s^2?",
+            digits(norm(pull)),
+            digits(norm(pull) / 9.81)
+        );
+        all.push(slip("gravity", [norm(pull), GRAVITY], "m/s^2", Verdict::Warning, text));
+    }
+    let steps = settings.end / settings.step;
+    if steps > STEPS {
+        let text = format!(
+            "{} steps of {} up to {} take days: one of both in another unit?",
+            digits(steps),
+            quantity(settings.step, "s"),
+            quantity(settings.end, "s")
+        );
+        all.push(slip("time", [steps, STEPS], "1", Verdict::Note, text));
+    }
+    all
+}
+
+fn slip(
+    part: &str,
+    values: [f64; 2],
+    unit: &'static str,
+    verdict: Verdict,
+    text: String,
+) -> Advice {
+    let [value, reference] = values;
+    Advice { contact: part.to_owned(), topic: Topic::Slip, value, reference, unit, verdict, text }
+}
+
+/// Length, section, material of a beam, and its lowest period against the step.
+fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
+    let data = place.beam;
+    let spans = data.spans.clone().map(|i| &place.model.spans[i]);
+    let name = format!("beam {}", data.name);
+    let mut told = [false; 4];
+    for row in spans.flat_map(|span| &span.tables).map(|table| &table.rows[1]) {
+        let law = &row.section;
+        let gyration = (law.bending / law.axial).sqrt();
+        let depth =
+            if row.half_depth > 0.0 { 2.0 * row.half_depth } else { 12_f64.sqrt() * gyration };
+        let found = [
+            slender(&name, data.length, depth, row.half_depth > 0.0),
+            section(&name, gyration, row.half_depth),
+            density(&name, row.mass / row.area),
+            young(&name, law.axial / row.area),
+        ];
+        for (told, found) in told.iter_mut().zip(found) {
+            if let (false, Some(found)) = (*told, found) {
+                *told = true;
+                all.push(found);
+            }
+        }
+    }
+    // Of the pinned beam; other supports make it a few times longer or shorter.
+    let constants = place.section();
+    let period = 2.0 / PI * data.length.powi(2) * (constants.mass / constants.bending).sqrt();
+    if settings.step > PERIODS * period && period > 0.0 {
+        let text = format!(
+            "one step of {} holds {} periods of its lowest mode ({}): time, stiffness or length in another unit?",
+            quantity(settings.step, "s"),
+            digits(settings.step / period),
+            quantity(period, "s")
+        );
+        all.push(slip(&name, [settings.step, period], "s", Verdict::Warning, text));
+    }
+}
+
+fn slender(name: &str, length: f64, depth: f64, given: bool) -> Option<Advice> {
+    if length >= depth || !depth.is_finite() {
+        return None;
+    }
+    let deep = if given { "its section is" } else { "by its inertia its section is some" };
+    let text = format!(
+        "{} long? {deep} {} deep, and a beam is longer than that",
+        quantity(length, "m"),
+        quantity(depth, "m")
+    );
+    Some(slip(name, [length, depth], "m", Verdict::Warning, text))
+}
+
+/// No part of a section lies farther from its centre line than half its depth: neither does its radius of gyration.
+fn section(name: &str, gyration: f64, half_depth: f64) -> Option<Advice> {
+    let text = if gyration > (1.0 + 1e-6) * half_depth {
+        format!(
+            "inertia and area make a radius of gyration of {}, which a section {} deep cannot have",
+            quantity(gyration, "m"),
+            quantity(2.0 * half_depth, "m")
+        )
+    } else if gyration < 1e-3 * half_depth {
+        format!(
+            "inertia and area make a radius of gyration of {}, next to nothing beside the depth of {}",
+            quantity(gyration, "m"),
+            quantity(2.0 * half_depth, "m")
+        )
+    } else {
+        return None;
+    };
+    Some(slip(name, [gyration, half_depth], "m", Verdict::Warning, text))
+}
+
+fn density(name: &str, density: f64) -> Option<Advice> {
+    // Nothing at all is meant so; what is not known cannot be judged.
+    if density == 0.0 || density.is_nan() || (DENSITY[0]..=DENSITY[1]).contains(&density) {
+        return None;
+    }
+    let units =
+        [("t/mm^3", 1e12), ("kg/mm^3", 1e9), ("g/mm^3", 1e6), ("g/cm^3", 1e3), ("g/m^3", 1e-3)];
+    let meant = units.iter().find(|(_, factor)| (300.0..=2.5e4).contains(&(density * factor)));
+    let (verdict, reference) = match density < DENSITY[0] {
+        true => (Verdict::Note, DENSITY[0]),
+        false => (Verdict::Warning, DENSITY[1]),
+    };
+    let meant = meant.map_or(String::new(), |(unit, factor)| {
+        format!("; in {unit} it would be {} kg/m^3", digits(density * factor))
+    });
+    let text = format!("{} kg/m^3, where solids have 1 to 30 000{meant}", digits(density));
+    Some(slip(name, [density, reference], "kg/m^3", verdict, text))
+}
+
+fn young(name: &str, young: f64) -> Option<Advice> {
+    if young.is_nan() || (YOUNG[0]..=YOUNG[1]).contains(&young) {
+        return None;
+    }
+    let units = [("GPa", 1e9), ("MPa", 1e6), ("mPa", 1e-3)];
+    let meant = units.iter().find(|(_, factor)| (1e6..=1.3e12).contains(&(young * factor)));
+    let meant = meant.map_or(String::new(), |(unit, factor)| {
+        format!("; in {unit} it would be {} Pa", digits(young * factor))
+    });
+    let reference = YOUNG[usize::from(young > YOUNG[1])];
+    let text =
+        format!("Young's modulus {} Pa, where solids have 1e3 to 1e13{meant}", digits(young));
+    Some(slip(name, [young, reference], "Pa", Verdict::Warning, text))
+}
+
+/// Masses against those of beams they go with, and speeds against those of waves.
+fn bodies(model: &Model, all: &mut Vec<Advice>) {
+    for mass in &model.masses {
+        let place = BeamPlace::new(model, mass.point.beam, mass.point.s);
+        all.extend(apart(&format!("mass at {}", mass.point.label), mass.mass, &place));
+    }
+    for k in 0..model.contacts.len() {
+        let Some(case) = case::read(model, k, None) else { continue };
+        match &case.meeting {
+            Meeting::Struck(struck) => {
+                all.extend(apart(case.name, struck.mass, &struck.place));
+                all.extend(struck.rear.and_then(|rear| apart(case.name, rear.mass, &struck.place)));
+                all.extend(fast(case.name, struck.speed.abs(), &struck.place));
+            }
+            Meeting::Beams(beams) => {
+                all.extend(fast(case.name, norm(beams.velocity), &beams.place))
+            }
+            Meeting::Bodies(_) => {}
+        }
+    }
+}
+
+fn apart(name: &str, mass: f64, place: &BeamPlace<'_>) -> Option<Advice> {
+    let own = place.mass();
+    if !(mass > 0.0 && own > 0.0) || (1.0 / APART..=APART).contains(&(mass / own)) {
+        return None;
+    }
+    let text = format!(
+        "a mass of {} on beam {} of {}: one of both in another unit?",
+        quantity(mass, "kg"),
+        place.beam.name,
+        quantity(own, "kg")
+    );
+    Some(slip(name, [mass, own], "kg", Verdict::Warning, text))
+}
+
+fn fast(name: &str, speed: f64, place: &BeamPlace<'_>) -> Option<Advice> {
+    let wave = place.section().bar_speed();
+    if speed <= wave || speed.is_nan() || wave.is_nan() {
+        return None;
+    }
+    let text = format!(
+        "{} is faster than waves run through beam {} ({}): nothing stays elastic there; a velocity, \
+         stiffness or density in another unit?",
+        quantity(speed, "m/s"),
+        place.beam.name,
+        quantity(wave, "m/s")
+    );
+    Some(slip(name, [speed, wave], "m/s", Verdict::Warning, text))
+}
+
+/// Springs of contacts and between points, against the beams they press on.
+fn springs(model: &Model, all: &mut Vec<Advice>) {
+    for k in 0..model.contacts.len() {
+        let Some(case) = case::read(model, k, None) else { continue };
+        let place = match &case.meeting {
+            Meeting::Struck(struck) => &struck.place,
+            Meeting::Beams(beams) => &beams.place,
+            Meeting::Bodies(_) => continue,
+        };
+        if let TouchLaw::Smooth(law) = case.law
+            && let Potential::Linear { stiffness } = law.potential
+        {
+            all.extend(spring(case.name, stiffness, place));
+        }
+    }
+    for body in &model.bodies {
+        if let BodyKind::Rear { stiffness, .. } = body.kind
+            && let Some(first) = model.projectiles.first()
+        {
+            let place = BeamPlace::new(model, first.point.beam, first.point.s);
+            all.extend(spring("spring of a rear mass", stiffness, &place));
+        }
+    }
+    for one in &model.connectors {
+        let (ConnectorLaw::Linear { stiffness, .. } | ConnectorLaw::OneSided { stiffness, .. }) =
+            one.law;
+        if let Coordinate::Displacement { point, .. } = &one.coordinate {
+            let place = BeamPlace::new(model, point.beam, point.s);
+            all.extend(spring(&format!("spring at {}", point.label), stiffness, &place));
+        }
+    }
+}
+
+fn spring(name: &str, stiffness: f64, place: &BeamPlace<'_>) -> Option<Advice> {
+    let (section, length) = (place.section(), place.beam.length);
+    let own = section.bending / length.powi(3);
+    let soft = stiffness < own / APART;
+    let hard = stiffness > own * APART && stiffness > LENGTHWISE * section.axial / length;
+    if !(stiffness > 0.0 && own > 0.0) || !(soft || hard) {
+        return None;
+    }
+    let (ratio, than) =
+        if soft { (own / stiffness, "softer") } else { (stiffness / own, "stiffer") };
+    let text = format!(
+        "a spring of {} is {} times {than} than beam {} in bending (EI/L^3 = {}): one of both in another unit?",
+        quantity(stiffness, "N/m"),
+        digits(ratio),
+        place.beam.name,
+        quantity(own, "N/m")
+    );
+    Some(slip(name, [stiffness, own], "N/m", Verdict::Warning, text))
+}

@@ -1,0 +1,127 @@
+//! The gap of a pair over a step, and where within it a contact closes, opens and presses hardest.
+
+use crate::contact::free_gap::FreeGap;
+use crate::math::hermite::Cubic;
+use crate::math::roots;
+use crate::model::SmoothLaw;
+use crate::state::PairState;
+use crate::summary::Peak;
+
+/// Instants within a step at which the force of several points, or of one with losses, is looked at.
+const LOOKS: u32 = 16;
+
+/// The gap of a closed pair over a step: a cubic through gaps and rates at its ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Course {
+    gap: Cubic,
+}
+
+impl Course {
+    /// Between the ends of a step of size `h`.
+    pub fn new(h: f64, before: &PairState, after: &PairState) -> Self {
+        let gap = Cubic { h, start: [before.gap, before.rate], end: [after.gap, after.rate] };
+        Self { gap }
+    }
+
+    /// Whether it is one: where an end of a beam is left to another pair, its gap is infinite.
+    fn is_known(&self) -> bool {
+        self.gap.start[0].is_finite() && self.gap.end[0].is_finite()
+    }
+
+    /// Force at a time from the start of the step; of a pair that is handed over to another one, only that at the end.
+    fn force(&self, law: &SmoothLaw, t: f64) -> f64 {
+        let [gap, rate] = if t == self.gap.h {
+            self.gap.end
+        } else if self.is_known() {
+            [self.gap.value(t), slope(&self.gap, t)]
+        } else {
+            return 0.0;
+        };
+        if gap >= 0.0 {
+            return 0.0;
+        }
+        (law.potential.force(-gap) * (1.0 - law.dissipation * rate)).max(0.0)
+    }
+
+    /// Time from the start of the step at which it closes, and the velocity of approach; `acceleration` is that of the step
+    /// before.
+    pub fn touch_down(&self, acceleration: f64) -> [f64; 2] {
+        let gap = &self.gap;
+        if gap.start[0] < 0.0 {
+            return [0.0, -gap.start[1]];
+        }
+        if !self.is_known() {
+            return [gap.h, -gap.end[1]];
+        }
+        let [g, rate] = gap.start;
+        let [time, rate] = FreeGap { gap: g, rate, acceleration }.closes(gap.h);
+        if rate < 0.0 {
+            return [time, -rate];
+        }
+        let time = crossing(gap);
+        [time, -slope(gap, time)]
+    }
+}
+
+/// The largest force of some pairs together within a step that begins at `start`.
+pub fn highest(courses: &[Course], law: &SmoothLaw, start: f64) -> Peak {
+    let Some(first) = courses.first() else { return Peak { value: 0.0, time: f64::NAN } };
+    let h = first.gap.h;
+    let force = |t: f64| courses.iter().map(|c| c.force(law, t)).sum::<f64>();
+    let mut best = Peak { value: force(h), time: h };
+    let mut take = |t: f64| {
+        let value = force(t);
+        if value > best.value {
+            best = Peak { value, time: t };
+        }
+    };
+    if courses.len() == 1 && first.is_known() {
+        first.gap.stationary().for_each(&mut take);
+    }
+    if courses.len() > 1 || law.dissipation > 0.0 {
+        let wide = h / f64::from(LOOKS);
+        (1..LOOKS).for_each(|k| take(wide * f64::from(k)));
+        let about = best.time;
+        if about < h {
+            // The vertex of the parabola through the best and its neighbours.
+            let [a, b, c] = [about - wide, about, about + wide].map(force);
+            let bend = a - 2.0 * b + c;
+            if bend < 0.0 {
+                let vertex = about + (0.5 * wide * (a - c) / bend).clamp(-wide, wide);
+                let value = force(vertex);
+                if value > best.value {
+                    best = Peak { value, time: vertex };
+                }
+            }
+        }
+    }
+    Peak { time: start + best.time, ..best }
+}
+
+/// Derivative of a cubic.
+fn slope(gap: &Cubic, t: f64) -> f64 {
+    let xi = t / gap.h;
+    let rise = 6.0 * (xi - xi * xi) * (gap.end[0] - gap.start[0]) / gap.h;
+    rise + (1.0 - 4.0 * xi + 3.0 * xi * xi) * gap.start[1] + (3.0 * xi * xi - 2.0 * xi) * gap.end[1]
+}
+
+/// The first instant within the step at which a gap that stands open at its start closes; its least where it only comes near.
+fn crossing(gap: &Cubic) -> f64 {
+    let start = gap.start[0];
+    if start <= 0.0 {
+        return 0.0;
+    }
+    let inside = |t: &f64| gap.value(*t) <= 0.0;
+    let Some(until) = gap.stationary().chain([gap.h]).find(inside) else {
+        let nearest = gap.stationary().min_by(|a, b| gap.value(*a).total_cmp(&gap.value(*b)));
+        return nearest.unwrap_or(gap.h);
+    };
+    let end = gap.value(until);
+    let guess = until * start / (start - end);
+    let search = roots::bracketed((0.0, start), (until, end), guess, 0.0, 0.0, |t| {
+        Ok::<f64, std::convert::Infallible>(gap.value(t))
+    });
+    match search {
+        Ok(t) => t,
+    }
+}

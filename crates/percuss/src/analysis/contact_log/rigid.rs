@@ -1,0 +1,185 @@
+//! Contacts under rigid laws: what strikes at one instant is one impact, what rests one interval, however many pairs take part.
+
+use super::{ContactLog, Seen, opened};
+use crate::analysis::monitor::Part;
+use crate::step::contacts::Phase;
+use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
+
+/// The persistent contact of two things.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Resting {
+    /// Number of its interval in the contact's record, if it is open.
+    interval: Option<usize>,
+    /// Number of the part of a step in which a pair last pressed, and that pair.
+    pressed: u64,
+    pair: usize,
+    /// Number of the part of a step in which pairs ceased to press; when, and the rate of the last of them.
+    ceased: u64,
+    end: [f64; 2],
+}
+
+/// What a pair did in a step.
+struct Deed {
+    contact: usize,
+    pair: usize,
+    phase: Phase,
+    /// Impulses along normal and tangent \[N s\].
+    impulse: [f64; 2],
+    /// Rates of the gap \[m/s\].
+    before: f64,
+    after: f64,
+    energy: EnergySplit,
+}
+
+impl ContactLog {
+    pub(super) fn rigid_contacts(&mut self, seen: Seen<'_>, part: &Part) {
+        for k in 0..part.active.len() {
+            let deed = deed(seen, part, k);
+            let ContactRecord::Nonsmooth { impulse_total, .. } = &mut self.records[deed.contact]
+            else {
+                continue;
+            };
+            *impulse_total += deed.impulse[0];
+            let rests = !matches!(deed.phase, Phase::Impact { .. })
+                || part.persistent.get(k).is_some_and(|rests| *rests);
+            if rests {
+                self.rest(seen, &deed);
+            } else if deed.impulse[0] > 0.0 {
+                self.strike(seen, part.tamed, &deed);
+            }
+        }
+        self.end_rests(seen);
+    }
+
+    /// A pair that rests.
+    fn rest(&mut self, seen: Seen<'_>, deed: &Deed) {
+        let (span, now) = (seen.span, self.part);
+        let resting = &mut self.rests[deed.contact];
+        let ContactRecord::Nonsmooth { intervals, .. } = &mut self.records[deed.contact] else {
+            return;
+        };
+        let kept = intervals.len() < ContactRecord::IMPACTS_KEPT;
+        if resting.interval.is_none() && deed.impulse[0] > 0.0 && kept {
+            resting.interval = Some(intervals.len());
+            self.resting.push(deed.contact);
+            let opened = opened(span.start, -deed.before, seen.place(deed.pair, 1.0));
+            intervals.push(ContactInterval { tangential_impulse: 0.0, ..opened });
+        }
+        let Some(open) = resting.interval else { return };
+        let interval = &mut intervals[open];
+        interval.impulse += deed.impulse[0];
+        interval.tangential_impulse += deed.impulse[1];
+        (0..2).for_each(|p| interval.energy.given[p] += deed.energy.given[p]);
+        interval.energy.lost += deed.energy.lost;
+        if deed.impulse[0] + deed.phase.carried()[0] > 0.0 {
+            interval.steps += usize::from(resting.pressed != now && !span.brief);
+            (resting.pressed, resting.pair) = (now, deed.pair);
+            interval.place_end = seen.place(deed.pair, 0.0);
+            return;
+        }
+        // Nothing has pressed since the step began; a pulse is the end of what pressed before it.
+        let settles = matches!(deed.phase, Phase::Settling { .. });
+        let end = if settles { [seen.state.time, deed.after] } else { [span.start, deed.before] };
+        if resting.ceased != now || end[1] < resting.end[1] {
+            (resting.ceased, resting.end) = (now, end);
+        }
+    }
+
+    /// Ends the intervals of contacts of which no pair presses any more.
+    fn end_rests(&mut self, seen: Seen<'_>) {
+        let (now, rests, records) = (self.part, &mut self.rests, &mut self.records);
+        self.resting.retain(|contact| {
+            let resting = &mut rests[*contact];
+            // Short parts of a step may leave out what rests.
+            if resting.pressed == now || (seen.span.brief && resting.ceased != now) {
+                return true;
+            }
+            let [end, rate] = if resting.ceased == now {
+                resting.end
+            } else {
+                [seen.span.start, seen.state.pairs[resting.pair].rate]
+            };
+            let open = resting.interval.take();
+            if let (ContactRecord::Nonsmooth { intervals, .. }, Some(open)) =
+                (&mut records[*contact], open)
+            {
+                intervals[open].end = end;
+                intervals[open].separation_velocity = rate;
+            }
+            false
+        });
+    }
+
+    /// A pair that strikes; with others of its contact at the same instant it is one impact.
+    fn strike(&mut self, seen: Seen<'_>, tamed: bool, deed: &Deed) {
+        let span = seen.span;
+        let ContactRecord::Nonsmooth { impacts, impact_count, tamed_count, .. } =
+            &mut self.records[deed.contact]
+        else {
+            return;
+        };
+        // An instant is the middle of a pulse, or the start of a step at which contacts are looked at.
+        let back = if span.brief { 0.5 } else { 1.0 };
+        let another = std::mem::replace(&mut self.struck[deed.contact], self.part) == self.part;
+        let alone = Impact {
+            time: span.start + (1.0 - back) * span.h,
+            impulse: deed.impulse[0],
+            tangential_impulse: deed.impulse[1],
+            points: 1,
+            approach_velocity: -deed.before,
+            separation_velocity: deed.after,
+            place: seen.place(deed.pair, back),
+            energy: deed.energy,
+            tamed,
+        };
+        if !another {
+            *impact_count += 1;
+            *tamed_count += usize::from(tamed);
+            if impacts.len() < ContactRecord::IMPACTS_KEPT {
+                impacts.push(alone);
+            }
+        } else if *impact_count == impacts.len()
+            && let Some(impact) = impacts.last_mut()
+        {
+            impact.join(&alone);
+        }
+    }
+}
+
+impl Impact {
+    /// Takes in another point that strikes at the same instant.
+    fn join(&mut self, other: &Self) {
+        self.impulse += other.impulse;
+        self.tangential_impulse += other.tangential_impulse;
+        self.points += other.points;
+        (0..2).for_each(|p| self.energy.given[p] += other.energy.given[p]);
+        self.energy.lost += other.energy.lost;
+        if other.approach_velocity > self.approach_velocity {
+            self.approach_velocity = other.approach_velocity;
+            self.separation_velocity = other.separation_velocity;
+            self.place = other.place;
+        }
+    }
+}
+
+fn deed(seen: Seen<'_>, part: &Part, k: usize) -> Deed {
+    let (contact, found, h) = (&part.active[k], &seen.work.rigid[k], seen.span.h);
+    let pair = &seen.model.pairs[contact.pair];
+    // The row on velocities: before from the mean and what comes after.
+    let after = found.normal.on(&seen.state.velocity);
+    let before = 2.0 * found.normal.on(&seen.work.increment) / h - after;
+    let mut energy = EnergySplit::default();
+    let [normal, tangential] = found.impulse;
+    seen.add_energy(&mut energy, pair, &found.normal, normal / h);
+    seen.add_energy(&mut energy, pair, &found.tangent, tangential / h);
+    energy.lost = -energy.given[0] - energy.given[1];
+    Deed {
+        contact: pair.contact,
+        pair: contact.pair,
+        phase: contact.phase,
+        impulse: found.impulse,
+        before,
+        after,
+        energy,
+    }
+}

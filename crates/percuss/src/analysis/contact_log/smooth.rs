@@ -1,0 +1,261 @@
+//! Contacts under smooth laws: their resultant over all pairs.
+
+use std::ops::Range;
+
+use super::course::{Course, highest};
+use super::{ContactLog, Seen, Span, opened};
+use crate::contact::configuration::Configuration;
+use crate::contact::free_gap::FreeGap;
+use crate::contact::touch::Reach;
+use crate::model::{SmoothLaw, TouchLaw};
+use crate::settings::SAME_INSTANT;
+use crate::state::PairState;
+use crate::summary::{ContactInterval, ContactRecord};
+
+/// An interval that has ended in a step, and what the gap of the point that left last was at its end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Released {
+    pair: usize,
+    contact: usize,
+    /// Its number in the contact's record.
+    interval: usize,
+    gap: f64,
+    rate: f64,
+    span: Span,
+}
+
+/// The free motion of a gap.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Free {
+    /// Acceleration of the gap \[m/s^2\].
+    acceleration: f64,
+    /// Until when \[s\].
+    until: f64,
+}
+
+/// The point that touches first.
+struct First {
+    /// Time from the start of the step \[s\].
+    after: f64,
+    approach: f64,
+    pair: usize,
+    /// What its rate changes by in a step \[m/s\].
+    change: f64,
+}
+
+impl ContactLog {
+    /// Pairs of one contact follow one another.
+    pub(super) fn smooth_contacts(&mut self, seen: Seen<'_>) {
+        let (model, all) = (seen.model, &seen.work.smooth);
+        let contact_of = |k: usize| model.pairs[all[k].pair].contact;
+        let mut first = 0;
+        while first < all.len() {
+            let contact = contact_of(first);
+            let end = (first..all.len()).find(|k| contact_of(*k) != contact).unwrap_or(all.len());
+            if let TouchLaw::Smooth(law) = &model.contacts[contact].law {
+                self.smooth_contact(seen, law, contact, first..end);
+            }
+            first = end;
+        }
+    }
+
+    /// Whether pair `k` of the step at hand was closed in it.
+    fn pressed(&self, seen: Seen<'_>, k: usize) -> bool {
+        let contact = &seen.work.smooth[k];
+        let after = &seen.state.pairs[contact.pair];
+        self.before[k].gap < 0.0 || after.gap < 0.0 || contact.force.force != 0.0
+    }
+
+    fn smooth_contact(
+        &mut self,
+        seen: Seen<'_>,
+        law: &SmoothLaw,
+        contact: usize,
+        pairs: Range<usize>,
+    ) {
+        if !pairs.clone().any(|k| self.pressed(seen, k)) {
+            return pairs.for_each(|k| self.open_throughout(seen, k));
+        }
+        // What closes again at once has not flown freely over a step.
+        if let Some(released) = self.take_released(|r| r.contact == contact) {
+            self.tell(&released, f64::NAN);
+        }
+        let mut courses = std::mem::take(&mut self.courses);
+        courses.clear();
+        let pressed = pairs.clone().filter(|k| self.pressed(seen, *k));
+        courses.extend(pressed.map(|k| self.course(seen, k)));
+        let peak = highest(&courses, law, seen.span.start);
+        self.courses = courses;
+        if self.open[contact].is_none() {
+            self.open_interval(seen, contact, pairs.clone());
+        }
+        let ContactRecord::Smooth { peak_force, intervals } = &mut self.records[contact] else {
+            return;
+        };
+        if peak.value > peak_force.value {
+            *peak_force = peak;
+        }
+        let Some(open) = self.open[contact] else { return };
+        let interval = &mut intervals[open];
+        interval.steps += 1;
+        if interval.peak_force.value.is_nan() || peak.value > interval.peak_force.value {
+            interval.peak_force = peak;
+        }
+        add_work(interval, seen, law, pairs.clone(), &self.before[pairs.clone()]);
+        let gap = |k: &usize| seen.state.pairs[seen.work.smooth[*k].pair].gap;
+        let deepest = pairs.clone().min_by(|a, b| gap(a).total_cmp(&gap(b)));
+        match deepest.filter(|k| gap(k) < 0.0) {
+            Some(deepest) => interval.place_end = seen.place(seen.work.smooth[deepest].pair, 0.0),
+            None => self.close_interval(seen, contact, open, pairs),
+        }
+    }
+
+    fn course(&self, seen: Seen<'_>, k: usize) -> Course {
+        let after = &seen.state.pairs[seen.work.smooth[k].pair];
+        Course::new(seen.span.h, &self.before[k], after)
+    }
+
+    /// Begins an interval with the point that touches first; of several at one instant, with the fastest.
+    fn open_interval(&mut self, seen: Seen<'_>, contact: usize, pairs: Range<usize>) {
+        let span = seen.span;
+        let mut first: Option<First> = None;
+        for k in pairs.filter(|k| self.pressed(seen, *k)) {
+            let pair = seen.work.smooth[k].pair;
+            let acceleration = self.free[pair].before(span.start);
+            let [after, approach] = self.course(seen, k).touch_down(acceleration);
+            let change = acceleration * span.h;
+            let found = First { after, approach, pair, change };
+            let sooner = first.as_ref().is_none_or(|f| {
+                found.after < f.after || (found.after == f.after && found.approach > f.approach)
+            });
+            if sooner {
+                first = Some(found);
+            }
+        }
+        let ContactRecord::Smooth { intervals, .. } = &mut self.records[contact] else { return };
+        let Some(first) = first.filter(|_| intervals.len() < ContactRecord::IMPACTS_KEPT) else {
+            return;
+        };
+        let place = seen.place(first.pair, 1.0 - first.after / span.h);
+        self.open[contact] = Some(intervals.len());
+        self.first[contact] = first.pair;
+        let steady = first.change.abs() <= first.approach.abs();
+        let interval = opened(span.start + first.after, first.approach, place);
+        intervals.push(ContactInterval { steady, ..interval });
+    }
+
+    /// Ends an interval with the point that leaves last.
+    fn close_interval(
+        &mut self,
+        seen: Seen<'_>,
+        contact: usize,
+        interval: usize,
+        pairs: Range<usize>,
+    ) {
+        let span = seen.span;
+        self.open[contact] = None;
+        let mut last: Option<(f64, Released)> = None;
+        for k in pairs.filter(|k| self.pressed(seen, *k)) {
+            let pair = seen.work.smooth[k].pair;
+            let PairState { gap, rate, .. } = seen.state.pairs[pair];
+            let released = Released { pair, contact, interval, gap, rate, span };
+            let [since, _] = released.parted(0.0);
+            if last.as_ref().is_none_or(|(least, _)| since < *least) {
+                last = Some((since, released));
+            }
+        }
+        let Some((since, released)) = last else { return };
+        self.tell(&released, 0.0);
+        self.released.push(released);
+        let place_end = seen.place(released.pair, since / span.h);
+        if let ContactRecord::Smooth { intervals, .. } = &mut self.records[contact] {
+            intervals[interval].place_end = place_end;
+            intervals[interval].one_point = self.first[contact] == released.pair;
+        }
+    }
+
+    /// A pair that stood open over a step: its free motion tells with what velocity it parted in the step before.
+    fn open_throughout(&mut self, seen: Seen<'_>, k: usize) {
+        let span = seen.span;
+        if span.brief {
+            return;
+        }
+        let i = seen.work.smooth[k].pair;
+        // One that sleeps was looked at when the step began, not when it ended.
+        let Some(touch) = super::touch(seen.model, seen.state, i, Reach::Near) else { return };
+        let row =
+            seen.model.pairs[i].normal_row(&touch, &Configuration::of(&seen.state.displacement));
+        let acceleration = (row.on(&seen.state.velocity) - self.before[k].rate) / span.h;
+        self.free[i] = Free { acceleration, until: span.start + span.h };
+        if let Some(released) = self.take_released(|r| r.pair == i) {
+            self.tell(&released, acceleration);
+        }
+    }
+
+    /// An interval that ended in the step before.
+    fn take_released(&mut self, which: impl Fn(&Released) -> bool) -> Option<Released> {
+        let k = self.released.iter().position(which)?;
+        Some(self.released.swap_remove(k))
+    }
+
+    /// When an interval ended and with what velocity, the gap's motion since followed backwards with the acceleration of the
+    /// step after; NaN where there was no such step, because the contact closed again within it.
+    fn tell(&mut self, released: &Released, acceleration: f64) {
+        let ContactRecord::Smooth { intervals, .. } = &mut self.records[released.contact] else {
+            return;
+        };
+        let interval = &mut intervals[released.interval];
+        let flown = if acceleration.is_nan() { 0.0 } else { acceleration };
+        let [since, separation] = released.parted(flown);
+        interval.end = released.span.start + (released.span.h - since);
+        // What has left cannot do so with a velocity of approach.
+        interval.separation_velocity = if separation >= 0.0 { separation } else { f64::NAN };
+        let change = acceleration * released.span.h;
+        interval.steady &= change.abs() <= separation;
+    }
+}
+
+impl Released {
+    /// Time since it ended, and the velocity of separation then.
+    fn parted(&self, acceleration: f64) -> [f64; 2] {
+        let back = FreeGap { gap: self.gap, rate: -self.rate, acceleration };
+        let [since, rate] = back.closes(self.span.h);
+        [since, -rate]
+    }
+}
+
+impl Default for Free {
+    fn default() -> Self {
+        Self { acceleration: 0.0, until: f64::NAN }
+    }
+}
+
+impl Free {
+    /// The acceleration of the gap in a step that begins at `start`, if it was seen until then \[m/s^2\].
+    fn before(&self, start: f64) -> f64 {
+        if (start - self.until).abs() <= SAME_INSTANT * start.abs() {
+            self.acceleration
+        } else {
+            0.0
+        }
+    }
+}
+
+/// Impulses and energies of the pairs of a contact over the step.
+fn add_work(
+    interval: &mut ContactInterval,
+    seen: Seen<'_>,
+    law: &SmoothLaw,
+    pairs: Range<usize>,
+    before: &[PairState],
+) {
+    for (contact, before) in seen.work.smooth[pairs].iter().zip(before) {
+        let (pair, after) = (&seen.model.pairs[contact.pair], &seen.state.pairs[contact.pair]);
+        let force = contact.force.force;
+        interval.impulse += seen.span.h * force;
+        seen.add_energy(&mut interval.energy, pair, &contact.row, force);
+        interval.energy.lost -= contact.force.dissipated * contact.row.on(&seen.work.increment);
+        let stored = |gap: f64| if gap < 0.0 { law.potential.energy(-gap) } else { 0.0 };
+        interval.energy.stored += stored(after.gap) - stored(before.gap);
+    }
+}

@@ -1,0 +1,155 @@
+//! The largest value a quantity takes in a run, within steps where the steps resolve it.
+//!
+//! Through values and rates at the ends of a step goes a cubic, and its crest lies between them. It is one of the run only where the
+//! acceleration it supposes goes on in a step beside: an oscillation that the step does not resolve, or a thing moved all at once,
+//! has another acceleration in every step, and then values at the ends of steps are all that is known.
+
+use crate::math::hermite::Cubic;
+use crate::scalar::{Mask, Number};
+
+/// Accelerations of neighbouring steps that differ by more than this share of the larger one are not those of a resolved motion:
+/// about a sixth of a period per step.
+const AGREES: f64 = 0.5;
+
+/// Follows the value of largest magnitude of each lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Crest<S> {
+    /// The value and its time \[s\].
+    pub value: S,
+    pub time: S,
+    /// Acceleration in the step before.
+    bend: S,
+    /// A crest within the step before that the step to come may confirm, and its time; NaN if there is none.
+    awaiting: [S; 2],
+    /// The largest crest within a step that no neighbour confirmed.
+    doubtful: S,
+}
+
+/// What a step looks like from its ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Arc<S> {
+    /// Its size, and the time at which it starts \[s\].
+    pub h: S,
+    pub from: S,
+    /// Value and rate at its ends.
+    pub start: [S; 2],
+    pub end: [S; 2],
+}
+
+impl<S: Number> Arc<S> {
+    fn lane(&self, i: usize) -> Cubic {
+        let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
+        Cubic { h: self.h.lane(i), start: both(self.start), end: both(self.end) }
+    }
+
+    /// Value at a time from the start of the step.
+    fn value(&self, t: S) -> S {
+        let xi = t / self.h;
+        let (x2, x3) = (xi * xi, xi * xi * xi);
+        let (twist, one) = (x2 * 3.0 - x3 * 2.0, x2.constant(1.0));
+        self.start[0] * (one - twist)
+            + self.end[0] * twist
+            + self.h * (self.start[1] * (xi - x2 * 2.0 + x3) + self.end[1] * (x3 - x2))
+    }
+}
+
+fn agree(a: f64, b: f64) -> bool {
+    (a - b).abs() <= AGREES * a.abs().max(b.abs())
+}
+
+impl<S: Number> Crest<S> {
+    /// At the start of a run.
+    pub fn new(value: S, time: S) -> Self {
+        let nan = value.constant(f64::NAN);
+        Self { value, time, bend: nan, awaiting: [nan; 2], doubtful: value.constant(0.0) }
+    }
+
+    /// Begins a new run in a lane.
+    pub fn reset(&mut self, lane: usize, value: S) {
+        let fresh = Self::new(value, value.constant(0.0));
+        self.value.set_lane(lane, fresh.value, 0);
+        self.time.set_lane(lane, fresh.time, 0);
+        self.bend.set_lane(lane, fresh.bend, 0);
+        (0..2).for_each(|i| self.awaiting[i].set_lane(lane, fresh.awaiting[i], 0));
+        self.doubtful.set_lane(lane, fresh.doubtful, 0);
+    }
+
+    /// Whether steps resolve the value in a lane: no larger crest within a step was left out.
+    pub fn is_resolved(&self, lane: usize) -> bool {
+        self.doubtful.lane(lane) <= self.value.lane(lane).abs()
+    }
+
+    /// Takes in a step; rates of `brief` ones, as short as an impact, jump.
+    #[inline(always)]
+    pub fn take(&mut self, arc: &Arc<S>, brief: S::Mask) {
+        let ([u0, v0], [u1, v1]) = (arc.start, arc.end);
+        let bend = (v1 - v0) / arc.h;
+        let waits = self.awaiting[0].finite();
+        if waits.any() {
+            self.confirm(bend, brief);
+        }
+        let known = self.value.abs();
+        self.value = known.if_less(u1.abs(), u1, self.value);
+        self.time = known.if_less(u1.abs(), arc.from + arc.h, self.time);
+        // What lies between stays within the control points of the cubic.
+        let third = arc.h * (1.0 / 3.0);
+        let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
+        let inside = self.value.abs().less(c0.max(c1));
+        if inside.any() {
+            for lane in 0..S::LANES {
+                if inside.lane(lane) && !brief.lane(lane) {
+                    self.look_inside(arc, bend, lane);
+                }
+            }
+        }
+        self.bend = S::choose(brief, self.bend, bend);
+    }
+
+    /// Crests that awaited this step.
+    fn confirm(&mut self, bend: S, brief: S::Mask) {
+        for lane in 0..S::LANES {
+            let value = self.awaiting[0].lane(lane).abs();
+            if !value.is_finite() || brief.lane(lane) {
+                continue;
+            }
+            if !agree(self.bend.lane(lane), bend.lane(lane)) {
+                if value > self.doubtful.lane(lane) {
+                    self.doubtful.set_lane(lane, self.awaiting[0].abs(), lane);
+                }
+            } else if value > self.value.lane(lane).abs() {
+                self.value.set_lane(lane, self.awaiting[0], lane);
+                self.time.set_lane(lane, self.awaiting[1], lane);
+            }
+            let nan = bend.constant(f64::NAN);
+            (0..2).for_each(|i| self.awaiting[i].set_lane(lane, nan, lane));
+        }
+    }
+
+    fn look_inside(&mut self, arc: &Arc<S>, bend: S, lane: usize) {
+        let own = arc.lane(lane);
+        let confirmed = agree(self.bend.lane(lane), bend.lane(lane));
+        for t in own.stationary() {
+            let value = own.value(t).abs();
+            if value <= self.value.lane(lane).abs() {
+                continue;
+            }
+            let t = bend.constant(t);
+            let (value, time) = (arc.value(t), arc.from + t);
+            if confirmed {
+                self.value.set_lane(lane, value, lane);
+                self.time.set_lane(lane, time, lane);
+            } else {
+                self.awaiting[0].set_lane(lane, value, lane);
+                self.awaiting[1].set_lane(lane, time, lane);
+            }
+        }
+    }
+
+    /// Ends the run of a lane: what still awaits a step is not confirmed.
+    pub fn close(&mut self, lane: usize) {
+        let value = self.awaiting[0].abs();
+        if value.lane(lane) > self.doubtful.lane(lane) {
+            self.doubtful.set_lane(lane, value, lane);
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! What supports and striking bodies give: forces as means, impulses apart from them.
+
+use crate::contact::row::Row;
+use crate::model::Model;
+use crate::state::State;
+use crate::step::workspace::Workspace;
+use crate::summary::SupportSummary;
+
+/// What supports gave since the last row: mean reactions, and impulses beyond them in impacts and jumps.
+#[derive(Clone, Debug)]
+pub(super) struct RowReactions {
+    /// Impulses of the parts that were not impulsive, and the time they took.
+    sum: Vec<[f64; 3]>,
+    time: f64,
+    /// Whether a part was impulsive.
+    impulsive: bool,
+    mean: Vec<[f64; 3]>,
+    impulses: Vec<[f64; 3]>,
+    /// All that supports had given at the last row, and when it was.
+    before: Vec<[f64; 3]>,
+    row: f64,
+    /// Reactions in the last part that was not impulsive in which a support gave anything, and that part's number.
+    last: Vec<([f64; 3], u64)>,
+    part: u64,
+}
+
+impl RowReactions {
+    /// Before the first row, with the reactions at the start.
+    pub fn new(model: &Model, mean: Vec<[f64; 3]>) -> Self {
+        let none = vec![[0.0; 3]; model.supports.len()];
+        Self {
+            sum: none.clone(),
+            time: 0.0,
+            impulsive: false,
+            last: mean.iter().map(|r| (*r, 0)).collect(),
+            mean,
+            impulses: none.clone(),
+            before: none,
+            row: 0.0,
+            part: 0,
+        }
+    }
+
+    /// Mean reactions over the time before the row.
+    pub fn mean(&self) -> &[[f64; 3]] {
+        &self.mean
+    }
+
+    /// Impulses beyond them.
+    pub fn impulses(&self) -> &[[f64; 3]] {
+        &self.impulses
+    }
+
+    /// Adds a part of size `h`, accepted last; impulses beyond the forces of the part before go to the summary.
+    pub fn gather(
+        &mut self,
+        state: &State,
+        h: f64,
+        impulsive: bool,
+        summary: &mut [SupportSummary],
+    ) {
+        if impulsive {
+            self.impulsive = true;
+        } else {
+            self.part += 1;
+            self.time += h;
+        }
+        for (support, before) in state.reacting.list() {
+            let now = &state.reactions[*support];
+            let (mean, part) = &mut self.last[*support];
+            for i in 0..3 {
+                let gain = now[i] - before[i];
+                if impulsive {
+                    let force = if *part == self.part { mean[i] } else { 0.0 };
+                    summary[*support].impulse[i] += gain - h * force;
+                } else {
+                    self.sum[*support][i] += gain;
+                    mean[i] = gain / h;
+                }
+            }
+            if !impulsive {
+                *part = self.part;
+            }
+        }
+    }
+
+    /// Means and impulses since the last row; means of the row before if nothing but impacts lies between. What they make together
+    /// over the time since then is all that the supports gave.
+    pub fn close(&mut self, state: &State) {
+        if self.time > 0.0 {
+            for (mean, sum) in self.mean.iter_mut().zip(&mut self.sum) {
+                *mean = sum.map(|impulse| impulse / self.time);
+                *sum = [0.0; 3];
+            }
+        }
+        let since = state.time - self.row;
+        for (k, impulse) in self.impulses.iter_mut().enumerate() {
+            let (now, before, mean) = (&state.reactions[k], &self.before[k], &self.mean[k]);
+            *impulse = std::array::from_fn(|i| {
+                if self.impulsive { now[i] - before[i] - since * mean[i] } else { 0.0 }
+            });
+        }
+        self.before.clone_from(&state.reactions);
+        (self.time, self.row, self.impulsive) = (0.0, state.time, false);
+    }
+}
+
+/// What a striking body gave to others through its contacts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Given {
+    /// Impulse \[N s\].
+    pub impulse: [f64; 2],
+    /// Work \[J\].
+    pub work: f64,
+}
+
+impl Given {
+    /// Adds a step of size `h` of the body at `node`.
+    pub fn gather(&mut self, work: &Workspace, node: usize, h: f64) {
+        let d = &work.increment[node];
+        let mut add = |row: &Row, impulse: f64| {
+            if impulse == 0.0 {
+                return;
+            }
+            let c = row.at(node);
+            self.impulse[0] -= impulse * c[0];
+            self.impulse[1] -= impulse * c[1];
+            self.work -= impulse * (0..4).map(|i| c[i] * d[i]).sum::<f64>() / h;
+        };
+        for contact in &work.smooth {
+            add(&contact.row, contact.force.force * h);
+        }
+        for contact in &work.rigid {
+            add(&contact.normal, contact.impulse[0]);
+            add(&contact.tangent, contact.impulse[1]);
+        }
+    }
+}

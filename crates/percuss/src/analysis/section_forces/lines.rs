@@ -1,0 +1,212 @@
+//! Section forces of all elements in a step or an equilibrium: the forces on their ends, and what acts along them.
+
+use super::line::{Inner, Line, OnNodes, Shape, place_of, resultant};
+use crate::contact::row::Row;
+use crate::math::vec2::{add, dot, scale};
+use crate::model::Model;
+use crate::model::frozen::{LoadAction, MaterialPoint};
+use crate::state::State;
+use crate::step::assemble::EndForces;
+use crate::step::external::{tangent_at, turned};
+use crate::step::forcing::Forcing;
+
+/// Nearer to a node than this share of an element is at the node.
+const AT_NODE: f64 = 1e-9;
+
+/// What acts in a solved step, or in an equilibrium.
+#[derive(Clone, Copy, Debug)]
+pub struct Acting<'a> {
+    /// Start of the step.
+    pub state: &'a State,
+    /// The increment that leads to its end.
+    pub increment: &'a [[f64; 4]],
+    /// Where in the step forces are evaluated, as a share of it.
+    pub theta: f64,
+    /// What acts on the elements, as assembled for that increment.
+    pub beams: &'a EndForces,
+    /// Loads.
+    pub forcing: &'a Forcing,
+}
+
+/// Section forces of all elements.
+#[derive(Clone, Debug, Default)]
+pub struct Lines {
+    lines: Vec<Line>,
+    /// Forces inside elements, by element and place.
+    inner: Vec<Inner>,
+    /// Nodal forces of the distributed loads, by element; empty if there are none.
+    loads: Vec<OnNodes>,
+}
+
+impl Lines {
+    /// Of a state at rest, which what acts at time zero has brought about; nothing acts in the reference configuration.
+    pub fn at_rest(model: &Model, state: &State) -> Self {
+        let nodes = &state.displacement[..model.beam_node_count()];
+        let moved = nodes.as_flattened().iter().any(|u| *u != 0.0);
+        let mut forcing = Forcing::new(model);
+        if moved {
+            forcing.set_static(model, 1.0);
+        }
+        let beams = &EndForces::at_rest(model, state, forcing.gravity);
+        let increment = &vec![[0.0; 4]; model.node_count()];
+        let mut lines = Self::default();
+        let forcing = &forcing;
+        lines.set(model, &Acting { state, increment, theta: 1.0, beams, forcing }, []);
+        lines
+    }
+
+    /// Takes in a step; `contacts` are forms along normal and tangent, with the forces along them.
+    pub fn set<'r>(
+        &mut self,
+        model: &Model,
+        acting: &Acting,
+        contacts: impl IntoIterator<Item = ([&'r Row; 2], [f64; 2])>,
+    ) {
+        self.inner.clear();
+        self.distribute(model, acting);
+        for (rows, forces) in contacts {
+            self.push(model, rows, forces);
+        }
+        self.inner.sort_by(|a, b| a.element.cmp(&b.element).then(a.xi.total_cmp(&b.xi)));
+        self.lines.resize(model.element_count(), Line::default());
+        let mut inner = self.inner.as_mut_slice();
+        let share = |n: usize, i: usize| {
+            acting.state.displacement[n][i] + acting.theta * acting.increment[n][i]
+        };
+        for (span, k, a, element) in model.each_element() {
+            let table = span.table(k);
+            let (na, nb) = (&model.nodes[a], &model.nodes[a + 1]);
+            let shape = Shape {
+                tangents: [
+                    [0, 1].map(|i| na.tangent[i] + share(a, 2 + i)),
+                    [0, 1].map(|i| nb.tangent[i] + share(a + 1, 2 + i)),
+                ],
+                chord: [0, 1]
+                    .map(|i| (nb.position[i] - na.position[i]) + (share(a + 1, i) - share(a, i))),
+                length: table.length,
+            };
+            let mut along = [[0.0; 4]; 2];
+            let inertia = &acting.beams.inertia;
+            let [on_a, on_b] = &mut along;
+            table.add_inertia(&inertia[a], &inertia[a + 1], on_a, on_b);
+            let mut ends = acting.beams.on_nodes[element];
+            if let Some(load) = self.loads.get(element) {
+                take(&mut along, load);
+                take(&mut ends, load);
+            }
+            let own = inner.iter().take_while(|one| one.element == element).count();
+            let (here, rest) = std::mem::take(&mut inner).split_at_mut(own);
+            here.iter().for_each(|one| take(&mut ends, &one.on_nodes));
+            self.lines[element] = Line::new(&shape, &ends, &along, here);
+            inner = rest;
+        }
+    }
+
+    /// The section forces of an element, and what acts inside it.
+    #[inline]
+    pub fn of(&self, element: usize) -> (&Line, &[Inner]) {
+        if self.inner.is_empty() {
+            return (&self.lines[element], &[]);
+        }
+        let from = self.inner.partition_point(|one| one.element < element);
+        let count = self.inner[from..].partition_point(|one| one.element == element);
+        (&self.lines[element], &self.inner[from..from + count])
+    }
+
+    /// Loads by element.
+    fn distribute(&mut self, model: &Model, acting: &Acting) {
+        let spread_out = |kind: &LoadAction| {
+            matches!(kind, LoadAction::Dead { .. } | LoadAction::Follower { .. })
+        };
+        if model.loads.iter().any(|load| spread_out(&load.kind)) {
+            self.loads.clear();
+            self.loads.resize(model.element_count(), [[0.0; 4]; 2]);
+        }
+        let tangent =
+            |p: &MaterialPoint| tangent_at(p, acting.state, acting.increment, acting.theta);
+        for (load, factor) in model.loads.iter().zip(&acting.forcing.factors) {
+            if *factor == 0.0 {
+                continue;
+            }
+            match &load.kind {
+                LoadAction::Gravity { .. } => {}
+                LoadAction::Point { point, force, moment, follower } => {
+                    let g = tangent(point);
+                    let scaled = scale(*factor, *force);
+                    let force = match follower {
+                        true => turned(scale(1.0 / dot(g, g).sqrt(), scaled), g),
+                        false => scaled,
+                    };
+                    self.act(model, point, force, factor * moment, g);
+                }
+                LoadAction::Dead { shares, .. } => {
+                    for (node, share) in shares {
+                        let own = &mut self.loads[model.element_at(*node)];
+                        for (own, share) in own.iter_mut().zip(share) {
+                            (0..4).for_each(|i| own[i] += factor * share[i]);
+                        }
+                    }
+                }
+                LoadAction::Follower { points } => {
+                    for p in points {
+                        let own = &mut self.loads[model.element_at(p.point.node)];
+                        let force = turned(scale(*factor, p.force), tangent(&p.point));
+                        p.point.spread_over(force, own);
+                    }
+                }
+            }
+        }
+    }
+
+    /// A force and a moment at a point; what acts at a node concerns no element.
+    fn act(&mut self, model: &Model, p: &MaterialPoint, force: [f64; 2], moment: f64, g: [f64; 2]) {
+        if p.shape[2] == 0.0 || p.shape[2] == 1.0 {
+            return;
+        }
+        let mut on_nodes = [[0.0; 4]; 2];
+        p.spread_over(force, &mut on_nodes);
+        p.spread_gradient_over(scale(moment / dot(g, g), [-g[1], g[0]]), &mut on_nodes);
+        let (element, xi) = (model.element_at(p.node), place_of(p.shape[2]));
+        let has_couple = moment != 0.0;
+        self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
+    }
+
+    /// A contact along its forms: inside the one element of a beam that it touches. Where a foot has left one element for
+    /// another within the step, its force counts at the nodes.
+    fn push(&mut self, model: &Model, [normal, tangent]: [&Row; 2], forces: [f64; 2]) {
+        if forces == [0.0; 2] {
+            return;
+        }
+        let beams = model.beam_node_count();
+        let has = |node: usize| normal.iter().any(|(n, _)| n == node);
+        for (a, c) in normal.iter().filter(|(n, _)| *n + 1 < beams) {
+            let (span, k) = model.element_of(a);
+            let inside = a + 1 < span.nodes.end && has(a + 1);
+            let more = (k > 0 && has(a - 1)) || (a + 2 < span.nodes.end && has(a + 2));
+            if !inside || more {
+                continue;
+            }
+            let d = normal.at(a + 1);
+            let (on_a, on_b) = ([c[0], c[1]], [d[0], d[1]]);
+            let whole = add(on_a, on_b);
+            let share = dot(on_b, whole) / dot(whole, whole);
+            if !(AT_NODE..=1.0 - AT_NODE).contains(&share) {
+                continue;
+            }
+            let on = |n: usize| {
+                let (c, t) = (normal.at(n), tangent.at(n));
+                std::array::from_fn(|i| forces[0] * c[i] + forces[1] * t[i])
+            };
+            let on_nodes = [on(a), on(a + 1)];
+            let (force, element) = (resultant(&on_nodes), span.elements.start + k);
+            let (xi, has_couple) = (place_of(share), forces[1] != 0.0);
+            self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
+        }
+    }
+}
+
+fn take(from: &mut OnNodes, what: &OnNodes) {
+    for (from, what) in from.iter_mut().zip(what) {
+        (0..4).for_each(|i| from[i] -= what[i]);
+    }
+}

@@ -1,0 +1,236 @@
+//! Section forces of a step or an equilibrium, and their extremes over the length of each beam and over time.
+//!
+//! They follow from the balance of every element with the forces on its ends as the scheme has them, its loads and its
+//! inertia ([`line`]), not from its strains: they agree with the reactions of supports, and jump only where something acts.
+//! Of a step they are those of its middle, where the scheme has its balance, as reactions are means over the step.
+
+mod fibres;
+mod line;
+mod lines;
+
+use crate::math::hermite::GAUSS;
+use crate::model::Model;
+use crate::model::frozen::{BeamData, MaterialPoint, Span};
+use crate::state::State;
+use crate::summary::{Envelope, SectionForceSummary, SectionRange};
+use fibres::{Fibres, Strained, section_at};
+use line::{Inner, Line, SectionForces};
+
+pub use lines::{Acting, Lines};
+
+/// Places of an element that the envelope knows: both ends and the middle.
+const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+
+/// Nothing seen yet, one entry a beam.
+pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
+    let entry = |beam: &BeamData| {
+        let n = PLACES.len() * beam.elements.len();
+        let places = |w: &[f64]| PLACES.map(|xi| station(w[0], w[1], xi));
+        let s = model.spans[beam.spans.clone()]
+            .iter()
+            .flat_map(|span| span.stations.windows(2).flat_map(places))
+            .collect();
+        let open = || [vec![f64::NAN; n], vec![f64::NAN; n]];
+        let none = SectionRange::default();
+        SectionForceSummary {
+            name: beam.name.clone(),
+            axial: none,
+            shear: none,
+            moment: none,
+            strain: none,
+            stress: none,
+            envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress: open() },
+        }
+    };
+    model.beams.iter().map(entry).collect()
+}
+
+/// Arc length at a share of the way.
+fn station(a: f64, b: f64, xi: f64) -> f64 {
+    if xi == 1.0 { b } else { a + xi * (b - a) }
+}
+
+/// Takes section forces into the extremes so far; `state` is that at the end of the step.
+pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionForceSummary]) {
+    for (beam, out) in model.beams.iter().zip(out) {
+        for span in &model.spans[beam.spans.clone()] {
+            for k in 0..span.elements.len() {
+                let element = span.elements.start + k;
+                let (line, inner) = lines.of(element);
+                let piece = Piece { span, k, line, inner, strained: strained(span, k, state) };
+                let index = PLACES.len() * (element - beam.elements.start);
+                piece.take(out, index, state.time);
+            }
+        }
+    }
+}
+
+/// Strains of a span whose stresses tell of more than strains; else they follow from the forces.
+fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
+    let wanted = span.retardation > 0.0 && !span.sections(k)[0].half_depth.is_nan();
+    wanted.then(|| fibres::strained(span, k, state))
+}
+
+/// An element with its section forces.
+struct Piece<'a> {
+    span: &'a Span,
+    k: usize,
+    line: &'a Line,
+    inner: &'a [Inner],
+    strained: Option<[Strained; 2]>,
+}
+
+impl Piece<'_> {
+    /// Arc length at a share of the way.
+    fn s(&self, xi: f64) -> f64 {
+        station(self.span.stations[self.k], self.span.stations[self.k + 1], xi)
+    }
+
+    /// Extreme fibres; nothing without a depth.
+    fn fibres(&self, xi: f64, forces: &SectionForces) -> Option<Fibres> {
+        if self.span.sections(self.k)[0].half_depth.is_nan() {
+            return None;
+        }
+        let section = section_at(self.span, self.k, xi);
+        let gauss = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
+        let curvature = self.span.table(self.k).rows[gauss].curvature;
+        let strained = self.strained.map(|[a, b]| {
+            let mix = |a: f64, b: f64| (1.0 - xi) * a + xi * b;
+            Strained { stretch: mix(a.stretch, b.stretch), turn: mix(a.turn, b.turn) }
+        });
+        Some(fibres::fibres(&section, curvature, forces, strained))
+    }
+
+    /// Takes the element into the extremes of its beam, its places into the envelope from `index` on.
+    fn take(&self, out: &mut SectionForceSummary, index: usize, time: f64) {
+        let places = PLACES.map(|xi| self.line.at(xi, self.inner, false));
+        for (j, forces) in places.iter().enumerate() {
+            let fibres = self.take_at(out, PLACES[j], forces, time);
+            let e = &mut out.envelope;
+            widen(&mut e.axial, index + j, forces.axial, forces.axial);
+            widen(&mut e.shear, index + j, forces.shear, forces.shear);
+            widen(&mut e.moment, index + j, forces.moment, forces.moment);
+            if let Some(Fibres { stress: [least, most], .. }) = fibres {
+                widen(&mut e.stress, index + j, least, most);
+            }
+        }
+        if !self.inner.is_empty() {
+            self.take_between_forces(out, time);
+        } else {
+            for j in 1..PLACES.len() {
+                let [a, b] = [&places[j - 1], &places[j]];
+                if a.rise * b.rise < 0.0 && self.may_exceed(out, a, b) {
+                    self.take_stationary(out, [PLACES[j - 1], PLACES[j]], time);
+                }
+            }
+        }
+    }
+
+    /// Whether a moment between two places half an element apart may be an extreme, or the stress there.
+    fn may_exceed(&self, out: &SectionForceSummary, a: &SectionForces, b: &SectionForces) -> bool {
+        if !self.span.sections(self.k)[0].half_depth.is_nan() {
+            return true; // stresses depend on more than the moment
+        }
+        // Further than by its steepest rise it does not get.
+        let reach = 0.5 * a.rise.abs().max(b.rise.abs());
+        let range = &out.moment;
+        a.moment.max(b.moment) + reach > range.max.value
+            || a.moment.min(b.moment) - reach < range.min.value
+    }
+
+    /// Takes what is behind and ahead of every force inside, and where the moment is largest between them.
+    fn take_between_forces(&self, out: &mut SectionForceSummary, time: f64) {
+        let mut from = 0.0;
+        while from < 1.0 {
+            let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
+            let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
+            self.take_stationary(out, [from, to], time);
+            for ahead in [false, true] {
+                self.take_at(out, to, &self.line.at(to, self.inner, ahead), time);
+            }
+            from = to;
+        }
+    }
+
+    fn take_stationary(&self, out: &mut SectionForceSummary, between: [f64; 2], time: f64) {
+        if let Some(xi) = self.line.stationary(between, self.inner) {
+            self.take_at(out, xi, &self.line.at(xi, self.inner, false), time);
+        }
+    }
+
+    fn take_at(
+        &self,
+        out: &mut SectionForceSummary,
+        xi: f64,
+        forces: &SectionForces,
+        time: f64,
+    ) -> Option<Fibres> {
+        let s = self.s(xi);
+        out.axial.take(forces.axial, s, time);
+        out.shear.take(forces.shear, s, time);
+        out.moment.take(forces.moment, s, time);
+        let fibres = self.fibres(xi, forces)?;
+        for side in 0..2 {
+            out.stress.take(fibres.stress[side], s, time);
+            out.strain.take(fibres.strain[side], s, time);
+        }
+        Some(fibres)
+    }
+}
+
+fn widen([min, max]: &mut [Vec<f64>; 2], i: usize, least: f64, most: f64) {
+    // The first value replaces NaN.
+    if least < min[i] || min[i].is_nan() {
+        min[i] = least;
+    }
+    if most > max[i] || max[i].is_nan() {
+        max[i] = most;
+    }
+}
+
+/// Section forces at a point, and the stress of larger magnitude. Where they jump, axial force, shear and moment are those just
+/// ahead of the point, and the stress is the worse of both sides.
+pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoint) -> [f64; 4] {
+    let mut found: Option<[f64; 4]> = None;
+    for (node, xi, ahead) in sides(model, point).into_iter().flatten() {
+        let (span, k) = model.element_of(node);
+        let (line, inner) = lines.of(span.elements.start + k);
+        let piece = Piece { span, k, line, inner, strained: strained(span, k, state) };
+        let f = line.at(xi, inner, ahead);
+        let stress = piece.fibres(xi, &f).map_or(f64::NAN, |fibres| {
+            let [least, most] = fibres.stress;
+            if least.abs() > most.abs() { least } else { most }
+        });
+        let worse = match found {
+            Some([.., other]) if other.abs() > stress.abs() || stress.is_nan() => other,
+            _ => stress,
+        };
+        found = Some([f.axial, f.shear, f.moment, worse]);
+    }
+    found.unwrap_or([f64::NAN; 4])
+}
+
+/// The sides of a point, behind it and ahead of it: node a of the element, share of the way, whether ahead of what acts there.
+fn sides(model: &Model, point: &MaterialPoint) -> [Option<(usize, f64, bool)>; 2] {
+    let (span, k) = model.element_of(point.node);
+    let beam = &model.beams[point.beam];
+    let (a, b) = (span.stations[k], span.stations[k + 1]);
+    let node = if point.shape[0] == 1.0 {
+        point.node
+    } else if point.shape[2] == 1.0 {
+        point.node + 1
+    } else {
+        let xi = ((point.s - a) / (b - a)).clamp(0.0, 1.0);
+        return [Some((point.node, xi, false)), Some((point.node, xi, true))];
+    };
+    // Where spans meet two nodes stand at the place.
+    let (first, last) = (span.nodes.start, span.nodes.end - 1);
+    let (mut behind, mut ahead) = (node.checked_sub(1), Some(node));
+    if node == first {
+        behind = (node > beam.nodes.start).then(|| node - 2);
+    }
+    if node == last {
+        ahead = (node + 1 < beam.nodes.end).then_some(node + 1);
+    }
+    [behind.map(|n| (n, 1.0, true)), ahead.map(|n| (n, 0.0, false))]
+}
