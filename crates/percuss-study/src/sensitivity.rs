@@ -157,7 +157,7 @@ pub fn sensitivity(
     // Another step that fails leaves the derivatives as they are, and their uncertainty unknown.
     let others = OTHER_STEPS.map(|share| {
         let step = share * compiled.settings.step;
-        let settings = Settings { step, ..compiled.settings.clone() };
+        let settings = Settings { step, ..compiled.settings };
         let other = sensitivities(&compiled.model, &settings, &variations).ok()?;
         Some(self::derivatives(&paths, &other))
     });

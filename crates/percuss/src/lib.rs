@@ -31,7 +31,8 @@ pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
 pub use analysis::{
     BucklingMode, BucklingOutcome, Detail, Equilibrium, LinearBuckling, Mode, ModeKind, Path,
     PathPoint, Simulation, StaticContact, buckling, equilibrium, equilibrium_in, equilibrium_path,
-    mechanisms, modes_about, natural_frequencies, reference_state, simulate, simulate_batch,
+    massless, mechanisms, modes_about, natural_frequencies, reference_state, simulate,
+    simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
 pub use ensemble::{Grazing, Sensitivities, Undifferentiated, Variation, sensitivities};

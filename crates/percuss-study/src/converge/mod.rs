@@ -161,7 +161,7 @@ pub fn converge(
     let (mut steps, mut elements) = (vec![settings.step], vec![base.element_count()]);
     for level in 1..ladder.levels {
         let factor = 2_u32.pow(level as u32);
-        let finer = Settings { step: settings.step / f64::from(factor), ..settings.clone() };
+        let finer = Settings { step: settings.step / f64::from(factor), ..*settings };
         tell(by_step.len() + by_mesh.len() - 1, runs);
         by_step.push(pick(&paths, &completed(base, &finer, goes_on)?));
         steps.push(finer.step);

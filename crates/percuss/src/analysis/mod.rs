@@ -29,6 +29,6 @@ pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling};
 pub use modes::{Mode, ModeKind, modes_about, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};
 pub use simulation::{Simulation, simulate};
-pub use start::reference_state;
+pub use start::{massless, reference_state};
 pub use static_contacts::StaticContact;
 pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};

@@ -188,9 +188,9 @@ impl Simulation<'_> {
     }
 }
 
-/// A fault for each beam without mass. Inertia is all that tells a velocity from the forces: where a node has none its
-/// velocity is no result, whatever the step.
-pub(super) fn massless(model: &Model) -> Vec<Fault> {
+/// A fault for each beam without mass, which statics and modes know but no run in time. Inertia is all that tells a velocity from
+/// the forces: where a node has none its velocity is no result, whatever the step.
+pub fn massless(model: &Model) -> Vec<Fault> {
     let without = |beam: &&BeamData| {
         model.spans[beam.spans.clone()].iter().any(|s| s.tables.iter().any(|t| t.mass[0][0] == 0.0))
     };

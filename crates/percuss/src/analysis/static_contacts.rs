@@ -416,7 +416,10 @@ impl StaticContacts {
             }
         }
         let far = LOST * self.size;
-        let lost = |d: &&Disc| !(norm([u[d.node][0], u[d.node][1]]) <= far);
+        let lost = |d: &&Disc| {
+            let moved = norm([u[d.node][0], u[d.node][1]]);
+            moved.is_nan() || moved > far
+        };
         self.lost = self.discs.iter().find(lost).map(|d| d.body);
     }
 

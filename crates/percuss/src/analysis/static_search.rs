@@ -197,7 +197,7 @@ impl<'m> StaticSearch<'m> {
     fn correct_along(&mut self) -> bool {
         let (start, full) = (self.work.increment.clone(), self.work.correction.clone());
         let before = inner(&self.work.residual, &full);
-        if !self.correct() || !(before < 0.0) {
+        if !self.correct() || before.is_nan() || before >= 0.0 {
             return before.is_finite();
         }
         let whole = inner(&self.work.correction, &full) / inner(&full, &full);

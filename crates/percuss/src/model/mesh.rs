@@ -271,7 +271,7 @@ mod tests {
         let plain = vec![0.0, 0.25, 0.5, 0.75, 1.0];
         // At nodes, nearly at nodes, at the ends, and just beside an end: nothing moves.
         for s in [0.25, 0.25 + 1e-11, 0.0, 1.0, 1e-5] {
-            assert_eq!(stations(&[(s, false)]), [plain.clone()], "{s}");
+            assert_eq!(stations(&[(s, false)]), std::slice::from_ref(&plain), "{s}");
         }
         assert_eq!(stations(&[(0.5, true)]), [plain[..3].to_vec(), plain[2..].to_vec()]);
         let found = stations(&[(0.4, true), (0.4 + 1e-13, false), (0.9, false)]);

@@ -1,8 +1,7 @@
 //! Stress and strain of the extreme fibres.
 
 use crate::element::beam::{ElementValues, SectionValues};
-use crate::element::point::{SectionLaw, Strains};
-use crate::element::strain::{axial_force, strains};
+use crate::element::point::SectionLaw;
 use crate::math::hermite::{GAUSS, GAUSS_WEIGHTS};
 use crate::math::vec2::{add, cross, dot};
 use crate::model::StrainMeasure;
@@ -115,6 +114,7 @@ pub fn strained(span: &Span, k: usize, state: &State) -> [Strained; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::strain::strains;
 
     #[test]
     fn strains_of_an_elastic_section_are_those_whose_energy_has_its_forces_as_derivatives() {
