@@ -286,7 +286,7 @@ fn no_contact_is_foretold_on_a_beam_without_mass_that_no_run_can_move() {
             let (name, tip) = ("tip".to_owned(), at(beam, 1.0));
             let mass = PointMass { name, at: tip.clone(), mass: 1000.0, rotary_inertia: 0.0 };
             b.point_mass(mass);
-            let kind = ProjectileKind::spring(1e6);
+            let kind = ProjectileKind::Rigid { restitution: 0.5 };
             b.projectile(Projectile::new("ball", kind, 10.0, [0.0, 1.0], tip));
         })
     };
