@@ -58,6 +58,8 @@ cases! {
     mass_that_stays = "mass-that-stays",
     corners = "corners",
     everything = "everything",
+    section_forces = "section-forces",
+    tapered_stress = "tapered-stress",
     paper_books = "paper-books",
     paper_forms = "paper-forms",
     strain_history = "strain-history",

@@ -104,7 +104,11 @@ fn a_hertz_contact_without_returning_waves_follows_the_infinite_beam() {
         let all = compared(&b, &Settings::new(5e-3, 2.5e-6));
         for name in ["largest contact force", "contact duration", "time from touch", "velocity"] {
             let c = row(&all, "infinite beam", name);
-            assert!(c.difference_percent.abs() < 2e-3, "{c:#?}");
+            // With losses the largest force is not where the gap is least: its instant is interpolated, to a hundredth of the
+            // step, and the error falls with the square of it (2.3e-3, 4.3e-4 % at half the step).
+            let interpolated = dissipation > 0.0 && name == "time from touch";
+            let tolerance = if interpolated { 4e-3 } else { 2e-3 };
+            assert!(c.difference_percent.abs() < tolerance, "{c:#?}");
             assert!(!c.holds_if.contains("not met"), "{c:#?}");
         }
     }

@@ -6,6 +6,7 @@
 //! enters the inertia of its neighbours: masses see the increment `d + h c/2` with the lead c. Work and angular momentum
 //! of the difference are the support's, and are booked as such.
 
+use super::assemble::EndForces;
 use super::constraint::ConstraintStep;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
@@ -183,15 +184,17 @@ impl Lead {
         }
     }
 
-    /// Adds the inertia of the lead to the residual. How it depends on the increment, at third order in the step, the tangent leaves out.
+    /// Adds the inertia of the lead to the residual and, of the elements, to the forces on their ends. How it depends on the increment,
+    /// at third order in the step, the tangent leaves out.
     pub fn add_inertia(
         &self,
         model: &Model,
         start: &[[f64; 4]],
         increment: &[[f64; 4]],
         rule: &Integration,
-        residual: &mut [[f64; 4]],
+        sums: (&mut [[f64; 4]], &mut EndForces),
     ) {
+        let (residual, ends) = sums;
         if self.is_empty() {
             return;
         }
@@ -203,7 +206,10 @@ impl Lead {
         let theta = rule.theta();
         let at = Middle { model, start, increment, share: theta };
         for a in &self.elements {
-            at.add_element_inertia(*a, field, factor, residual);
+            at.add_element_inertia(*a, field, factor, residual, ends);
+        }
+        for n in &self.nodes {
+            (0..4).for_each(|i| ends.inertia[*n][i] += factor * field[*n][i]);
         }
         for (i, mass) in model.masses.iter().enumerate() {
             let p = &mass.point;
@@ -311,7 +317,8 @@ pub fn add_inertia_of(model: &Model, u: &[[f64; 4]], field: &[[f64; 4]], nodal: 
     }
     lead.velocity.copy_from_slice(field);
     let rule = Integration::new(crate::settings::Scheme::Midpoint, 1.0);
-    lead.add_inertia(model, u, &vec![[0.0; 4]; u.len()], &rule, nodal);
+    let ends = &mut EndForces::new(model);
+    lead.add_inertia(model, u, &vec![[0.0; 4]; u.len()], &rule, (nodal, ends));
 }
 
 /// A configuration within a step.
@@ -357,8 +364,9 @@ impl<'a> Middle<'a> {
         field: &[[f64; 4]],
         factor: f64,
         nodal: &mut [[f64; 4]],
+        ends: &mut EndForces,
     ) {
-        let (table, _) = self.element(a);
+        let (table, element) = self.element(a);
         let mut sums = ElementSums::zero(0.0);
         for (j, row) in table.rows.iter().enumerate() {
             let g = self.tangent(a, j);
@@ -371,7 +379,9 @@ impl<'a> Middle<'a> {
         let translation = times_mass(table, &field[a], &field[a + 1]);
         for k in 0..2 {
             for i in 0..4 {
-                nodal[a + k][i] += factor * (turning[k][i] + translation[k][i]);
+                let force = factor * (turning[k][i] + translation[k][i]);
+                nodal[a + k][i] += force;
+                ends.on_nodes[element][k][i] += force;
             }
         }
     }

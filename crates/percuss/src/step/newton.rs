@@ -245,7 +245,7 @@ impl StepProblem<'_> {
         let Workspace { increment, residual, tangent, beams, lead, .. } = work;
         let (model, state, rule) = (self.model, self.state, &self.integration);
         let gravity = self.forcing.gravity;
-        let sums = (tangent.chain_mut(), beams);
+        let sums = (tangent.chain_mut(), &mut *beams);
         assemble::beams::<TANGENT>(model, state, rule, gravity, increment, residual, sums);
         if TANGENT {
             tangent.clear_ties();
@@ -255,7 +255,7 @@ impl StepProblem<'_> {
         bodies::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         masses::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         connectors::apply::<TANGENT>(model, state, rule, forcing, increment, residual, tangent);
-        lead.add_inertia(model, &state.displacement, increment, rule, residual);
+        lead.add_inertia(model, &state.displacement, increment, rule, (residual, beams));
         self.damping.apply(increment, rule.h, residual);
         let step = self.constraint_step(increment);
         for (i, (c, multiplier)) in model.constraints.iter().zip(&work.multiplier).enumerate() {
