@@ -1,12 +1,12 @@
 //! A static equilibrium as JSON.
 
 use percuss::{
-    BucklingMode, Equilibrium, SectionForceSummary, SectionPeak, SectionRange, StaticContact,
+    Equilibrium, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange, StaticContact,
 };
 use serde_json::{Map, Value, json};
 
 /// Everything about an equilibrium; what has no value is `null`.
-pub fn equilibrium_value(found: &Equilibrium, linear: &[BucklingMode]) -> Value {
+pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value {
     let points = found.points.iter().map(|(name, u)| (name.clone(), json!({ "displacement": u })));
     let supports = found.reactions.iter().map(|(name, [f1, f2, moment])| {
         (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
@@ -21,7 +21,8 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &[BucklingMode]) -> Value 
         "support": supports.collect::<Map<_, _>>(),
         "contact": contacts.collect::<Map<_, _>>(),
         "section_forces": forces.collect::<Map<_, _>>(),
-        "linear_buckling": linear.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
+        "linear_buckling": linear.modes.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
+        "linear_buckling_note": linear.outcome.reason(),
     })
 }
 

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use kuva::backend::svg::SvgBackend;
-use percuss::{Mode, Model};
+use percuss::{Mode, ModeKind, Model};
 use serde_json::{Value, json};
 
 use crate::csv_text;
@@ -34,30 +34,18 @@ pub struct ModesInfo<'a> {
     pub modes: &'a [Mode],
 }
 
-/// What a mode is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Vibration,
-    RigidBody,
-    Unstable,
+/// The word for what a mode is.
+fn word(kind: ModeKind) -> &'static str {
+    match kind {
+        ModeKind::Vibration => "vibration",
+        ModeKind::RigidBody => "rigid-body",
+        ModeKind::Unstable => "unstable",
+        ModeKind::Flutter => "flutter",
+    }
 }
 
-impl Kind {
-    fn of(mode: &Mode) -> Self {
-        match mode.eigenvalue {
-            0.0 => Self::RigidBody,
-            negative if negative < 0.0 => Self::Unstable,
-            _ => Self::Vibration,
-        }
-    }
-
-    fn word(self) -> &'static str {
-        match self {
-            Self::Vibration => "vibration",
-            Self::RigidBody => "rigid-body",
-            Self::Unstable => "unstable",
-        }
-    }
+fn grows(mode: &Mode) -> bool {
+    matches!(mode.kind(), ModeKind::Unstable | ModeKind::Flutter)
 }
 
 /// The content of `modes.json`. What a mode has not, such as the frequency of an unstable one, is `null`.
@@ -66,17 +54,18 @@ pub fn modes_value(info: &ModesInfo<'_>) -> Value {
         let frequency = m.frequency();
         json!({
             "number": k + 1,
-            "kind": Kind::of(m).word(),
+            "kind": word(m.kind()),
             "frequency": frequency,
             "period": 1.0 / frequency,
             "eigenvalue": m.eigenvalue,
+            "growth_rate": m.growth(),
         })
     };
     json!({
         "percuss_version": env!("CARGO_PKG_VERSION"),
         "title": info.title,
         "about": info.about,
-        "stable": info.modes.iter().all(|m| Kind::of(m) != Kind::Unstable),
+        "stable": !info.modes.iter().any(grows),
         "modes": info.modes.iter().enumerate().map(mode).collect::<Vec<_>>(),
     })
 }
@@ -102,10 +91,11 @@ pub fn write_modes(dir: impl AsRef<Path>, info: &ModesInfo<'_>) -> Result<(), Er
 }
 
 fn panel((k, mode): (usize, &Mode)) -> Panel<'_> {
-    let (words, style) = match Kind::of(mode) {
-        Kind::Vibration => (format!("{} Hz", number(mode.frequency())), 1),
-        Kind::RigidBody => ("rigid-body motion, 0 Hz".to_owned(), 3),
-        Kind::Unstable => ("unstable: it grows".to_owned(), 2),
+    let (words, style) = match mode.kind() {
+        ModeKind::Vibration => (format!("{} Hz", number(mode.frequency())), 1),
+        ModeKind::RigidBody => ("rigid-body motion, 0 Hz".to_owned(), 3),
+        ModeKind::Unstable => ("unstable: it grows".to_owned(), 2),
+        ModeKind::Flutter => (format!("flutter at {} Hz: it grows", number(mode.frequency())), 2),
     };
     Panel { title: format!("{}: {words}", k + 1), style, shape: &mode.shape }
 }
@@ -135,15 +125,24 @@ fn shapes_csv(info: &ModesInfo<'_>) -> String {
 fn html(info: &ModesInfo<'_>, svg: &str) -> String {
     let title = if info.title.is_empty() { "Natural modes" } else { info.title };
     let row = |(k, mode): (usize, &Mode)| {
-        let kind = Kind::of(mode);
+        let kind = mode.kind();
         let frequency = mode.frequency();
-        let period = quantity((kind == Kind::Vibration).then_some(1.0 / frequency), "s");
+        let period = quantity(
+            matches!(kind, ModeKind::Vibration | ModeKind::Flutter).then_some(1.0 / frequency),
+            "s",
+        );
         let note = match kind {
-            Kind::Vibration => String::new(),
-            Kind::RigidBody => "motion of a rigid body, or of a mechanism".to_owned(),
-            Kind::Unstable => {
-                let growth = quantity(Some(1.0 / (-mode.eigenvalue).sqrt()), "s");
+            ModeKind::Vibration => String::new(),
+            ModeKind::RigidBody => "motion of a rigid body, or of a mechanism".to_owned(),
+            ModeKind::Unstable => {
+                let growth = quantity(Some(1.0 / mode.growth()), "s");
                 format!("the equilibrium is unstable: the motion grows e-fold in {growth}")
+            }
+            ModeKind::Flutter => {
+                let growth = quantity(Some(1.0 / mode.growth()), "s");
+                format!(
+                    "flutter: the equilibrium is unstable, the oscillation grows e-fold in {growth}"
+                )
             }
         };
         vec![(k + 1).to_string(), quantity(Some(frequency), "Hz"), period, note]

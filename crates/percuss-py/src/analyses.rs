@@ -33,7 +33,10 @@ pub fn modes<'py>(
     let modes = py.detach(|| modes_about(model, &state, count));
     source.raised().map_or(Ok(()), Err)?;
     if modes.is_empty() {
-        return Err(analysis_error(py, "no modes found: the tangent is singular".into()));
+        return Err(analysis_error(
+            py,
+            "no modes: nothing has mass, or the tangent is singular".into(),
+        ));
     }
     let info = ModesInfo {
         title: &compiled.title,

@@ -1,6 +1,6 @@
 //! `percuss check`.
 
-use percuss::{EffectiveMass, Simulation, Topic, advise};
+use percuss::{EffectiveMass, Simulation, Topic, advise, massless};
 use percuss_study::Study;
 
 use crate::arguments::Check;
@@ -29,6 +29,9 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     let name = scenario::name(&arguments.file);
     terminal::print(&format!("{name}: sound: {}\n", contents(&ready)))?;
     let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
+    for fault in massless(model) {
+        terminal::warning(&format!("`percuss run` refuses it: {fault}"));
+    }
     let advice = advise(model, settings);
     for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {
         let mass = EffectiveMass { on_mesh: one.value, limit: one.reference };

@@ -1,6 +1,6 @@
 //! `percuss modes`.
 
-use percuss::{Mode, Start, equilibrium, modes_about, reference_state};
+use percuss::{Mode, ModeKind, Start, equilibrium, modes_about, reference_state};
 use percuss_output::{ModesInfo, Results, RunDirectory, modes_value, write_modes};
 
 use crate::arguments::{About, Modes};
@@ -33,7 +33,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     };
     let modes = modes_about(model, &state, arguments.count as usize);
     if modes.is_empty() {
-        return Ok(gave_up("no modes found: the tangent is singular"));
+        return Ok(gave_up("no modes: nothing has mass, or the tangent is singular"));
     }
     let info = ModesInfo {
         title: &compiled.title,
@@ -52,7 +52,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         terminal::print(&table(about, &modes))?;
         terminal::tell(&format!("results  {}", out.display()));
     }
-    let unstable = modes.iter().filter(|m| m.eigenvalue < 0.0).count();
+    let unstable = modes.iter().filter(|m| m.growth() > 0.0).count();
     if unstable > 0 {
         let grow = if unstable == 1 { "1 mode grows" } else { &format!("{unstable} modes grow") };
         terminal::warning(&format!("the equilibrium is unstable: {grow}"));
@@ -79,12 +79,22 @@ fn table(about: About, modes: &[Mode]) -> String {
     };
     let mut text = format!("natural modes about {about}\n  mode  frequency [Hz]    period [s]\n");
     for (k, mode) in modes.iter().enumerate() {
-        let (frequency, period, note) = if mode.eigenvalue > 0.0 {
-            (number(mode.frequency()), number(1.0 / mode.frequency()), "")
-        } else if mode.eigenvalue == 0.0 {
-            ("0".into(), "-".into(), "motion of a rigid body, or of a mechanism")
-        } else {
-            ("-".into(), "-".into(), "grows: the equilibrium is unstable")
+        let told = || (number(mode.frequency()), number(1.0 / mode.frequency()));
+        let ((frequency, period), note) = match mode.kind() {
+            ModeKind::Vibration => (told(), String::new()),
+            ModeKind::RigidBody => {
+                (("0".into(), "-".into()), "motion of a rigid body, or of a mechanism".to_owned())
+            }
+            ModeKind::Unstable => {
+                (("-".into(), "-".into()), "grows: the equilibrium is unstable".to_owned())
+            }
+            ModeKind::Flutter => (
+                told(),
+                format!(
+                    "flutter: grows at {} 1/s, fed by loads that follow",
+                    number(mode.growth())
+                ),
+            ),
         };
         let line = format!("  {:>4}  {frequency:>14}  {period:>12}  {note}", k + 1);
         text.push_str(line.trim_end());

@@ -2,7 +2,7 @@
 
 mod print;
 
-use percuss::{BucklingMode, Error, Path, buckling, equilibrium, equilibrium_path};
+use percuss::{Error, LinearBuckling, Path, buckling, equilibrium, equilibrium_path};
 use percuss_output::{Results, RunDirectory, equilibrium_value, path_value, write_path};
 use serde_json::Value;
 
@@ -82,7 +82,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     Ok(Status::GaveUp)
 }
 
-fn as_json(path: &Path, linear: &[BucklingMode]) -> Value {
+fn as_json(path: &Path, linear: &LinearBuckling) -> Value {
     let mut value = equilibrium_value(&path.end, linear);
     value["path"] = path_value(path);
     value

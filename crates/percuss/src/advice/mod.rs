@@ -14,6 +14,7 @@ mod structure;
 mod tests;
 mod words;
 
+use crate::analysis::massless;
 use crate::model::Model;
 use crate::settings::Settings;
 use crate::summary::RunSummary;
@@ -124,6 +125,10 @@ impl Verdict {
 
 /// What looks like a slip of a unit, then what hand calculation says about each contact of a run that is still to be made.
 pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
+    if !massless(model).is_empty() {
+        // No run in time, so no contact either.
+        return slips::findings(model, settings);
+    }
     let masses = model.effective_masses();
     let cases = (0..model.contacts.len()).filter_map(|k| case::read(model, k, None));
     let mut factored = None;

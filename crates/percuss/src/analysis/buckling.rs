@@ -1,20 +1,19 @@
 //! Linear buckling: the load factor at which the tangent would turn singular if the geometric stiffness grew with the load.
 
-use nalgebra::DMatrix;
-
-use super::modes::{combine, scale, sorted_eigen, start, subtract};
+use super::spectrum::{Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
 use crate::model::Model;
 use crate::settings::Scheme;
 use crate::state::State;
-use crate::step::tangent::{Tangent, inner, project};
 
-/// Iterations of the subspace.
-const MOST_ITERATIONS: usize = 200;
-/// Vectors beside those asked for: loads the other way round buckle structures too, and come in between.
-const SPARE: usize = 24;
-/// Relative change of a factor that has settled.
-const SETTLED: f64 = 1e-12;
+/// Vectors of the subspace, beside six for each factor asked for.
+const SPARE: usize = 80;
+/// Steps down from the largest factor.
+const STEP: f64 = 4.0;
+/// Times that missing factors are looked for.
+const MOST_COUNTS: usize = 8;
+/// Loads that move a structure by less than this share of its size are round-off.
+const NO_LOAD: f64 = 1e-14;
 
 /// A buckling mode of the linearised structure.
 #[derive(Clone, Debug)]
@@ -25,120 +24,211 @@ pub struct BucklingMode {
     pub shape: Vec<[f64; 4]>,
 }
 
-/// Linear buckling factors of the loads that act at time zero: up to `count` positive ones, in ascending order.
-///
-/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear
-/// response to the loads. Empty if no load acts, nothing buckles, or the
-/// unloaded structure is a mechanism or unstable.
-pub fn buckling(model: &Model, count: usize) -> Vec<BucklingMode> {
-    find(&model.structure(), count).unwrap_or_default()
+/// Linear buckling modes, or why there are none.
+#[derive(Clone, Debug)]
+pub struct LinearBuckling {
+    /// Lowest positive factors, ascending.
+    pub modes: Vec<BucklingMode>,
+    /// What is known.
+    pub outcome: BucklingOutcome,
 }
 
-fn find(model: &Model, count: usize) -> Option<Vec<BucklingMode>> {
+/// What linear buckling found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum BucklingOutcome {
+    /// The lowest factors, none left out: by count of the negative pivots of the tangent.
+    Found,
+    /// No positive factor up to `up_to`, at which strains of the linear response reach one: by count, the tangent has no negative
+    /// pivot there.
+    Never {
+        /// Largest factor looked at.
+        up_to: f64,
+    },
+    /// No load acts at time zero.
+    Unloaded,
+    /// Loads follow the beams: they have no potential, and the structure may flutter at a load at which no other equilibrium
+    /// exists. Modes about the loaded equilibrium tell.
+    Follower,
+    /// The unloaded structure is a mechanism.
+    Mechanism,
+    /// The unloaded structure is unstable: stressed springs see to that.
+    Unstable,
+    /// Factors were counted that the search did not find.
+    Unfinished,
+}
+
+impl BucklingOutcome {
+    /// One sentence for people; nothing to say of what was found.
+    pub fn reason(self) -> Option<String> {
+        Some(match self {
+            Self::Found => return None,
+            Self::Never { up_to } => format!(
+                "no linear buckling: the tangent stays positive up to {up_to:.3e} times the loads, where strains reach one"
+            ),
+            Self::Unloaded => "no linear buckling: no load acts".into(),
+            Self::Follower => "no linear buckling factor: loads follow the beams and have no potential, so that the structure \
+                 may flutter where no factor tells; modes about the static equilibrium do"
+                .into(),
+            Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
+            Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
+            Self::Unfinished => "linear buckling factors exist that the search did not find".into(),
+        })
+    }
+}
+
+/// Linear buckling factors of the loads that act at time zero: the `count` lowest positive ones, in ascending order.
+///
+/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear
+/// response to the loads. The factors below any value are as many as the negative eigenvalues of `K + value K_g`, so that none is
+/// passed over, whatever negative factors there are.
+pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
+    match find(&model.structure(), count) {
+        Ok(modes) => LinearBuckling { modes, outcome: BucklingOutcome::Found },
+        Err(outcome) => LinearBuckling { modes: Vec::new(), outcome },
+    }
+}
+
+/// Stiffness and geometric stiffness, both symmetric.
+struct Buckling<'l> {
+    layout: &'l Layout<'l>,
+    stiffness: Matrix,
+    geometric: Matrix,
+}
+
+fn find(model: &Model, count: usize) -> Result<Vec<BucklingMode>, BucklingOutcome> {
     let rest = State::at_rest(model, Scheme::EnergyMomentum);
-    let stiffness = linearized(model, &rest).work.tangent;
-    let (response, multipliers, mut factored) = linear_response(model)?;
+    let layout = Layout::new(model);
+    let unloaded = StaticSearch::at(model, &rest);
+    if !free_motions(&layout, &unloaded).motions.is_empty() {
+        return Err(BucklingOutcome::Mechanism);
+    }
+    let stiffness = layout.tangent(&unloaded);
+    let factored = layout.factor(&stiffness, true).ok_or(BucklingOutcome::Unstable)?;
+    if factored.negative > 0 {
+        return Err(BucklingOutcome::Unstable);
+    }
+    let (response, multipliers) = factored.solve_with_multipliers(&loads(model, &rest));
+    if largest(&response) <= NO_LOAD * unloaded.size() {
+        return Err(BucklingOutcome::Unloaded);
+    }
     let stressed = stressed(model, &rest, &response, &multipliers);
-    // - K_g x
-    let geometric = |x: &[[f64; 4]]| {
-        let mut y = stiffness.multiply(x);
-        subtract(&mut y, 1.0, &stressed.multiply(x));
-        project(model, &mut y);
-        y
-    };
-    let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
-    let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
-    let size = (2 * count).max(count + SPARE).min(free);
-    let mut basis = start(model, size);
-    for x in &mut basis {
-        factored.solve_linear(model, x);
+    let loaded = layout.tangent(&stressed);
+    if !layout.is_symmetric(&loaded) {
+        return Err(BucklingOutcome::Follower);
     }
-    let mut previous = Vec::new();
-    for iteration in 0..MOST_ITERATIONS {
-        if !orthonormalize(&stiffness, &mut basis) {
-            return None;
-        }
-        let loads: Vec<Vec<[f64; 4]>> = basis.iter().map(|x| geometric(x)).collect();
-        let matrix = DMatrix::from_fn(size, size, |i, j| inner(&basis[i], &loads[j]));
-        let (inverse, rotation) = sorted_eigen(&matrix);
-        let factors: Vec<f64> = inverse.iter().take(count).map(|t| 1.0 / t).collect();
-        let settled = !previous.is_empty()
-            && factors
-                .iter()
-                .zip(&previous)
-                .all(|(a, b): (&f64, &f64)| *a <= 0.0 || (a - b).abs() <= SETTLED * a.abs());
-        if settled || iteration + 1 == MOST_ITERATIONS {
-            let shapes = combine(&basis, &rotation, count.min(size));
-            let modes = factors.into_iter().zip(shapes).filter(|(f, _)| *f > 0.0);
-            return Some(modes.map(|(factor, shape)| normalized(factor, shape)).collect());
-        }
-        previous = factors;
-        basis = combine(&loads, &rotation, size);
-        for x in &mut basis {
-            factored.solve_linear(model, x);
-        }
+    let geometric = layout.combined(&loaded, &stiffness, -1.0);
+    let most = 1.0 / largest_strain(model, &stressed);
+    Buckling { layout: &layout, stiffness, geometric }.lowest(count, most)
+}
+
+impl Buckling<'_> {
+    /// Stiffness under `factor` times the loads.
+    fn at(&self, factor: f64) -> Matrix {
+        self.layout.combined(&self.stiffness, &self.geometric, factor)
     }
-    None
+
+    /// Number of factors between zero and `factor`; `None` if it is one itself.
+    fn below(&self, factor: f64) -> Option<usize> {
+        Some(self.layout.factor(&self.at(factor), true)?.negative)
+    }
+
+    /// The lowest factors up to `most`.
+    fn lowest(&self, count: usize, most: f64) -> Result<Vec<BucklingMode>, BucklingOutcome> {
+        let all = self.below(most).or_else(|| self.below(1.01 * most)).unwrap_or(0);
+        if all == 0 {
+            return Err(BucklingOutcome::Never { up_to: most });
+        }
+        let count = count.min(all);
+        let mut shift = most / STEP;
+        while self.below(shift).is_none_or(|n| n > 0) {
+            shift /= STEP;
+            if shift < 1e-12 * most {
+                return Err(BucklingOutcome::Unfinished);
+            }
+        }
+        let modes = self.above(shift, count).ok_or(BucklingOutcome::Unfinished)?;
+        if modes.is_empty() && count > 0 { Err(BucklingOutcome::Unfinished) } else { Ok(modes) }
+    }
+
+    /// The lowest factors, all of them above `shift`: `(K + shift K_g)^-1 K` has the eigenvalues `factor / (factor - shift)`, of
+    /// which those of positive factors alone are above one.
+    fn above(&self, shift: f64, count: usize) -> Option<Vec<BucklingMode>> {
+        let factored = self.layout.factor(&self.at(shift), false)?;
+        let image_of = |x: &Nodal| self.layout.multiply(&self.stiffness, x);
+        let solve = |image: &Nodal| factored.solve(image);
+        let mut krylov = Krylov::new(self.layout.model.node_count(), &[], image_of, solve);
+        (0..2).for_each(|_| _ = krylov.join());
+        let factor = |ratio: f64| shift * ratio / (ratio - 1.0);
+        let mut least = count;
+        for _ in 0..MOST_COUNTS {
+            let exhausted =
+                !krylov.grow(least, 6 * count + SPARE, |k| k.settled(&k.symmetric(), count));
+            let mut found = krylov.symmetric();
+            found.retain(|r| r.value.re > 1.0 + 1e-12);
+            if let Some(last) = found.get(count.min(found.len()).wrapping_sub(1)) {
+                let above = factor(last.value.re) * (1.0 + 1e-6);
+                let there = found.iter().filter(|r| factor(r.value.re) < above).count();
+                if there >= count && self.below(above).is_none_or(|n| n <= there) {
+                    let mode = |r: &Ritz| normalized(factor(r.value.re), krylov.shape(r).x);
+                    return Some(found.iter().take(count).map(mode).collect());
+                }
+            }
+            if exhausted {
+                return None;
+            }
+            (0..2).for_each(|_| _ = krylov.join());
+            least = krylov.size() + 12;
+        }
+        None
+    }
 }
 
 fn normalized(factor: f64, mut shape: Vec<[f64; 4]>) -> BucklingMode {
     let most = shape.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
-    scale(&mut shape, 1.0 / most);
+    shape.as_flattened_mut().iter_mut().for_each(|c| *c /= most);
     BucklingMode { factor, shape }
 }
 
-/// The tangent of the reference configuration under the stresses of the linear response, not factored: displacements
-/// stay out of it.
-fn stressed(model: &Model, rest: &State, response: &[[f64; 4]], multipliers: &[f64]) -> Tangent {
+/// The reference configuration under the stresses of the linear response: displacements stay out of it.
+fn stressed<'m>(
+    model: &'m Model,
+    rest: &State,
+    response: &[[f64; 4]],
+    multipliers: &[f64],
+) -> StaticSearch<'m> {
     let mut search = StaticSearch::at(model, rest);
     search.forcing.set_static(model, 1.0);
     search.forcing.rest_motions();
     search.work.multiplier.copy_from_slice(multipliers);
     search.work.correction.copy_from_slice(response);
     search.foresee(false);
-    search.assemble::<true>();
-    search.work.tangent
+    search
 }
 
-/// Displacements and multipliers of the linear response to the loads, and the factored stiffness.
-fn linear_response(model: &Model) -> Option<(Vec<[f64; 4]>, Vec<f64>, Tangent)> {
-    let rest = State::at_rest(model, Scheme::EnergyMomentum);
-    let mut search = linearized(model, &rest);
+/// Largest strain of the stresses foreseen: membrane strains, and those of bending at a radius of gyration.
+fn largest_strain(model: &Model, search: &StaticSearch) -> f64 {
+    let mut most = f64::MIN_POSITIVE;
+    for (span, k, _, e) in model.each_element() {
+        let law = &span.table(k).rows[1].section;
+        let radius = (law.bending / law.axial).sqrt();
+        for [membrane, bending] in search.base.strain[e] {
+            most = most.max(membrane.abs()).max(radius * bending.abs());
+        }
+    }
+    most
+}
+
+/// Nodal forces of the loads alone: springs may be stressed before they act.
+fn loads(model: &Model, rest: &State) -> Vec<[f64; 4]> {
+    let mut search = linearized(model, rest);
     search.work.multiplier.fill(0.0);
-    search.factor_assembled().ok()?;
     search.forcing.set_static(model, 1.0);
     search.forcing.rest_motions();
     search.assemble::<false>();
     let loaded = search.work.residual.clone();
     search.forcing.set_static(model, 0.0);
     search.assemble::<false>();
-    // The loads alone: springs may be stressed before they act.
     let difference = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| b[i] - a[i]);
-    let mut x: Vec<[f64; 4]> = loaded.iter().zip(&search.work.residual).map(difference).collect();
-    let mut tangent = search.work.tangent.clone();
-    let multipliers = tangent.solve_linear(model, &mut x);
-    // Round-off is no load.
-    let reach = largest(&x);
-    (reach > 1e-14 * search.size()).then_some((x, multipliers, tangent))
-}
-
-/// Gram-Schmidt in the inner product of the stiffness, twice; `false` if the stiffness is not positive: stressed springs have
-/// made the reference configuration unstable before any load acts.
-fn orthonormalize(stiffness: &Tangent, vectors: &mut [Vec<[f64; 4]>]) -> bool {
-    for i in 0..vectors.len() {
-        let (done, rest) = vectors.split_at_mut(i);
-        let x = &mut rest[0];
-        for _ in 0..2 {
-            let weighed = stiffness.multiply(x);
-            for y in done.iter() {
-                subtract(x, inner(y, &weighed), y);
-            }
-        }
-        let size = inner(x, &stiffness.multiply(x)).sqrt();
-        if !(size > 0.0 && size.is_finite()) {
-            return false;
-        }
-        scale(x, 1.0 / size);
-    }
-    true
+    loaded.iter().zip(&search.work.residual).map(difference).collect()
 }

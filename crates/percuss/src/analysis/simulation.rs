@@ -6,7 +6,7 @@ use super::impacts::Advance;
 use super::jumps;
 use super::modes;
 use super::monitor::Monitor;
-use super::start::{Initial, initial_state};
+use super::start::{Initial, initial_state, massless};
 use super::static_contacts::takes_part;
 use super::trial::size_of;
 use crate::contact::effective_mass::EffectiveMass;
@@ -110,6 +110,15 @@ impl<'m> Simulation<'m> {
         if !faults.is_empty() {
             return Err(faults);
         }
+        let massless = massless(model);
+        if !massless.is_empty() {
+            return Err(massless);
+        }
+        Self::about(model, settings)
+    }
+
+    /// The same of structures that may have beams without mass, which nothing moves in time.
+    pub(super) fn about(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
         let Initial { state, reactions, contact_forces } = initial_state(model, settings)?;
         // What presses on something in equilibrium may well be inside it.
         let pressed = |c: &ContactData| {

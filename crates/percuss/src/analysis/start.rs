@@ -9,7 +9,7 @@ use super::statics::{equilibrium, mechanisms};
 use crate::contact::effective_mass;
 use crate::error::Error;
 use crate::math::vec2::{dot, rot90, scale};
-use crate::model::frozen::{Body, BodyKind};
+use crate::model::frozen::{BeamData, Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
@@ -21,7 +21,7 @@ use crate::step::{commit, lead};
 /// # Errors
 /// What overlaps.
 pub fn reference_state(model: &Model) -> Result<State, Vec<Fault>> {
-    let mut state = Simulation::new(model, &Settings::new(1.0, 1.0))?.state().clone();
+    let mut state = Simulation::about(model, &Settings::new(1.0, 1.0))?.state().clone();
     state.velocity.fill([0.0; 4]);
     state.spin.iter_mut().for_each(|spin| spin.fill(0.0));
     Ok(state)
@@ -186,6 +186,21 @@ impl Simulation<'_> {
         }
         self.state.acceleration = force;
     }
+}
+
+/// A fault for each beam without mass, which statics and modes know but no run in time. Inertia is all that tells a velocity from
+/// the forces: where a node has none its velocity is no result, whatever the step.
+pub fn massless(model: &Model) -> Vec<Fault> {
+    let without = |beam: &&BeamData| {
+        model.spans[beam.spans.clone()].iter().any(|s| s.tables.iter().any(|t| t.mass[0][0] == 0.0))
+    };
+    let fault = |beam: &BeamData| {
+        let found =
+            format!("no mass: the nodes of `{}` have no inertia to move in time with", beam.name);
+        let expected = "a density above zero for a run in time (statics and modes do without)";
+        Fault::new(format!("beam.{}", beam.name), found, expected)
+    };
+    model.beams.iter().filter(without).map(fault).collect()
 }
 
 /// Where a run starts.

@@ -11,6 +11,7 @@ use crate::contact::pair::{Memory, Pair, Target};
 use crate::contact::row::Row;
 use crate::contact::touch::{Reach, Touch, Turning};
 use crate::linalg::block::ZERO;
+use crate::linalg::chain::Chain;
 use crate::math::vec2::{cross, norm, scale};
 use crate::model::frozen::{BodyKind, NodeHold};
 use crate::model::{Model, TouchLaw};
@@ -416,8 +417,8 @@ impl StaticContacts {
         }
         let far = LOST * self.size;
         let lost = |d: &&Disc| {
-            let gone = norm([u[d.node][0], u[d.node][1]]);
-            gone > far || gone.is_nan()
+            let moved = norm([u[d.node][0], u[d.node][1]]);
+            moved.is_nan() || moved > far
         };
         self.lost = self.discs.iter().find(lost).map(|d| d.body);
     }
@@ -449,6 +450,15 @@ impl StaticContacts {
     /// Discs that take part.
     pub fn has_discs(&self) -> bool {
         !self.discs.is_empty()
+    }
+
+    /// Adds the measure of motions of bodies: of discs the stiffness that their weight has over the size of the structure.
+    pub fn measure_bodies(&self, measure: &mut Chain, model: &Model) {
+        let nodes = (0..model.bodies.len()).map(|body| (model.body_node(body), 1.0));
+        let discs = self.discs.iter().map(|d| (d.node, d.spring / WEAK));
+        for (node, stiffness) in nodes.chain(discs) {
+            (0..4).for_each(|k| measure.diag[node][k][k] = stiffness);
+        }
     }
 
     /// Takes the weak springs of the discs out of an assembled tangent.

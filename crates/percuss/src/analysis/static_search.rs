@@ -1,8 +1,8 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
 use super::section_forces::{self, Acting, Lines};
+use super::spectrum::{metric, random, size};
 use super::static_contacts::StaticContacts;
-use crate::contact::effective_mass::mass_band;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
 use crate::element::membrane::green_or_engineering;
@@ -16,7 +16,7 @@ use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::prescribe;
-use crate::step::tangent::{Singular, Tangent, inner, project};
+use crate::step::tangent::{Singular, inner, project};
 use crate::step::workspace::Workspace;
 use crate::step::{assemble, connectors, external};
 use crate::summary::SectionForceSummary;
@@ -197,7 +197,7 @@ impl<'m> StaticSearch<'m> {
     fn correct_along(&mut self) -> bool {
         let (start, full) = (self.work.increment.clone(), self.work.correction.clone());
         let before = inner(&self.work.residual, &full);
-        if !self.correct() || before >= 0.0 || before.is_nan() {
+        if !self.correct() || before.is_nan() || before >= 0.0 {
             return before.is_finite();
         }
         let whole = inner(&self.work.correction, &full) / inner(&full, &full);
@@ -286,13 +286,17 @@ impl<'m> StaticSearch<'m> {
         self.foresee(true);
         self.assemble::<true>();
         self.contacts.without_springs(&mut self.work.tangent);
-        let mass = mass_band(model, &self.state().displacement);
-        let shift = super::statics::bending_scale(model);
+        // Measured by stiffness: density has no part in it.
+        let mut mass = metric(model, false);
+        self.contacts.measure_bodies(&mut mass, model);
+        let longest = model.beams.iter().map(|b| b.length).fold(0.0, f64::max);
+        let shift = if longest > 0.0 { (size(model) / longest).powi(4) } else { 1.0 };
         self.work.tangent.chain_mut().add_scaled(&mass, shift);
         if self.factor_assembled().is_err() {
             return false;
         }
-        let Some(mut x) = super::modes::start(model, 1).pop() else { return true };
+        let mut x = random(model.node_count(), &mut 1);
+        project(model, &mut x);
         let mut lowest = f64::INFINITY;
         for _ in 0..INVERSE_ITERATIONS {
             let mut y = mass.multiply(&x);
@@ -302,7 +306,7 @@ impl<'m> StaticSearch<'m> {
             let inverse = inner(&mass.multiply(&x), &y) / weight;
             lowest = 1.0 / inverse - shift;
             let size = inner(&y, &mass.multiply(&y)).sqrt();
-            super::modes::scale(&mut y, 1.0 / size);
+            y.as_flattened_mut().iter_mut().for_each(|c| *c /= size);
             x = y;
         }
         lowest > -1e-6 * shift
@@ -419,16 +423,4 @@ pub(super) fn linearized<'m>(model: &'m Model, state: &State) -> StaticSearch<'m
     let mut search = StaticSearch::at(model, state);
     search.assemble::<true>();
     search
-}
-
-/// Factors an assembled tangent plus `shift` times a mass.
-pub(super) fn factor_shifted(
-    search: &mut StaticSearch,
-    mass: &crate::linalg::chain::Chain,
-    shift: f64,
-) -> Option<Tangent> {
-    let chain = search.work.tangent.chain_mut();
-    chain.add_scaled(mass, shift);
-    search.factor_assembled().ok()?;
-    Some(search.work.tangent.clone())
 }

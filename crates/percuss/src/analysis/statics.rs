@@ -1,6 +1,6 @@
 //! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
 
-use super::modes;
+use super::spectrum::{Layout, free_motions, is_stable};
 use super::static_contacts::StaticContact;
 use super::static_search::{StaticSearch, largest};
 use crate::error::Error;
@@ -112,15 +112,7 @@ pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
 
 /// Whether the beams, which touch nothing, return to where they are.
 fn is_stable_alone(structure: &Model, search: &StaticSearch) -> bool {
-    let state = search.state().of_structure(structure);
-    is_stable(structure, &StaticSearch::at(structure, &state))
-}
-
-/// Whether no motion about the equilibrium reached grows.
-fn is_stable(model: &Model, search: &StaticSearch) -> bool {
-    let lowest = modes::lowest(model, &search.state(), 1);
-    let floor = -1e-6 * bending_scale(model);
-    lowest.is_some_and(|modes| modes.first().is_none_or(|m| m.eigenvalue > floor))
+    is_stable(structure, &search.state().of_structure(structure))
 }
 
 /// The result at the increment reached.
@@ -164,26 +156,15 @@ fn lost(search: &mut StaticSearch, share: f64) -> Error {
     Error::no_equilibrium(share)
 }
 
-/// Most motions without strain that are looked for.
-const MOST_MECHANISMS: usize = 24;
-
-/// A fault for each beam that supports and joints leave free to move without strain.
-///
-/// A mechanism is a mode about the reference configuration that strains nothing: its energy is none against that of the lowest
-/// bending frequency any beam of the model could have.
+/// A fault for each beam that supports and joints leave free to move without strain: what the rank of the stiffness matrix
+/// lacks, whatever stiffness and density are.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let model = &model.structure();
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);
-    let count = MOST_MECHANISMS.min(3 * model.beams.len());
-    let Some(modes) = modes::lowest(model, &rest, count) else { return Vec::new() };
-    let scale = bending_scale(model);
-    // By strains and not by the tangent, which a stressed spring may soften: instability is no mechanism.
-    let free = |m: &&modes::Mode| 2.0 * modes::strain_energy(model, &m.shape) <= 1e-6 * scale;
-    let loose: Vec<_> = modes.iter().filter(free).collect();
+    let layout = Layout::new(model);
+    let loose = free_motions(&layout, &StaticSearch::at(model, &rest)).motions;
     let moves = |beam: &crate::model::frozen::BeamData| {
-        loose
-            .iter()
-            .any(|mode| largest(&mode.shape[beam.nodes.clone()]) > 1e-3 * largest(&mode.shape))
+        loose.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
     };
     let fault = |beam: &crate::model::frozen::BeamData| {
         let found = format!("a mechanism: `{}` can move without being strained", beam.name);
@@ -191,13 +172,4 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
         Fault::new(format!("beam.{}", beam.name), found, expected)
     };
     model.beams.iter().filter(|beam| moves(beam)).map(fault).collect()
-}
-
-/// The lowest square of a bending frequency any beam could have \[1/s^2\].
-pub(super) fn bending_scale(model: &Model) -> f64 {
-    let own = |b: &crate::model::frozen::BeamData| {
-        let row = &model.spans[b.spans.start].table(0).rows[1];
-        row.section.bending / (row.mass * b.length.powi(4))
-    };
-    model.beams.iter().map(own).fold(f64::INFINITY, f64::min)
 }

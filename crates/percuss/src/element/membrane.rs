@@ -67,11 +67,6 @@ impl MembraneTable {
         }
         Self { rows, tangent: rows.map(|row| reference.at(&row)), stiffness, at_gauss }
     }
-
-    /// Membrane strains at the Gauss points from those at the sampling points.
-    pub fn interpolate(&self, strain: [f64; SAMPLES]) -> [f64; GAUSS] {
-        self.at_gauss.map(|l| l[0] * strain[0] + l[1] * strain[1] + l[2] * strain[2])
-    }
 }
 
 impl<S: Real> MembraneTable<S> {

@@ -53,22 +53,13 @@ impl Chain {
 
     /// Adds `factor` times another matrix, before factorisation.
     pub fn add_scaled(&mut self, other: &Self, factor: f64) {
-        let blocks = |c: &mut Self| {
-            [
-                std::mem::take(&mut c.diag),
-                std::mem::take(&mut c.upper),
-                std::mem::take(&mut c.lower),
-            ]
+        let add = |blocks: &mut [Block], more: &[Block]| {
+            let both = blocks.as_flattened_mut().as_flattened_mut().iter_mut();
+            both.zip(more.as_flattened().as_flattened()).for_each(|(t, s)| *t += factor * s);
         };
-        let mut mine = blocks(self);
-        for (target, source) in mine.iter_mut().zip([&other.diag, &other.upper, &other.lower]) {
-            for (t, s) in target.iter_mut().zip(source) {
-                for (t, s) in t.as_flattened_mut().iter_mut().zip(s.as_flattened()) {
-                    *t += factor * s;
-                }
-            }
-        }
-        [self.diag, self.upper, self.lower] = mine;
+        add(&mut self.diag, &other.diag);
+        add(&mut self.upper, &other.upper);
+        add(&mut self.lower, &other.lower);
     }
 
     /// Product with a vector, before factorisation.

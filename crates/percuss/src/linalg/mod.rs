@@ -7,4 +7,6 @@ pub mod complementarity;
 pub mod condensed;
 pub mod core;
 pub mod dense;
+pub mod elimination;
 pub mod sparse;
+pub mod wide_block;

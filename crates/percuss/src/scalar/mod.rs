@@ -1,15 +1,17 @@
 //! The scalar that kernels and whole runs are written over: `f64`, several runs side by side ([`Lanes`]), or one run with its
-//! derivatives ([`Dual`]).
+//! derivatives ([`Dual`]). Kernels of linear problems also in some 32 digits ([`Wide`]).
 
 mod dual;
 mod lanes;
 mod quotient;
+mod wide;
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 pub use dual::Dual;
 pub use lanes::Lanes;
+pub use wide::Wide;
 
 /// A real number as the kernels need it.
 ///

@@ -26,8 +26,12 @@ pub struct ConnectorStep {
     pub change: f64,
     /// Forms of the coordinate's change at both ends, on displacements or slopes.
     pub forms: [[f64; 2]; 2],
+    /// Derivative of the force with respect to the coordinate at the end of the step.
+    pub slope: f64,
     /// Derivatives of the forces `force * form` with respect to the ends' increments.
     tangent: Blocks,
+    /// Of them, what comes of the turning of the forms.
+    turning: Blocks,
 }
 
 /// An end of a connector on a beam: its point and whether the coordinate knows the slope there, or the displacement.
@@ -131,16 +135,11 @@ impl Connector {
         let rate = rule.lag(self.damping);
         let damper = rate * form.change;
         let (force, slope) = (elastic + damper, slope + rate);
-        let tangent = std::array::from_fn(|g| {
-            std::array::from_fn(|h| {
-                std::array::from_fn(|i| {
-                    std::array::from_fn(|j| {
-                        slope * form.mean[g][i] * form.end[h][j] + force * form.bend[g][h][i][j]
-                    })
-                })
-            })
-        });
-        ConnectorStep { force, damper, change: form.change, forms: form.mean, tangent }
+        let turning = form.bend.map(|row| row.map(|b| b.map(|row| row.map(|k| force * k))));
+        let mut tangent = turning;
+        add_to(&mut tangent, &product(&form.mean, &form.end, slope));
+        let (change, forms) = (form.change, form.mean);
+        ConnectorStep { force, damper, change, forms, slope, tangent, turning }
     }
 
     /// Increments of [`Connector::tangents`].
@@ -327,6 +326,27 @@ fn add_to(sum: &mut Blocks, other: &Blocks) {
                 a[i][j] += b[i][j];
             }
         }
+    }
+}
+
+/// Adds the part of the connectors' tangent that comes of their forces' turning; gives `each` the others' stiffness.
+pub fn apply_turning(
+    model: &Model,
+    state: &State,
+    rule: &Integration,
+    forcing: &Forcing,
+    tangent: &mut Tangent,
+    mut each: impl FnMut(&Connector, &ConnectorStep),
+) {
+    let still = vec![[0.0; 4]; state.displacement.len()];
+    for (i, connector) in model.connectors.iter().enumerate() {
+        if !forcing.connected[i] {
+            continue;
+        }
+        let q0 = state.coordinates[i];
+        let step = connector.step(rule, forcing, q0, &state.displacement, &still);
+        tangent.add_connector(i, connector, &step.turning);
+        each(connector, &step);
     }
 }
 

@@ -120,9 +120,15 @@ impl Tangent {
         }
     }
 
-    /// Product with nodal values, before factorisation; constraints have no part in it.
-    pub fn multiply(&self, x: &[[f64; 4]]) -> Vec<[f64; 4]> {
-        self.matrix.multiply(x)
+    /// Blocks of the band and beyond it that are not zero: (row node, column node, block); before factorisation.
+    pub fn blocks(&self) -> impl Iterator<Item = (usize, usize, &Block)> {
+        let Chain { diag, upper, lower, .. } = &self.matrix.chain;
+        let linked = |i: &usize| self.linked[*i];
+        let band = diag.iter().enumerate().map(|(i, b)| (i, i, b));
+        let above = (0..self.linked.len()).filter(linked).map(|i| (i, i + 1, &upper[i]));
+        let below = (0..self.linked.len()).filter(linked).map(|i| (i + 1, i, &lower[i]));
+        let beyond = self.matrix.couplings.iter().map(|(i, j, b)| (*i, *j, b));
+        band.chain(above).chain(below).chain(beyond).filter(|(_, _, b)| **b != ZERO)
     }
 
     /// Adds the tangent of connector `i`.

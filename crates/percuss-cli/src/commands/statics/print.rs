@@ -1,6 +1,8 @@
 //! An equilibrium and a path, as text.
 
-use percuss::{BucklingMode, Equilibrium, Path, SectionPeak, SectionRange, StaticContact};
+use percuss::{
+    BucklingOutcome, Equilibrium, LinearBuckling, Path, SectionPeak, SectionRange, StaticContact,
+};
 
 use crate::number::{count, number};
 
@@ -8,7 +10,7 @@ use crate::number::{count, number};
 const LISTED: usize = 20;
 
 /// An equilibrium for people.
-pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
+pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     let steps = count(found.load_steps, "load step");
     let mut text =
         format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
@@ -48,12 +50,17 @@ pub fn table(found: &Equilibrium, linear: &[BucklingMode]) -> String {
             }
         }
     }
-    if let Some(mode) = linear.first() {
+    if let Some(mode) = linear.modes.first() {
         text.push_str(&format!(
             "linear buckling at {} times the loads (about the reference configuration{})\n",
             number(mode.factor),
             if found.contacts.is_empty() { "" } else { ", contacts left out" }
         ));
+    }
+    if let Some(reason) = linear.outcome.reason()
+        && linear.outcome != BucklingOutcome::Unloaded
+    {
+        text.push_str(&format!("{reason}\n"));
     }
     text
 }

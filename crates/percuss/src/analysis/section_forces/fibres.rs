@@ -1,8 +1,7 @@
 //! Stress and strain of the extreme fibres.
 
 use crate::element::beam::{ElementValues, SectionValues};
-use crate::element::point::{SectionLaw, Strains};
-use crate::element::strain::{axial_force, strains};
+use crate::element::point::SectionLaw;
 use crate::math::hermite::{GAUSS, GAUSS_WEIGHTS};
 use crate::math::vec2::{add, cross, dot};
 use crate::model::StrainMeasure;
@@ -112,35 +111,10 @@ pub fn strained(span: &Span, k: usize, state: &State) -> [Strained; 2] {
     [-half, half].map(|more| Strained { stretch: stretch - 1.0, turn: mean + more })
 }
 
-/// Mean axial force that goes with an element's strains \[N\].
-pub fn elastic_axial(span: &Span, k: usize, state: &State) -> f64 {
-    let (node, index) = (span.nodes.start + k, span.elements.start + k);
-    let table = span.table(k);
-    let u = ElementValues::new(&state.displacement[node], &state.displacement[node + 1]);
-    let samples = table.membrane.as_ref().map(|samples| {
-        let stored = state.strain.get(index);
-        let own = || samples.strains(span.measure, &u);
-        samples.interpolate(stored.map_or_else(own, |stored| stored.map(|s| s[0])))
-    });
-    let mut axial = 0.0;
-    for (j, row) in table.rows.iter().enumerate() {
-        let (slope, bend) = (u.at(&row.first), add(row.bend, u.at(&row.second)));
-        let mut strain = match state.strain.get(index) {
-            Some(stored) => Strains { membrane: stored[j][0], bending: stored[j][1] },
-            None => strains(span.measure, row.tangent, row.curvature, slope, bend),
-        };
-        if let Some(membrane) = &samples {
-            strain.membrane = membrane[j];
-        }
-        let g = add(row.tangent, slope);
-        axial += GAUSS_WEIGHTS[j] * axial_force(&row.section, &strain, g, bend);
-    }
-    axial
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::strain::strains;
 
     #[test]
     fn strains_of_an_elastic_section_are_those_whose_energy_has_its_forces_as_derivatives() {

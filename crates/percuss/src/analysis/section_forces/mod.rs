@@ -16,7 +16,6 @@ use crate::summary::{Envelope, SectionForceSummary, SectionRange};
 use fibres::{Fibres, Strained, section_at};
 use line::{Inner, Line, SectionForces};
 
-pub use fibres::elastic_axial;
 pub use lines::{Acting, Lines};
 
 /// Places of an element that the envelope knows: both ends and the middle.

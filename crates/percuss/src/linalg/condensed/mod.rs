@@ -137,16 +137,6 @@ impl Condensed {
         self.interface.partition_point(|k| *k < node)
     }
 
-    /// Product of the band and the couplings with nodal values, before factorisation.
-    pub fn multiply(&self, x: &[[f64; 4]]) -> Vec<[f64; 4]> {
-        let mut y = self.chain.multiply(x);
-        for (i, j, block) in &self.couplings {
-            let add = block::apply(block, &x[*j]);
-            (0..4).for_each(|k| y[*i][k] += add[k]);
-        }
-        y
-    }
-
     /// Factors the assembled matrix.
     ///
     /// # Errors

@@ -38,7 +38,11 @@ fn sample(couplings: &[(usize, usize)], border: &[BorderPattern]) -> Condensed {
 }
 
 fn multiply(a: &Condensed, x: &[[f64; 4]], border: &[f64]) -> (Vec<[f64; 4]>, Vec<f64>) {
-    let mut y = a.multiply(x);
+    let mut y = a.chain.multiply(x);
+    for (i, j, block) in &a.couplings {
+        let add = block::apply(block, &x[*j]);
+        (0..4).for_each(|k| y[*i][k] += add[k]);
+    }
     for (column, b) in a.columns.iter().zip(border) {
         for (node, c) in column {
             (0..4).for_each(|k| y[*node][k] += c[k] * b);

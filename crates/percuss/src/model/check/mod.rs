@@ -54,7 +54,7 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     for m in &model.materials {
         let path = |field: &str| format!("material.{}.{field}", m.name);
         out.positive(path("young"), m.young, "a Young's modulus", "Pa");
-        out.positive(path("density"), m.density, "a density", "kg/m^3");
+        out.not_negative(path("density"), m.density, "a density", "kg/m^3");
     }
     for m in &model.materials {
         let path = |field: &str| format!("material.{}.{field}", m.name);

@@ -1,0 +1,114 @@
+//! Motions that strain nothing: of rigid bodies, of mechanisms.
+
+use super::krylov::{Krylov, Nodal};
+use super::matrix::{Layout, Stress};
+use super::{metric, size};
+use crate::analysis::static_search::{StaticSearch, largest};
+use crate::step::tangent::inner;
+
+/// Eigenvalues of unit bending stiffness, against beams as long as all together, that count as none. The least of a structure
+/// that is held is of order one; the greatest of round-off, for 100 000 elements, below 1e-11.
+const NONE: f64 = 1e-9;
+
+/// Energy of stress below this share of that of bending is round-off.
+const ROUND_OFF: f64 = 1e-9;
+
+/// Motions of a structure that strain nothing.
+pub struct FreeMotions {
+    /// Nodal values of a basis.
+    pub motions: Vec<Nodal>,
+    /// As many components of nodes that, held, would stop them all: (node, component).
+    pub stops: Vec<(usize, usize)>,
+}
+
+/// Motions from the base of a search that no stiffness opposes, to first order.
+///
+/// Their number is the rank that a stiffness matrix lacks, whatever the stiffness: it is found with unit bending stiffness for
+/// each beam, and springs to match.
+pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
+    let model = layout.model;
+    let length = size(model);
+    let stiffness = layout.kinematic(search, length);
+    let metric = metric(model, true);
+    let mut below = stiffness.clone();
+    layout.add_band(&mut below, &metric, -NONE);
+    let count = layout.factor(&below, true).map_or(0, |f| f.negative);
+    let mut motions = Vec::new();
+    if count > 0 {
+        let mut shifted = stiffness;
+        layout.add_band(&mut shifted, &metric, 1.0);
+        if let Some(factored) = layout.factor(&shifted, false) {
+            let image_of = |x: &Nodal| metric.multiply(x);
+            let solve = |image: &Nodal| factored.solve(image);
+            let mut krylov = Krylov::new(model.node_count(), &[], image_of, solve);
+            for _ in 0..count {
+                krylov.join();
+            }
+            let most = 12 * count + 20;
+            let mut found = Vec::new();
+            while krylov.size() < most && krylov.advance() {
+                if krylov.size().is_multiple_of(count) && krylov.size() >= 2 * count {
+                    found = krylov.symmetric();
+                    if krylov.settled(&found, count) {
+                        break;
+                    }
+                }
+            }
+            if found.len() < count {
+                found = krylov.symmetric();
+            }
+            motions = found.iter().take(count).map(|r| krylov.shape(r).x).collect();
+        }
+    }
+    let stops = stops(&motions, length);
+    FreeMotions { motions, stops }
+}
+
+/// Stiffness of a motion against that of bending, both of unit bending stiffness: how much it strains.
+pub fn strain_share(layout: &Layout, search: &StaticSearch, x: &Nodal) -> f64 {
+    let length = size(layout.model);
+    let mut energy = 0.0;
+    layout.each_energy(search, x, Stress::Left(length), |e| energy += e);
+    energy / inner(x, &metric(layout.model, true).multiply(x))
+}
+
+/// What the stiffness `total` of a motion is of the magnitudes of its parts, element by element.
+pub fn stress_share(layout: &Layout, search: &StaticSearch, x: &Nodal, total: f64) -> f64 {
+    let mut parts = 0.0;
+    layout.each_energy(search, x, Stress::Taken, |e| parts += e.abs());
+    let scale = inner(x, &metric(layout.model, false).multiply(x));
+    if parts <= ROUND_OFF * scale { 0.0 } else { total.abs() / parts }
+}
+
+/// Components that tell the motions apart, by elimination with pivots sought everywhere; slopes count by a length.
+fn stops(motions: &[Nodal], length: f64) -> Vec<(usize, usize)> {
+    let mut rest = motions.to_vec();
+    for x in &mut rest {
+        x.iter_mut().for_each(|x| (x[2], x[3]) = (length * x[2], length * x[3]));
+        let size = largest(x);
+        x.as_flattened_mut().iter_mut().for_each(|c| *c /= size);
+    }
+    let mut places = Vec::new();
+    while !rest.is_empty() {
+        let (mut best, mut at) = (0.0, (0, 0));
+        for (m, x) in rest.iter().enumerate() {
+            for (i, c) in x.as_flattened().iter().enumerate() {
+                if c.abs() > best {
+                    (best, at) = (c.abs(), (m, i));
+                }
+            }
+        }
+        if best == 0.0 {
+            break;
+        }
+        let pivot = rest.swap_remove(at.0);
+        for x in &mut rest {
+            let factor = x.as_flattened()[at.1] / pivot.as_flattened()[at.1];
+            for (c, p) in x.as_flattened_mut().iter_mut().zip(pivot.as_flattened()) {
+                *c -= factor * p;
+            }
+        }
+        places.push((at.1 / 4, at.1 % 4));
+    }
+    places
+}

@@ -1,0 +1,65 @@
+//! Eigenvalues of linearised structures.
+//!
+//! Matrices are formed and factored in [`crate::scalar::Wide`] numbers, eigenvalues counted by the signs of pivots and found in
+//! Krylov subspaces of the inverse. Which motions strain nothing is a matter of geometry alone.
+
+mod kinematics;
+mod krylov;
+mod matrix;
+mod pencil;
+
+pub use kinematics::{FreeMotions, free_motions, strain_share, stress_share};
+pub use krylov::{Krylov, Nodal, Pair, Ritz, random, subtract};
+pub use matrix::{Layout, Matrix};
+pub use pencil::{Eigen, Pencil};
+
+use super::static_search::StaticSearch;
+use crate::linalg::chain::Chain;
+use crate::math::hermite;
+use crate::model::Model;
+use crate::state::State;
+
+/// Length of all beams \[m\].
+pub fn size(model: &Model) -> f64 {
+    model.beams.iter().map(|b| b.length).sum()
+}
+
+/// A measure of motions by stiffness: the mass matrix of beams with a mass of `EI / l^4` per length, l the length of all beams.
+/// Against it no bending stiffness of the structure is small, whatever its density. Of unit bending stiffness if `unit`.
+pub fn metric(model: &Model, unit: bool) -> Chain {
+    let mut chain = Chain::zeros(model.node_count());
+    let length = size(model);
+    for (span, k, a, _) in model.each_element() {
+        let table = span.table(k);
+        let bending = if unit { 1.0 } else { table.rows[1].section.bending };
+        let mass = hermite::mass(table.length, |_| bending / length.powi(4));
+        let none = crate::element::beam::ElementSums::zero(0.0);
+        crate::step::assemble::spread(&none, &mass, 1.0, a, &mut chain);
+    }
+    chain
+}
+
+/// Whether no motion of a structure about an equilibrium grows; contacts are left out.
+///
+/// Stiffness decides where forces have a potential: no pivot is negative, but for those of round-off beside the bending
+/// stiffness. Density has no part in it. Where a force follows the beams, motions may grow that stiffness knows nothing of
+/// (flutter), and frequencies decide.
+pub fn is_stable(model: &Model, state: &State) -> bool {
+    /// Stiffness below this share of that of bending counts as none.
+    const NEUTRAL: f64 = 1e-6;
+    /// Eigenvalues below this share of the largest one looked at count as none.
+    const ROUND_OFF: f64 = 1e-9;
+    /// Modes looked at where frequencies decide.
+    const MODES: usize = 8;
+    let search = StaticSearch::at(model, state);
+    let layout = Layout::new(model);
+    let mut tangent = layout.tangent(&search);
+    if !layout.is_symmetric(&tangent) {
+        let modes = super::modes::lowest(model, state, MODES);
+        let most = modes.iter().fold(0.0_f64, |most, m| most.max(m.eigenvalue.abs()));
+        let floor = ROUND_OFF * most;
+        return modes.iter().all(|m| m.imaginary == 0.0 && m.eigenvalue >= -floor);
+    }
+    layout.add_band(&mut tangent, &metric(model, false), NEUTRAL);
+    layout.factor(&tangent, true).is_some_and(|f| f.negative == 0)
+}
