@@ -48,7 +48,7 @@ impl TwoMasses {
 
     /// The first contact after a touch at `speed` \[m/s\]; none where its numbers leave the range of floating point.
     ///
-    /// The penetration is a sum of two sines, slow and fast. Beyond a ratio [`FAR`] of their frequencies it is looked at only
+    /// The penetration is a sum of two sines, slow and fast. Beyond a ratio `FAR` of their frequencies it is looked at only
     /// where its first zero and its extremes can lie, so that the work is bounded whatever the ratio is.
     pub fn blow(&self, speed: f64) -> Option<TwoMassBlow> {
         let modes = Modes::new(self, speed);
