@@ -258,7 +258,7 @@ fn faults_of_the_model_are_found_where_their_values_stand() {
 fn faults_of_reading_of_the_model_and_of_the_settings_appear_together() {
     let text = RIGID
         .replace("area = \"1e3 cm^2\"", "area = \"1e3 cm\"")
-        .replace("density = \"3000 kg/m^3\"", "density = 0")
+        .replace("density = \"3000 kg/m^3\"", "density = -1")
         .replace("\"100 kg\"", "\"-100 kg\"")
         .replace("step = \"1e-5 s\"", "step = 0")
         .replace("girder.end", "grider.end");

@@ -162,6 +162,26 @@ fn rigid_discs_bounce_slide_and_rub_with_closed_books() {
 }
 
 #[test]
+fn what_has_no_thickness_on_either_side_is_refused_with_the_cure() {
+    let built = |depths: [Option<f64>; 2]| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("soft", 2e9, 1e3));
+        let mut section =
+            |name: &str, depth| b.section(Section { depth, ..Section::new(name, 1e-2, 8.33e-6) });
+        let (near, far) = (section("near", depths[0]), section("far", depths[1]));
+        let a = b.beam(beam("a", [0.0, 0.0], [1.0, 0.0], 4, material, near));
+        let c = b.beam(beam("c", [1.2, 0.0], [2.0, 0.0], 4, material, far));
+        let law = TouchLaw::Rigid(RigidLaw::frictionless(1.0));
+        b.contact(Contact::new("blow", [Party::Beam(a), Party::Beam(c)], law));
+        b.build().map(|_| ())
+    };
+    let told = built([None, None]).expect_err("no depth");
+    let text = told.iter().map(|f| f.to_string()).collect::<String>();
+    assert!(text.contains("two beams without depth") && text.contains("`depth`"), "{text}");
+    assert!(built([None, Some(0.05)]).is_ok());
+}
+
+#[test]
 fn two_beams_that_collide_freely_keep_energy_and_momenta() {
     for law in [
         TouchLaw::Smooth(SmoothLaw::elastic(linear(1e6))),

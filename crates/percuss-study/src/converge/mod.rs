@@ -176,7 +176,7 @@ pub fn converge(
         .iter()
         .enumerate()
         .map(|(k, path)| {
-            let of = |all: &[Vec<f64>]| all.iter().map(|run| run[k]).collect::<Vec<f64>>();
+            let of = |all: &[Vec<f64>]| alike(path, all.iter().map(|run| run[k]).collect());
             let why = Why { path: path.path(), model: base, summary: &first };
             let step = why.sequence(Refined::Step, of(&by_step));
             let mesh = why.sequence(Refined::Mesh, of(&by_mesh));
@@ -186,6 +186,16 @@ pub fn converge(
     let cheapest =
         ladder.accuracy.map(|accuracy| Cheapest::of(&results, accuracy, &steps, &elements));
     Ok(Convergence { steps, elements, results, cheapest })
+}
+
+/// Values of one result. What is largest in magnitude may be so in either direction, at two supports say, and which of them wins is
+/// chance: its magnitudes are compared, with the sign of the first.
+fn alike(path: &SummaryPath, mut values: Vec<f64>) -> Vec<f64> {
+    if path.path().contains("_max.") {
+        let sign = values[0].signum();
+        values.iter_mut().for_each(|value| *value = value.abs() * sign);
+    }
+    values
 }
 
 /// A result from both of its sequences: their errors add up.
@@ -364,7 +374,11 @@ fn words(refined: Refined, values: &[f64], found: &Extrapolation) -> String {
     }
     let percent = |x: f64| {
         let share = 100.0 * (x / found.limit).abs();
-        if share.is_finite() { format!("{share:.2} %") } else { format!("{x:.2e}") }
+        match share {
+            _ if !share.is_finite() => format!("{x:.2e}"),
+            _ if share >= 0.01 => format!("{share:.2} %"),
+            _ => format!("{share:.0e} %"),
+        }
     };
     match found.order {
         Some(order) => format!(

@@ -155,6 +155,9 @@ impl<'a> Krylov<'a> {
     /// Eigenvalues of a symmetric operator in the basis, descending.
     pub fn symmetric(&self) -> Vec<Ritz> {
         let n = self.size();
+        if n == 0 {
+            return Vec::new(); // a structure whose mass or stiffness is nothing, or no number, leads nowhere
+        }
         let matrix = DMatrix::from_fn(n, n, |i, j| 0.5 * (self.entry(i, j) + self.entry(j, i)));
         let eigen = SymmetricEigen::new(matrix);
         let mut all: Vec<Ritz> = (0..n)

@@ -91,6 +91,11 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
         [Party::Disc(a), Party::Disc(b)] if a == b => {
             out.add(path("between"), "a disc and itself", "two different things");
         }
+        [Party::Beam(a), Party::Beam(b)] if [a, b].iter().all(|id| is_line(model, *id)) => {
+            let found = "two beams without depth: end on they would pass through each other";
+            let expected = "a section with a `depth` for one of them, such as sqrt(12 I/A)";
+            out.add(path("between"), found, expected);
+        }
         _ => {}
     }
     if !(1..=100).contains(&contact.points_per_element) {
@@ -104,6 +109,18 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
             check_jumps(model, contact, out);
         }
     }
+}
+
+/// Whether no section of a beam has a depth.
+fn is_line(model: &ModelBuilder, id: BeamId) -> bool {
+    let Some(beam) = model.beams.get(id.0 as usize) else { return false };
+    let deep = |section: &Section| {
+        let stations = section.stations.iter().map(|station| station.depth);
+        [section.depth].into_iter().chain(stations).flatten().any(|depth| depth > 0.0)
+    };
+    let own = beam.changes.iter().filter_map(|change| change.section).chain([beam.section]);
+    let mut sections = own.filter_map(|id| model.sections.get(id.0 as usize));
+    sections.all(|section| !deep(section))
 }
 
 /// Impacts of rigid things follow from velocities, and a jump has none.
