@@ -12,6 +12,7 @@ pub struct Error {
 enum ErrorKind {
     NoConvergence { time: f64, step: f64, what: String },
     NoEquilibrium { share: f64 },
+    UnsettledContacts { share: f64 },
     MomentBeyondLaw { share: f64, beam: String, most: f64 },
     NothingHolds { body: String },
     Overlap { what: String },
@@ -28,6 +29,11 @@ impl Error {
     /// No equilibrium was found beyond a share of the loads.
     pub(crate) fn no_equilibrium(share: f64) -> Self {
         Self { kind: ErrorKind::NoEquilibrium { share } }
+    }
+
+    /// The same where rigid contacts are closed, whose forces may be what does not settle.
+    pub(crate) fn unsettled_contacts(share: f64) -> Self {
+        Self { kind: ErrorKind::UnsettledContacts { share } }
     }
 
     /// No equilibrium beyond a share of the loads, since a section in Green strains carries no larger moment.
@@ -61,6 +67,7 @@ impl Error {
             self.kind,
             ErrorKind::NoConvergence { .. }
                 | ErrorKind::NoEquilibrium { .. }
+                | ErrorKind::UnsettledContacts { .. }
                 | ErrorKind::MomentBeyondLaw { .. }
         )
     }
@@ -88,6 +95,12 @@ impl fmt::Display for Error {
                 "no equilibrium found beyond {:.4} of the loads: a limit point (which only arc length passes), \
                  or a load that the structure cannot carry",
                 share
+            ),
+            ErrorKind::UnsettledContacts { share } => write!(
+                f,
+                "no equilibrium found beyond {share:.4} of the loads: the forces of rigid contacts did not settle (those that lie \
+                 side by side over a long stretch settle slowly: a compliant law does not), or a limit point, or a load that \
+                 the structure cannot carry"
             ),
             ErrorKind::MomentBeyondLaw { share, beam, most } => write!(
                 f,

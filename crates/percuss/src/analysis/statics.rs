@@ -4,7 +4,7 @@ use super::spectrum::{Layout, free_motions, is_stable};
 use super::static_contacts::StaticContact;
 use super::static_search::{StaticSearch, largest};
 use crate::error::Error;
-use crate::model::{Fault, Model, StrainMeasure};
+use crate::model::{Fault, Model, StrainMeasure, TouchLaw};
 use crate::state::State;
 use crate::summary::SectionForceSummary;
 
@@ -153,7 +153,11 @@ fn lost(search: &mut StaticSearch, share: f64) -> Error {
             }
         }
     }
-    Error::no_equilibrium(share)
+    let mut laws = search.model.contacts.iter().map(|contact| &contact.law);
+    match laws.any(|law| matches!(law, TouchLaw::Rigid(_))) {
+        true => Error::unsettled_contacts(share),
+        false => Error::no_equilibrium(share),
+    }
 }
 
 /// A fault for each beam that supports and joints leave free to move without strain: what the rank of the stiffness matrix
