@@ -4,7 +4,7 @@
 //! acceleration it supposes goes on in a step beside: an oscillation that the step does not resolve, or a thing moved all at once,
 //! has another acceleration in every step, and then values at the ends of steps are all that is known.
 
-use crate::math::hermite::Cubic;
+use crate::math::path::Path;
 use crate::scalar::{Mask, Number};
 
 /// Accelerations of neighbouring steps that differ by more than this share of the larger one are not those of a resolved motion:
@@ -23,34 +23,6 @@ pub struct Crest<S> {
     awaiting: [S; 2],
     /// The largest crest within a step that no neighbour confirmed.
     doubtful: S,
-}
-
-/// What a step looks like from its ends.
-#[derive(Clone, Copy, Debug)]
-pub struct Arc<S> {
-    /// Its size, and the time at which it starts \[s\].
-    pub h: S,
-    pub from: S,
-    /// Value and rate at its ends.
-    pub start: [S; 2],
-    pub end: [S; 2],
-}
-
-impl<S: Number> Arc<S> {
-    fn lane(&self, i: usize) -> Cubic {
-        let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
-        Cubic { h: self.h.lane(i), start: both(self.start), end: both(self.end) }
-    }
-
-    /// Value at a time from the start of the step.
-    fn value(&self, t: S) -> S {
-        let xi = t / self.h;
-        let (x2, x3) = (xi * xi, xi * xi * xi);
-        let (twist, one) = (x2 * 3.0 - x3 * 2.0, x2.constant(1.0));
-        self.start[0] * (one - twist)
-            + self.end[0] * twist
-            + self.h * (self.start[1] * (xi - x2 * 2.0 + x3) + self.end[1] * (x3 - x2))
-    }
 }
 
 fn agree(a: f64, b: f64) -> bool {
@@ -79,26 +51,26 @@ impl<S: Number> Crest<S> {
         self.doubtful.lane(lane) <= self.value.lane(lane).abs()
     }
 
-    /// Takes in a step; rates of `brief` ones, as short as an impact, jump.
+    /// Takes in a step that starts at `from`; rates of `brief` ones, as short as an impact, jump.
     #[inline(always)]
-    pub fn take(&mut self, arc: &Arc<S>, brief: S::Mask) {
-        let ([u0, v0], [u1, v1]) = (arc.start, arc.end);
-        let bend = (v1 - v0) / arc.h;
+    pub fn take(&mut self, path: &Path<S>, from: S, brief: S::Mask) {
+        let ([u0, v0], [u1, v1]) = (path.start, path.end);
+        let bend = (v1 - v0) / path.h;
         let waits = self.awaiting[0].finite();
         if waits.any() {
             self.confirm(bend, brief);
         }
         let known = self.value.abs();
         self.value = known.if_less(u1.abs(), u1, self.value);
-        self.time = known.if_less(u1.abs(), arc.from + arc.h, self.time);
+        self.time = known.if_less(u1.abs(), from + path.h, self.time);
         // What lies between stays within the control points of the cubic.
-        let third = arc.h * (1.0 / 3.0);
+        let third = path.h * (1.0 / 3.0);
         let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
         let inside = self.value.abs().less(c0.max(c1));
         if inside.any() {
             for lane in 0..S::LANES {
                 if inside.lane(lane) && !brief.lane(lane) {
-                    self.look_inside(arc, bend, lane);
+                    self.look_inside(path, from, bend, lane);
                 }
             }
         }
@@ -125,8 +97,8 @@ impl<S: Number> Crest<S> {
         }
     }
 
-    fn look_inside(&mut self, arc: &Arc<S>, bend: S, lane: usize) {
-        let own = arc.lane(lane);
+    fn look_inside(&mut self, path: &Path<S>, from: S, bend: S, lane: usize) {
+        let own = path.lane(lane);
         let confirmed = agree(self.bend.lane(lane), bend.lane(lane));
         for t in own.stationary() {
             let value = own.value(t).abs();
@@ -134,7 +106,7 @@ impl<S: Number> Crest<S> {
                 continue;
             }
             let t = bend.constant(t);
-            let (value, time) = (arc.value(t), arc.from + t);
+            let (value, time) = (path.value(t), from + t);
             if confirmed {
                 self.value.set_lane(lane, value, lane);
                 self.time.set_lane(lane, time, lane);

@@ -4,10 +4,11 @@
 //! are resolved within the step, those of displacements where steps resolve them.
 
 use super::contact_log::ContactLog;
-use super::crest::{Arc, Crest};
+use super::crest::Crest;
 use super::section_forces::{self, Acting, Lines};
 use crate::contact::row::Row;
 use crate::ledger::{Books, Measures};
+use crate::math::path::Path;
 use crate::model::Model;
 use crate::state::State;
 use crate::step::contacts::{ActiveContact, Phase, RigidContact};
@@ -178,8 +179,8 @@ impl Monitor {
             let [u0, v0] = self.start.points[k];
             for c in 0..2 {
                 let from = self.start.time;
-                let arc = Arc { h, from, start: [u0[c], v0[c]], end: [u[c], v[c]] };
-                self.points[k][c].take(&arc, part.brief);
+                let path = Path { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
+                self.points[k][c].take(&path, from, part.brief);
             }
         }
     }

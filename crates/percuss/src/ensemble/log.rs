@@ -2,9 +2,9 @@
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
-use crate::analysis::crest::{Arc, Crest};
+use crate::analysis::crest::Crest;
 use crate::contact::free_gap::FreeGap;
-use crate::math::hermite::Cubic;
+use crate::math::path::Path;
 use crate::math::roots;
 use crate::scalar::{Mask, Number};
 use crate::step::contacts::BRIEF;
@@ -203,8 +203,8 @@ impl<S: Number> Log<S> {
             let ([u0, v0], [u1, v1]) = (self.point_start[k], engine.point(k));
             for c in 0..2 {
                 let (h, from) = (engine.h, self.time);
-                let arc = Arc { h, from, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
-                crests[c].take(&arc, brief);
+                let path = Path { h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
+                crests[c].take(&path, from, brief);
             }
         }
         for (log, state) in self.guides.iter_mut().zip(&engine.guides) {
@@ -344,39 +344,7 @@ impl<S: Number> GuideLog<S> {
     }
 }
 
-/// A cubic over the step through values and rates at its ends.
-#[derive(Clone, Copy)]
-struct Path<S> {
-    h: S,
-    start: [S; 2],
-    end: [S; 2],
-}
-
 impl<S: Number> Path<S> {
-    fn lane(&self, i: usize) -> Cubic {
-        let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
-        Cubic { h: self.h.lane(i), start: both(self.start), end: both(self.end) }
-    }
-
-    /// Value at a time from the start of the step.
-    fn value(&self, t: S) -> S {
-        let xi = t / self.h;
-        let (x2, x3) = (xi * xi, xi * xi * xi);
-        let (twist, one) = (x2 * 3.0 - x3 * 2.0, x2.constant(1.0));
-        self.start[0] * (one - twist)
-            + self.end[0] * twist
-            + self.h * (self.start[1] * (xi - x2 * 2.0 + x3) + self.end[1] * (x3 - x2))
-    }
-
-    /// Its rate.
-    fn slope(&self, t: S) -> S {
-        let xi = t / self.h;
-        let x2 = xi * xi;
-        let rise = (self.end[0] - self.start[0]) / self.h * (xi - x2) * 6.0;
-        let one = xi.constant(1.0);
-        rise + self.start[1] * (one - xi * 4.0 + x2 * 3.0) + self.end[1] * (x2 * 3.0 - xi * 2.0)
-    }
-
     /// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
     fn touch_down(&self, flight: &FreeGap<S>, lane: usize) -> [S; 2] {
         if flight.gap.lane(lane) >= 0.0 {

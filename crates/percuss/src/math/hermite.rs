@@ -81,6 +81,12 @@ impl Cubic {
         n[0] * self.start[0] + n[1] * self.start[1] + n[2] * self.end[0] + n[3] * self.end[1]
     }
 
+    /// Slope at `t`.
+    pub fn slope(&self, t: f64) -> f64 {
+        let n = slope(t / self.h, self.h);
+        n[0] * self.start[0] + n[1] * self.start[1] + n[2] * self.end[0] + n[3] * self.end[1]
+    }
+
     /// Interior points where the slope vanishes, in order; at most two.
     pub fn stationary(&self) -> impl Iterator<Item = f64> {
         // Slope in xi: a xi^2 + b xi + c, by Horner coefficients of the cubic.

@@ -33,7 +33,7 @@ impl Course {
         let [gap, rate] = if t == self.gap.h {
             self.gap.end
         } else if self.is_known() {
-            [self.gap.value(t), slope(&self.gap, t)]
+            [self.gap.value(t), self.gap.slope(t)]
         } else {
             return 0.0;
         };
@@ -59,7 +59,7 @@ impl Course {
             return [time, -rate];
         }
         let time = crossing(gap);
-        [time, -slope(gap, time)]
+        [time, -gap.slope(time)]
     }
 }
 
@@ -96,13 +96,6 @@ pub fn highest(courses: &[Course], law: &SmoothLaw, start: f64) -> Peak {
         }
     }
     Peak { time: start + best.time, ..best }
-}
-
-/// Derivative of a cubic.
-fn slope(gap: &Cubic, t: f64) -> f64 {
-    let xi = t / gap.h;
-    let rise = 6.0 * (xi - xi * xi) * (gap.end[0] - gap.start[0]) / gap.h;
-    rise + (1.0 - 4.0 * xi + 3.0 * xi * xi) * gap.start[1] + (3.0 * xi * xi - 2.0 * xi) * gap.end[1]
 }
 
 /// The first instant within the step at which a gap that stands open at its start closes; its least where it only comes near.

@@ -1,0 +1,42 @@
+//! A cubic over a step through values and rates at its ends, in every lane.
+
+use super::hermite::Cubic;
+use crate::scalar::Number;
+
+/// Between the ends of a step of size `h`.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<S> {
+    /// Size of the step \[s\].
+    pub h: S,
+    /// Value and rate at its start.
+    pub start: [S; 2],
+    /// Value and rate at its end.
+    pub end: [S; 2],
+}
+
+impl<S: Number> Path<S> {
+    /// The one of a lane.
+    pub fn lane(&self, i: usize) -> Cubic {
+        let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
+        Cubic { h: self.h.lane(i), start: both(self.start), end: both(self.end) }
+    }
+
+    /// Value at a time from the start of the step.
+    pub fn value(&self, t: S) -> S {
+        let xi = t / self.h;
+        let (x2, x3) = (xi * xi, xi * xi * xi);
+        let (twist, one) = (x2 * 3.0 - x3 * 2.0, x2.constant(1.0));
+        self.start[0] * (one - twist)
+            + self.end[0] * twist
+            + self.h * (self.start[1] * (xi - x2 * 2.0 + x3) + self.end[1] * (x3 - x2))
+    }
+
+    /// Its rate.
+    pub fn slope(&self, t: S) -> S {
+        let xi = t / self.h;
+        let x2 = xi * xi;
+        let rise = (self.end[0] - self.start[0]) / self.h * (xi - x2) * 6.0;
+        let one = xi.constant(1.0);
+        rise + self.start[1] * (one - xi * 4.0 + x2 * 3.0) + self.end[1] * (x2 * 3.0 - xi * 2.0)
+    }
+}
