@@ -11,7 +11,7 @@ function bytesFromBase64(text) {
 
 async function inflate(bytes) {
   if (typeof DecompressionStream === "undefined") {
-    throw new Error("This browser is too old to unpack the figures; pictures of them are in the directory figures.");
+    throw new Error("This browser is too old to unpack the figures; `percuss report DIR --figures` writes them as pictures.");
   }
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
@@ -274,6 +274,7 @@ class Report {
       entry.plot = plot;
     }
     queueMicrotask(() => (this.zooming = false));
+    this.onDraw?.();
   }
 
   // A figure over its own abscissa is zoomed alone.
@@ -324,7 +325,40 @@ function save(entry) {
   link.click();
 }
 
-function watchTheme(report) {
+// Figures follow the scene's time, and a click into a figure takes the scene there.
+function tie(player, report) {
+  let due = 0;
+  const follow = () => {
+    due = 0;
+    for (const { plot, figure, element } of report.entries) {
+      const box = element.getBoundingClientRect();
+      if (!plot || figure.own || box.bottom < 0 || box.top > innerHeight) continue;
+      const left = plot.valToPos(player.time, "x");
+      plot.setCursor({ left: left >= 0 && left <= plot.over.clientWidth ? left : -10, top: plot.over.clientHeight / 2 }, false);
+    }
+  };
+  player.onTime(() => {
+    if (!due) due = setTimeout(follow, player.playing ? 60 : 0);
+  });
+  report.onDraw = () => {
+    for (const { plot, figure } of report.entries) {
+      if (figure.own) continue;
+      plot.over.addEventListener("click", (event) => {
+        player.pause();
+        player.seek(plot.posToVal(event.offsetX, "x"));
+      });
+    }
+  };
+}
+
+function openScene(index, columns) {
+  const section = document.getElementById("scene");
+  if (!index.scene || !section) return null;
+  const frames = Object.fromEntries(Object.entries(index.scene.frames).map(([name, k]) => [name, columns[k]]));
+  return new Player(section, new Motion(index.scene.scene, frames));
+}
+
+function watchTheme(report, player) {
   const root = document.documentElement;
   const button = document.getElementById("theme");
   const system = matchMedia("(prefers-color-scheme: dark)");
@@ -333,6 +367,7 @@ function watchTheme(report) {
     root.dataset.theme = dark ? "dark" : "light";
     button.setAttribute("aria-pressed", String(dark));
     report.draw();
+    player?.theme();
   };
   const current = () => chosen ?? system.matches;
   button.addEventListener("click", () => apply((chosen = !current())));
@@ -345,7 +380,10 @@ async function main() {
   const index = JSON.parse(document.getElementById("percuss-index").textContent);
   const columns = await unpack(index, document.getElementById("percuss-data").textContent);
   const report = new Report(index.figures, columns);
-  watchTheme(report);
+  const player = openScene(index, columns);
+  if (player) tie(player, report);
+  watchTheme(report, player);
+  player?.seek(player.time);
   document.getElementById("reset").addEventListener("click", () => report.reset());
   for (const entry of report.entries) {
     entry.element.querySelector(".save").addEventListener("click", () => save(entry));
@@ -353,7 +391,10 @@ async function main() {
   let pending = 0;
   addEventListener("resize", () => {
     clearTimeout(pending);
-    pending = setTimeout(() => report.resize(), 80);
+    pending = setTimeout(() => {
+      report.resize();
+      player?.draw();
+    }, 80);
   });
 }
 

@@ -26,8 +26,7 @@ def run(
     ``**{"projectile.mass.velocity": [0, 30]}`` or ``projectile__mass__velocity=[0, 30]``.
 
     ``progress`` shows a bar: in terminals and notebooks by default, once a run takes a second; a function is called with the
-    time reached and that of the end [s]. ``out`` is a directory for the files that ``percuss run`` writes, ``report`` adds ``report.html`` and the
-    figures. ``shapes`` is the largest number of shapes of the structure kept for ``result.plot.beam`` and ``.animation``.
+    time reached and that of the end [s]. ``out`` is a directory for the files that ``percuss run`` writes, ``report`` adds ``report.html``. ``shapes`` is the largest number of shapes of the structure kept for ``result.plot.beam`` and ``.animation``.
 
     A run that the solver gives up is a result whose ``status`` is ``"failed"``; it holds everything up to the last step. Ctrl-C
     raises ``KeyboardInterrupt``; with ``out`` what there is has been written then.

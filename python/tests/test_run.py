@@ -77,7 +77,7 @@ def test_a_result_shows_itself(elastic):
 def test_a_directory_holds_what_the_command_writes(elastic, tmp_path):
     result = percuss.run(elastic, out=tmp_path / "run", report=True)
     names = {path.name for path in (tmp_path / "run").iterdir()}
-    assert {"scenario.toml", "summary.json", "history.parquet", "report.html", "figures"} <= names
+    assert {"scenario.toml", "summary.json", "history.parquet", "report.html"} <= names
     assert json.loads((tmp_path / "run" / "summary.json").read_text()) == result.summary
     history = pyarrow.parquet.read_table(tmp_path / "run" / "history.parquet")
     assert np.array_equal(history["energy.total"].to_numpy(), result["energy.total"])

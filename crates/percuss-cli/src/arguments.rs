@@ -108,7 +108,7 @@ pub struct Arguments {
 /// What to do.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Simulate a scenario: history, summary, report with figures
+    /// Simulate a scenario: history, summary, shapes over time, report
     #[command(after_help = format!("{RUN}\n\n{EXIT_STATUS}"))]
     Run(Run),
     /// Say everything that is wrong with a scenario or a study, or that nothing is
@@ -132,7 +132,7 @@ pub enum Command {
     Converge(Converge),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
-    /// Rebuild report.html and the figures of a finished run
+    /// Rebuild report.html of a finished run, and its figures if asked
     Report(Report),
     /// Run the verification cases and print what was measured and expected
     #[command(after_help = VERIFY)]
@@ -163,9 +163,12 @@ pub struct Run {
     /// File format of the history
     #[arg(long, value_enum, value_name = "FORMAT", default_value = "parquet")]
     pub history: History,
-    /// Leave out report.html and the figures (and the runs that compare restitution coefficients)
+    /// Leave out report.html (and the runs that compare restitution coefficients)
     #[arg(long)]
     pub no_report: bool,
+    /// Write the figures of the report as SVG and PNG as well, into figures/
+    #[arg(long, conflicts_with = "no_report")]
+    pub figures: bool,
     /// Say nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
@@ -380,6 +383,9 @@ pub struct Report {
     /// Directory of a finished run
     #[arg(value_hint = ValueHint::DirPath)]
     pub dir: PathBuf,
+    /// Write the figures as SVG and PNG as well, into figures/
+    #[arg(long)]
+    pub figures: bool,
 }
 
 /// Arguments of `verify`.

@@ -6,7 +6,7 @@ use common::{Desk, names};
 use percuss_output::read_history;
 
 const FILES: [&str; 6] =
-    ["envelopes.csv", "figures", "impacts.csv", "report.html", "scenario.toml", "summary.json"];
+    ["envelopes.csv", "fields", "impacts.csv", "report.html", "scenario.toml", "summary.json"];
 
 #[track_caller]
 fn number(value: &serde_json::Value, pointer: &str) -> f64 {
@@ -257,15 +257,38 @@ fn a_solver_that_gives_up_leaves_what_it_has() {
 }
 
 #[test]
+fn the_first_thing_told_is_what_happened() {
+    let desk = Desk::new();
+    let said = "mass struck girder.mid at 20 m/s, 10 ms after the start.";
+    desk.percuss(&["run", "elastic.toml", "--out", "out"]).ends_with(0).tells(said);
+    let page = std::fs::read_to_string(desk.path("out/report.html")).expect("a page");
+    let first = page.find("<canvas").expect("a scene");
+    assert!(first < page.find("Key results").expect("results"), "the scene comes first");
+    assert!(page.replace('\u{a0}', " ").contains(said));
+    let fields = percuss_output::fields::read(desk.path("out")).expect("whole").expect("fields");
+    let (first, last) = (&fields.frames[0], &fields.frames[fields.frames.len() - 1]);
+    assert_eq!((first.time, last.time), (0.0, 0.15));
+    // The whole contact of some 90 ms is there, step by step or nearly so.
+    let touching = fields.frames.iter().filter(|f| !f.contact_forces.is_empty()).count();
+    assert!(touching > 300, "{touching} frames");
+    desk.percuss(&["run", "elastic.toml", "--out", "bare", "--set", "record.shapes=0"])
+        .ends_with(0);
+    assert!(!desk.path("bare/fields").exists() && desk.path("bare/report.html").is_file());
+    desk.percuss(&["run", "elastic.toml", "--set", "record.shapes=-1"])
+        .ends_with(2)
+        .tells("record.shapes");
+}
+
+#[test]
 fn a_report_can_be_rebuilt() {
     let desk = Desk::new();
-    desk.percuss(&["run", "rigid.toml", "-q"]).ends_with(0);
+    desk.percuss(&["run", "rigid.toml", "-q", "--figures"]).ends_with(0);
     let page = desk.path("runs/rigid/report.html");
     let before = std::fs::read(&page).expect("a page");
     let pictures = names(&desk.path("runs/rigid/figures"));
     std::fs::remove_file(&page).expect("a file");
     std::fs::remove_dir_all(desk.path("runs/rigid/figures")).expect("a directory");
-    desk.percuss(&["report", "runs/rigid"]).ends_with(0).tells("report.html");
+    desk.percuss(&["report", "runs/rigid", "--figures"]).ends_with(0).tells("report.html");
     assert!(std::fs::read(&page).expect("a page") == before, "another page");
     assert_eq!(names(&desk.path("runs/rigid/figures")), pictures);
 }

@@ -75,7 +75,7 @@ fn table_tennis(out: &Path) -> Result<(), RecorderError> {
     };
     write_summary(dir.path(), &summary_value(&run, info))?;
     write_impacts(dir.path(), &run.contacts)?;
-    report::write(dir.path(), &report::ReportData::read(dir.path())?)?;
+    report::write_with_figures(dir.path(), &report::ReportData::read(dir.path())?)?;
     dir.commit()?;
     Ok(())
 }
@@ -117,7 +117,7 @@ fn sample(
     let start = Instant::now();
     let data = report::ReportData::read(dir.path())?;
     let read = start.elapsed();
-    report::write(dir.path(), &data)?;
+    report::write_with_figures(dir.path(), &data)?;
     let page = std::fs::metadata(dir.path().join("report.html"))?.len() as f64 / 1e6;
     println!(
         "{}: {} rows, read {:.0} ms, report {:.0} ms, page {page:.2} MB",

@@ -10,6 +10,7 @@ mod directory;
 mod envelopes;
 mod equilibrium;
 mod error;
+pub mod fields;
 mod files;
 mod history;
 mod impacts;

@@ -35,7 +35,14 @@ fn rigid() -> Result<ReportData, RecorderError> {
     let summary = summary_value(&run, info);
     let envelopes = vec![envelope("girder", 1.0)];
     let scenario = "[beam]\n".to_owned();
-    Ok(ReportData { history: history.into(), summary, scenario, comparison, envelopes })
+    Ok(ReportData {
+        history: history.into(),
+        summary,
+        scenario,
+        comparison,
+        envelopes,
+        fields: None,
+    })
 }
 
 fn envelope(name: &str, size: f64) -> BeamEnvelope {
@@ -71,7 +78,7 @@ fn index(page: &str) -> Result<Value, RecorderError> {
 fn a_rigid_run_has_the_figures_of_the_paper() -> Outcome {
     let data = rigid()?;
     let dir = tempfile::tempdir()?;
-    report::write(dir.path(), &data)?;
+    report::write_with_figures(dir.path(), &data)?;
     for name in
         ["overview", "displacement", "impulse", "velocity", "energy", "momentum", "restitution"]
     {
@@ -236,7 +243,7 @@ fn several_projectiles_have_their_own_figures() -> Outcome {
         history.columns.push(column);
     }
     let dir = tempfile::tempdir()?;
-    report::write(dir.path(), &data)?;
+    report::write_with_figures(dir.path(), &data)?;
     for name in ["displacement-hammer.svg", "displacement-tongs_and_co.svg", "impulse-hammer.png"] {
         assert!(dir.path().join("figures").join(name).is_file(), "{name}");
     }
@@ -427,7 +434,7 @@ fn figure_ids(page: &str) -> Result<Vec<String>, RecorderError> {
 fn reactions_and_section_forces_have_figures_and_tables_with_signs() -> Outcome {
     let data = rigid()?;
     let dir = tempfile::tempdir()?;
-    report::write(dir.path(), &data)?;
+    report::write_with_figures(dir.path(), &data)?;
     let page = fs::read_to_string(dir.path().join("report.html"))?;
     let ids = figure_ids(&page)?;
     for id in ["reaction-2", "reaction-moment", "section-shear", "section-moment"] {
@@ -455,7 +462,7 @@ fn envelopes_are_drawn_for_one_beam_and_for_many() -> Outcome {
     assert!(one.contains("Bending moment of girder"));
     data.envelopes = (0..20).map(|k| envelope(&format!("beam {k}"), f64::from(1 + k))).collect();
     let dir = tempfile::tempdir()?;
-    report::write(dir.path(), &data)?;
+    report::write_with_figures(dir.path(), &data)?;
     for name in ["envelope-axial-force.png", "envelope-bending-moment.svg"] {
         assert!(dir.path().join("figures").join(name).is_file(), "{name}");
     }

@@ -39,7 +39,9 @@ pub use ensemble::{Grazing, Sensitivities, Undifferentiated, Variation, sensitiv
 pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;
-pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder, RecorderError};
+pub use record::{
+    Channel, Flow, Frame, FrameForce, MemoryRecorder, NoRecorder, Recorder, RecorderError,
+};
 pub use settings::{
     ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,
 };

@@ -22,6 +22,35 @@ pub enum Flow {
     Stop,
 }
 
+/// A force, or in an impact an impulse, of one contact at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameForce {
+    /// Number of the contact in the model.
+    pub contact: usize,
+    /// Where the two touch \[m\].
+    pub position: [f64; 2],
+    /// On the second of its two partners, the mean over the last step \[N\], or \[N s\] in an impact.
+    pub force: [f64; 2],
+    /// Whether it is an impulse.
+    pub impulsive: bool,
+}
+
+/// The configuration at an instant, and the forces that belong to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// Time \[s\].
+    pub time: f64,
+    /// Displacements (u1, u2, u1', u2') of beams' nodes, (u1, u2, angle, 0) of bodies; shape (n_node) \[m, 1, rad\].
+    pub displacement: &'a [[f64; 4]],
+    /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an
+    /// impact; shape (n_elem) \[N, N, N m\].
+    pub section_forces: &'a [[[f64; 3]; 2]],
+    /// Forces of everything that touches.
+    pub contact_forces: &'a [FrameForce],
+    /// Factors of the loads, means over the last step; shape (n_load).
+    pub load_factors: &'a [f64],
+}
+
 /// An error of a recorder, passed through the run to its caller.
 pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
 
@@ -54,6 +83,18 @@ pub trait Recorder {
     /// Called right before every row, with the state the row is taken from: for shapes of the whole structure.
     fn state(&mut self, state: &State) {
         let _ = state;
+    }
+
+    /// Whether the frame of a row at `time` is wanted; if not, [`Recorder::frame`] is not called. `contact` is the sum of the
+    /// magnitudes of all contact forces of the last step \[N\], or in an impact (`impulsive`) of impulses \[N s\].
+    fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
+        let _ = (time, contact, impulsive);
+        false
+    }
+
+    /// Called before a row whose frame is wanted.
+    fn frame(&mut self, frame: &Frame<'_>) {
+        let _ = frame;
     }
 
     /// Called after every step, recorded or not, with the time reached \[s\].

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use percuss_output::report::{ReportData, write};
+use percuss_output::report::{ReportData, write, write_with_figures};
 
 use crate::arguments::Report;
 use crate::outcome::{Failure, Status};
@@ -12,8 +12,14 @@ use crate::terminal;
 pub fn run(arguments: &Report) -> Result<Status, Failure> {
     let dir = &arguments.dir;
     refuse_what_is_no_run(dir)?;
-    write(dir, &ReportData::read(dir)?)?;
-    terminal::tell(&format!("{} and figures/ rebuilt", dir.join("report.html").display()));
+    let (data, page) = (ReportData::read(dir)?, dir.join("report.html"));
+    if arguments.figures {
+        write_with_figures(dir, &data)?;
+        terminal::tell(&format!("{} and figures/ rebuilt", page.display()));
+    } else {
+        write(dir, &data)?;
+        terminal::tell(&format!("{} rebuilt", page.display()));
+    }
     Ok(Status::Done)
 }
 

@@ -9,6 +9,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination, advise, compare};
+use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
     HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_envelopes,
@@ -67,13 +68,15 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     let progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
     let history = HistoryWriter::new(dir, arguments.history.into(), text);
     let keeps_energy = !arguments.no_report && comparison::has_part_for(ready);
-    let mut recorder =
-        RunRecorder::new(history, keeps_energy.then(EnergySeries::default), progress);
+    let scene = ready.scenario.scene(&compiled.model);
+    let frames = FrameStore::new(scene, end, ready.scenario.content().record.shapes);
+    let energy = keeps_energy.then(EnergySeries::default);
+    let mut recorder = RunRecorder::new(history, energy, frames, progress);
     let begun = Instant::now();
     let summary = simulation.run(&mut recorder);
     let wall_seconds = begun.elapsed().as_secs_f64();
 
-    let (history, energy) = recorder.into_parts();
+    let (history, energy, frames) = recorder.into_parts();
     if let Termination::Failed(error) = &summary.termination
         && error.is_recorder()
     {
@@ -92,6 +95,9 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     write_summary(dir, &value)?;
     write_envelopes(dir, &summary.section_forces)?;
     write_impacts(dir, &summary.contacts)?;
+    if ready.scenario.content().record.shapes > 0.0 {
+        fields::write(dir, &frames.finish())?;
+    }
     Ok(Ended { summary, value, comparisons, energy: energy.unwrap_or_default() })
 }
 
@@ -104,7 +110,12 @@ fn write_report(ready: &Ready, arguments: &Run, dir: &Path, ended: &Ended) -> Re
             write_comparison(dir, &series)?;
         }
     }
-    Ok(report::write(dir, &ReportData::read(dir)?)?)
+    let data = ReportData::read(dir)?;
+    match arguments.figures {
+        true => report::write_with_figures(dir, &data)?,
+        false => report::write(dir, &data)?,
+    }
+    Ok(())
 }
 
 /// Says how the run went; the results are in their place.

@@ -20,9 +20,13 @@ mod png_file;
 pub(crate) mod quantity;
 mod raster;
 mod results;
+mod scene;
 pub mod sheet;
+mod story;
 mod structure;
 mod thin;
+
+pub use story::story;
 
 use std::path::Path;
 
@@ -31,6 +35,7 @@ use serde_json::Value;
 use crate::comparison::{ComparisonSeries, read_comparison};
 use crate::envelopes::{BeamEnvelope, read_envelopes};
 use crate::error::Error;
+use crate::fields::{self, Fields};
 use crate::files;
 use crate::history::{HistoryReader, HistorySource};
 use crate::summary::read_summary;
@@ -48,6 +53,8 @@ pub struct ReportData {
     pub comparison: Vec<ComparisonSeries>,
     /// Section forces along the beams; may be empty.
     pub envelopes: Vec<BeamEnvelope>,
+    /// How the scene moved, if that was kept.
+    pub fields: Option<Fields>,
 }
 
 impl ReportData {
@@ -65,15 +72,24 @@ impl ReportData {
             scenario: if scenario.is_file() { files::read_text(&scenario)? } else { String::new() },
             comparison: read_comparison(dir)?,
             envelopes: read_envelopes(dir)?,
+            fields: fields::read(dir)?,
         })
     }
 }
 
-/// Writes `report.html` and `figures/` into `dir`.
+/// Writes `report.html` into `dir`.
+///
+/// # Errors
+/// If the history cannot be read or the file not written.
+pub fn write(dir: impl AsRef<Path>, data: &ReportData) -> Result<(), Error> {
+    write_page(dir.as_ref(), data, &figures::all(data)?)
+}
+
+/// Writes `report.html`, and `figures/` with every figure as SVG and PNG, into `dir`.
 ///
 /// # Errors
 /// If the history cannot be read, a file not written or a picture not drawn.
-pub fn write(dir: impl AsRef<Path>, data: &ReportData) -> Result<(), Error> {
+pub fn write_with_figures(dir: impl AsRef<Path>, data: &ReportData) -> Result<(), Error> {
     let figures = figures::all(data)?;
     write_page(dir.as_ref(), data, &figures)?;
     pictures::write(&dir.as_ref().join("figures"), &figures)

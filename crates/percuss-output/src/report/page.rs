@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::ReportData;
 use super::figure::{Abscissa, Figure, Section};
 use super::html::{self, escape};
-use super::{advice, audit, log, payload, results};
+use super::{advice, audit, log, payload, results, scene};
 
 const TEMPLATE: &str = include_str!("../../../../web/report.html");
 pub(crate) const HEAD: &str = include_str!("../../../../web/head.html");
@@ -20,13 +20,15 @@ const UPLOT_LICENCE: &str = include_str!("../../../../web/vendor/uplot/LICENSE")
 /// The whole page.
 pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
     let summary = &data.summary;
-    let payload = payload::pack(figures);
+    let payload = payload::pack(figures, data.fields.as_ref());
     let title = summary["title"].as_str().filter(|t| !t.is_empty()).unwrap_or("Percuss run");
     let fill = |hole: &str| -> String {
         match hole {
             "title" => escape(title),
             "version" => escape(summary["percuss_version"].as_str().unwrap_or("")),
             "status" => status(summary),
+            "scene" => scene::render(data),
+            "scene_scripts" => scene::SCRIPTS.join("\n"),
             "results" => results::render(summary),
             "decimation" => decimation(data, figures),
             "impact" => section(figures, Section::Impact, "Impact"),

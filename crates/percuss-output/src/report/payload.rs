@@ -7,6 +7,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use super::figure::{Abscissa, Axis, Figure, Series, Shape, Table};
+use crate::fields::{Fields, StoredFrame};
 
 /// Smaller payloads are not deflated, so that any browser shows them.
 const DEFLATED_FROM: usize = 1 << 19;
@@ -19,9 +20,10 @@ pub(super) struct Payload {
     pub data: String,
 }
 
-/// Packs the figures.
-pub(super) fn pack(figures: &[Figure]) -> Payload {
+/// Packs the figures, and how the scene moved.
+pub(super) fn pack(figures: &[Figure], fields: Option<&Fields>) -> Payload {
     let mut columns = Columns::default();
+    let scene = fields.map(|fields| scene(&mut columns, fields));
     let figures: Vec<Value> = figures.iter().map(|f| figure(&mut columns, f)).collect();
     let deflated = columns.bytes.len() >= DEFLATED_FROM;
     let bytes = if deflated {
@@ -31,10 +33,36 @@ pub(super) fn pack(figures: &[Figure]) -> Payload {
     };
     let index = json!({
         "figures": figures,
+        "scene": scene,
         "columns": columns.index,
         "encoding": if deflated { "deflate" } else { "plain" },
     });
     Payload { index, data: STANDARD.encode(bytes) }
+}
+
+fn scene(columns: &mut Columns, fields: &Fields) -> Value {
+    let frames = &fields.frames;
+    let mut all = |list: fn(&StoredFrame) -> &Vec<f32>| {
+        columns.push(frames.iter().flat_map(|f| list(f).iter().copied()), f32::to_le_bytes)
+    };
+    let lists = [
+        all(|f| &f.displacement),
+        all(|f| &f.section_forces),
+        all(|f| &f.contact_forces),
+        all(|f| &f.load_factors),
+    ];
+    let counts = frames.iter().map(|f| (f.contact_forces.len() / 6) as f32);
+    json!({
+        "scene": fields.scene,
+        "frames": {
+            "time": columns.push(frames.iter().map(|f| f.time), f64::to_le_bytes),
+            "displacement": lists[0],
+            "sections": lists[1],
+            "contacts": lists[2],
+            "loads": lists[3],
+            "contact_count": columns.push(counts, f32::to_le_bytes),
+        },
+    })
 }
 
 fn figure(columns: &mut Columns, figure: &Figure) -> Value {

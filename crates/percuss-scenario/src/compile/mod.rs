@@ -49,6 +49,7 @@ impl Scenario {
         let content = &self.content;
         let settings = settings(content);
         let mut faults = comparison_faults(content);
+        faults.extend(shapes_fault(content));
         let path = path(content).map_err(|fault| faults.push(fault)).unwrap_or_default();
         match build(content, Some(&self.given)) {
             Ok(model) => {
@@ -65,6 +66,11 @@ impl Scenario {
             }
         }
         Err(self.diagnostics(faults))
+    }
+
+    /// What stands in the compiled model, for drawings.
+    pub fn scene(&self, model: &Model) -> percuss::scene::Scene {
+        build::definitions(&self.content, Some(&self.given)).0.scene(model)
     }
 
     /// Faults found later, by an analysis, at their places in the file.
@@ -139,6 +145,15 @@ fn settings_alone(content: &Content, settings: &Settings) -> Vec<Fault> {
         builder.projectile(percuss::Projectile::new("p", kind, 1.0, [0.0, 1.0], strikes));
     }
     builder.build().map(|model| settings.validate(&model)).unwrap_or_default()
+}
+
+/// Memory for shapes is no negative number, and not more than a machine has.
+fn shapes_fault(content: &Content) -> Option<Fault> {
+    let megabytes = content.record.shapes;
+    let expected = "megabytes from 0 (no shapes are kept) to 1000";
+    let path = "record.shapes";
+    (!(0.0..=1000.0).contains(&megabytes))
+        .then(|| Fault::new(path, megabytes.to_string(), expected))
 }
 
 /// The comparison of coefficients belongs to the report, so the core knows nothing of it.

@@ -181,12 +181,17 @@ table! {
         every: usize as Count = 1,
         /// Points whose displacement is recorded, besides those struck.
         points: Vec<Point> as List<PointText> = Vec::new(),
+        /// Memory for shapes of the structure over time, which the report sets in motion, in megabytes; none are kept at 0.
+        shapes: f64 as Quantity<measure::Ratio> = SHAPES,
     }
 }
 
+/// Memory for shapes unless given [MB].
+const SHAPES: f64 = 4.0;
+
 impl Default for Record {
     fn default() -> Self {
-        Self { every: 1, points: Vec::new() }
+        Self { every: 1, points: Vec::new(), shapes: SHAPES }
     }
 }
 

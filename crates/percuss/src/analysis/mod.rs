@@ -6,6 +6,7 @@ mod buckling;
 mod channels;
 mod contact_log;
 pub(crate) mod crest;
+mod frame;
 mod given;
 mod giving_up;
 mod impacts;

@@ -1,6 +1,7 @@
 //! The transient analysis: steps of the given size, cut where Newton's iteration fails, recorded row by row.
 
 use super::channels::{self, SinceLast};
+use super::frame::Frames;
 use super::given::{Given, RowReactions};
 use super::impacts::Advance;
 use super::jumps;
@@ -98,6 +99,8 @@ pub struct Simulation<'m> {
     pub(super) shared_blows: SharedBlows,
     /// Size of the structure \[m\].
     pub(super) size: f64,
+    /// What is shown of the part of a step accepted last.
+    pub(super) frames: Frames,
 }
 
 impl<'m> Simulation<'m> {
@@ -162,6 +165,7 @@ impl<'m> Simulation<'m> {
             struck_masses: vec![None; model.contacts.len()],
             shared_blows: SharedBlows::default(),
             size: size_of(model),
+            frames: Frames::default(),
         };
         simulation.start_moving();
         simulation.open();
@@ -307,6 +311,7 @@ impl<'m> Simulation<'m> {
         self.rows += 1;
         self.row_time = self.state.time;
         recorder.state(&self.state);
+        self.show(recorder);
         if recorder.wants_rows() {
             self.row_reactions.close(&self.state);
             let since = SinceLast {

@@ -248,6 +248,7 @@ impl Simulation<'_> {
             awake: self.search.awake(),
         };
         self.monitor.end_step(self.model, &self.state, &self.work, &part);
+        self.frames.part = (h, impulsive);
         self.gather_reactions(h, impulsive);
         self.gather_impulses(h, active);
         self.measure();

@@ -15,6 +15,7 @@ mod overlaps;
 mod pairs;
 mod places;
 mod prescribed;
+pub mod scene;
 mod striking;
 mod time_function;
 

@@ -177,18 +177,13 @@ impl Pairs<'_> {
         sides: Sides,
     ) -> Vec<Rigid> {
         let point = locate(self.model, at);
-        let away = gap + half_depth(self.model, &point);
-        let (along, across) = (scale(0.5 * width, point.tangent), rot90(point.tangent));
-        let segment = |side: f64| {
-            let middle = add(point.position, scale(side * away, across));
-            let ends = [-1.0, 1.0].map(|end| add(middle, scale(end, along)));
-            Rigid::Segment { body, ends, radius: 0.0 }
+        let sides: &[f64] = match sides {
+            Sides::Both => &[1.0, -1.0],
+            Sides::Left => &[1.0],
+            Sides::Right => &[-1.0],
         };
-        match sides {
-            Sides::Both => vec![segment(1.0), segment(-1.0)],
-            Sides::Left => vec![segment(1.0)],
-            Sides::Right => vec![segment(-1.0)],
-        }
+        let segments = clearance_segments(self.model, &point, width, gap, sides);
+        segments.into_iter().map(|ends| Rigid::Segment { body, ends, radius: 0.0 }).collect()
     }
 
     fn offset_centre(&self, body: usize, place: [f64; 2]) -> Centre {
@@ -350,6 +345,23 @@ impl Pairs<'_> {
 }
 
 /// Half depth at a point; zero where the section has none.
+/// Ends of the segments that stand around a point of a beam, with a free way to its surface, on the given sides \[m\].
+pub(super) fn clearance_segments(
+    model: &Model,
+    point: &MaterialPoint,
+    width: f64,
+    gap: f64,
+    sides: &[f64],
+) -> Vec<[[f64; 2]; 2]> {
+    let away = gap + half_depth(model, point);
+    let (along, across) = (scale(0.5 * width, point.tangent), rot90(point.tangent));
+    let segment = |side: &f64| {
+        let middle = add(point.position, scale(side * away, across));
+        [-1.0, 1.0].map(|end| add(middle, scale(end, along)))
+    };
+    sides.iter().map(segment).collect()
+}
+
 fn half_depth(model: &Model, point: &MaterialPoint) -> f64 {
     let axis = &model.beams[point.beam].axis;
     let element = axis.iter().find(|e| e.node == point.node);

@@ -6,12 +6,13 @@ use percuss::{
     Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak,
     RunSummary, Termination, Topic, Verdict,
 };
+use percuss_output::report::story;
 use serde_json::Value;
 
 use super::Ended;
 use crate::effective_mass;
 use crate::number::{count, number, small};
-use crate::terminal::painted;
+use crate::terminal::{self, painted};
 
 /// Impacts and intervals listed for a contact, and results beside hand formulas.
 const LISTED: usize = 3;
@@ -67,10 +68,30 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
     let title = ended.value["title"].as_str().filter(|title| !title.is_empty());
     let mut text = title.map_or(String::new(), |title| format!("{}\n", painted(title, "1")));
+    let columns = terminal::width().unwrap_or(100).saturating_sub(2);
+    for line in wrapped(&story(&ended.value), columns) {
+        text.push_str(&format!("  {line}\n"));
+    }
     for (label, value) in rows {
         text.push_str(&format!("  {label:width$}  {value}\n"));
     }
     text
+}
+
+/// A text in lines of at most so many columns, broken at spaces.
+fn wrapped(text: &str, columns: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        let word = word.replace('\u{a0}', " "); // a number keeps its unit
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= columns => {
+                line.push(' ');
+                line.push_str(&word);
+            }
+            _ => lines.push(word),
+        }
+    }
+    lines
 }
 
 /// A violation of the contact conditions beyond this, relative to the largest velocity, is worth a warning.

@@ -1,7 +1,8 @@
 //! What receives the rows of a run.
 
-use percuss::{Channel, Flow, Recorder, RecorderError};
+use percuss::{Channel, Flow, Frame, Recorder, RecorderError};
 use percuss_output::HistoryWriter;
+use percuss_output::fields::FrameStore;
 
 use crate::progress::Progress;
 
@@ -33,18 +34,24 @@ impl EnergySeries {
 pub struct RunRecorder {
     history: HistoryWriter,
     energy: Option<EnergySeries>,
+    frames: FrameStore,
     progress: Progress,
 }
 
 impl RunRecorder {
     /// A recorder with nothing in it.
-    pub fn new(history: HistoryWriter, energy: Option<EnergySeries>, progress: Progress) -> Self {
-        Self { history, energy, progress }
+    pub fn new(
+        history: HistoryWriter,
+        energy: Option<EnergySeries>,
+        frames: FrameStore,
+        progress: Progress,
+    ) -> Self {
+        Self { history, energy, frames, progress }
     }
 
-    /// The history, to be finished, and the energies kept.
-    pub fn into_parts(self) -> (HistoryWriter, Option<EnergySeries>) {
-        (self.history, self.energy)
+    /// The history, to be finished, the energies kept and the frames.
+    pub fn into_parts(self) -> (HistoryWriter, Option<EnergySeries>, FrameStore) {
+        (self.history, self.energy, self.frames)
     }
 }
 
@@ -61,6 +68,14 @@ impl Recorder for RunRecorder {
             energy.row(values);
         }
         self.history.row(values)
+    }
+
+    fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
+        self.frames.wants(time, contact, impulsive)
+    }
+
+    fn frame(&mut self, frame: &Frame<'_>) {
+        self.frames.take(frame);
     }
 
     fn progress(&mut self, _time: f64) -> Flow {

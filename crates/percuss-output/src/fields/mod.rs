@@ -1,0 +1,42 @@
+//! The configurations of a run over time: `fields/scene.json` says what stands there, `fields/frames.parquet` how it moved.
+//!
+//! Frames are kept in memory within a budget, so that a run of any length leaves a file of about the same size: those in which
+//! something touches apart from those in which nothing does, each kind thinned by half whenever it has grown too many.
+
+mod file;
+mod scene;
+mod store;
+
+pub use file::{read, write};
+pub use scene::scene_value;
+pub use store::FrameStore;
+
+use serde_json::Value;
+
+/// Directory within that of the run.
+pub(crate) const DIRECTORY: &str = "fields";
+
+/// The frames of a run.
+#[derive(Clone, Debug, Default)]
+pub struct Fields {
+    /// What stands there, as in `scene.json`.
+    pub scene: Value,
+    /// Frames in the order of time.
+    pub frames: Vec<StoredFrame>,
+}
+
+/// A frame as it is kept: floats of single precision, of displacements and not of positions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StoredFrame {
+    /// Time \[s\].
+    pub time: f64,
+    /// Displacements of the scene's nodes, shape (n_node, 4) \[m, 1; m, rad for bodies\].
+    pub displacement: Vec<f32>,
+    /// Axial force, shear force, moment at the start and at the end of every interval between two stations of a beam,
+    /// shape (n_interval, 2, 3) \[N, N, N m\].
+    pub section_forces: Vec<f32>,
+    /// Number of the contact, position, force on its second partner, and 1 where that is an impulse; shape (n, 6) \[1, m, N or N s, 1\].
+    pub contact_forces: Vec<f32>,
+    /// Factors of the loads, shape (n_load).
+    pub load_factors: Vec<f32>,
+}

@@ -1,0 +1,216 @@
+//! Frames kept while a run steps, within a budget.
+
+use percuss::Frame;
+use percuss::scene::Scene;
+
+use super::{Fields, StoredFrame, scene_value};
+
+/// Frames of a kind at least and at most, whatever the budget.
+const FEWEST: usize = 40;
+const MOST: usize = 1000;
+
+/// Frames of one kind, evenly thinned.
+#[derive(Clone, Debug)]
+struct Kind {
+    /// Every so manieth frame offered is kept.
+    stride: usize,
+    offered: usize,
+    /// Number among those offered, and the frame.
+    kept: Vec<(usize, StoredFrame)>,
+    most: usize,
+}
+
+impl Kind {
+    fn new(most: usize) -> Self {
+        Self { stride: 1, offered: 0, kept: Vec::new(), most }
+    }
+
+    fn is_due(&self) -> bool {
+        self.offered.is_multiple_of(self.stride)
+    }
+
+    fn keep(&mut self, frame: StoredFrame) {
+        self.kept.push((self.offered, frame));
+        if self.kept.len() > self.most {
+            self.stride *= 2;
+            let stride = self.stride;
+            self.kept.retain(|(number, _)| number.is_multiple_of(stride));
+        }
+    }
+}
+
+/// Keeps frames of a run: all while they are few, then every second, every fourth, ...
+///
+/// Frames in which something touches are thinned apart from the others; the one with the largest contact force, the one with the
+/// largest impulse, the first and the last are kept in any case.
+#[derive(Clone, Debug)]
+pub struct FrameStore {
+    scene: Scene,
+    /// Elements whose start and end bound each interval between stations.
+    intervals: Vec<[usize; 2]>,
+    calm: Kind,
+    touching: Kind,
+    /// Frames of the largest force and the largest impulse.
+    peaks: [Option<(f64, StoredFrame)>; 2],
+    last: Option<StoredFrame>,
+    /// From this time on frames are the last \[s\].
+    end: f64,
+    /// Whether anything is to be kept.
+    keeps: bool,
+    /// What the frame about to come is kept for.
+    wanted: Wanted,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Wanted {
+    touching: bool,
+    due: bool,
+    /// Which of the largest it beats, and its size.
+    peak: Option<(usize, f64)>,
+}
+
+impl FrameStore {
+    /// Nothing kept yet, of a run up to `end` \[s\], within about so many megabytes of memory; nothing ever at 0.
+    pub fn new(scene: Scene, end: f64, megabytes: f64) -> Self {
+        let mut intervals = Vec::new();
+        for beam in &scene.beams {
+            for pair in beam.stations.windows(2) {
+                // Between the end of a span and the next one lies nothing.
+                if !pair[0].ends_span {
+                    let last = pair[1].element - usize::from(!pair[1].ends_span);
+                    intervals.push([pair[0].element, last]);
+                }
+            }
+        }
+        let one = 16 * scene.nodes.len() + 24 * intervals.len() + 64;
+        let most = ((0.5e6 * megabytes) as usize / one).clamp(FEWEST, MOST);
+        let kind = || Kind::new(most);
+        Self {
+            scene,
+            intervals,
+            calm: kind(),
+            touching: kind(),
+            peaks: [None, None],
+            last: None,
+            end,
+            keeps: megabytes > 0.0,
+            wanted: Wanted::default(),
+        }
+    }
+
+    /// Whether the frame of a row is to be kept, as [`percuss::Recorder::wants_frame`] asks.
+    pub fn wants(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
+        if !self.keeps {
+            return false;
+        }
+        let touching = contact > 0.0;
+        let kind = if touching { &self.touching } else { &self.calm };
+        let which = usize::from(impulsive);
+        let beats = touching && self.peaks[which].as_ref().is_none_or(|(peak, _)| contact > *peak);
+        let peak = beats.then_some((which, contact));
+        let ends = time >= self.end * (1.0 - 1e-9);
+        self.wanted = Wanted { touching, due: kind.is_due(), peak };
+        let wanted = self.wanted.due || beats || ends;
+        if !wanted {
+            self.count();
+        }
+        wanted
+    }
+
+    /// Keeps the frame of which [`FrameStore::wants`] has just said so.
+    pub fn take(&mut self, frame: &Frame<'_>) {
+        let stored = self.stored(frame);
+        let wanted = self.wanted;
+        if frame.time >= self.end * (1.0 - 1e-9) {
+            self.last = Some(stored.clone());
+        }
+        if let Some((which, size)) = wanted.peak {
+            self.peaks[which] = Some((size, stored.clone()));
+        }
+        if wanted.due {
+            let kind = if wanted.touching { &mut self.touching } else { &mut self.calm };
+            kind.keep(stored);
+        }
+        self.count();
+    }
+
+    fn count(&mut self) {
+        let kind = if self.wanted.touching { &mut self.touching } else { &mut self.calm };
+        kind.offered += 1;
+    }
+
+    fn stored(&self, frame: &Frame<'_>) -> StoredFrame {
+        let single = |x: f64| x as f32;
+        let nodes = self.scene.nodes.iter().flat_map(|n| frame.displacement[*n]);
+        let forces = self.intervals.iter().flat_map(|[a, b]| {
+            let (start, end) = (frame.section_forces[*a][0], frame.section_forces[*b][1]);
+            start.into_iter().chain(end)
+        });
+        let contacts = frame.contact_forces.iter().flat_map(|c| {
+            let ([x, y], [f, g]) = (c.position, c.force);
+            [c.contact as f64, x, y, f, g, f64::from(u8::from(c.impulsive))]
+        });
+        StoredFrame {
+            time: frame.time,
+            displacement: nodes.map(single).collect(),
+            section_forces: forces.map(single).collect(),
+            contact_forces: contacts.map(single).collect(),
+            load_factors: frame.load_factors.iter().copied().map(single).collect(),
+        }
+    }
+
+    /// All that was kept, in the order of time.
+    pub fn finish(self) -> Fields {
+        let Self { scene, calm, touching, peaks, last, .. } = self;
+        let kept = calm.kept.into_iter().chain(touching.kept).map(|(_, frame)| frame);
+        let peaks = peaks.into_iter().flatten().map(|(_, frame)| frame);
+        let mut frames: Vec<StoredFrame> = kept.chain(peaks).chain(last).collect();
+        frames.sort_by(|a, b| a.time.total_cmp(&b.time));
+        frames.dedup_by(|a, b| a == b);
+        Fields { scene: scene_value(&scene), frames }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(store: &mut FrameStore, steps: usize, force: impl Fn(usize) -> f64) {
+        for k in 0..=steps {
+            let time = k as f64;
+            if store.wants(time, force(k), false) {
+                store.take(&Frame {
+                    time,
+                    displacement: &[],
+                    section_forces: &[],
+                    contact_forces: &[],
+                    load_factors: &[force(k)],
+                });
+            }
+        }
+    }
+
+    #[test]
+    fn a_long_run_keeps_few_frames_evenly_spaced_and_its_peak() {
+        let mut store = FrameStore::new(Scene::default(), 99_999.0, 1e-6);
+        // Something touches for a hundredth of the run, with its largest force at 50 317.
+        let force = |k: usize| {
+            if (50_000..51_000).contains(&k) { 1e3 - (k as f64 - 50_317.0).abs() } else { 0.0 }
+        };
+        run(&mut store, 99_999, force);
+        let times: Vec<f64> = store.finish().frames.iter().map(|f| f.time).collect();
+        assert!(times.len() <= 2 * FEWEST + 3, "{}", times.len());
+        assert_eq!((times[0], times[times.len() - 1]), (0.0, 99_999.0));
+        assert!(times.contains(&50_317.0));
+        let touching = times.iter().filter(|t| (50_000.0..51_000.0).contains(*t)).count();
+        assert!(touching >= FEWEST / 2, "{touching}");
+        assert!(times.windows(2).all(|w| w[1] - w[0] <= 5000.0 && w[1] > w[0]));
+    }
+
+    #[test]
+    fn a_short_run_keeps_every_frame_once() {
+        let mut store = FrameStore::new(Scene::default(), 30.0, 1.0);
+        run(&mut store, 30, |k| (k == 7) as u8 as f64);
+        assert_eq!(store.finish().frames.len(), 31);
+    }
+}

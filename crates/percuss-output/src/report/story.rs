@@ -1,0 +1,307 @@
+//! What happened, in a few sentences: who struck what, the largest force, how it ended, the largest deflection, moment and
+//! stress, and how the balance closed. Everything in them stands in `summary.json`.
+
+use serde_json::{Map, Value};
+
+use super::quantity;
+
+/// Four digits: a sentence is no table.
+fn quantity(value: Option<f64>, unit: &str) -> String {
+    let rounded = value.and_then(|v| format!("{v:.3e}").parse().ok());
+    quantity::quantity(rounded, unit)
+}
+
+fn number(value: f64) -> String {
+    format!("{value:.0e}")
+}
+
+/// Beside what they come from, smaller velocities are none.
+const ROUND_OFF: f64 = 1e-9;
+
+/// What happened in a run, in plain text.
+pub fn story(summary: &Value) -> String {
+    let mut out = vec![contacts(summary)];
+    out.extend(deflection(summary));
+    out.extend(sections(summary));
+    out.push(balance(summary));
+    out.retain(|sentence| !sentence.is_empty());
+    out.join(" ")
+}
+
+/// A contact that closed, with what is told of it.
+struct Touched<'v> {
+    name: &'v str,
+    contact: &'v Value,
+    /// Largest force, or total impulse of a rigid contact: which contact is told first.
+    size: f64,
+}
+
+fn contacts(summary: &Value) -> String {
+    let empty = Map::new();
+    let all = summary["contact"].as_object().unwrap_or(&empty);
+    if all.is_empty() {
+        return String::new();
+    }
+    let mut touched: Vec<Touched<'_>> = all
+        .iter()
+        .filter(|(_, c)| !list(c, "intervals").is_empty() || !list(c, "impacts").is_empty())
+        .map(|(name, contact)| {
+            let force = contact["peak_force"]["value"].as_f64();
+            let size = force.or(contact["impulse_total"].as_f64()).unwrap_or(0.0).abs();
+            Touched { name, contact, size }
+        })
+        .collect();
+    if touched.is_empty() {
+        return match all.len() {
+            1 => "Nothing touched: the one contact never closed.".into(),
+            n => format!("Nothing touched: none of the {n} contacts closed."),
+        };
+    }
+    // Forces and impulses do not compare: contacts with a force come first.
+    let has_force = |t: &Touched<'_>| t.contact["peak_force"].is_object();
+    touched.sort_by(|a, b| has_force(b).cmp(&has_force(a)).then(b.size.total_cmp(&a.size)));
+    let main = &touched[0];
+    let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
+    let mut out = vec![strike(main, projectiles), largest(main), ending(main)];
+    match touched.len() - 1 {
+        0 => {}
+        1 => out.push(format!("Contact {} closed as well.", touched[1].name)),
+        more => out.push(format!("{more} more contacts closed.")),
+    }
+    out.retain(|sentence| !sentence.is_empty());
+    out.join(" ")
+}
+
+/// Who struck what, how fast and when; what flies at something is named first.
+fn strike(main: &Touched<'_>, projectiles: &Map<String, Value>) -> String {
+    let party = |k: usize| main.contact["between"][k].as_str().unwrap_or("?");
+    let flies = |name: &str| projectiles.contains_key(name);
+    let (a, b) = match (party(0), party(1)) {
+        (a, b) if flies(b) && !flies(a) => (b, a),
+        parties => parties,
+    };
+    let first = first_touch(main.contact);
+    let velocity = first["approach_velocity"].as_f64().map(f64::abs).filter(|v| *v > 0.0);
+    let time = first["start"].as_f64().or(first["time"].as_f64()).filter(|t| *t > 0.0);
+    let when = match time {
+        Some(time) => format!("{} after the start", quantity(Some(time), "s")),
+        None => "at the start".into(),
+    };
+    match velocity {
+        Some(v) => format!("{a} struck {b} at {}, {when}.", quantity(Some(v), "m/s")),
+        None if time.is_none() => format!("{a} touched {b} from the start."),
+        None => format!("{a} came to touch {b} {when}."),
+    }
+}
+
+/// The earlier of the first impact and the first interval.
+fn first_touch(contact: &Value) -> &Value {
+    let (impact, interval) = (&contact["impacts"][0], &contact["intervals"][0]);
+    match (impact["time"].as_f64(), interval["start"].as_f64()) {
+        (Some(a), Some(b)) if b < a => interval,
+        (Some(_), _) => impact,
+        _ => interval,
+    }
+}
+
+/// The largest force, or how many impacts gave what.
+fn largest(main: &Touched<'_>) -> String {
+    let peak = &main.contact["peak_force"];
+    if let Some(force) = peak["value"].as_f64() {
+        let (force, time) = (quantity(Some(force), "N"), quantity(peak["time"].as_f64(), "s"));
+        return format!("The contact force reached {force} at {time}.");
+    }
+    let count = main.contact["impact_count"].as_u64().unwrap_or(0);
+    let total = quantity(main.contact["impulse_total"].as_f64(), "N*s");
+    let by_size = |a: &&Value, b: &&Value| impulse(a).total_cmp(&impulse(b));
+    let greatest = list(main.contact, "impacts").iter().max_by(by_size);
+    match (count, greatest) {
+        (0, _) | (_, None) => String::new(),
+        (1, _) => format!("The impact gave {total}."),
+        (n, Some(one)) => {
+            let (size, time) =
+                (quantity(one["impulse"].as_f64(), "N*s"), quantity(one["time"].as_f64(), "s"));
+            format!("{n} impacts gave {total} in all, the hardest {size} at {time}.")
+        }
+    }
+}
+
+fn impulse(impact: &Value) -> f64 {
+    impact["impulse"].as_f64().map_or(0.0, f64::abs)
+}
+
+/// Whether the two let go, when and how fast.
+fn ending(main: &Touched<'_>) -> String {
+    let (intervals, impacts) = (list(main.contact, "intervals"), list(main.contact, "impacts"));
+    let (last, struck) = (intervals.last(), impacts.last());
+    if last.is_some_and(|i| i["end"].is_null()) {
+        return "They are still in contact at the end.".into();
+    }
+    let parted = |one: &Value, time: &Value| {
+        let velocity = one["separation_velocity"].as_f64()?;
+        let approach = one["approach_velocity"].as_f64().unwrap_or(0.0);
+        if velocity.abs() <= ROUND_OFF * approach.abs() {
+            return Some(format!(
+                "The last impact, at {}, left no velocity of separation.",
+                quantity(time.as_f64(), "s")
+            ));
+        }
+        let (v, t) = (quantity(Some(velocity.abs()), "m/s"), quantity(time.as_f64(), "s"));
+        Some(format!("They last parted at {t}, at {v}."))
+    };
+    let after = |i: &&Value| {
+        let end = i["end"].as_f64().unwrap_or(f64::NEG_INFINITY);
+        struck.is_none_or(|s| s["time"].as_f64().is_none_or(|time| time < end))
+    };
+    let told = match last.filter(after) {
+        Some(interval) => parted(interval, &interval["end"]),
+        None => struck.and_then(|impact| parted(impact, &impact["time"])),
+    };
+    told.unwrap_or_default()
+}
+
+/// The largest displacement of a recorded point.
+fn deflection(summary: &Value) -> Option<String> {
+    let points = summary["point"].as_object()?;
+    let each = points.iter().flat_map(|(name, point)| {
+        ["component_1", "component_2"].map(|component| {
+            let peak = &point["displacement_max"][component];
+            (name, component, peak["value"].as_f64().unwrap_or(0.0), peak["time"].as_f64())
+        })
+    });
+    let (name, component, value, time) = each.max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))?;
+    if value == 0.0 {
+        return None;
+    }
+    let along = if component == "component_1" { "e1" } else { "e2" };
+    let (value, time) = (quantity(Some(value), "m"), quantity(time, "s"));
+    let of = if points.len() > 1 { "of the recorded points " } else { "" };
+    Some(format!("The largest displacement {of}is {value} along {along}, of {name} at {time}."))
+}
+
+/// The largest moment, and the largest stress where one is known.
+fn sections(summary: &Value) -> Option<String> {
+    let beams = summary["section_forces"].as_object()?;
+    let largest = |quantity: &str| {
+        beams
+            .iter()
+            .flat_map(|(name, beam)| ["min", "max"].map(|end| (name, &beam[quantity][end])))
+            .filter_map(|(name, one)| Some((name, one, one["value"].as_f64()?)))
+            .max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))
+            .filter(|(_, _, value)| *value != 0.0)
+    };
+    let place = |(name, one, value): (&String, &Value, f64), unit: &str| {
+        let (s, time) = (quantity(one["s"].as_f64(), "m"), quantity(one["time"].as_f64(), "s"));
+        format!("{} in {name} at s = {s}, {time}", quantity(Some(value.abs()), unit))
+    };
+    let moment = largest("moment").map(|m| format!("the largest moment {}", place(m, "N*m")));
+    let stress = largest("stress").map(|s| format!("the largest stress {}", place(s, "Pa")));
+    let both: Vec<String> = [moment, stress].into_iter().flatten().collect();
+    let mut text = both.join("; ");
+    if text.is_empty() {
+        return None;
+    }
+    text.replace_range(..1, "T");
+    Some(text + ".")
+}
+
+/// How the balance of energy closed, and how the run ended if not as it should.
+fn balance(summary: &Value) -> String {
+    let energy = &summary["energy"];
+    let scale = quantity(energy["scale"].as_f64(), "J");
+    let mut out = match energy["residual_max"].as_f64() {
+        Some(r) if r < 1e-8 => format!("The energy balance closes to {} of {scale}.", number(r)),
+        Some(r) => format!("The energy balance is off by {} of {scale}.", number(r)),
+        None => String::new(),
+    };
+    if let Some(status @ ("failed" | "interrupted")) = summary["status"].as_str() {
+        let time = quantity(summary["time"].as_f64(), "s");
+        out = format!(
+            "The run {} at {time}. {out}",
+            match status {
+                "failed" => "failed",
+                _ => "was interrupted",
+            }
+        );
+    }
+    out
+}
+
+fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+    value[key].as_array().map_or(&[], Vec::as_slice)
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    fn plain(summary: &Value) -> String {
+        story(summary).replace('\u{a0}', " ")
+    }
+
+    #[test]
+    fn a_blow_is_told_from_first_touch_to_last() {
+        let summary = json!({
+            "projectile": { "car": {} },
+            "contact": {
+                "car": {
+                    "between": ["left@0.5m", "car"],
+                    "peak_force": { "value": 176_632.0, "time": 0.1112 },
+                    "intervals": [
+                        { "start": 0.01, "end": 0.05, "approach_velocity": -8.3333, "separation_velocity": 1.0 },
+                        { "start": 0.06, "end": 0.2223, "approach_velocity": -1.0, "separation_velocity": 8.326 },
+                    ],
+                },
+                "other": { "between": ["a", "b"], "peak_force": { "value": 0.0, "time": 0.0 }, "intervals": [] },
+            },
+            "point": {
+                "mid": { "displacement_max": {
+                    "component_1": { "value": 0.001, "time": 0.1 }, "component_2": { "value": -0.02, "time": 0.3 } } },
+            },
+            "section_forces": { "left": {
+                "moment": { "min": { "value": -63e3, "s": 0.0, "time": 0.1 }, "max": { "value": 20e3, "s": 1.0, "time": 0.2 } },
+                "stress": { "min": { "value": null }, "max": { "value": null } } } },
+            "energy": { "residual_max": 9e-15, "scale": 52_930.0 },
+            "status": "completed",
+        });
+        assert_eq!(
+            plain(&summary),
+            "car struck left@0.5m at 8.333 m/s, 10 ms after the start. The contact force reached 176.6 kN at 111.2 ms. \
+             They last parted at 222.3 ms, at 8.326 m/s. The largest displacement is -20 mm along e2, of mid at 300 ms. \
+             The largest moment 63 kN m in left at s = 0 m, 100 ms. The energy balance closes to 9e-15 of 52.93 kJ."
+        );
+    }
+
+    #[test]
+    fn impacts_are_told_by_impulse_and_what_cannot_be_is_not_told() {
+        let impact = |time: f64, impulse: f64, after: f64| json!({ "time": time, "impulse": impulse, "approach_velocity": -4.0, "separation_velocity": after });
+        let run = |impacts: Vec<Value>, intervals: Value| {
+            json!({
+                "projectile": {},
+                "contact": { "tap": {
+                    "between": ["strip", "stop"], "impact_count": impacts.len(), "impulse_total": 7.0,
+                    "impacts": impacts, "intervals": intervals,
+                } },
+                "energy": { "residual_max": 1e-3, "scale": 1.0 },
+                "status": "failed", "time": 0.5,
+            })
+        };
+        let text = plain(&run(vec![impact(0.1, 2.0, 4.0), impact(0.2, 5.0, 3e-16)], json!([])));
+        assert!(
+            text.contains("2 impacts gave 7 N s in all, the hardest 5 N s at 200 ms."),
+            "{text}"
+        );
+        assert!(text.contains("left no velocity of separation"), "{text}");
+        assert!(
+            text.contains("The run failed at 500 ms. The energy balance is off by 1e-3 of 1 J."),
+            "{text}"
+        );
+        let resting = json!([{ "start": 0.2, "end": null }]);
+        let text = plain(&run(vec![impact(0.1, 7.0, 4.0)], resting));
+        assert!(text.contains("still in contact at the end"), "{text}");
+        let nothing = json!({ "contact": { "tap": { "between": ["a", "b"], "intervals": [] } }, "energy": {} });
+        assert_eq!(plain(&nothing), "Nothing touched: the one contact never closed.");
+    }
+}

@@ -1,0 +1,76 @@
+//! Frames of a run: its configuration at an instant, with the forces that belong to it, for drawings.
+
+use super::simulation::Simulation;
+use crate::contact::configuration::Configuration;
+use crate::contact::touch::{Reach, tangent_of};
+use crate::math::vec2::{add, norm, scale};
+use crate::record::{Frame, FrameForce, Recorder};
+
+/// What frames are made in.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Frames {
+    section_forces: Vec<[[f64; 3]; 2]>,
+    contact_forces: Vec<FrameForce>,
+    /// Size of the part of a step accepted last \[s\], and whether impulses acted in it.
+    pub part: (f64, bool),
+}
+
+impl Simulation<'_> {
+    /// Hands the state reached to a recorder that wants it.
+    pub(super) fn show(&mut self, recorder: &mut dyn Recorder) {
+        let (h, impulsive) = self.frames.part;
+        let divisor = if impulsive { 1.0 } else { h };
+        let smooth: f64 = self.work.smooth.iter().map(|c| c.force.force.abs()).sum();
+        let rigid: f64 = self.work.rigid.iter().map(|c| norm(c.impulse)).sum();
+        let contact = if rigid > 0.0 { rigid / divisor } else { smooth };
+        if !recorder.wants_frame(self.state.time, contact, impulsive && rigid > 0.0) {
+            return;
+        }
+        let mut frames = std::mem::take(&mut self.frames);
+        frames.section_forces.clear();
+        for element in 0..self.model.element_count() {
+            let (line, inner) = self.monitor.lines().of(element);
+            frames.section_forces.push([(0.0, true), (1.0, false)].map(|(xi, ahead)| {
+                let at = line.at(xi, inner, ahead);
+                [at.axial, at.shear, at.moment]
+            }));
+        }
+        frames.contact_forces.clear();
+        self.contact_forces_of(frames.part, &mut frames.contact_forces);
+        recorder.frame(&Frame {
+            time: self.state.time,
+            displacement: &self.state.displacement,
+            section_forces: &frames.section_forces,
+            contact_forces: &frames.contact_forces,
+            load_factors: &self.forcing.factors,
+        });
+        self.frames = frames;
+    }
+
+    /// Forces of all pairs that touched in the part of a step accepted last, and in an impact their impulses.
+    fn contact_forces_of(&self, (h, impulsive): (f64, bool), out: &mut Vec<FrameForce>) {
+        let smooth = self.work.smooth.iter().map(|c| (c.pair, [c.force.force, 0.0], false));
+        let divisor = if impulsive { 1.0 } else { h };
+        let rigid = (self.work.rigid_pairs.iter().zip(&self.work.rigid))
+            .map(|(&pair, c)| (pair, c.impulse.map(|l| l / divisor), impulsive));
+        let at = Configuration::of(&self.state.displacement);
+        for (index, [normal, tangential], impulsive) in smooth.chain(rigid) {
+            if normal == 0.0 && tangential == 0.0 {
+                continue;
+            }
+            let (pair, seen) = (&self.model.pairs[index], &self.state.pairs[index]);
+            let Some(touch) = pair.touch(self.model, &at, &seen.memory, Reach::Near) else {
+                continue;
+            };
+            let along = scale(tangential, tangent_of(touch.normal));
+            let on_source = add(scale(normal, touch.normal), along);
+            let sign = if pair.source_party == 1 { 1.0 } else { -1.0 };
+            out.push(FrameForce {
+                contact: pair.contact,
+                position: add(touch.foot_place, scale(touch.radius, touch.normal)),
+                force: scale(sign, on_source),
+                impulsive,
+            });
+        }
+    }
+}

@@ -1,0 +1,366 @@
+"use strict";
+
+// The scene drawn with a pen: beams to scale, supports, loads and contacts by the usual symbols. Axes are always equal.
+
+const MARGIN = 34; // pixels around the structure
+const SYMBOL = 11; // half the size of a symbol [pixels]
+
+// Cividis, a map that reads the same to the colour-blind, at nine places.
+const MAP = [[0, 34, 78], [18, 53, 112], [59, 73, 108], [87, 93, 109], [112, 113, 115], [138, 134, 120], [165, 156, 116], [195, 179, 105], [225, 204, 85], [254, 232, 56]];
+
+function mapColour(share) {
+  const x = Math.min(0.9999, Math.max(0, share)) * (MAP.length - 1);
+  const [k, y] = [Math.floor(x), x % 1];
+  return `rgb(${[0, 1, 2].map((i) => Math.round(MAP[k][i] + y * (MAP[k + 1][i] - MAP[k][i]))).join(",")})`;
+}
+
+// What is shown: everything the beams pass through, and bodies as far as they stay near.
+function boundsOf(motion) {
+  let { low, high } = motion.size.box;
+  if (!(high[0] >= low[0])) [low, high] = [[Infinity, Infinity], [-Infinity, -Infinity]];
+  const hasBeams = Number.isFinite(low[0]);
+  const size = hasBeams ? Math.max(high[0] - low[0], high[1] - low[1]) : Infinity;
+  const reach = hasBeams ? 0.35 * size : Infinity;
+  const out = { low: [...low], high: [...high] };
+  const grow = ([x, y], r) => {
+    if (hasBeams && (x < low[0] - reach || x > high[0] + reach || y < low[1] - reach || y > high[1] + reach)) return;
+    out.low = [Math.min(out.low[0], x - r), Math.min(out.low[1], y - r)];
+    out.high = [Math.max(out.high[0], x + r), Math.max(out.high[1], y + r)];
+  };
+  motion.scene.bodies.forEach((body, i) => {
+    if (body.kind === "obstacle") return;
+    const stride = Math.max(1, Math.floor(motion.count / 200));
+    for (let f = 0; f < motion.count; f += stride) {
+      const node = 4 * (f * motion.nodes + motion.stations + i);
+      const all = motion.frames.displacement;
+      grow([body.position[0] + all[node], body.position[1] + all[node + 1]], body.radius ?? 0);
+    }
+  });
+  for (const o of motion.scene.obstacles) {
+    if (o.kind === "disc") grow(o.centre, o.radius);
+    if (o.kind === "walls") o.ends.flat().forEach((end) => grow(end, o.thickness / 2));
+  }
+  for (const s of motion.scene.springs) for (const end of s.between) if (end.position) grow(end.position, 0);
+  if (!Number.isFinite(out.low[0])) return { low: [-1, -1], high: [1, 1] };
+  return out;
+}
+
+// World to pixels, y upwards to y downwards; `zoom` and `shift` are the reader's.
+function viewOf(bounds, width, height, { zoom = 1, shift = [0, 0] } = {}) {
+  const extent = [0, 1].map((i) => Math.max(bounds.high[i] - bounds.low[i], 0));
+  const largest = Math.max(extent[0], extent[1], 1e-9);
+  const room = [width - 2 * MARGIN, height - 2 * MARGIN - 18];
+  const scale = zoom * Math.min(room[0] / Math.max(extent[0], 1e-3 * largest), room[1] / Math.max(extent[1], 1e-3 * largest));
+  const middle = [0, 1].map((i) => (bounds.low[i] + bounds.high[i]) / 2);
+  const centre = [width / 2 + shift[0], (height - 18) / 2 + shift[1]];
+  const to = ([x, y]) => [centre[0] + scale * (x - middle[0]), centre[1] - scale * (y - middle[1])];
+  const from = ([px, py]) => [middle[0] + (px - centre[0]) / scale, middle[1] - (py - centre[1]) / scale];
+  return { scale, to, from, width, height };
+}
+
+// Whether displacements may be drawn larger than they are: not where that could make bodies overlap that do not.
+function canExaggerate(motion) {
+  const guided = new Set(motion.scene.bodies.filter((b) => b.kind === "guided" || b.kind === "rear").map((b) => b.name));
+  return motion.scene.contacts.every((c) => c.between.some((name) => guided.has(name)));
+}
+
+class Drawing {
+  constructor(motion, palette) {
+    this.motion = motion;
+    this.palette = palette; // text, soft, beam, ghost, hatch, load, contact, body, page: colours
+    this.bounds = boundsOf(motion);
+  }
+
+  // Draws time t. Options: exaggeration, colour (none, stress, moment), diagram (none, axial, shear, moment), forces, loads, ghost,
+  // flash: impulses up to so long ago are shown [s].
+  draw(pen, t, view, options) {
+    this.pen = pen;
+    this.view = view;
+    this.options = options;
+    this.state = this.motion.at(t);
+    this.e = options.exaggeration ?? 1;
+    pen.begin(this.palette.page);
+    this.motion.scene.obstacles.forEach((o) => this.obstacle(o));
+    if (options.ghost) this.ghost();
+    this.supports();
+    this.springs();
+    this.motion.scene.beams.forEach((_, i) => this.beam(i));
+    if (options.diagram && options.diagram !== "none") this.diagrams(options.diagram);
+    this.joints();
+    this.masses();
+    this.bodies();
+    if (options.loads) this.loads();
+    if (options.forces) this.forces(options.flash ?? 0);
+    this.furniture(t);
+  }
+
+  obstacle(o) {
+    const { pen, view, palette } = this;
+    const moved = o.body == null ? [0, 0] : (() => {
+      const { place } = this.motion.body(o.body, this.state.u);
+      const { position } = this.motion.scene.bodies[o.body];
+      return [place[0] - position[0], place[1] - position[1]];
+    })();
+    const to = ([x, y]) => view.to([x + moved[0], y + moved[1]]);
+    if (o.kind === "disc") {
+      pen.circle(to(o.centre), o.radius * view.scale, { fill: palette.wall, stroke: palette.hatch, width: 1.5 });
+    } else if (o.kind === "walls") {
+      for (const [a, b] of o.ends) {
+        const width = Math.max(o.thickness * view.scale, 3);
+        pen.path([to(a), to(b)], { stroke: palette.hatch, width });
+      }
+    } else {
+      const n = [o.normal[0], -o.normal[1]];
+      const along = [-n[1], n[0]];
+      const p = to(o.point);
+      const reach = view.width + view.height;
+      // The part of the line nearest to the middle of the picture.
+      const middle = [view.width / 2 - p[0], view.height / 2 - p[1]];
+      const at = middle[0] * along[0] + middle[1] * along[1];
+      const end = (side) => [p[0] + (at + side * reach) * along[0], p[1] + (at + side * reach) * along[1]];
+      const deep = (q) => [q[0] - reach * n[0], q[1] - reach * n[1]];
+      pen.path([end(-1), end(1), deep(end(1)), deep(end(-1))], { fill: palette.wall, closed: true });
+      pen.path([end(-1), end(1)], { stroke: palette.hatch, width: 1.5 });
+      this.hatch(end(-1), end(1), [-n[0], -n[1]], 9);
+    }
+  }
+
+  // Strokes behind a line, on the side of `into`.
+  hatch(a, b, into, size) {
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    const d = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+    for (let x = size / 2; x < length; x += size) {
+      const p = [a[0] + x * d[0], a[1] + x * d[1]];
+      if (p[0] < -20 || p[1] < -20 || p[0] > this.view.width + 20 || p[1] > this.view.height + 20) continue;
+      const q = [p[0] + size * (into[0] - 0.6 * d[0]), p[1] + size * (into[1] - 0.6 * d[1])];
+      this.pen.path([p, q], { stroke: this.palette.hatch, width: 1 });
+    }
+  }
+
+  ghost() {
+    const rest = new Float32Array(4 * this.motion.nodes);
+    this.motion.scene.beams.forEach((_, i) => {
+      for (const part of this.motion.curve(i, rest)) {
+        this.pen.path(part.map((p) => this.view.to(p.place)), { stroke: this.palette.ghost, width: 1.2, dash: [5, 4] });
+      }
+    });
+  }
+
+  beam(i) {
+    const { pen, view, palette, options } = this;
+    const by = options.colour ?? "none";
+    for (const part of this.motion.curve(i, this.state.u, this.e)) {
+      const thick = part.every((p) => p.half_depth != null && p.half_depth * view.scale >= 1.2);
+      const side = (p, sign) => view.to([0, 1].map((k) => p.place[k] + sign * (p.half_depth ?? 0) * p.normal[k]));
+      if (by !== "none") {
+        for (let k = 0; k + 1 < part.length; k++) {
+          const [a, b] = [part[k], part[k + 1]];
+          const fill = this.colourAt(i, a, b, by);
+          if (thick) pen.path([side(a, 1), side(b, 1), side(b, -1), side(a, -1)], { fill, stroke: fill, width: 0.6, closed: true });
+          else pen.path([view.to(a.place), view.to(b.place)], { stroke: fill, width: 4 });
+        }
+      }
+      if (thick) {
+        const outline = [...part.map((p) => side(p, 1)), ...part.toReversed().map((p) => side(p, -1))];
+        pen.path(outline, { fill: by === "none" ? palette.beam : undefined, stroke: palette.outline, width: 1, closed: true });
+      } else if (by === "none") {
+        pen.path(part.map((p) => view.to(p.place)), { stroke: palette.outline, width: 3 });
+      }
+    }
+  }
+
+  colourAt(beam, a, b, by) {
+    const value = (p) => {
+      if (by === "stress") return this.motion.stress(this.state.index, beam, p) ?? 0;
+      return Math.abs(this.motion.section(this.state.index, p)[{ axial: 0, shear: 1, moment: 2 }[by]]);
+    };
+    return mapColour(Math.max(value(a), value(b)) / (this.colourTop(by) || 1));
+  }
+
+  // Largest value over the run of what colours stand for.
+  colourTop(by) {
+    if (by !== "stress") return this.motion.size.sections[{ axial: 0, shear: 1, moment: 2 }[by]];
+    if (this.stressTop == null) {
+      this.stressTop = 0;
+      const rest = new Float32Array(4 * this.motion.nodes);
+      const curves = this.motion.scene.beams.map((_, i) => this.motion.curve(i, rest).flat().filter((p) => p.share === 0 || p.share === 1));
+      for (let f = 0; f < this.motion.count; f++) {
+        curves.forEach((points, i) => {
+          for (const p of points) this.stressTop = Math.max(this.stressTop, this.motion.stress(f, i, p) ?? 0);
+        });
+      }
+    }
+    return this.stressTop;
+  }
+
+  diagrams(which) {
+    const { pen, view, palette } = this;
+    const k = { axial: 0, shear: 1, moment: 2 }[which];
+    const top = this.motion.size.sections[k];
+    if (!(top > 0)) return;
+    this.motion.scene.beams.forEach((_, i) => {
+      for (const part of this.motion.curve(i, this.state.u, this.e)) {
+        const base = part.map((p) => view.to(p.place));
+        const ends = part.map((p, j) => {
+          // A moment stands on the side in tension: below, where it sags.
+          const value = (this.motion.section(this.state.index, p)[k] / top) * 46 * (which === "moment" ? -1 : 1);
+          return [base[j][0] + value * p.normal[0], base[j][1] - value * p.normal[1]];
+        });
+        pen.path([...base, ...ends.toReversed()], { fill: palette.diagram, opacity: 0.25, closed: true });
+        pen.path(ends, { stroke: palette.diagram, width: 1.5 });
+      }
+    });
+  }
+
+  bodies() {
+    const { pen, view, palette } = this;
+    const { bodies } = this.motion.scene;
+    bodies.forEach((body, i) => {
+      const { place, angle } = this.motion.body(i, this.state.u);
+      if (body.kind === "disc") {
+        const at = view.to(place);
+        const r = Math.max(body.radius * view.scale, 3);
+        pen.circle(at, r, { fill: palette.body, stroke: palette.outline, width: 1 });
+        const spoke = [at[0] + r * Math.cos(angle), at[1] - r * Math.sin(angle)];
+        pen.path([at, spoke], { stroke: palette.outline, width: 1.2 });
+      } else if (body.kind === "guided") {
+        this.guided(body, place, bodies[i + 1]?.kind === "rear" ? this.motion.body(i + 1, this.state.u).place : null);
+      }
+    });
+  }
+
+  // A mass on its line of flight, behind its spring if it has one. The gap to the beam's surface is the true one.
+  guided(body, place, rear) {
+    const { pen, view, palette, motion } = this;
+    const [d1, d2] = body.direction;
+    const struck = motion.on(body.strikes, this.state.u, this.e);
+    const moved = motion.on(body.strikes, this.state.u);
+    const reference = motion.on(body.strikes, new Float32Array(4 * motion.nodes));
+    const advance = (a, b) => (b[0] - a[0]) * d1 + (b[1] - a[1]) * d2;
+    const gap = body.standoff + advance(reference.place, moved.place) - advance(body.position, place);
+    const off = struck.half_depth + Math.max(gap, 0);
+    const d = [d1, -d2];
+    const surface = view.to([struck.place[0] - off * d1, struck.place[1] - off * d2]);
+    const free = body.elastic ? 34 : 0; // length of the spring [pixels]
+    const pressed = body.elastic ? Math.min(24, Math.max(-gap, 0) * view.scale) : 0;
+    const front = [surface[0] - (free - pressed) * d[0], surface[1] - (free - pressed) * d[1]];
+    if (body.elastic) this.coil(front, surface, 5);
+    this.block(front, d, 11);
+    if (rear) {
+      const behind = Math.max(14, 40 + ((rear[0] - place[0]) * d1 + (rear[1] - place[1]) * d2) * -view.scale);
+      const at = [front[0] - (22 + behind - 14) * d[0], front[1] - (22 + behind - 14) * d[1]];
+      this.coil([at[0], at[1]], [front[0] - 22 * d[0], front[1] - 22 * d[1]], 4);
+      this.block(at, d, 11);
+    }
+  }
+
+  // A square whose front is at a point.
+  block(front, d, half) {
+    const n = [-d[1], d[0]];
+    const corner = (a, b) => [front[0] + a * d[0] + b * n[0], front[1] + a * d[1] + b * n[1]];
+    const points = [corner(0, half), corner(0, -half), corner(-2 * half, -half), corner(-2 * half, half)];
+    this.pen.path(points, { fill: this.palette.body, stroke: this.palette.outline, width: 1, closed: true });
+  }
+
+  // A spring as a zigzag of a given half width.
+  coil(a, b, half, style) {
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
+    const d = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+    const turns = 10;
+    const points = [a];
+    for (let k = 1; k < turns; k++) {
+      const side = (k % 2 ? 1 : -1) * half;
+      const x = (k / turns) * length;
+      points.push([a[0] + x * d[0] - side * d[1], a[1] + x * d[1] + side * d[0]]);
+    }
+    this.pen.path([...points, b], style ?? { stroke: this.palette.outline, width: 1.4 });
+  }
+
+  springs() {
+    for (const spring of this.motion.scene.springs) {
+      const [a, b] = spring.between.map((end) =>
+        this.view.to(end.position ?? this.motion.on(end, this.state.u, this.e).place),
+      );
+      if (spring.springs) this.coil(a, b, 5, { stroke: this.palette.symbol, width: 1.4 });
+      else this.pen.path([a, b], { stroke: this.palette.symbol, width: 3, dash: [2, 3] });
+      spring.between.forEach((end, k) => {
+        if (end.position) this.pen.circle(k ? b : a, 3, { fill: this.palette.symbol });
+      });
+    }
+  }
+
+  masses() {
+    for (const mass of this.motion.scene.masses) {
+      const { place } = this.motion.on(mass.at, this.state.u, this.e);
+      this.pen.circle(this.view.to(place), 6, { fill: this.palette.body, stroke: this.palette.outline, width: 1 });
+    }
+  }
+
+  joints() {
+    for (const joint of this.motion.scene.joints.filter((j) => j.turns)) {
+      const { place } = this.motion.on(joint.at, this.state.u, this.e);
+      this.pen.circle(this.view.to(place), 4, { fill: this.palette.page, stroke: this.palette.outline, width: 1.5 });
+    }
+  }
+
+  forces(flash) {
+    const { motion, view, palette, state } = this;
+    const now = motion.contacts(state.index).filter((c) => !c.impulsive);
+    const struck = motion.impulses(state.time - flash, state.time);
+    for (const [list, top, width] of [[now, motion.size.force, 2.2], [struck, motion.size.impulse, 3]]) {
+      for (const c of list.map((one) => motion.pressing(one))) {
+        const size = Math.hypot(...c.force);
+        if (!(size > 0.004 * top)) continue;
+        const length = 12 + 50 * (size / top);
+        const d = [c.force[0] / size, -c.force[1] / size];
+        const tip = view.to(c.position);
+        this.arrow([tip[0] - length * d[0], tip[1] - length * d[1]], tip, { stroke: palette.contact, width });
+      }
+    }
+  }
+
+  arrow(from, tip, style) {
+    const length = Math.hypot(tip[0] - from[0], tip[1] - from[1]) || 1;
+    const d = [(tip[0] - from[0]) / length, (tip[1] - from[1]) / length];
+    const head = Math.min(9, length);
+    const wing = (side) => [tip[0] - head * d[0] - side * 0.45 * head * d[1], tip[1] - head * d[1] + side * 0.45 * head * d[0]];
+    this.pen.path([from, [tip[0] - 0.7 * head * d[0], tip[1] - 0.7 * head * d[1]]], style);
+    this.pen.path([tip, wing(1), wing(-1)], { fill: style.stroke, closed: true });
+  }
+
+  // Time, scale bar, axes, what the colours stand for.
+  furniture(t) {
+    const { pen, view, palette, options } = this;
+    const target = 90 / view.scale;
+    const power = 10 ** Math.floor(Math.log10(target));
+    const length = [5, 2, 1].map((m) => m * power).find((l) => l <= target) ?? power;
+    const y = view.height - 14;
+    const x = 44;
+    pen.path([[x, y - 4], [x, y], [x + length * view.scale, y], [x + length * view.scale, y - 4]], { stroke: palette.soft, width: 1.2 });
+    pen.text([x + length * view.scale + 6, y], engineering(length, "m"), { fill: palette.soft, size: 11 });
+    const o = [12, view.height - 12];
+    this.arrow(o, [o[0] + 22, o[1]], { stroke: palette.soft, width: 1.2 });
+    this.arrow(o, [o[0], o[1] - 22], { stroke: palette.soft, width: 1.2 });
+    pen.text([o[0] + 20, o[1] - 9], "e1", { fill: palette.soft, size: 10 });
+    pen.text([o[0] + 5, o[1] - 24], "e2", { fill: palette.soft, size: 10 });
+    const notes = [`t = ${engineering(t, "s") || "0 s"}`];
+    if (this.e !== 1) notes.push(`displacements \u00d7 ${this.e}`);
+    pen.text([10, 14], notes.join(",  "), { fill: palette.text, size: 13, halo: palette.page });
+    if (options.colour && options.colour !== "none") this.legend(options.colour);
+  }
+
+  legend(by) {
+    const { pen, view, palette } = this;
+    const unit = { stress: "Pa", axial: "N", shear: "N", moment: "N m" }[by];
+    const [x, y, width] = [view.width - 212, 10, 200];
+    for (let k = 0; k < 32; k++) {
+      const a = x + (k * width) / 32;
+      pen.path([[a, y], [a + width / 32 + 0.5, y], [a + width / 32 + 0.5, y + 8], [a, y + 8]], { fill: mapColour(k / 31), closed: true });
+    }
+    pen.text([x, y + 18], "0", { fill: palette.soft, size: 11 });
+    const name = by === "stress" ? "largest fibre stress" : `|${by}|`;
+    pen.text([x + width, y + 18], `${name} ${engineering(this.colourTop(by), unit)}`, { fill: palette.soft, size: 11, align: "right" });
+  }
+}
+
+if (typeof module !== "undefined") module.exports = { Drawing, boundsOf, viewOf, canExaggerate, mapColour };

@@ -1,0 +1,234 @@
+"use strict";
+
+// The scene on the page: play, pause, scrub, step, speed, the impact alone or the whole run, what is shown; mouse and keyboard.
+
+const SECONDS = 6; // what the shown span takes at normal speed
+const STILL_MARGIN = 0.35; // room around the contact when the impact alone is shown, as a share of it
+
+function palette() {
+  const of = (name) => colour(name);
+  return {
+    page: of("--page"), text: of("--text"), soft: of("--soft"), outline: of("--scene-outline"), beam: of("--scene-beam"),
+    ghost: of("--c7"), hatch: of("--c7"), wall: of("--grid"), symbol: of("--soft"), load: of("--c3"), contact: of("--c2"),
+    body: of("--scene-body"), diagram: of("--c4"),
+  };
+}
+
+// From the first to the last frame in which anything touches, with some room; null if nothing does, or if that is the whole run.
+function contactSpan(motion) {
+  let [from, to] = [null, null];
+  for (let f = 0; f < motion.count; f++) {
+    if (motion.frames.contact_count[f] > 0) {
+      from ??= motion.frames.time[f];
+      to = motion.frames.time[f];
+    }
+  }
+  if (from == null) return null;
+  const whole = motion.end - motion.start;
+  const room = Math.max(STILL_MARGIN * (to - from), 0.01 * whole);
+  const span = [Math.max(motion.start, from - room), Math.min(motion.end, to + room)];
+  return span[1] - span[0] < 0.9 * whole ? span : null;
+}
+
+class Player {
+  constructor(section, motion) {
+    this.section = section;
+    this.motion = motion;
+    this.canvas = section.querySelector("canvas");
+    this.slider = section.querySelector("input[type=range]");
+    this.playing = false;
+    this.whole = [motion.start, motion.end];
+    this.impact = contactSpan(motion);
+    this.span = this.whole;
+    this.time = motion.size.peak ?? motion.start;
+    this.camera = { zoom: 1, shift: [0, 0] };
+    this.listeners = [];
+    this.control = (name) => section.querySelector(`[data-scene=${name}]`);
+    this.control("impact").hidden = !this.impact;
+    const exaggeration = this.control("exaggeration");
+    exaggeration.parentElement.hidden = !canExaggerate(motion) || !(motion.size.displacement > 0);
+    this.wire();
+  }
+
+  onTime(listener) {
+    this.listeners.push(listener);
+  }
+
+  theme() {
+    this.drawing = new Drawing(this.motion, palette());
+    this.draw();
+  }
+
+  options() {
+    const box = (name) => this.control(name).checked;
+    return {
+      exaggeration: Number(this.control("exaggeration").value),
+      colour: this.control("colour").value,
+      diagram: this.control("diagram").value,
+      forces: box("forces"),
+      loads: box("loads"),
+      ghost: box("ghost"),
+      flash: 0.02 * (this.span[1] - this.span[0]),
+    };
+  }
+
+  // As high as the scene needs at the width there is, within what leaves room for the rest of the first screen.
+  fit() {
+    const { low, high } = this.drawing.bounds;
+    const aspect = (high[1] - low[1]) / Math.max(high[0] - low[0], 1e-9);
+    const wanted = Math.max(0, this.canvas.clientWidth - 2 * MARGIN) * aspect + 2 * MARGIN + 90;
+    this.canvas.style.height = `min(var(--scene-most), ${Math.round(Math.max(260, wanted))}px)`;
+  }
+
+  draw() {
+    if (!this.drawing) return;
+    this.fit();
+    const ratio = devicePixelRatio || 1;
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    if (!width) return;
+    if (this.canvas.width !== Math.round(width * ratio) || this.canvas.height !== Math.round(height * ratio)) {
+      this.canvas.width = Math.round(width * ratio);
+      this.canvas.height = Math.round(height * ratio);
+    }
+    const context = this.canvas.getContext("2d");
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const view = viewOf(this.drawing.bounds, width, height, this.camera);
+    this.drawing.draw(new CanvasPen(context, width, height), this.time, view, this.options());
+  }
+
+  svg() {
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    const pen = new SvgPen(width, height);
+    this.drawing.draw(pen, this.time, viewOf(this.drawing.bounds, width, height, this.camera), this.options());
+    return pen.finish();
+  }
+
+  seek(time, quiet) {
+    this.time = Math.min(this.whole[1], Math.max(this.whole[0], time));
+    const [from, to] = this.span;
+    this.slider.value = String(Math.round(10000 * Math.min(1, Math.max(0, (this.time - from) / (to - from || 1)))));
+    this.slider.setAttribute("aria-valuetext", engineering(this.time, "s"));
+    this.control("time").textContent = engineering(this.time, "s");
+    this.draw();
+    if (!quiet) this.listeners.forEach((listener) => listener(this.time));
+  }
+
+  // One frame on or back.
+  step(by) {
+    this.pause();
+    const { time } = this.motion.frames;
+    let k = this.motion.before(this.time);
+    if (by < 0 && time[k] < this.time) k += 1;
+    do k += by;
+    while (k > 0 && k < this.motion.count - 1 && time[k] === this.time);
+    this.seek(time[Math.min(this.motion.count - 1, Math.max(0, k))]);
+  }
+
+  show(span) {
+    this.span = span;
+    this.control("impact").setAttribute("aria-pressed", String(span === this.impact));
+    if (this.time < span[0] || this.time > span[1]) this.time = span[0];
+    this.seek(this.time);
+  }
+
+  play() {
+    this.playing = true;
+    if (this.time >= this.span[1]) this.time = this.span[0];
+    this.label();
+    let before = performance.now();
+    const tick = (now) => {
+      if (!this.playing) return;
+      const rate = ((this.span[1] - this.span[0]) / SECONDS) * Number(this.control("speed").value);
+      let time = this.time + (rate * Math.min(now - before, 100)) / 1000;
+      before = now;
+      if (time >= this.span[1]) {
+        if (this.span === this.impact || this.control("loop").checked) time = this.span[0];
+        else {
+          this.seek(this.span[1]);
+          return this.pause();
+        }
+      }
+      this.seek(time);
+      requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  pause() {
+    this.playing = false;
+    this.label();
+  }
+
+  toggle() {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  label() {
+    const button = this.control("play");
+    button.textContent = this.playing ? "Pause" : "Play";
+    button.setAttribute("aria-pressed", String(this.playing));
+  }
+
+  wire() {
+    this.control("play").addEventListener("click", () => this.toggle());
+    this.control("back").addEventListener("click", () => this.step(-1));
+    this.control("on").addEventListener("click", () => this.step(1));
+    this.control("impact").addEventListener("click", () => this.show(this.span === this.impact ? this.whole : this.impact));
+    this.control("fit").addEventListener("click", () => this.look({ zoom: 1, shift: [0, 0] }));
+    this.control("svg").addEventListener("click", () => download("scene.svg", `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.svg())}`));
+    this.control("png").addEventListener("click", () => download("scene.png", this.canvas.toDataURL("image/png")));
+    for (const name of ["colour", "diagram", "exaggeration", "forces", "loads", "ghost"]) {
+      this.control(name).addEventListener("change", () => this.draw());
+    }
+    this.slider.addEventListener("input", () => {
+      this.pause();
+      this.seek(this.span[0] + (Number(this.slider.value) / 10000) * (this.span[1] - this.span[0]));
+    });
+    const keys = { " ": () => this.toggle(), ArrowLeft: () => this.step(-1), ArrowRight: () => this.step(1), Home: () => this.seek(this.span[0]), End: () => this.seek(this.span[1]), "+": () => this.zoom(1.25), "-": () => this.zoom(0.8), "0": () => this.look({ zoom: 1, shift: [0, 0] }) };
+    this.canvas.addEventListener("keydown", (event) => {
+      if (!keys[event.key] || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      keys[event.key]();
+    });
+    this.canvas.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && document.activeElement !== this.canvas) return; // the page scrolls
+      event.preventDefault();
+      this.zoom(Math.exp(-0.0015 * event.deltaY), [event.offsetX, event.offsetY]);
+    }, { passive: false });
+    this.canvas.addEventListener("dblclick", () => this.look({ zoom: 1, shift: [0, 0] }));
+    let from = null;
+    this.canvas.addEventListener("pointerdown", (event) => {
+      from = [event.clientX - this.camera.shift[0], event.clientY - this.camera.shift[1]];
+      this.canvas.setPointerCapture(event.pointerId);
+    });
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (from) this.look({ ...this.camera, shift: [event.clientX - from[0], event.clientY - from[1]] });
+    });
+    for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => (from = null));
+  }
+
+  look(camera) {
+    this.camera = camera;
+    this.draw();
+  }
+
+  // About a pixel, the middle unless given.
+  zoom(factor, at) {
+    const middle = [this.canvas.clientWidth / 2, (this.canvas.clientHeight - 18) / 2];
+    const [x, y] = at ?? middle;
+    const zoom = Math.min(400, Math.max(0.2, this.camera.zoom * factor));
+    const by = zoom / this.camera.zoom;
+    const shift = [x, y].map((p, i) => p - middle[i] - by * (p - middle[i] - this.camera.shift[i]));
+    this.look({ zoom, shift });
+  }
+}
+
+function download(name, href) {
+  const link = document.createElement("a");
+  link.download = name;
+  link.href = href;
+  link.click();
+}
+
+if (typeof module !== "undefined") module.exports = { contactSpan };

@@ -1,0 +1,239 @@
+"use strict";
+
+// What stands in a run and how it moves: from scene.json and the frames to points in the plane.
+// Beams are the solver's own curves: Hermite cubics through the stations.
+
+const PIECES = 400; // chords of all beams together, about
+
+class Motion {
+  // `scene` is scene.json; `frames` has time (n), displacement (n x nodes x 4), sections (n x intervals x 6), loads (n x loads),
+  // contacts (all frames' rows of six, one behind the other) and contact_count (n).
+  constructor(scene, frames) {
+    this.scene = scene;
+    this.frames = frames;
+    this.count = frames.time.length;
+    this.stations = scene.beams.reduce((n, b) => n + b.s.length, 0);
+    this.nodes = this.stations + scene.bodies.length;
+    this.beams = [];
+    let node = 0;
+    let interval = 0;
+    for (const beam of scene.beams) {
+      const spans = [];
+      for (let k = 0; k + 1 < beam.s.length; k++) {
+        if (beam.s[k + 1] > beam.s[k]) spans.push({ k, interval: interval++ });
+      }
+      this.beams.push({ first: node, spans });
+      node += beam.s.length;
+    }
+    this.intervals = interval;
+    this.pieces = Math.min(12, Math.max(1, Math.floor(PIECES / Math.max(1, interval))));
+    this.offsets = [0];
+    for (const n of frames.contact_count) this.offsets.push(this.offsets[this.offsets.length - 1] + n);
+    this.size = this.measure();
+  }
+
+  get start() {
+    return this.count ? this.frames.time[0] : 0;
+  }
+
+  get end() {
+    return this.count ? this.frames.time[this.count - 1] : 0;
+  }
+
+  // The last frame not after t.
+  before(t) {
+    const time = this.frames.time;
+    let [low, high] = [0, this.count - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (time[middle] <= t) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  // The configuration at time t: displacements between frames are straight lines, forces those of the nearer frame.
+  at(t) {
+    if (!this.count) return { time: 0, u: new Float32Array(4 * this.nodes), forces: 0, index: 0 };
+    const a = this.before(t);
+    const b = Math.min(a + 1, this.count - 1);
+    const [ta, tb] = [this.frames.time[a], this.frames.time[b]];
+    const share = tb > ta ? Math.min(1, Math.max(0, (t - ta) / (tb - ta))) : 0;
+    const n = 4 * this.nodes;
+    const u = new Float32Array(n);
+    const all = this.frames.displacement;
+    for (let i = 0; i < n; i++) u[i] = (1 - share) * all[a * n + i] + share * all[b * n + i];
+    return { time: t, u, index: share > 0.5 ? b : a };
+  }
+
+  // Contact forces of a frame: contact, position, force on the second partner, whether it is an impulse.
+  contacts(index) {
+    const out = [];
+    const all = this.frames.contacts;
+    for (let k = this.offsets[index]; k < this.offsets[index + 1]; k++) {
+      const [contact, x, y, f, g, impulsive] = all.slice(6 * k, 6 * k + 6);
+      out.push({ contact, position: [x, y], force: [f, g], impulsive: impulsive > 0.5 });
+    }
+    return out;
+  }
+
+  // The same as forces on the partner that is drawn to yield: the beam, where a body presses on one.
+  pressing(c) {
+    const { between } = this.scene.contacts[c.contact];
+    const isBody = (name) => this.scene.bodies.some((b) => b.name === name) || this.scene.obstacles.some((o) => o.name === name);
+    const flip = isBody(between[1]) && !isBody(between[0]);
+    return { ...c, force: flip ? c.force.map((f) => -f) : c.force };
+  }
+
+  // Impulses of the frames between two times.
+  impulses(from, to) {
+    const out = [];
+    for (let i = Math.max(0, this.before(from)); i < this.count && this.frames.time[i] <= to; i++) {
+      if (this.frames.time[i] >= from) out.push(...this.contacts(i).filter((c) => c.impulsive));
+    }
+    return out;
+  }
+
+  // Position and unit normal on a beam between stations k and k + 1 at a share of the way.
+  point(beam, k, share, u, exaggeration) {
+    const b = this.scene.beams[beam];
+    const node = 4 * (this.beams[beam].first + k);
+    const length = b.s[k + 1] - b.s[k];
+    const [x, y] = [share, 1 - share];
+    const h = [y * y * (1 + 2 * x), length * x * y * y, x * x * (1 + 2 * y), -length * x * x * y];
+    const d = [(6 * x * x - 6 * x) / length, 1 - 4 * x + 3 * x * x, (6 * x - 6 * x * x) / length, 3 * x * x - 2 * x];
+    const moved = (i) => {
+      const place = i ? b.y : b.x;
+      const slope = i ? b.ty : b.tx;
+      const e = exaggeration;
+      return [
+        place[k] + e * u[node + i],
+        slope[k] + e * u[node + 2 + i],
+        place[k + 1] + e * u[node + 4 + i],
+        slope[k + 1] + e * u[node + 6 + i],
+      ];
+    };
+    const sum = (n, v) => n[0] * v[0] + n[1] * v[1] + n[2] * v[2] + n[3] * v[3];
+    const [v1, v2] = [moved(0), moved(1)];
+    const [g1, g2] = [sum(d, v1), sum(d, v2)];
+    const size = Math.hypot(g1, g2) || 1;
+    return { place: [sum(h, v1), sum(h, v2)], tangent: [g1 / size, g2 / size], normal: [-g2 / size, g1 / size] };
+  }
+
+  // A place on a beam by arc length.
+  on({ beam, s }, u, exaggeration = 1) {
+    const b = this.scene.beams[beam];
+    const spans = this.beams[beam].spans;
+    const span = spans.find(({ k }) => s <= b.s[k + 1]) ?? spans[spans.length - 1];
+    const share = (s - b.s[span.k]) / (b.s[span.k + 1] - b.s[span.k]);
+    const out = this.point(beam, span.k, Math.min(1, Math.max(0, share)), u, exaggeration);
+    const depths = [b.half_depth[span.k], b.half_depth[span.k + 1]];
+    const depth = depths[0] == null || depths[1] == null ? 0 : depths[0] + share * (depths[1] - depths[0]);
+    return { ...out, half_depth: depth };
+  }
+
+  // A beam as parts without corner: rows of points with normal, half depth and the interval they belong to.
+  curve(beam, u, exaggeration = 1) {
+    const b = this.scene.beams[beam];
+    const parts = [];
+    let last = -2;
+    for (const { k, interval } of this.beams[beam].spans) {
+      if (k !== last + 1) parts.push([]);
+      last = k;
+      const part = parts[parts.length - 1];
+      for (let p = part.length ? 1 : 0; p <= this.pieces; p++) {
+        const share = p / this.pieces;
+        const point = this.point(beam, k, share, u, exaggeration);
+        const depths = [b.half_depth[k], b.half_depth[k + 1]];
+        point.half_depth = depths[0] == null || depths[1] == null ? null : depths[0] + share * (depths[1] - depths[0]);
+        point.interval = interval;
+        point.share = share;
+        point.k = k;
+        part.push(point);
+      }
+    }
+    return parts;
+  }
+
+  body(index, u) {
+    const node = 4 * (this.stations + index);
+    const { position } = this.scene.bodies[index];
+    return { place: [position[0] + u[node], position[1] + u[node + 1]], angle: u[node + 2] };
+  }
+
+  // Axial force, shear force and moment at a point of a curve, in the frame of this number.
+  section(index, point) {
+    const at = 6 * (index * this.intervals + point.interval);
+    const all = this.frames.sections;
+    return [0, 1, 2].map((i) => (1 - point.share) * all[at + i] + point.share * all[at + 3 + i]);
+  }
+
+  // Largest stress of the fibres [Pa], by the section at the point; null without a depth.
+  stress(index, beam, point) {
+    const b = this.scene.beams[beam];
+    if (point.half_depth == null) return null;
+    const mix = (row) => row[point.k] + point.share * (row[point.k + 1] - row[point.k]);
+    const [axial, , moment] = this.section(index, point);
+    return Math.abs(axial) / mix(b.area) + (Math.abs(moment) * point.half_depth) / mix(b.inertia);
+  }
+
+  // Extremes over all frames, found once: bounds of the beams and of all, largest displacement and forces.
+  measure() {
+    const none = () => ({ low: [Infinity, Infinity], high: [-Infinity, -Infinity] });
+    const grow = (box, [x, y], r = 0) => {
+      box.low = [Math.min(box.low[0], x - r), Math.min(box.low[1], y - r)];
+      box.high = [Math.max(box.high[0], x + r), Math.max(box.high[1], y + r)];
+    };
+    const box = none();
+    const rest = none();
+    let displacement = 0;
+    const n = 4 * this.nodes;
+    const stride = Math.max(1, Math.floor((this.count * this.nodes) / 2e5));
+    this.scene.beams.forEach((b, i) => {
+      for (let k = 0; k < b.s.length; k++) {
+        const r = b.half_depth[k] ?? 0;
+        grow(box, [b.x[k], b.y[k]], r);
+        grow(rest, [b.x[k], b.y[k]], r);
+        const node = 4 * (this.beams[i].first + k);
+        for (let f = 0; f < this.count; f += f + stride < this.count || f === this.count - 1 ? stride : this.count - 1 - f) {
+          const [u1, u2] = [this.frames.displacement[f * n + node], this.frames.displacement[f * n + node + 1]];
+          displacement = Math.max(displacement, Math.hypot(u1, u2));
+          grow(box, [b.x[k] + u1, b.y[k] + u2], r);
+        }
+      }
+    });
+    const arrows = { force: 0, impulse: 0 }; // of one pair
+    const resultants = { force: [0, null], impulse: [0, null] }; // of a contact: largest, and when
+    for (let f = 0; f < this.count; f++) {
+      const sums = new Map();
+      for (const c of this.contacts(f)) {
+        const kind = c.impulsive ? "impulse" : "force";
+        arrows[kind] = Math.max(arrows[kind], Math.hypot(...c.force));
+        const sum = sums.get(c.contact) ?? { kind, force: [0, 0] };
+        sum.force = [sum.force[0] + c.force[0], sum.force[1] + c.force[1]];
+        sums.set(c.contact, sum);
+      }
+      for (const { kind, force } of sums.values()) {
+        if (Math.hypot(...force) > resultants[kind][0]) resultants[kind] = [Math.hypot(...force), this.frames.time[f]];
+      }
+    }
+    const peak = resultants.force[1] ?? resultants.impulse[1];
+    const sections = [0, 0, 0];
+    for (let i = 0; i < this.frames.sections.length; i++) {
+      sections[i % 3] = Math.max(sections[i % 3], Math.abs(this.frames.sections[i]));
+    }
+    return { box, rest, displacement, ...arrows, peak, sections };
+  }
+}
+
+// Five digits as an engineer writes them, with a prefix of thousands.
+function engineering(value, unit) {
+  if (!Number.isFinite(value)) return "";
+  const size = Math.abs(value);
+  const steps = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
+  if (size < 1e-12) return `0 ${unit}`;
+  const [by, prefix] = steps.find(([by]) => size >= by) ?? steps[steps.length - 1];
+  return `${Number((value / by).toPrecision(4))} ${prefix}${unit}`;
+}
+
+if (typeof module !== "undefined") module.exports = { Motion, engineering };
