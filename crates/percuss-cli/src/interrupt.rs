@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use percuss_output::RunDirectory;
+use percuss_output::{Extent, RunDirectory};
 
 use crate::outcome::{Failure, Status};
 
@@ -58,14 +58,14 @@ pub fn protect(staging: &Path) {
     *lock() = Some(staging.to_owned());
 }
 
-/// Puts the results in place; no signal comes in between.
+/// Puts the results in place; no signal comes in between. Returns where they are.
 ///
 /// # Errors
 /// If something cannot be moved.
-pub fn commit(directory: RunDirectory) -> Result<PathBuf, percuss_output::Error> {
+pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percuss_output::Error> {
     let mut staging = lock();
     *staging = None;
-    directory.commit()
+    directory.commit_as(extent)
 }
 
 fn abort() -> ! {

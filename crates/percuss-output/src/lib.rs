@@ -21,7 +21,7 @@ mod shapes;
 mod summary;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
-pub use directory::{Results, RunDirectory};
+pub use directory::{Extent, Results, RunDirectory, RunUpdate};
 pub use envelopes::{BeamEnvelope, read_envelopes, write_envelopes};
 pub use equilibrium::equilibrium_value;
 pub use error::Error;

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use percuss_output::RunDirectory;
+use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -22,6 +22,7 @@ fn names(dir: &Path) -> Result<Vec<String>, Box<dyn Error>> {
     for entry in fs::read_dir(dir)? {
         names.push(entry?.file_name().to_string_lossy().into_owned());
     }
+    names.retain(|name| name != ".percuss.json");
     names.sort();
     Ok(names)
 }
@@ -40,16 +41,162 @@ fn nothing_is_seen_before_the_commit_and_nothing_stays_without_one() -> Outcome 
 }
 
 #[test]
-fn a_new_run_replaces_the_old_one_and_keeps_foreign_files() -> Outcome {
+fn a_new_run_replaces_the_old_one_and_nothing_else() -> Outcome {
     let parent = tempfile::tempdir()?;
     let target = parent.path().join("run");
     run(&target, "old")?;
-    fs::write(target.join("notes.md"), "mine")?;
-    fs::write(target.join("history.csv"), "of the old run")?;
+    // Also names that a run could have, and folders that one makes.
+    for (file, text) in
+        [("notes.md", "mine"), ("history.csv", "of mine"), ("figures/own.svg", "drawn")]
+    {
+        fs::write(target.join(file), text)?;
+    }
+    fs::create_dir_all(target.join("deep/er"))?;
+    fs::write(target.join("deep/er/file"), "kept")?;
     run(&target, "new")?;
-    assert_eq!(names(&target)?, ["figures", "notes.md", "summary.json"]);
-    assert_eq!(names(&target.join("figures"))?, ["new"]);
+    assert_eq!(names(&target)?, ["deep", "figures", "history.csv", "notes.md", "summary.json"]);
+    assert_eq!(names(&target.join("figures"))?, ["new", "own.svg"]);
+    assert_eq!(fs::read_to_string(target.join("history.csv"))?, "of mine");
+    assert_eq!(fs::read_to_string(target.join("deep/er/file"))?, "kept");
+    assert_eq!(names(parent.path())?, ["run"]);
+    Ok(())
+}
+
+#[test]
+fn a_file_of_a_run_that_was_changed_is_no_longer_replaced() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    run(&target, "old")?;
+    fs::write(target.join("summary.json"), "old, with a comment")?;
+    let error = RunDirectory::create(&target).err().ok_or("was not refused")?;
+    assert!(
+        error.is_refused() && error.to_string().contains("summary.json was changed"),
+        "{error}"
+    );
+    assert_eq!(names(parent.path())?, ["run"]);
+    Ok(())
+}
+
+#[test]
+fn results_that_would_replace_a_foreign_file_stand_beside() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    run(&target, "old")?;
+    fs::write(target.join("history.csv"), "mine")?;
+    let dir = RunDirectory::create(&target)?;
+    fs::write(dir.path().join("history.csv"), "of the run")?;
+    let error = dir.commit().err().ok_or("was not refused")?;
+    assert!(error.to_string().contains("run.rescued-1"), "{error}");
+    assert_eq!(fs::read_to_string(target.join("history.csv"))?, "mine");
+    assert_eq!(fs::read_to_string(target.join("summary.json"))?, "old");
+    drop(RunDirectory::create(&target)?);
+    assert_eq!(fs::read_to_string(parent.path().join("run.rescued-1/history.csv"))?, "of the run");
+    Ok(())
+}
+
+#[test]
+fn partial_results_never_replace_complete_ones() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    let partial = |content: &str| -> Result<std::path::PathBuf, Box<dyn Error>> {
+        let dir = RunDirectory::create(&target)?;
+        fs::write(dir.path().join("summary.json"), content)?;
+        Ok(dir.commit_as(Extent::Partial)?)
+    };
+    let place = target.canonicalize().unwrap_or(parent.path().canonicalize()?.join("run"));
+    assert_eq!(partial("first half")?, place); // nothing was there
+    assert_eq!(partial("second half")?, place);
+    run(&target, "whole")?;
+    let beside = place.with_file_name("run.incomplete");
+    assert_eq!(partial("third half")?, beside);
+    assert_eq!(partial("fourth half")?, beside);
+    assert_eq!(fs::read_to_string(target.join("summary.json"))?, "whole");
+    assert_eq!(fs::read_to_string(beside.join("summary.json"))?, "fourth half");
+    assert_eq!(names(parent.path())?, ["run", "run.incomplete"]);
+    Ok(())
+}
+
+#[test]
+fn one_process_at_a_time_fills_a_directory() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    let first = RunDirectory::create(&target)?;
+    let error = RunDirectory::create(&target).err().ok_or("was not refused")?;
+    let who = format!("process {}", std::process::id());
+    assert!(error.is_refused() && error.to_string().contains(&who), "{error}");
+    drop(first);
+    run(&target, "alone")?;
+    assert_eq!(names(parent.path())?, ["run"]);
+    Ok(())
+}
+
+#[test]
+fn what_dead_processes_left_is_put_in_order() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    run(&target, "old")?;
+    // One died while it wrote, one after the exchange: before it removed what it had replaced, a file of the user's among it.
+    let staged = parent.path().join(".run.percuss-staged-aaaa");
+    fs::create_dir(&staged)?;
+    fs::write(staged.join(".percuss-unfinished"), "")?;
+    fs::write(staged.join("history.csv"), "half")?;
+    let replaced = parent.path().join(".run.percuss-staged-bbbb");
+    run(&replaced, "older")?;
+    fs::write(replaced.join("notes.md"), "mine")?;
+    // And a folder of the user's that only looks a little like it.
+    fs::create_dir(parent.path().join(".run.percussion"))?;
+    drop(RunDirectory::create(&target)?);
+    assert_eq!(names(parent.path())?, [".run.percussion", "run"]);
     assert_eq!(fs::read_to_string(target.join("notes.md"))?, "mine");
+    assert_eq!(fs::read_to_string(target.join("summary.json"))?, "old");
+    // Without an exchange in one operation: death between its two renames.
+    fs::rename(&target, parent.path().join(".run.percuss-aside-cccc"))?;
+    drop(RunDirectory::create(&target)?);
+    assert_eq!(fs::read_to_string(target.join("summary.json"))?, "old");
+    assert_eq!(names(parent.path())?, [".run.percussion", "run"]);
+    Ok(())
+}
+
+#[test]
+fn a_report_is_added_to_a_run_and_replaces_no_foreign_file() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    run(&target, "old")?;
+    let add = |file: &str| -> Outcome {
+        let update = RunUpdate::open(&target)?;
+        fs::write(update.path().join(file), "anew")?;
+        Ok(update.commit()?)
+    };
+    add("report.html")?;
+    add("report.html")?;
+    assert_eq!(names(&target)?, ["figures", "report.html", "summary.json"]);
+    fs::write(target.join("notes.md"), "mine")?;
+    assert!(add("notes.md").is_err());
+    assert_eq!(fs::read_to_string(target.join("notes.md"))?, "mine");
+    run(&target, "new")?; // the report was the run's
+    assert_eq!(names(&target)?, ["figures", "notes.md", "summary.json"]);
+    assert!(RunUpdate::open(parent.path()).is_err());
+    Ok(())
+}
+
+#[test]
+fn results_of_another_kind_are_left_alone() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    run(&target, "old")?;
+    let error = RunDirectory::create_for(Results::Modes, &target).err().ok_or("was not refused")?;
+    assert!(error.is_refused(), "{error}");
+    Ok(())
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_that_leads_nowhere_is_refused() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let link = parent.path().join("run");
+    std::os::unix::fs::symlink(parent.path().join("gone"), &link)?;
+    let error = RunDirectory::create(&link).err().ok_or("was not refused")?;
+    assert!(error.to_string().contains("leads nowhere"), "{error}");
     assert_eq!(names(parent.path())?, ["run"]);
     Ok(())
 }
@@ -81,7 +228,7 @@ fn a_directory_that_holds_something_else_is_refused() -> Outcome {
     fs::write(precious.join("thesis.tex"), "years")?;
     let error = RunDirectory::create(&precious).err().ok_or("was not refused")?;
     assert!(error.is_refused());
-    assert!(error.to_string().contains("summary.json"), "{error}");
+    assert!(error.to_string().contains(".percuss.json"), "{error}");
     let file = precious.join("thesis.tex");
     assert!(RunDirectory::create(&file).err().ok_or("was not refused")?.is_refused());
     assert_eq!(names(&precious)?, ["thesis.tex"]);

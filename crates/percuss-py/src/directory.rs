@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use percuss::RunSummary;
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    Error, HistoryFormat, HistoryWriter, RunDirectory, write_envelopes, write_impacts,
+    Error, Extent, HistoryFormat, HistoryWriter, RunDirectory, write_envelopes, write_impacts,
     write_summary,
 };
 use pyo3::PyResult;
@@ -47,6 +47,7 @@ impl Directory {
         if self.report {
             report::write(dir, &ReportData::read(dir)?)?;
         }
-        self.directory.commit()
+        let whole = matches!(run.termination, percuss::Termination::Completed);
+        self.directory.commit_as(if whole { Extent::Complete } else { Extent::Partial })
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use percuss_output::RunUpdate;
 use percuss_output::report::{ReportData, write, write_with_figures};
 
 use crate::arguments::Report;
@@ -13,11 +14,14 @@ pub fn run(arguments: &Report) -> Result<Status, Failure> {
     let dir = &arguments.dir;
     refuse_what_is_no_run(dir)?;
     let (data, page) = (ReportData::read(dir)?, dir.join("report.html"));
+    let update = RunUpdate::open(dir)?;
     if arguments.figures {
-        write_with_figures(dir, &data)?;
+        write_with_figures(update.path(), &data)?;
+        update.commit()?;
         terminal::tell(&format!("{} and figures/ rebuilt", page.display()));
     } else {
-        write(dir, &data)?;
+        write(update.path(), &data)?;
+        update.commit()?;
         terminal::tell(&format!("{} rebuilt", page.display()));
     }
     Ok(Status::Done)

@@ -5,14 +5,14 @@ mod books;
 mod comparison;
 mod recorder;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination, advise, compare};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_envelopes,
+    Extent, HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_envelopes,
     write_impacts, write_summary,
 };
 use serde_json::Value;
@@ -40,6 +40,7 @@ pub fn run(arguments: &Run) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     interrupt::install()?;
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
+    refuse_own_input(&arguments.file, &out)?;
     let directory = RunDirectory::create(&out)?;
     interrupt::protect(directory.path());
     let ended = simulate(&ready, arguments, directory.path())?;
@@ -47,8 +48,37 @@ pub fn run(arguments: &Run) -> Result<Status, Failure> {
         true => Ok(()),
         false => write_report(&ready, arguments, directory.path(), &ended),
     };
-    interrupt::commit(directory)?;
-    conclude(&ended, arguments, &out, report)
+    let whole = matches!(ended.summary.termination, Termination::Completed) && report.is_ok();
+    let extent = if whole { Extent::Complete } else { Extent::Partial };
+    let asked = directory.target().to_owned();
+    let place = interrupt::commit(directory, extent)?;
+    if place == asked {
+        return conclude(&ended, arguments, &out, report);
+    }
+    let (place, earlier) = (shown(&place), out.display());
+    terminal::warning(&format!(
+        "the results are not complete and stand in {}; {earlier} keeps the complete ones it had",
+        place.display()
+    ));
+    conclude(&ended, arguments, &place, report)
+}
+
+/// A path as short as the working directory allows.
+fn shown(path: &Path) -> PathBuf {
+    let here = std::env::current_dir().and_then(|dir| dir.canonicalize()).unwrap_or_default();
+    path.strip_prefix(here).unwrap_or(path).to_owned()
+}
+
+/// A scenario inside the directory of results would be replaced by its own echo.
+fn refuse_own_input(file: &Path, out: &Path) -> Result<(), Failure> {
+    let (Ok(file), Ok(dir)) = (file.canonicalize(), out.canonicalize()) else { return Ok(()) };
+    match file.starts_with(dir) {
+        false => Ok(()),
+        true => Err(Failure::Input(format!(
+            "{}: the scenario lies in it, and the results would replace it; give another --out",
+            out.display()
+        ))),
+    }
 }
 
 /// Simulates; scenario, history and summary are then in `dir`.

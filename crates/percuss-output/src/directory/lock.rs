@@ -1,0 +1,91 @@
+//! One process fills a directory at a time.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{Read as _, Seek as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::exchange::is_mount_point;
+use crate::error::Error;
+
+/// A lock on a directory of results, which need not exist yet; let go when dropped, or when the process dies.
+///
+/// The system keeps it, by file and not by process number: two containers that share a disk see each other.
+#[derive(Debug)]
+pub(super) struct Lock {
+    path: PathBuf,
+    _file: File,
+}
+
+impl Lock {
+    /// Takes it.
+    ///
+    /// # Errors
+    /// If another process has it, which the error names as far as it said who it is.
+    pub fn take(given: &Path, target: &Path) -> Result<Self, Error> {
+        let path = place(target);
+        loop {
+            let open =
+                OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
+            let mut file = open.map_err(|e| Error::io(&path, "create", e))?;
+            match file.try_lock() {
+                Ok(()) => {}
+                Err(TryLockError::WouldBlock) => return Err(taken(given, &mut file)),
+                // A file system without locks: nothing better can be had.
+                Err(TryLockError::Error(_)) => return Ok(Self { path, _file: file }),
+            }
+            // Who had it before may have removed the file between opening and locking.
+            if is_the_same(&file, &path) {
+                let who = format!("process {} on {}", std::process::id(), host());
+                let _ = file.set_len(0).and_then(|()| file.write_all(who.as_bytes()));
+                return Ok(Self { path, _file: file });
+            }
+        }
+    }
+}
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+/// Beside the directory; in it where it is a disk of its own, whose surroundings others need not share.
+fn place(target: &Path) -> PathBuf {
+    if target.is_dir() && is_mount_point(target) {
+        return target.join(".percuss.lock");
+    }
+    let name = target.file_name().unwrap_or_default().to_os_string();
+    let mut hidden = std::ffi::OsString::from(".");
+    hidden.push(name);
+    hidden.push(".percuss.lock");
+    target.with_file_name(hidden)
+}
+
+fn taken(given: &Path, file: &mut File) -> Error {
+    let mut who = String::new();
+    let _ = file.rewind().and_then(|()| file.take(200).read_to_string(&mut who));
+    let who = if who.is_empty() { "another process".to_owned() } else { who };
+    Error::refused(given, format!("is being written by {who}; wait for it, or give another --out"))
+}
+
+#[cfg(unix)]
+fn is_the_same(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let id = |m: fs::Metadata| (m.dev(), m.ino());
+    file.metadata().map(id).ok() == fs::metadata(path).map(id).ok()
+}
+
+#[cfg(not(unix))]
+fn is_the_same(_file: &File, _path: &Path) -> bool {
+    true
+}
+
+#[cfg(unix)]
+fn host() -> String {
+    rustix::system::uname().nodename().to_string_lossy().into_owned()
+}
+
+#[cfg(not(unix))]
+fn host() -> String {
+    std::env::var("COMPUTERNAME").unwrap_or_else(|_| "this machine".to_owned())
+}

@@ -1,0 +1,253 @@
+//! The directory of a run, put in place in one piece.
+//!
+//! Results are written to a staging directory of a random name beside the final one and exchanged with it in one operation of the
+//! system, after everything has reached the disk. A manifest names the files that belong to the results; nothing else is ever
+//! replaced or removed. A lock keeps two processes from filling one directory. What a dead process left behind is put in order by
+//! the next one that writes there.
+
+mod exchange;
+mod lock;
+mod manifest;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::error::Error;
+use exchange::Staging;
+use lock::Lock;
+use manifest::Manifest;
+
+/// What a directory of results holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Results {
+    /// A run.
+    Run,
+    /// Natural modes.
+    Modes,
+    /// An equilibrium path.
+    Path,
+}
+
+impl Results {
+    /// The word for it in the manifest.
+    fn kind(self) -> &'static str {
+        match self {
+            Self::Run => "run",
+            Self::Modes => "modes",
+            Self::Path => "path",
+        }
+    }
+
+    /// What it looks like, in words.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Run => "a run",
+            Self::Modes => "the modes of a scenario",
+            Self::Path => "an equilibrium path",
+        }
+    }
+}
+
+/// Whether results are all that was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// They are; earlier results make room for them.
+    Complete,
+    /// They end early, or a part is missing: they never take the place of complete ones.
+    Partial,
+}
+
+/// A directory being filled, out of sight until [`RunDirectory::commit`].
+///
+/// Dropped without a commit, the staging directory is removed and nothing has happened.
+#[derive(Debug)]
+pub struct RunDirectory {
+    given: PathBuf,
+    target: PathBuf,
+    staging: Staging,
+    results: Results,
+    _lock: Lock,
+}
+
+impl RunDirectory {
+    /// Prepares the staging directory for `target`.
+    ///
+    /// # Errors
+    /// If `target` is a file, a link that leads nowhere, a directory that is neither empty nor holds a run, or one that
+    /// another process is filling; if files of the run in it were changed since; if the staging directory cannot be made.
+    pub fn create(target: impl AsRef<Path>) -> Result<Self, Error> {
+        Self::create_for(Results::Run, target)
+    }
+
+    /// The same for results of any kind.
+    ///
+    /// # Errors
+    /// As [`RunDirectory::create`].
+    pub fn create_for(results: Results, target: impl AsRef<Path>) -> Result<Self, Error> {
+        let given = target.as_ref();
+        let target = resolve(given)?;
+        if let Some(parent) = target.parent() {
+            fs::create_dir_all(parent).map_err(|e| Error::io(parent, "create", e))?;
+        }
+        let lock = Lock::take(given, &target)?;
+        exchange::recover(&target)?;
+        refuse_what_is_not_ours(results, given, &target)?;
+        let staging = Staging::new(&target)?;
+        Ok(Self { given: given.to_owned(), target, staging, results, _lock: lock })
+    }
+
+    /// Where to write until the commit.
+    pub fn path(&self) -> &Path {
+        self.staging.path()
+    }
+
+    /// Where everything will be after the commit, unless it is partial and would replace what is complete.
+    pub fn target(&self) -> &Path {
+        &self.target
+    }
+
+    /// Puts complete results in the place of earlier ones; whatever is not theirs stays where it is.
+    ///
+    /// # Errors
+    /// If something cannot be moved; the new files then remain in the staging directory, which the
+    /// error names.
+    pub fn commit(self) -> Result<PathBuf, Error> {
+        self.commit_as(Extent::Complete)
+    }
+
+    /// The same for results of any extent; returns where they are: partial results stand beside complete ones.
+    ///
+    /// # Errors
+    /// As [`RunDirectory::commit`].
+    pub fn commit_as(mut self, extent: Extent) -> Result<PathBuf, Error> {
+        self.staging.keep();
+        let done = self.put_in_place(extent);
+        done.map_err(|e| {
+            let rescued = self.staging.rescue(&self.target);
+            let place = rescued.display();
+            Error::io(&self.target, "replace", format!("{e}; the results are in {place}"))
+        })
+    }
+
+    fn put_in_place(&mut self, extent: Extent) -> Result<PathBuf, Error> {
+        let manifest = Manifest::of(self.staging.path(), self.results, extent)?;
+        manifest.write(self.staging.path())?;
+        let earlier = Manifest::read(&self.target)?;
+        let keeps = extent == Extent::Partial && earlier.is_some_and(|m| m.complete);
+        if !keeps {
+            self.staging.move_to(&self.target)?;
+            return Ok(self.target.clone());
+        }
+        let (beside, _lock) = self.beside()?;
+        self.staging.move_to(&beside)?;
+        Ok(beside)
+    }
+
+    /// Beside the target: a directory that does not exist, or holds partial results of this kind.
+    fn beside(&self) -> Result<(PathBuf, Lock), Error> {
+        let name = self.target.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        for k in 1..1000 {
+            let number = if k == 1 { String::new() } else { format!("-{k}") };
+            let place = self.target.with_file_name(format!("{name}.incomplete{number}"));
+            let Ok(lock) = Lock::take(&place, &place) else { continue };
+            let manifest = Manifest::read(&place)?;
+            let ours = manifest.is_some_and(|m| !m.complete && m.kind == self.results.kind());
+            if ours || !place.exists() {
+                return Ok((place, lock));
+            }
+        }
+        Err(Error::refused(&self.given, "has too many incomplete results beside it"))
+    }
+}
+
+/// Files written anew into the directory of a finished run, which stays as it is otherwise.
+#[derive(Debug)]
+pub struct RunUpdate {
+    target: PathBuf,
+    staging: Staging,
+    _lock: Lock,
+}
+
+impl RunUpdate {
+    /// Prepares it.
+    ///
+    /// # Errors
+    /// If the directory holds no run, or another process fills it.
+    pub fn open(target: impl AsRef<Path>) -> Result<Self, Error> {
+        let given = target.as_ref();
+        let target = resolve(given)?;
+        let lock = Lock::take(given, &target)?;
+        exchange::recover(&target)?;
+        if Manifest::read(&target)?.is_none_or(|m| m.kind != Results::Run.kind()) {
+            let reason = format!("is not the directory of a run (it has no {})", manifest::NAME);
+            return Err(Error::refused(given, reason));
+        }
+        let staging = Staging::within(&target)?;
+        Ok(Self { target, staging, _lock: lock })
+    }
+
+    /// Where to write.
+    pub fn path(&self) -> &Path {
+        self.staging.path()
+    }
+
+    /// Puts the new files in place of those of the same names, if these are the run's.
+    ///
+    /// # Errors
+    /// If a file of the same name is somebody's own, or something cannot be moved.
+    pub fn commit(mut self) -> Result<(), Error> {
+        self.staging.add_to(&self.target)
+    }
+}
+
+/// The real place of `path`, links followed where it exists.
+fn resolve(path: &Path) -> Result<PathBuf, Error> {
+    let resolved = match path.try_exists() {
+        Ok(true) => path.canonicalize(),
+        _ if fs::symlink_metadata(path).is_ok() => {
+            return Err(Error::refused(path, "is a link that leads nowhere"));
+        }
+        _ => std::path::absolute(path),
+    };
+    let resolved = resolved.map_err(|e| Error::io(path, "resolve", e))?;
+    if resolved.file_name().is_none() {
+        return Err(Error::refused(path, "this cannot be the directory of a run"));
+    }
+    Ok(resolved)
+}
+
+fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Result<(), Error> {
+    if !target.exists() {
+        return Ok(());
+    }
+    if !target.is_dir() {
+        return Err(Error::refused(given, "exists and is not a directory; give another --out"));
+    }
+    let Some(manifest) = Manifest::read(target)? else {
+        let words = results.words();
+        return match exchange::is_empty(target)? {
+            true => Ok(()),
+            false => Err(Error::refused(
+                given,
+                format!(
+                    "is not empty and does not hold {words} (it has no {}), so it is left alone; \
+                     give another --out or remove it yourself",
+                    manifest::NAME
+                ),
+            )),
+        };
+    };
+    if manifest.kind != results.kind() {
+        let reason = format!("holds other results ({}); give another --out", manifest.kind);
+        return Err(Error::refused(given, reason));
+    }
+    match manifest.changed(target)? {
+        Some(file) => Err(Error::refused(
+            given,
+            format!(
+                "{file} was changed since it was written there, so it is left alone; give another --out"
+            ),
+        )),
+        None => Ok(()),
+    }
+}
