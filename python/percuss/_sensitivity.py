@@ -44,7 +44,7 @@ class Sensitivity:
 
     @property
     def uncertainties(self) -> Floats:
-        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): twice what half or
+        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): three times what half or
         four fifths of the step change, the larger; nan where other steps do not tell."""
         uncertainties: Floats = self._native["uncertainties"]
         return uncertainties
