@@ -38,13 +38,13 @@ class Sensitivity:
 
     @property
     def derivatives(self) -> Floats:
-        """All derivatives, shape (n_result, n_parameter)."""
+        """All derivatives, shape (n_result, n_parameter); nan for those of ``without``."""
         derivatives: Floats = self._native["derivatives"]
         return derivatives
 
     @property
     def uncertainties(self) -> Floats:
-        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): twice what half or
+        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): three times what half or
         four fifths of the step change, the larger; nan where other steps do not tell."""
         uncertainties: Floats = self._native["uncertainties"]
         return uncertainties
@@ -53,6 +53,17 @@ class Sensitivity:
     def one_sided(self) -> list[str]:
         """Contacts that a change of a parameter by less than one per cent makes or ends: derivatives by it are one-sided."""
         return list(self._native["one_sided"])
+
+    @property
+    def without(self) -> dict[tuple[str, str], str]:
+        """Derivatives that there are not, by result and parameter, and why."""
+        return {(result, parameter): why for result, parameter, why in self._native["without"]}
+
+    @property
+    def horizon(self) -> tuple[float, str] | None:
+        """Time to which derivatives reach and what stands against more; none where they reach to the end of the run."""
+        horizon: tuple[float, str] | None = self._native["horizon"]
+        return horizon
 
     def __getitem__(self, key: tuple[str, str]) -> float:
         """``s[result, parameter]``."""

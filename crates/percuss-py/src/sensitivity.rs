@@ -9,7 +9,8 @@ use crate::ready::Source;
 use crate::structure::shaped;
 
 /// Values of parameters and results and the derivatives: `parameters` and `results` (lists of path, value, unit),
-/// `derivatives` and `uncertainties` (n_result, n_parameter), `one_sided` (sentences).
+/// `derivatives` and `uncertainties` (n_result, n_parameter), `one_sided` (sentences), `without` (list of result, parameter, why),
+/// `horizon` (time and why, or nothing).
 #[pyfunction]
 pub fn sensitivity<'py>(
     py: Python<'py>,
@@ -38,6 +39,10 @@ pub fn sensitivity<'py>(
     result.set_item("uncertainties", shaped(py, uncertainties, &shape)?)?;
     let texts: Vec<String> = found.one_sided.iter().map(percuss_study::OneSided::text).collect();
     result.set_item("one_sided", texts)?;
+    let without: Vec<_> =
+        found.without.into_iter().map(|one| (one.result, one.parameter, one.why)).collect();
+    result.set_item("without", without)?;
+    result.set_item("horizon", found.horizon.map(|h| (h.time, h.why)))?;
     Ok(result)
 }
 

@@ -1,6 +1,6 @@
 //! Sobol indices of a study as a table.
 
-use crate::analysis::{Estimate, SobolIndices, sobol_indices_of};
+use crate::analysis::{Estimate, NoIndices, SobolIndices, sobol_indices_of};
 use crate::column::{Column, Role, Table, Values};
 use crate::error::Error;
 use crate::parquet::Writer;
@@ -9,29 +9,28 @@ use crate::study::Study;
 /// The table of Sobol indices, in the directory of a study that has them.
 pub const INDICES: &str = "indices.parquet";
 
-/// Sobol indices of every result of a study that was arranged for them, by its name; none of one that does not vary.
-pub fn indices(study: &Study, table: &Table) -> Vec<(String, Option<SobolIndices>)> {
+/// Indices of a result, or why it has none.
+pub type Found = Result<SobolIndices, NoIndices>;
+
+/// Sobol indices of every result of a study that was arranged for them, by its name.
+pub fn indices(study: &Study, table: &Table) -> Vec<(String, Found)> {
     if !study.has_sobol_indices() {
         return Vec::new();
     }
     let each = study.results().iter();
-    each.map(|result| (result.name.clone(), sobol_indices_of(study, table, &result.name).ok()))
-        .collect()
+    each.map(|result| (result.name.clone(), sobol_indices_of(study, table, &result.name))).collect()
 }
 
 /// The indices as Parquet: a row for every result and parameter, with 95 % intervals.
 ///
 /// # Errors
 /// If the table cannot be encoded.
-pub fn indices_parquet(
-    study: &Study,
-    indices: &[(String, Option<SobolIndices>)],
-) -> Result<Vec<u8>, Error> {
+pub fn indices_parquet(study: &Study, indices: &[(String, Found)]) -> Result<Vec<u8>, Error> {
     let mut texts = [Vec::new(), Vec::new()];
     let mut numbers: [Vec<f64>; 7] = Default::default();
     let mut points = Vec::new();
     for (result, found) in indices {
-        let Some(found) = found else { continue };
+        let Ok(found) = found else { continue };
         for (k, parameter) in study.parameters().iter().enumerate() {
             texts[0].push(result.clone());
             texts[1].push(parameter.name.clone());

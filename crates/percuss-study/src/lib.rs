@@ -92,7 +92,9 @@ pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};
 pub use prepare::Invalid;
 pub use report::report;
-pub use sensitivity::{Differentiated, OneSided, Sensitivity, SensitivityError, sensitivity};
+pub use sensitivity::{
+    Differentiated, OneSided, Sensitivity, SensitivityError, Without, beyond, sensitivity,
+};
 pub use shard::Shard;
 pub use study::{ResultColumn, Study};
 pub use sweep::{Done, Progress, sweep};

@@ -41,8 +41,9 @@ impl Study {
         let mut shard = Shard::empty(self, index);
         let mut preparer = Preparer::new(self);
         let paths: Vec<SummaryPath> = self.results.iter().map(|r| r.path.clone()).collect();
-        let forces = paths.iter().any(SummaryPath::is_of_forces);
-        let detail = if forces { Detail::Full } else { Detail::Motion };
+        // What the solver counts of itself is that of a run alone, whatever stands beside it.
+        let single = |path: &SummaryPath| path.is_of_forces() || path.is_of_effort();
+        let detail = if paths.iter().any(single) { Detail::Full } else { Detail::Motion };
         let runs: Vec<u64> = self.runs_of(index).collect();
         for group in runs.chunks(GROUP_RUNS) {
             if !goes_on() {

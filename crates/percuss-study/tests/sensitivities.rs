@@ -61,11 +61,158 @@ fn a_grazing_contact_makes_derivatives_one_sided() {
 
 #[test]
 fn what_has_no_derivatives_is_refused_and_no_failure_of_the_run() {
-    let plastic = scenario("paper/rigid-clamped-e0.toml", &[]);
-    let path = ["projectile.hammer.mass".to_owned()];
-    let refused = sensitivity(&plastic, &path, &[]);
-    assert!(matches!(refused, Err(SensitivityError::Refused(why)) if why.contains("stays closed")));
     let moved = scenario("sweet-spot.toml", &[]);
-    let number = ["time.step".to_owned()];
+    let number = ["projectile.ball.mass".to_owned()];
     assert!(matches!(sensitivity(&moved, &number, &[]), Err(SensitivityError::Refused(_))));
+}
+
+/// The step is none of the motion's numbers: what it does to a result is an error.
+#[test]
+fn settings_of_the_computation_are_no_parameters() {
+    let elastic = scenario("paper/elastic-clamped.toml", &[]);
+    let refused = sensitivity(&elastic, &["time.step".into()], &[]).unwrap_err();
+    let SensitivityError::Faults(faults) = refused else { panic!("{refused:?}") };
+    assert!(faults.to_string().contains("is an error"), "{faults}");
+}
+
+/// The end of a run changes what is so at its end: velocities by the acceleration there.
+#[test]
+fn the_end_of_the_run_is_a_parameter() {
+    let path = "projectile.mass.velocity_final[1]";
+    // Within the contact.
+    let at = |end: f64| {
+        let scene = scenario("paper/elastic-clamped.toml", &[&format!("time.end={end}")]);
+        let paths = [path, "contact.mass.peak_force.time", "time"].map(String::from);
+        sensitivity(&scene, &["time.end".into()], &paths).unwrap()
+    };
+    let found = at(0.05005);
+    let [before, after] = [0.05003, 0.05007].map(|end| at(end).results[0].value);
+    let difference = (after - before) / 4e-5;
+    let derivative = found.derivatives[0][0];
+    assert!(derivative.abs() > 100.0, "it is pushed: {derivative}");
+    assert!((derivative - difference).abs() < 1e-3 * derivative.abs(), "{derivative} {difference}");
+    // The force still grows: its largest value goes with the end.
+    for k in [1, 2] {
+        assert!((found.derivatives[k][0] - 1.0).abs() < 1e-9, "{:?}", found.derivatives);
+    }
+}
+
+/// Counts, measures of error and instants that the step does not resolve have no derivative, and say why.
+#[test]
+fn what_has_no_derivative_says_why() {
+    let elastic = scenario("paper/elastic-clamped.toml", &[]);
+    let paths = [
+        "steps",
+        "newton_iterations",
+        "energy.residual_max",
+        "contact.mass.intervals[0].steps",
+        "contact.mass.intervals[7].impulse",
+        "contact.mass.effective_mass",
+        "contact.mass.intervals[0].place.s",
+        "time",
+        "contact.mass.peak_force.time",
+    ];
+    let by = ["projectile.mass.mass".to_owned(), "beam.girder.points[1][0]".into()];
+    let found = sensitivity(&elastic, &by, &paths.map(String::from)).unwrap();
+    let why = |path: &str| -> Vec<&str> {
+        let without = found.without.iter().filter(|one| one.result == path);
+        without.map(|one| one.why.as_str()).collect()
+    };
+    for count in ["steps", "newton_iterations", "contact.mass.intervals[0].steps"] {
+        assert_eq!(why(count), ["it is a count"; 2]);
+    }
+    assert_eq!(why("energy.residual_max"), ["it measures errors of the computation"; 2]);
+    assert_eq!(why("contact.mass.intervals[7].impulse"), ["the run has no such result"; 2]);
+    assert!(found.derivatives[..5].iter().flatten().all(|x| x.is_nan()));
+    // A mass that strikes changes nothing about what is struck; a longer beam moves its middle, and has more mass there.
+    let [mass, place, time, peak] = [5, 6, 7, 8].map(|k| &found.derivatives[k]);
+    let own = found.results[5].value;
+    assert!(mass[0].abs() < 1e-12 && (mass[1] / own - 1.0 / 3.0).abs() < 0.05, "{mass:?} {own}");
+    assert!(place[0].abs() < 1e-12 && (place[1] - 0.5).abs() < 1e-9, "{place:?}");
+    assert_eq!(time, &[0.0, 0.0]);
+    assert!(peak[0] > 1e-7 && peak[1].abs() > 1e-6, "{peak:?}");
+    let alone = sensitivity(&elastic, &by, &["steps".into()]);
+    assert!(matches!(alone, Err(SensitivityError::Refused(why)) if why.contains("count")));
+}
+
+/// A contact that comes to rest: derivatives reach to there, what is later has none.
+#[test]
+fn derivatives_reach_to_where_a_contact_stays_closed() {
+    let plastic = scenario("paper/rigid-clamped-e0.toml", &[]);
+    let (first, last) =
+        ("contact.hammer.impacts[0].impulse", "projectile.hammer.velocity_final[1]");
+    let paths = [first, last].map(String::from);
+    let found = sensitivity(&plastic, &["projectile.hammer.mass".into()], &paths).unwrap();
+    let horizon = found.horizon.as_ref().unwrap();
+    assert!(
+        (horizon.time - 5e-4).abs() < 1e-6 && horizon.why.contains("stays closed"),
+        "{horizon:?}"
+    );
+    assert!(found.derivatives[1][0].is_nan());
+    assert!(found.without.len() == 1 && found.without[0].result == last, "{:?}", found.without);
+    // A plastic impact on the effective mass m of the middle: m M / (m + M) (v of approach).
+    let at = |mass: f64| {
+        let set = format!("projectile.hammer.mass={mass}");
+        let scene = scenario("paper/rigid-clamped-e0.toml", &[&set]);
+        one(&scene, "projectile.hammer.mass", first).results[0].value
+    };
+    let difference = (at(100.1) - at(99.9)) / 0.2;
+    let derivative = found.derivatives[0][0];
+    assert!((derivative / difference - 1.0).abs() < 1e-5, "{derivative} {difference}");
+}
+
+const ARM: &str = r#"
+[material.alu]
+young = "70 GPa"
+density = "2700 kg/m^3"
+[section.bar]
+area = "24 cm^2"
+inertia = "28.8 cm^4"
+[beam.arm]
+points = [[0, 0], ["1.3 m", "0.2 m"]]
+elements = 7
+material = "alu"
+section = "bar"
+[support.root]
+at = "arm.start"
+kind = "clamp"
+[projectile.ball]
+kind = "elastic"
+mass = "3.1 kg"
+stiffness = "4e5 N/m"
+velocity = ["0.3 m/s", "-4.2 m/s"]
+strikes = "arm@0.8"
+standoff = "7.3 mm"
+[time]
+end = "8.37 ms"
+step = "40 us"
+"#;
+
+/// What a step of a sixteenth of the size changes lies within the uncertainty, of times of peaks and by the end of the run, too.
+#[test]
+fn uncertainties_hold_against_finer_steps() {
+    let parameters =
+        ["projectile.ball.mass", "projectile.ball.standoff", "material.alu.young", "time.end"];
+    let results = [
+        "projectile.ball.velocity_final[1]",
+        "contact.ball.peak_force.value",
+        "contact.ball.peak_force.time",
+        "contact.ball.intervals[0].impulse",
+        "point.arm@0.8.displacement_max.component_2.value",
+    ];
+    let (parameters, results) = (parameters.map(String::from), results.map(String::from));
+    let at = |step: &str| {
+        let text = ARM.replace("40 us", step);
+        sensitivity(&read(&text, "arm").unwrap(), &parameters, &results).unwrap()
+    };
+    let (coarse, fine) = (at("40 us"), at("2.5 us"));
+    for (i, result) in results.iter().enumerate() {
+        for (k, parameter) in parameters.iter().enumerate() {
+            let [own, off] = [coarse.derivatives[i][k], coarse.uncertainties[i][k]];
+            let fine = fine.derivatives[i][k];
+            // Round-off of values whose derivative the step does not change.
+            let off = off + 1e-9 * own.abs();
+            assert!((own - fine).abs() <= off, "{result} by {parameter}: {own} +- {off}, {fine}");
+        }
+    }
 }

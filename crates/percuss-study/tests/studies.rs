@@ -129,6 +129,43 @@ fn runs_side_by_side_tell_what_each_tells_alone() {
     }
 }
 
+/// What is counted is what a run alone counts, the solver's own effort, too.
+#[test]
+fn studies_count_what_single_runs_count() {
+    let rest = r#"
+        [parameter.mass]
+        path = "projectile.p.mass"
+        range = { from = 1, to = 30, count = 5 }
+        [design]
+        kind = "grid"
+        [results]
+        iterations = "newton_iterations"
+        factors = "factorizations"
+        steps = "solver_steps"
+        rows = "rows"
+        closed = "contact.p.intervals[0].steps"
+    "#;
+    let counted = |rest: &str| study(rest).run_shard(0).table;
+    let (all, few) = (counted(rest), counted(&rest.replace("iterations =", "# iterations =")));
+    let (few, single) = (
+        [few.numbers("steps"), few.numbers("rows"), few.numbers("closed")],
+        [all.numbers("steps"), all.numbers("rows"), all.numbers("closed")],
+    );
+    assert_eq!(few, single);
+    let masses = [1.0, 8.25, 15.5, 22.75, 30.0];
+    for (k, mass) in masses.iter().enumerate() {
+        let text = BASE.replace("mass = 10", &format!("mass = {mass}"));
+        let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile());
+        let compiled = compiled.unwrap_or_else(|faults| panic!("{faults}"));
+        let run = percuss::simulate(&compiled.model, &compiled.settings, &mut percuss::NoRecorder);
+        let run = run.expect("a run");
+        let wanted = [run.newton_iterations, run.factorizations, run.solver_steps, run.rows];
+        let names = ["iterations", "factors", "steps", "rows"];
+        let found = names.map(|name| all.numbers(name).expect(name)[k]);
+        assert_eq!(found, wanted.map(|n| n as f64), "{mass}");
+    }
+}
+
 #[test]
 fn threads_workers_and_order_leave_no_trace_in_the_results() {
     let study = study(SAMPLED);
@@ -424,6 +461,10 @@ fn shares_are_of_the_completed_runs_and_the_three_counts_are_told() {
     let ends = table.numbers("end").expect("numbers");
     let touched = ends.iter().filter(|end| end.is_finite()).count();
     assert!(touched > 1 && touched < 7, "{touched}");
+    // What did not touch has no force, not one of zero.
+    let forces = table.numbers("force").expect("numbers");
+    let both = forces.iter().zip(&ends);
+    assert!(both.clone().all(|(force, end)| force.is_nan() == end.is_nan()), "{forces:?}");
     let page = percuss_study::report(&study, &table);
     let counts = format!("8 runs, 8 completed, {touched} of them with a value");
     assert!(page.contains(&counts), "{counts}");

@@ -35,7 +35,7 @@ pub use analysis::{
     simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
-pub use ensemble::{Grazing, Sensitivities, Undifferentiated, Variation, sensitivities};
+pub use ensemble::{Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities};
 pub use error::Error;
 pub use ledger::{Books, Measures};
 pub use model::*;

@@ -223,6 +223,20 @@ impl ContactInterval {
         }
         quotient(self.approach_velocity, self.separation_velocity)
     }
+
+    /// Its derivative, from those of the velocities.
+    ///
+    /// # Errors
+    /// Why there is no coefficient.
+    pub fn restitution_derivative(&self, derivative: &Self) -> Result<f64, NoRestitution> {
+        let by = [derivative.approach_velocity, derivative.separation_velocity];
+        Ok(quotient_derivative(self.restitution()?, self.approach_velocity, by))
+    }
+}
+
+/// Derivative of a coefficient of restitution by those of approach and separation.
+fn quotient_derivative(coefficient: f64, approach: f64, by: [f64; 2]) -> f64 {
+    (by[1] - coefficient * by[0]) / approach
 }
 
 /// Separation over approach, where something approached.
@@ -263,6 +277,15 @@ impl Impact {
     pub fn restitution(&self) -> Result<f64, NoRestitution> {
         quotient(self.approach_velocity, self.separation_velocity)
     }
+
+    /// Its derivative, from those of the velocities.
+    ///
+    /// # Errors
+    /// Why there is no coefficient.
+    pub fn restitution_derivative(&self, derivative: &Self) -> Result<f64, NoRestitution> {
+        let by = [derivative.approach_velocity, derivative.separation_velocity];
+        Ok(quotient_derivative(self.restitution()?, self.approach_velocity, by))
+    }
 }
 
 /// What happened between two things that can touch.
@@ -270,7 +293,7 @@ impl Impact {
 pub enum ContactRecord {
     /// Under a smooth law.
     Smooth {
-        /// Largest force, summed over all points at one instant.
+        /// Largest force, summed over all points at one instant; unset if the contact never closed.
         peak_force: Peak,
         /// Closed intervals, in the order they began; the first [`ContactRecord::IMPACTS_KEPT`] of them.
         intervals: Vec<ContactInterval>,
@@ -288,7 +311,7 @@ pub enum ContactRecord {
         /// Intervals in which the contact stayed closed (persistent contact); impulse included.
         intervals: Vec<ContactInterval>,
         /// How deep one thing was inside the other at most \[m\]: next to nothing where impacts are located, the way of a step
-        /// where time steps over them, or what impulses could not hold.
+        /// where time steps over them, or what impulses could not hold. Zero has no time.
         penetration: Peak,
     },
 }
@@ -477,7 +500,7 @@ pub struct RunSummary {
     pub step_cuts: usize,
     /// Steps with more impacts than are followed one by one: in the rest of each, what struck did so without restitution.
     pub accumulated_steps: usize,
-    /// Newton iterations.
+    /// Newton iterations. Runs side by side need others than runs alone: these two tell of the solver, not of the run.
     pub newton_iterations: usize,
     /// Factorisations of the tangent.
     pub factorizations: usize,

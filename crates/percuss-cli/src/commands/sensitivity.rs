@@ -1,6 +1,6 @@
 //! `percuss sensitivity`.
 
-use percuss_study::{Differentiated, OneSided, SensitivityError, sensitivity};
+use percuss_study::{Differentiated, OneSided, SensitivityError, Without, beyond, sensitivity};
 use serde_json::{Value, json};
 
 use crate::arguments::Sensitivity;
@@ -28,6 +28,9 @@ pub fn run(arguments: &Sensitivity) -> Result<Status, Failure> {
     } else {
         terminal::print(&table(&found))?;
     }
+    if let Some(horizon) = &found.horizon {
+        terminal::warning(&beyond(horizon));
+    }
     found.one_sided.iter().for_each(|one| terminal::warning(&one.text()));
     Ok(Status::Done)
 }
@@ -40,7 +43,13 @@ fn value(found: &percuss_study::Sensitivity) -> Value {
         "derivatives": found.derivatives,
         "uncertainties": found.uncertainties,
         "one_sided": found.one_sided.iter().map(one_sided).collect::<Vec<_>>(),
+        "without": found.without.iter().map(without).collect::<Vec<_>>(),
+        "horizon": found.horizon.as_ref().map(|h| json!({ "time": h.time, "why": h.why })),
     })
+}
+
+fn without(one: &Without) -> Value {
+    json!({ "result": one.result, "parameter": one.parameter, "why": one.why })
 }
 
 fn one_sided(one: &OneSided) -> Value {
@@ -50,11 +59,13 @@ fn one_sided(one: &OneSided) -> Value {
         "appears": one.appears,
         "parameter": one.parameter,
         "change": one.change,
+        "others": one.others,
         "text": one.text(),
     })
 }
 
-/// One block a result: its value, and a line for every parameter with the derivative, its uncertainty from the step and what one per cent more would change.
+/// One block a result: its value, and a line for every parameter with the derivative, its uncertainty from the step and what one per
+/// cent more would change, or why there is no derivative.
 fn table(found: &percuss_study::Sensitivity) -> String {
     let width = found.parameters.iter().map(|p| p.path.len()).max().unwrap_or(0);
     let mut text = String::new();
@@ -62,18 +73,38 @@ fn table(found: &percuss_study::Sensitivity) -> String {
     for (result, (derivatives, uncertainties)) in found.results.iter().zip(rows) {
         text += &format!("{} = {} {}\n", result.path, number(result.value), plain(&result.unit));
         let both = derivatives.iter().zip(uncertainties);
-        for (parameter, (derivative, uncertainty)) in found.parameters.iter().zip(both) {
-            let share = 100.0 * derivative * 0.01 * parameter.value / result.value;
-            let unit = quotient(&result.unit, &parameter.unit);
-            text += &format!(
-                "  by {:width$}  {:>13} +- {:<9} {unit:<14} 1 % more: {share:+.3} %\n",
-                parameter.path,
-                number(*derivative),
-                uncertain(*uncertainty),
-            );
+        for (parameter, both) in found.parameters.iter().zip(both) {
+            let told =
+                missing(found, result, parameter).unwrap_or_else(|| known(result, parameter, both));
+            text += &format!("  by {:width$}  {told}\n", parameter.path);
         }
     }
     text
+}
+
+fn known(
+    result: &Differentiated,
+    parameter: &Differentiated,
+    (derivative, uncertainty): (&f64, &f64),
+) -> String {
+    let share = 100.0 * derivative * 0.01 * parameter.value / result.value;
+    let unit = quotient(&result.unit, &parameter.unit);
+    let told = format!("{:>13} +- {:<9}", number(*derivative), uncertain(*uncertainty));
+    // Of nothing there is no per cent.
+    if share.is_finite() {
+        format!("{told} {unit:<14} 1 % more: {share:+.3} %")
+    } else {
+        format!("{told} {unit}")
+    }
+}
+
+fn missing(
+    found: &percuss_study::Sensitivity,
+    result: &Differentiated,
+    parameter: &Differentiated,
+) -> Option<String> {
+    let is = |one: &&Without| one.result == result.path && one.parameter == parameter.path;
+    found.without.iter().find(is).map(|one| format!("none: {}", one.why))
 }
 
 fn uncertain(x: f64) -> String {

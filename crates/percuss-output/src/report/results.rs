@@ -77,7 +77,12 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> Str
     if peak.is_object() {
         let force = quantity(peak["value"].as_f64(), "N");
         let time = quantity(peak["time"].as_f64(), "s");
-        row("peak contact force", format!("{force} at {time}"));
+        // What never closed has none.
+        if peak["value"].is_null() {
+            row("peak contact force", "none: it never closed".into());
+        } else {
+            row("peak contact force", format!("{force} at {time}"));
+        }
         let intervals = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
         let impulse = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
         row("times closed", intervals.len().to_string());

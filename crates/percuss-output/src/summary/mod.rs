@@ -2,6 +2,7 @@
 
 mod advice;
 mod contact;
+mod derivative;
 mod pick;
 
 use std::path::Path;
@@ -16,6 +17,7 @@ use serde_json::{Map, Value, json};
 use crate::error::Error;
 use crate::files;
 
+pub use derivative::pick_derivatives;
 pub use pick::{Picked, SummaryPath, pick, summary_paths};
 
 const SUMMARY: &str = "summary.json";

@@ -32,9 +32,9 @@ pub struct SummaryPath {
     path: String,
     part: String,
     /// Name of the projectile, contact, ...; empty for other parts.
-    name: String,
+    pub(super) name: String,
     /// Keys and indices within the part.
-    keys: Vec<String>,
+    pub(super) keys: Vec<String>,
 }
 
 /// A number picked, and its unit.
@@ -104,21 +104,33 @@ impl SummaryPath {
         ["section_forces", "support"].contains(&self.part.as_str())
     }
 
+    /// Whether it counts what the solver did, which runs side by side share.
+    pub fn is_of_effort(&self) -> bool {
+        ["newton_iterations", "factorizations"].contains(&self.part.as_str())
+    }
+
     fn is_within(&self, other: &Self) -> bool {
         self.part == other.part && self.name == other.name
     }
 
-    fn look_up(&self, part: &Value) -> f64 {
+    fn find_in<'a>(&self, part: &'a Value) -> Option<&'a Value> {
         let mut at = part;
         for key in &self.keys {
-            let next = match key.parse::<usize>() {
+            at = match key.parse::<usize>() {
                 Ok(index) if at.is_array() => at.get(index),
                 _ => at.get(key),
-            };
-            let Some(next) = next else { return f64::NAN };
-            at = next;
+            }?;
         }
-        at.as_f64().unwrap_or(f64::NAN)
+        Some(at)
+    }
+
+    /// The number as it stands in the summary of a run.
+    pub(super) fn value_in(&self, run: &RunSummary) -> Option<Value> {
+        self.find_in(&part(&self.part, &self.name, run)).cloned()
+    }
+
+    fn look_up(&self, part: &Value) -> f64 {
+        self.find_in(part).and_then(Value::as_f64).unwrap_or(f64::NAN)
     }
 }
 

@@ -42,6 +42,20 @@ pub enum NoIndices {
     Constant,
 }
 
+impl std::fmt::Display for NoIndices {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NotArranged => f.write_str("the study is not arranged for them"),
+            Self::NoValues => f.write_str("no run has a value"),
+            Self::TooFew { points, of } => write!(
+                f,
+                "only {points} of {of} points have a value in all of their runs, and those are no sample of the parameters"
+            ),
+            Self::Constant => f.write_str("its values are all the same"),
+        }
+    }
+}
+
 /// Sobol indices from results at the points A, B, and A with one column of B, `mixed[i]` with the i-th.
 ///
 /// `None` for fewer than two points and for results that do not vary. The seed is that of the resampling.

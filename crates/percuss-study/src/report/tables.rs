@@ -2,7 +2,7 @@
 
 use percuss_output::report::sheet::{Bar, Block, in_words};
 
-use crate::analysis::{Estimate, NoIndices, Population, Spread, share_interval, sobol_indices_of};
+use crate::analysis::{Estimate, Population, Spread, share_interval, sobol_indices_of};
 use crate::column::{Role, Table, Values};
 use crate::parameter::Variation;
 use crate::study::Study;
@@ -158,7 +158,7 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
         let indices = match sobol_indices_of(study, table, &result.name) {
             Ok(indices) => indices,
             Err(reason) => {
-                blocks.push(Block::Note(format!("{}: no indices: {}.", result.name, why(reason))));
+                blocks.push(Block::Note(format!("{}: no indices: {}.", result.name, reason)));
                 continue;
             }
         };
@@ -188,18 +188,6 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
         blocks.push(Block::Note(text.into()));
     }
     blocks
-}
-
-/// Why a result has no indices.
-fn why(reason: NoIndices) -> String {
-    match reason {
-        NoIndices::NotArranged => "the study is not arranged for them".into(),
-        NoIndices::NoValues => "no run has a value".into(),
-        NoIndices::TooFew { points, of } => format!(
-            "only {points} of {of} points have a value in all of their runs, and those are no sample of the parameters"
-        ),
-        NoIndices::Constant => "its values are all the same".into(),
-    }
 }
 
 /// Whether the books of the runs closed.

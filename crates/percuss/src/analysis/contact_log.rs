@@ -73,8 +73,10 @@ impl ContactLog {
         let record = |contact: &ContactData| match &contact.law {
             TouchLaw::Smooth(law) => {
                 let each = state.pairs[contact.pairs.clone()].iter();
-                let value = each.map(|p| law.potential.force(-p.gap)).sum();
-                let peak_force = Peak { value, time: state.time };
+                let value: f64 = each.map(|p| law.potential.force(-p.gap)).sum();
+                // What has not closed yet has no force, not one of zero at some instant.
+                let start = Peak { value, time: state.time };
+                let peak_force = if value > 0.0 { start } else { Peak::default() };
                 ContactRecord::Smooth { peak_force, intervals: Vec::new() }
             }
             TouchLaw::Rigid(_) => ContactRecord::Nonsmooth {
@@ -83,7 +85,7 @@ impl ContactLog {
                 tamed_count: 0,
                 impulse_total: 0.0,
                 intervals: Vec::new(),
-                penetration: Peak { value: 0.0, time: state.time },
+                penetration: Peak { value: 0.0, time: f64::NAN },
             },
         };
         let contacts = model.contacts.len();

@@ -6,6 +6,7 @@
 
 use crate::math::path::Path;
 use crate::scalar::{Mask, Number};
+use crate::settings::SAME_INSTANT;
 
 /// Accelerations of neighbouring steps that differ by more than this share of the larger one are not those of a resolved motion:
 /// about a sixth of a period per step.
@@ -60,9 +61,10 @@ impl<S: Number> Crest<S> {
         if waits.any() {
             self.confirm(bend, brief);
         }
+        self.time = Path::at_event(from, brief, self.time);
         let known = self.value.abs();
         self.value = known.if_less(u1.abs(), u1, self.value);
-        self.time = known.if_less(u1.abs(), from + path.h, self.time);
+        self.time = known.if_less(u1.abs(), path.at_end(from, brief), self.time);
         // What lies between stays within the control points of the cubic.
         let third = path.h * (1.0 / 3.0);
         let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
@@ -105,8 +107,8 @@ impl<S: Number> Crest<S> {
             if value <= self.value.lane(lane).abs() {
                 continue;
             }
-            let t = bend.constant(t);
-            let (value, time) = (path.value(t), from + t);
+            // Where it is stationary, that the instant moves does not change the value to first order.
+            let (value, time) = (path.value(bend.constant(t)), from + path.crest(t));
             if confirmed {
                 self.value.set_lane(lane, value, lane);
                 self.time.set_lane(lane, time, lane);
@@ -117,11 +119,26 @@ impl<S: Number> Crest<S> {
         }
     }
 
-    /// Ends the run of a lane: what still awaits a step is not confirmed.
-    pub fn close(&mut self, lane: usize) {
+    /// Ends the run of a lane at a time: what still awaits a step is not confirmed, and what is largest at the end is so as long as
+    /// the run ends there.
+    pub fn close(&mut self, lane: usize, end: S) {
+        if S::DERIVES {
+            self.time.set_lane(lane, at_last(self.time, end), lane);
+        }
         let value = self.awaiting[0].abs();
         if value.lane(lane) > self.doubtful.lane(lane) {
             self.doubtful.set_lane(lane, value, lane);
         }
+        // What never moves has no crest either.
+        let still = self.value.lane(lane) == 0.0;
+        if S::DERIVES && (still || !self.is_resolved(lane)) {
+            self.time.set_lane(lane, self.time.underived(), lane);
+        }
     }
+}
+
+/// The time of a largest value; that of the end of the run, if it lies there, for it then goes with it. The first lane alone.
+pub fn at_last<S: Number>(time: S, end: S) -> S {
+    let same = (time.lane(0) - end.lane(0)).abs() <= SAME_INSTANT * end.lane(0);
+    if S::DERIVES && same { end } else { time }
 }

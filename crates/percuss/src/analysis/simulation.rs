@@ -428,7 +428,7 @@ impl<'m> Simulation<'m> {
             shared_blows: self.shared_blows,
             points: (self.model.points.iter().zip(self.monitor.points))
                 .map(|(p, mut crests)| {
-                    crests.iter_mut().for_each(|crest| crest.close(0));
+                    crests.iter_mut().for_each(|crest| crest.close(0, self.state.time));
                     PointSummary {
                         name: p.label.clone(),
                         displacement_max: crests.map(|c| Peak { value: c.value, time: c.time }),

@@ -214,13 +214,13 @@ impl<S: Number> Log<S> {
         }
         for k in 0..self.guides.len() {
             if engine.numbers.guides[k].law != GuideLaw::Rigid {
-                self.contact(engine, k);
+                self.contact(engine, k, brief);
             }
         }
     }
 
     #[inline(always)]
-    fn contact(&mut self, engine: &Engine<S>, k: usize) {
+    fn contact(&mut self, engine: &Engine<S>, k: usize, brief: S::Mask) {
         let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
         let zero = engine.h.constant(0.0);
         let (time, h) = (self.time, engine.h);
@@ -251,8 +251,8 @@ impl<S: Number> Log<S> {
         log.open.steps += zero.constant(1.0);
         log.open.given[0] += force * guide.along(&engine.increment);
         log.open.given[1] += -(force * state.increment);
-        log.open.deepest.take_positive(&path, time);
-        log.deepest.take_positive(&path, time);
+        log.open.deepest.take(&path, time, brief);
+        log.deepest.take(&path, time, brief);
         for lane in 0..S::LANES {
             if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
                 let parted = FreeGap { gap: state.gap, rate: -state.rate, acceleration: zero };
@@ -378,19 +378,17 @@ impl<S: Number> Path<S> {
 }
 
 impl<S: Number> Top<S> {
-    /// Takes in a step: the value of largest magnitude stays.
+    /// Takes in a step: the largest value stays that is positive; a lane that stands open leaves no trace.
     #[inline(always)]
-    fn take(&mut self, path: &Path<S>, start: S) {
+    fn take(&mut self, path: &Path<S>, start: S, brief: S::Mask) {
         let ([u0, v0], [u1, v1]) = (path.start, path.end);
+        self.time = Path::at_event(start, brief, self.time);
+        self.time = self.value.if_less(u1, path.at_end(start, brief), self.time);
+        self.value = self.value.if_less(u1, u1, self.value);
         // What lies between stays within the control points of the cubic.
         let third = path.h * (1.0 / 3.0);
-        let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
-        let at_end = self.value.abs().if_less(u1.abs(), u1, self.value);
-        let end = start + path.h;
-        self.time = self.value.abs().if_less(u1.abs(), end, self.time);
-        let known = self.value.abs().max(u1.abs());
-        self.value = at_end;
-        let inside = known.less(c0.max(c1));
+        let (c0, c1) = (u0 + v0 * third, u1 - v1 * third);
+        let inside = self.value.less(c0.max(c1));
         if inside.any() {
             for lane in 0..S::LANES {
                 if inside.lane(lane) {
@@ -400,23 +398,12 @@ impl<S: Number> Top<S> {
         }
     }
 
-    /// The same for a value that counts only where it is positive: a lane that stands open leaves no trace.
-    #[inline(always)]
-    fn take_positive(&mut self, path: &Path<S>, start: S) {
-        let old = *self;
-        self.take(path, start);
-        let new = *self;
-        self.value = old.value.if_less(new.value, new.value, old.value);
-        self.time = old.value.if_less(new.value, new.time, old.time);
-    }
-
     fn look_inside(&mut self, path: &Path<S>, start: S, lane: usize) {
         let own = path.lane(lane);
         for t in own.stationary() {
-            if own.value(t).abs() > self.value.lane(lane).abs() {
-                let t = start.constant(t);
-                self.value.set_lane(lane, path.value(t), lane);
-                self.time.set_lane(lane, start + t, lane);
+            if own.value(t) > self.value.lane(lane) {
+                self.value.set_lane(lane, path.value(start.constant(t)), lane);
+                self.time.set_lane(lane, start + path.crest(t), lane);
             }
         }
     }

@@ -9,13 +9,16 @@
 mod band;
 mod books;
 mod engine;
+mod flight;
 mod holds;
+mod horizon;
 mod impact;
 mod law;
 mod loads;
 mod log;
 mod newton;
 mod numbers;
+
 mod reactions;
 mod run;
 mod sensitivity;
@@ -23,4 +26,6 @@ mod shape;
 mod summary;
 
 pub use run::simulate_ensemble;
-pub use sensitivity::{Grazing, Sensitivities, Undifferentiated, Variation, sensitivities};
+pub use sensitivity::{
+    Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,
+};

@@ -6,7 +6,7 @@ use super::log::Log;
 use super::newton::Search;
 use super::numbers::Numbers;
 use super::shape::{Shape, numbers};
-use super::summary::Telling;
+use super::summary::{Fixed, Reading, Telling};
 use crate::model::Model;
 use crate::scalar::{Lanes, Mask, Number};
 use crate::settings::{SAME_INSTANT, Settings};
@@ -193,8 +193,13 @@ impl<S: Number> Ensemble<S> {
                     lane,
                     steps,
                     solver_steps: steps,
+                    // The one at the start, too.
+                    rows: 1 + steps.div_ceil(own.settings.record_every),
                 };
-                let summary = telling.summary(Termination::Completed, &|x| x.lane(lane));
+                let fixed = Fixed::all(own.model);
+                let read = |x: S| x.lane(lane);
+                let reading = Reading { read: &read, fixed: &fixed, derivative: false };
+                let summary = telling.summary(Termination::Completed, &reading);
                 keep(own.index, Some(summary));
                 self.fill(lane, runs);
             }

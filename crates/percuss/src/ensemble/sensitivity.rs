@@ -4,29 +4,17 @@
 //! itself. Where an impact is located, the instant moves with the parameters, too: it is a number with derivatives like any
 //! other, which gives the jump of the derivatives across the impact (the saltation).
 
-use super::books::Books;
-use super::engine::Engine;
-use super::log::{Log, Struck};
-use super::newton::Search;
-use super::numbers::{GuideLaw, Numbers};
+use super::flight::{Derived, Flight, TOGETHER};
+use super::horizon::{agreeing, withdraw};
+use super::numbers::Numbers;
 use super::shape::{Shape, numbers};
-use super::summary::Telling;
-use crate::math::roots;
+use super::summary::{Fixed, Reading, Telling};
+use crate::analysis::simulate;
 use crate::model::Model;
-use crate::scalar::{Dual, Real};
-use crate::settings::{SAME_INSTANT, Settings};
+use crate::record::NoRecorder;
+use crate::scalar::Dual;
+use crate::settings::Settings;
 use crate::summary::{RunSummary, Termination};
-
-/// Parameters differentiated at once.
-const TOGETHER: usize = 4;
-/// A number with its derivatives; the last one is with respect to the size of the step at hand.
-type Derived = Dual<{ TOGETHER + 1 }>;
-
-/// Length of a pulse as a share of the step, and to what share of it an instant is located.
-const PULSE: f64 = 1e-6;
-const LOCATED: f64 = 1e-3;
-/// Impacts in one step beyond which they accumulate.
-const MOST_IMPACTS: usize = 64;
 
 /// A parameter, by the models that it makes.
 #[derive(Clone, Debug)]
@@ -34,6 +22,9 @@ pub struct Variation {
     /// The model with the parameter less twice, less once, plus once, plus twice its change. What a model is made of is a
     /// smooth function of its parameters: its derivative is the fourth-order difference.
     pub models: [Model; 4],
+    /// Time at which the run ends with each of them \[s\]. No other setting may change with a parameter: what the step does to a result
+    /// is its error.
+    pub ends: [f64; 4],
     /// Change of the parameter.
     pub change: f64,
 }
@@ -51,6 +42,15 @@ pub struct Grazing {
     pub missed_by: Option<f64>,
     /// For every parameter, the change that would just make it touch, or miss, to first order; infinite where it has no say.
     pub changes: Vec<f64>,
+}
+
+/// How far the derivatives of a run reach.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Horizon {
+    /// Until when \[s\].
+    pub time: f64,
+    /// What stands against more.
+    pub why: String,
 }
 
 /// Why a run has no derivatives.
@@ -81,11 +81,14 @@ impl From<String> for Undifferentiated {
 /// A run and its derivatives.
 #[derive(Debug)]
 pub struct Sensitivities {
-    /// Values; section forces and reactions are left out.
+    /// The run.
     pub summary: RunSummary,
-    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`. Residuals, scales and counts are
-    /// those of the run itself.
+    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`; NaN where there is none: of section
+    /// forces and reactions, of measures of error, of the time of a peak that steps do not resolve, of what is later than
+    /// `horizon`. Counts have none either and are those of the run.
     pub derivatives: Vec<RunSummary>,
+    /// How far derivatives reach, if not to the end of the run.
+    pub horizon: Option<Horizon>,
     /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it.
     pub grazing: Vec<Grazing>,
 }
@@ -94,7 +97,7 @@ pub struct Sensitivities {
 ///
 /// # Errors
 /// In words, what stands against it: a part of the model or the settings that ensembles do not know, a parameter that changes
-/// more than numbers, an iteration that fails, impacts that accumulate or a contact that stays closed.
+/// more than numbers, a run that fails.
 pub fn sensitivities(
     model: &Model,
     settings: &Settings,
@@ -103,272 +106,139 @@ pub fn sensitivities(
     if let Some(fault) = settings.validate(model).first() {
         return Err(fault.to_string().into());
     }
-    let known = |model: &Model| {
-        if model.loads.iter().any(|load| !load.is_steady()) {
-            let why = "derivatives are not known for loads that change in time".to_owned();
-            return Err(Undifferentiated::from(why));
-        }
-        let refused = |what| format!("derivatives are not known for {what}").into();
-        numbers(model, settings).map_err(refused)
+    let base = known(model, settings)?;
+    let parameters = slopes(settings, &base, variations)?;
+    let summary = match simulate(model, settings, &mut NoRecorder) {
+        Ok(summary) => summary,
+        Err(faults) => return Err(faults[0].to_string().into()),
     };
-    let base = known(model)?;
-    let shape = Shape::of(&base);
-    let mut slopes = Vec::new();
+    if let Termination::Failed(error) = &summary.termination {
+        return Err(Undifferentiated::Failed(error.to_string()));
+    }
+    let case = Case { model, settings, base, fixed: Fixed::all(model) };
+    let mut found =
+        Sensitivities { summary, derivatives: Vec::new(), horizon: None, grazing: Vec::new() };
+    let none: &[Slopes] = &[];
+    // Without parameters it still tells what grazes.
+    let chunks: Vec<_> =
+        if parameters.is_empty() { vec![none] } else { parameters.chunks(TOGETHER).collect() };
+    for chunk in chunks {
+        case.differentiate(chunk, &mut found);
+    }
+    Ok(found)
+}
+
+/// The numbers of a model, or why they have no derivatives.
+fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferentiated> {
+    if model.loads.iter().any(|load| !load.is_steady()) {
+        let why = "derivatives are not known for loads that change in time".to_owned();
+        return Err(why.into());
+    }
+    numbers(model, settings).map_err(|what| format!("derivatives are not known for {what}").into())
+}
+
+/// What a parameter changes, by unit of it.
+struct Slopes {
+    /// Numbers of the model.
+    numbers: Vec<f64>,
+    /// End of the run.
+    end: f64,
+    /// What the model tells by itself.
+    fixed: Vec<Fixed>,
+}
+
+fn slopes(
+    settings: &Settings,
+    base: &Numbers<f64>,
+    variations: &[Variation],
+) -> Result<Vec<Slopes>, Undifferentiated> {
+    let shape = Shape::of(base);
+    let mut all = Vec::new();
     for (i, variation) in variations.iter().enumerate() {
         let mut flat = Vec::new();
         for varied in &variation.models {
-            let numbers = known(varied)?;
+            let numbers = known(varied, settings)?;
             if Shape::of(&numbers) != shape {
                 let why = format!("parameter {} changes the mesh, not numbers alone", i + 1);
                 return Err(why.into());
             }
             flat.push(numbers.flat());
         }
-        slopes.push(difference(&flat, variation.change));
+        let size = flat[0].len();
+        let change = variation.change;
+        // What is unset stays so.
+        let plain = |x: f64| if x.is_nan() { 0.0 } else { x };
+        let numbers =
+            (0..size).map(|k| plain(difference([0, 1, 2, 3].map(|m| flat[m][k]), change)));
+        let fixed = variation.models.each_ref().map(Fixed::all);
+        let fixed = (0..fixed[0].len()).map(|k| {
+            let each = fixed.each_ref().map(|all| all[k].numbers());
+            Fixed::from([0, 1, 2].map(|n| difference(each.map(|numbers| numbers[n]), change)))
+        });
+        let end = difference(variation.ends, change);
+        all.push(Slopes { numbers: numbers.collect(), end, fixed: fixed.collect() });
     }
-    let mut found = run(model, settings, &base, &[])?;
-    for chunk in slopes.chunks(TOGETHER) {
-        let part = run(model, settings, &base, chunk)?;
-        found.summary = part.summary;
-        found.derivatives.extend(part.derivatives);
-        for (all, more) in found.grazing.iter_mut().zip(part.grazing) {
-            all.changes.extend(more.changes);
-        }
-    }
-    Ok(found)
+    Ok(all)
 }
 
 /// Fourth-order central difference.
-fn difference(flat: &[Vec<f64>], change: f64) -> Vec<f64> {
-    let at = |i: usize| -> f64 {
-        let [far_below, below, above, far_above] = [0, 1, 2, 3].map(|k: usize| flat[k][i]);
-        if far_below.is_nan() {
-            return 0.0;
-        }
-        (8.0 * (above - below) - (far_above - far_below)) / (12.0 * change)
-    };
-    (0..flat[0].len()).map(at).collect()
+fn difference([far_below, below, above, far_above]: [f64; 4], change: f64) -> f64 {
+    (8.0 * (above - below) - (far_above - far_below)) / (12.0 * change)
 }
 
-/// One run with up to [`TOGETHER`] derivatives.
-fn run(
-    model: &Model,
-    settings: &Settings,
-    base: &Numbers<f64>,
-    slopes: &[Vec<f64>],
-) -> Result<Sensitivities, Undifferentiated> {
-    let derived = |(i, value): (usize, f64)| {
-        let mut slope = [0.0; TOGETHER + 1];
-        slopes.iter().zip(&mut slope).for_each(|(from, to)| *to = from[i]);
-        Dual { value, slope }
-    };
-    let flat: Vec<Derived> = base.flat().into_iter().enumerate().map(derived).collect();
-    let mut flight = Flight::new(base.with(&flat), settings);
-    flight.run()?;
-    let telling = Telling {
-        model,
-        engine: &flight.engine,
-        books: &flight.books,
-        log: &flight.log,
-        search: &flight.search,
-        lane: 0,
-        steps: settings.step_count(),
-        solver_steps: flight.solver_steps,
-    };
-    let summary = telling.summary(Termination::Completed, &|x: Derived| x.value);
-    let derivative = |j: usize| telling.summary(Termination::Completed, &|x: Derived| x.slope[j]);
-    let derivatives = (0..slopes.len()).map(derivative).collect();
-    Ok(Sensitivities { summary, derivatives, grazing: flight.grazing(model, slopes.len()) })
-}
-
-/// A run in mid-flight.
-struct Flight<'a> {
+/// What is differentiated.
+struct Case<'a> {
+    model: &'a Model,
     settings: &'a Settings,
-    engine: Engine<Derived>,
-    books: Books<Derived>,
-    log: Log<Derived>,
-    search: Search<Derived>,
-    solver_steps: usize,
-    /// Projectiles that came near without touching: number, time, gap.
-    misses: Vec<(usize, Derived, Derived)>,
+    base: Numbers<f64>,
+    fixed: Vec<Fixed>,
 }
 
-impl<'a> Flight<'a> {
-    fn new(numbers: Numbers<Derived>, settings: &'a Settings) -> Self {
-        let mut engine = Engine::new(numbers);
-        engine.apply_loads();
-        let mut search = Search::idle(engine.h);
-        search.set_run(0, true);
-        let (books, log) = (Books::open(&engine), Log::new(&engine));
-        Self { settings, engine, books, log, search, solver_steps: 0, misses: Vec::new() }
-    }
-
-    fn run(&mut self) -> Result<(), Undifferentiated> {
-        let zero = self.engine.h.constant(0.0);
-        let (step, end) = (self.settings.step, self.settings.end);
-        let (mut offset, count) = (zero, self.settings.step_count());
-        for k in 0..count {
-            let target = step.min(end - k as f64 * step);
-            let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
-            offset = self.advance(target, offset)?;
-            offset = offset - zero.constant(target);
-            self.log.time = zero.constant(((k + 1) as f64 * step).min(end)) + offset;
-        }
-        for (k, guide) in self.engine.guides.iter().enumerate() {
-            // What still approaches may touch before the end in a run beside this one.
-            if guide.gap.value > 0.0 && guide.rate.value < 0.0 {
-                self.misses.push((k, self.log.time, guide.gap));
-            }
-        }
-        Ok(())
-    }
-
-    /// Contacts and misses with the changes of the parameters that would end or begin them.
-    fn grazing(&self, model: &Model, parameters: usize) -> Vec<Grazing> {
-        let mut all = Vec::new();
-        let mut add = |k: usize, time: f64, missed: bool, left: Derived, power: f64| {
-            let change = |slope: f64| -left.value / (power * slope);
-            all.push(Grazing {
-                contact: model.contacts[k].name.clone(),
-                time,
-                missed_by: missed.then_some(left.value),
-                changes: left.slope[..parameters].iter().map(|s| change(*s)).collect(),
-            });
+impl Case<'_> {
+    /// Adds the derivatives by up to [`TOGETHER`] parameters.
+    fn differentiate(&self, parameters: &[Slopes], found: &mut Sensitivities) {
+        let derived = |value: f64, of: &dyn Fn(&Slopes) -> f64| {
+            let mut slope = [0.0; TOGETHER + 1];
+            parameters.iter().zip(&mut slope).for_each(|(from, to)| *to = of(from));
+            Dual { value, slope }
         };
-        for (k, log) in self.log.guides.iter().enumerate() {
-            for closed in self.log.intervals(&self.engine, k, 0) {
-                add(k, closed.start.value, false, closed.deepest.value, 1.0);
-            }
-            for struck in &log.impacts[0] {
-                // The velocity of approach falls with the root of what a parameter is away from grazing.
-                add(k, struck.time.value, false, struck.approach, 2.0);
-            }
-        }
-        self.misses.iter().for_each(|(k, time, gap)| add(*k, time.value, true, *gap, 1.0));
-        all
-    }
-
-    /// Advances by a step of the given size, less what is done of it; returns what is done then.
-    fn advance(&mut self, target: f64, mut offset: Derived) -> Result<Derived, Undifferentiated> {
-        for _ in 0..MOST_IMPACTS {
-            let left = offset.constant(target) - offset;
-            if left.value <= SAME_INSTANT * target {
-                return Ok(offset);
-            }
-            self.log.begin(&self.engine);
-            self.solve(left, None)?;
-            let struck = self.first_contact(left)?;
-            offset += self.engine.h;
-            self.accept();
-            if let Some(k) = struck {
-                offset += self.pulse(k)?;
-            }
-        }
-        Err(format!("impacts accumulate at t = {} s", self.log.time.value).into())
-    }
-
-    fn solve(&mut self, h: Derived, striking: Option<usize>) -> Result<(), Undifferentiated> {
-        self.solver_steps += 1;
-        self.engine.h = h;
-        self.engine.striking = striking;
-        self.engine.solve(&self.books, &mut self.search);
-        match self.search.failed {
-            true => {
-                let why = format!("the iteration fails at t = {} s", self.log.time.value);
-                Err(Undifferentiated::Failed(why))
-            }
-            false => Ok(()),
-        }
-    }
-
-    fn accept(&mut self) {
-        self.books.book(&self.engine);
-        self.engine.commit();
-        self.log.end(&self.engine);
-        if self.engine.striking.is_none() {
-            self.misses.extend(self.log.passes(&self.engine));
-        }
-        self.books.close(&self.engine);
-        self.log.time += self.engine.h;
-    }
-
-    /// Gap of a rigid projectile half a pulse after the end of the step solved last.
-    fn ahead(&self, k: usize) -> Derived {
-        let [gap, rate] = self.engine.gap_next(k);
-        let half = 0.5 * PULSE * self.settings.step;
-        if rate.value < 0.0 { gap + rate * half } else { gap }
-    }
-
-    /// The rigid projectile that touches first within the step solved last, if one does; the step up to that instant is then
-    /// the one solved last.
-    fn first_contact(&mut self, size: Derived) -> Result<Option<usize>, Undifferentiated> {
-        let rigid = |k: &usize| self.engine.numbers.guides[*k].law == GuideLaw::Rigid;
-        let all: Vec<usize> = (0..self.engine.guides.len()).filter(rigid).collect();
-        let least = |flight: &Self| {
-            let each = all.iter().map(|k| (flight.ahead(*k), *k));
-            each.min_by(|a, b| a.0.value.total_cmp(&b.0.value))
+        let numbers = self.base.flat().into_iter().enumerate();
+        let numbers: Vec<Derived> = numbers.map(|(i, x)| derived(x, &|p| p.numbers[i])).collect();
+        let end = derived(self.settings.end, &|p| p.end);
+        let mut flight = Flight::new(self.model, self.settings, self.base.with(&numbers), end);
+        let reached = flight.run().err();
+        let telling = Telling {
+            model: self.model,
+            engine: &flight.engine,
+            books: &flight.books,
+            log: &flight.log,
+            search: &flight.search,
+            lane: 0,
+            steps: self.settings.step_count(),
+            solver_steps: flight.solver_steps,
+            rows: found.summary.rows,
         };
-        let Some((end, _)) = least(self).filter(|(ahead, _)| ahead.value <= 0.0) else {
-            return Ok(None);
-        };
-        let rate = all.iter().map(|k| self.engine.guides[*k].rate.value.abs()).fold(0.0, f64::max);
-        let pulse = PULSE * self.settings.step;
-        let start =
-            all.iter().map(|k| self.engine.guides[*k].gap.value).fold(f64::INFINITY, f64::min);
-        let start = (start - 0.5 * pulse * rate).max(LOCATED * pulse * rate);
-        let guess = size.value * start / (start - end.value);
-        let tolerance = LOCATED * pulse;
-        let instant = roots::bracketed(
-            (0.0, start),
-            (size.value, end.value),
-            guess,
-            tolerance,
-            tolerance * rate,
-            |t| {
-                self.solve(size.constant(t), None)?;
-                let (ahead, k) = least(self).expect("a rigid projectile");
-                let approaches = self.engine.gap_next(k)[1].value < 0.0;
-                let open = ahead.value.max(2.0 * tolerance * rate);
-                Ok::<f64, Undifferentiated>(if approaches { ahead.value } else { open })
-            },
-        )?;
-        let (_, k) = least(self).expect("a rigid projectile");
-        // The instant moves with the parameters so that the gap ahead stays what it is.
-        let mut h = size.constant(instant);
-        h.slope[TOGETHER] = 1.0;
-        self.solve(h, None)?;
-        let ahead = self.ahead(k).slope;
-        for (own, by) in h.slope.iter_mut().zip(ahead) {
-            *own = -by / ahead[TOGETHER];
+        let read = |x: Derived| x.value;
+        let reading = Reading { read: &read, fixed: &self.fixed, derivative: false };
+        let own = telling.summary(Termination::Completed, &reading);
+        let horizon = agreeing(&own, &found.summary, self.settings.step, reached);
+        for (j, parameter) in parameters.iter().enumerate() {
+            let read = |x: Derived| x.slope[j];
+            let reading = Reading { read: &read, fixed: &parameter.fixed, derivative: true };
+            let mut derivative = telling.summary(Termination::Completed, &reading);
+            if let Some(horizon) = &horizon {
+                withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);
+            }
+            found.derivatives.push(derivative);
         }
-        h.slope[TOGETHER] = 0.0;
-        self.solve(h, None)?;
-        Ok(Some(k))
-    }
-
-    /// The pulse in which the impulse of a projectile acts; returns its length.
-    fn pulse(&mut self, k: usize) -> Result<Derived, Undifferentiated> {
-        let h = self.engine.h.constant(PULSE * self.settings.step);
-        if self.engine.numbers.guides[k].stiffness.value == 0.0 {
-            return Err(format!("a contact stays closed at t = {} s", self.log.time.value).into());
+        let grazing = flight.grazing(parameters.len());
+        if found.grazing.is_empty() {
+            found.grazing = grazing;
+        } else {
+            for (all, more) in found.grazing.iter_mut().zip(grazing) {
+                all.changes.extend(more.changes);
+            }
         }
-        self.log.begin(&self.engine);
-        let start = self.log.time;
-        self.solve(h, Some(k))?;
-        let (guide, state) = (&self.engine.numbers.guides[k], &self.engine.guides[k]);
-        let force = state.impulse / h;
-        let given = [force * guide.along(&self.engine.increment), -(force * state.increment)];
-        let struck = Struck {
-            time: start + h * 0.5,
-            impulse: state.impulse,
-            approach: -state.rate,
-            separation: self.engine.gap_next(k)[1],
-            given,
-            place: self.engine.struck(k),
-        };
-        self.log.guides[k].impacts[0].push(struck);
-        self.accept();
-        self.engine.guides[k].impulse = h.constant(0.0);
-        Ok(h)
+        found.horizon = horizon;
     }
 }

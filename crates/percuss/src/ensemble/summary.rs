@@ -5,7 +5,8 @@ use super::engine::Engine;
 use super::log::{Closed, Log, Struck, Top};
 use super::newton::Search;
 use super::numbers::GuideLaw;
-use crate::analysis::crest::Crest;
+use crate::analysis::crest::{Crest, at_last};
+use crate::contact::effective_mass::EffectiveMass;
 use crate::model::Model;
 use crate::scalar::Number;
 use crate::summary::*;
@@ -18,31 +19,67 @@ pub struct Telling<'a, S: Number> {
     pub log: &'a Log<S>,
     pub search: &'a Search<S>,
     pub lane: usize,
-    /// Steps of the given size, steps of the solver.
+    /// Steps of the given size, steps of the solver, rows that a recorder would be given.
     pub steps: usize,
     pub solver_steps: usize,
+    pub rows: usize,
+}
+
+/// How the numbers of a summary are read.
+pub struct Reading<'a, S> {
+    /// What is read of a number: its value in a lane, or one of its derivatives.
+    pub read: &'a dyn Fn(S) -> f64,
+    /// What is read of the numbers that the model tells by itself, one entry a projectile.
+    pub fixed: &'a [Fixed],
+    /// Whether derivatives are read. What measures errors of the computation has none: it is NaN.
+    pub derivative: bool,
+}
+
+/// What a model tells of a guided projectile by itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Fixed {
+    pub mass: EffectiveMass,
+    /// Arc length of the struck point \[m\].
+    pub s: f64,
+}
+
+impl Fixed {
+    /// Of every projectile.
+    pub fn all(model: &Model) -> Vec<Self> {
+        let both = model.effective_masses().into_iter().zip(&model.projectiles);
+        both.map(|(mass, projectile)| Self { mass, s: projectile.point.s }).collect()
+    }
+
+    /// Its numbers.
+    pub fn numbers(&self) -> [f64; 3] {
+        [self.mass.on_mesh, self.mass.limit, self.s]
+    }
+
+    /// The same of given numbers.
+    pub fn from([on_mesh, limit, s]: [f64; 3]) -> Self {
+        Self { mass: EffectiveMass { on_mesh, limit }, s }
+    }
 }
 
 impl<S: Number> Telling<'_, S> {
-    /// The summary, every number read by `read`: its value in a lane, or one of its derivatives. Section forces and reactions
-    /// are unset.
-    pub fn summary(&self, termination: Termination, read: &dyn Fn(S) -> f64) -> RunSummary {
-        let (books, model) = (self.books, self.model);
+    /// The summary; section forces and reactions are unset.
+    pub fn summary(&self, termination: Termination, reading: &Reading<S>) -> RunSummary {
+        let (books, model, read) = (self.books, self.model, reading.read);
+        let error = |value: f64| if reading.derivative { f64::NAN } else { value };
         let relative = |value: S, scale: S| {
             let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
-            if value == 0.0 { 0.0 } else { value / scale }
+            error(if value == 0.0 { 0.0 } else { value / scale })
         };
-        let effective = model.effective_masses();
         RunSummary {
             termination,
-            time: self.log.time.lane(self.lane),
+            time: read(self.log.time),
             steps: self.steps,
             solver_steps: self.solver_steps,
             step_cuts: 0,
             accumulated_steps: 0,
             newton_iterations: self.search.iterations.lane(self.lane) as usize,
             factorizations: self.search.factorizations.lane(self.lane) as usize,
-            rows: 0,
+            rows: self.rows,
             energy: EnergySummary {
                 initial: read(books.start.energy),
                 final_: read(books.now.energy),
@@ -59,22 +96,22 @@ impl<S: Number> Telling<'_, S> {
                 angular_scale: read(books.angular_scale),
                 angular_residual_max: relative(books.angular_residual, books.angular_scale),
             },
-            audit: AuditSummary { curvature_drift_max: 0.0, membrane_drift_max: 0.0 },
+            audit: AuditSummary { curvature_drift_max: error(0.0), membrane_drift_max: error(0.0) },
             projectiles: self.projectiles(read),
             contacts: (model.contacts.iter().enumerate())
                 .map(|(k, contact)| ContactSummary {
                     name: contact.name.clone(),
                     between: contact.between.clone(),
-                    effective_mass: effective.get(k).copied(),
-                    record: self.record(k, read),
+                    effective_mass: reading.fixed.get(k).map(|fixed| fixed.mass),
+                    record: self.record(k, reading),
                 })
                 .collect(),
-            contact_residual_max: 0.0,
+            contact_residual_max: error(0.0),
             shared_blows: SharedBlows::default(),
             points: (model.points.iter().zip(&self.log.points))
                 .map(|(p, crests)| {
                     let mut crests = *crests;
-                    crests.iter_mut().for_each(|crest| crest.close(self.lane));
+                    crests.iter_mut().for_each(|crest| crest.close(self.lane, self.log.time));
                     let peak = |c: &Crest<S>| Peak { value: read(c.value), time: read(c.time) };
                     PointSummary {
                         name: p.label.clone(),
@@ -101,27 +138,34 @@ impl<S: Number> Telling<'_, S> {
         each.collect()
     }
 
-    fn record(&self, k: usize, read: &dyn Fn(S) -> f64) -> ContactRecord {
+    fn record(&self, k: usize, reading: &Reading<S>) -> ContactRecord {
+        let read = reading.read;
         let (guide, log) = (&self.engine.numbers.guides[k], &self.log.guides[k]);
         if guide.law == GuideLaw::Rigid {
             let struck = &log.impacts[self.lane];
             let total = struck.iter().fold(self.engine.h.constant(0.0), |sum, i| sum + i.impulse);
             return ContactRecord::Nonsmooth {
-                impacts: struck.iter().map(|i| self.impact(k, i, read)).collect(),
+                impacts: struck.iter().map(|i| self.impact(k, i, reading)).collect(),
                 impact_count: struck.len(),
                 tamed_count: 0,
                 impulse_total: read(total),
                 intervals: Vec::new(),
-                penetration: Peak { value: 0.0, time: 0.0 },
+                // What is inside something is so by errors of the instant.
+                penetration: Peak::default(),
             };
         }
-        let force = |top: &Top<S>| Top { value: guide.reaction(top.value), time: top.time };
+        let force = |top: &Top<S>| Top {
+            value: guide.reaction(top.value),
+            time: at_last(top.time, self.log.time),
+        };
         let closed = self.log.intervals(self.engine, k, self.lane);
+        let touched = !closed.is_empty();
         ContactRecord::Smooth {
-            peak_force: peak(&force(&log.deepest), read),
+            peak_force: if touched { peak(&force(&log.deepest), read) } else { Peak::default() },
             intervals: closed
                 .iter()
-                .map(|c| self.interval(k, c, peak(&force(&c.deepest), read), read))
+                .take(ContactRecord::IMPACTS_KEPT)
+                .map(|c| self.interval(k, c, peak(&force(&c.deepest), read), reading))
                 .collect(),
         }
     }
@@ -131,8 +175,9 @@ impl<S: Number> Telling<'_, S> {
         k: usize,
         closed: &Closed<S>,
         peak_force: Peak,
-        read: &dyn Fn(S) -> f64,
+        reading: &Reading<S>,
     ) -> ContactInterval {
+        let read = reading.read;
         let mut interval = ContactInterval {
             start: read(closed.start),
             end: read(closed.end),
@@ -149,8 +194,8 @@ impl<S: Number> Telling<'_, S> {
             steps: closed.steps.lane(self.lane) as usize,
             steady: self.is_steady(closed),
             one_point: true,
-            place: self.place(k, closed.place, read),
-            place_end: self.place(k, closed.place_end, read),
+            place: reading.place(k, closed.place),
+            place_end: reading.place(k, closed.place_end),
             energy: EnergySplit {
                 given: closed.given.map(read),
                 lost: 0.0,
@@ -170,7 +215,8 @@ impl<S: Number> Telling<'_, S> {
         changes[0] <= rates[0].abs() && parted
     }
 
-    fn impact(&self, k: usize, struck: &Struck<S>, read: &dyn Fn(S) -> f64) -> Impact {
+    fn impact(&self, k: usize, struck: &Struck<S>, reading: &Reading<S>) -> Impact {
+        let read = reading.read;
         Impact {
             time: read(struck.time),
             impulse: read(struck.impulse),
@@ -178,7 +224,7 @@ impl<S: Number> Telling<'_, S> {
             points: 1,
             approach_velocity: read(struck.approach),
             separation_velocity: read(struck.separation),
-            place: self.place(k, struck.place, read),
+            place: reading.place(k, struck.place),
             energy: EnergySplit {
                 given: struck.given.map(read),
                 lost: read(-(struck.given[0] + struck.given[1])),
@@ -188,9 +234,11 @@ impl<S: Number> Telling<'_, S> {
             tamed: false,
         }
     }
+}
 
-    fn place(&self, k: usize, position: [S; 2], read: &dyn Fn(S) -> f64) -> ContactPlace {
-        ContactPlace { s: self.model.projectiles[k].point.s, position: position.map(read) }
+impl<S: Number> Reading<'_, S> {
+    fn place(&self, k: usize, position: [S; 2]) -> ContactPlace {
+        ContactPlace { s: self.fixed[k].s, position: position.map(self.read) }
     }
 }
 

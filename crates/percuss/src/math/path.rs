@@ -39,4 +39,31 @@ impl<S: Number> Path<S> {
         let one = xi.constant(1.0);
         rise + self.start[1] * (one - xi * 4.0 + x2 * 3.0) + self.end[1] * (x2 * 3.0 - xi * 2.0)
     }
+
+    /// The rate of its rate.
+    fn bend(&self, t: S) -> S {
+        let (xi, rate) = (t / self.h, self.h.recip());
+        let rise = (self.end[0] - self.start[0]) * rate;
+        let one = xi.constant(1.0);
+        let slopes = self.start[1] * (xi * 6.0 - one * 4.0) + self.end[1] * (xi * 6.0 - one * 2.0);
+        (rise * (one - xi * 2.0) * 6.0 + slopes) * rate
+    }
+
+    /// An instant at which it is stationary in a lane, which moves with the ends of the path so that it stays stationary.
+    pub fn crest(&self, t: f64) -> S {
+        let t = self.h.constant(t);
+        if S::DERIVES { t - self.slope(t) / self.bend(t) } else { t }
+    }
+
+    /// When a quantity that is largest at the end of the step is so: an event if the step, or the next one, is as brief as an
+    /// impact. Else that instant is one of the grid, not of the motion, and what parameters do to it is not known.
+    pub fn at_end(&self, from: S, brief: S::Mask) -> S {
+        let end = from + self.h;
+        if S::DERIVES { S::choose(brief, end, end.underived()) } else { end }
+    }
+
+    /// The same once the step at hand is known to be brief: it begins with an event at `from`.
+    pub fn at_event(from: S, brief: S::Mask, time: S) -> S {
+        if S::DERIVES { S::choose(brief & time.equals(from), from, time) } else { time }
+    }
 }

@@ -97,6 +97,10 @@ impl<const P: usize> Number for Dual<P> {
     const LANES: usize = 1;
     const DERIVES: bool = true;
     #[inline(always)]
+    fn underived(self) -> Self {
+        Self { slope: [f64::NAN; P], ..self }
+    }
+    #[inline(always)]
     fn lane(self, _: usize) -> f64 {
         self.value
     }

@@ -119,6 +119,11 @@ pub trait Number: Real + Debug {
     const LANES: usize;
     /// Whether it carries derivatives, which follow the values once these are found.
     const DERIVES: bool = false;
+    /// The same value; what it would change by with a parameter is not known.
+    #[inline(always)]
+    fn underived(self) -> Self {
+        self
+    }
     /// Value in a lane.
     fn lane(self, lane: usize) -> f64;
     /// Puts the number of another lane into one of its own.

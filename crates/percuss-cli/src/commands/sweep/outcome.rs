@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use percuss_study::analysis::{Estimate, SobolIndices};
+use percuss_study::analysis::{Estimate, NoIndices, SobolIndices};
 use percuss_study::{RESULTS, Study, Table};
 use serde_json::{Map, Value, json};
 
@@ -19,31 +19,42 @@ const REASONS_SHOWN: usize = 3;
 pub fn tell(
     study: &Study,
     table: &Table,
-    indices: &[(String, Option<SobolIndices>)],
+    indices: &[(String, Result<SobolIndices, NoIndices>)],
     arguments: &Sweep,
     out: &Path,
 ) -> Result<(), Failure> {
     let statuses = statuses(table);
     if arguments.json {
         let results: Map<String, Value> = ranges(study, table)
-            .map(|(name, unit, [min, mean, max])| {
-                let range = json!({ "unit": unit, "min": min, "mean": mean, "max": max });
+            .map(|(name, unit, values, [min, mean, max])| {
+                let range = json!({
+                    "unit": unit, "values": values, "min": min, "mean": mean, "max": max
+                });
                 (name.to_string(), range)
             })
             .collect();
         let mut value = json!({ "runs": table.rows(), "status": statuses, "results": results });
         if study.has_sobol_indices() {
             value["sobol_indices"] = sobol(study, indices);
+            let whys = indices.iter().filter_map(|(name, found)| {
+                found.as_ref().err().map(|why| (name.clone(), Value::from(why.to_string())))
+            });
+            value["sobol_indices_why"] = Value::Object(whys.collect());
         }
         terminal::print(&format!("{value:#}\n"))?;
     } else if !arguments.quiet {
         let completed = statuses.get("completed").copied().unwrap_or(0);
         let runs = count(table.rows(), "run");
         terminal::tell(&format!("{runs}, {completed} completed"));
-        for (name, unit, [min, mean, max]) in ranges(study, table) {
+        for (name, unit, values, [min, mean, max]) in ranges(study, table) {
             let [min, mean, max] = [min, mean, max].map(number);
             let unit = if unit == "1" { "" } else { unit };
-            terminal::tell(&format!("  {name}: {min} to {max} {unit}, mean {mean}"));
+            // Of a contact that never closed there is no peak force.
+            let of = match table.rows() {
+                all if all == values => String::new(),
+                _ => format!(" ({} with a value)", count(values, "run")),
+            };
+            terminal::tell(&format!("  {name}: {min} to {max} {unit}, mean {mean}{of}"));
         }
         terminal::tell(&format!("{} and report.html", out.join(RESULTS).display()));
     }
@@ -60,8 +71,8 @@ pub fn tell(
     Ok(())
 }
 
-/// Indices of every result, by parameter; null of one that does not vary.
-fn sobol(study: &Study, indices: &[(String, Option<SobolIndices>)]) -> Value {
+/// Indices of every result, by parameter; null of one that has none.
+fn sobol(study: &Study, indices: &[(String, Result<SobolIndices, NoIndices>)]) -> Value {
     let estimate = |e: &Estimate| json!({ "value": e.value, "low": e.low, "high": e.high });
     let of = |found: &SobolIndices| -> Value {
         let both = found.first.iter().zip(&found.total);
@@ -72,8 +83,8 @@ fn sobol(study: &Study, indices: &[(String, Option<SobolIndices>)]) -> Value {
         let parameters: Map<String, Value> = each.collect();
         json!({ "variance": found.variance, "points": found.points, "parameter": parameters })
     };
-    let all =
-        indices.iter().map(|(name, found)| (name.clone(), found.as_ref().map_or(Value::Null, of)));
+    let each = |found: &Result<SobolIndices, NoIndices>| found.as_ref().map_or(Value::Null, of);
+    let all = indices.iter().map(|(name, found)| (name.clone(), each(found)));
     Value::Object(all.collect())
 }
 
@@ -86,18 +97,18 @@ fn statuses(table: &Table) -> BTreeMap<&str, usize> {
     out
 }
 
-/// Name, unit, and smallest, mean and largest value of every result that has values.
+/// Name, unit, number of values, and smallest, mean and largest one of every result that has values.
 fn ranges<'s>(
     study: &'s Study,
     table: &'s Table,
-) -> impl Iterator<Item = (&'s str, &'static str, [f64; 3])> {
+) -> impl Iterator<Item = (&'s str, &'static str, usize, [f64; 3])> {
     study.results().iter().filter_map(|result| {
         let values = table.numbers(&result.name)?;
         let values: Vec<f64> = values.into_iter().filter(|x| x.is_finite()).collect();
         let min = values.iter().copied().reduce(f64::min)?;
         let max = values.iter().copied().reduce(f64::max)?;
         let mean = values.iter().sum::<f64>() / values.len() as f64;
-        Some((result.name.as_str(), result.path.unit(), [min, mean, max]))
+        Some((result.name.as_str(), result.path.unit(), values.len(), [min, mean, max]))
     })
 }
 

@@ -92,7 +92,7 @@ impl ContactLog {
         let ContactRecord::Smooth { peak_force, intervals } = &mut self.records[contact] else {
             return;
         };
-        if peak.value > peak_force.value {
+        if peak_force.value.is_nan() || peak.value > peak_force.value {
             *peak_force = peak;
         }
         let Some(open) = self.open[contact] else { return };
