@@ -3,7 +3,7 @@
 use std::marker::PhantomData;
 
 use percuss::{
-    Component, ContactForce, Curve, ImpactLaw, MultipleImpacts, RotaryInertia, Sides, Start,
+    Component, ContactForce, Curve, Ends, ImpactLaw, MultipleImpacts, RotaryInertia, Sides, Start,
     StrainMeasure,
 };
 use serde_json::{Value as Json, json};
@@ -83,6 +83,17 @@ impl Words for Curved {
         ("polyline", Curve::Polyline, "straight from point to point, with rigid corners"),
         ("arc", Curve::Arc, "a circular arc through three points: start, between, end"),
         ("spline", Curve::Spline, "a smooth curve through all points"),
+    ];
+}
+
+/// What closes the outline of a beam at its ends.
+pub(crate) struct Closed;
+
+impl Words for Closed {
+    type Value = Ends;
+    const WORDS: &'static [(&'static str, Ends, &'static str)] = &[
+        ("flat", Ends::Flat, "a straight edge across the axis, between two corners"),
+        ("round", Ends::Round, "a half circle from face to face"),
     ];
 }
 

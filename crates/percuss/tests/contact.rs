@@ -177,7 +177,10 @@ fn what_has_no_thickness_on_either_side_is_refused_with_the_cure() {
     };
     let told = built([None, None]).expect_err("no depth");
     let text = told.iter().map(|f| f.to_string()).collect::<String>();
-    assert!(text.contains("two beams without depth") && text.contains("`depth`"), "{text}");
+    assert!(
+        text.contains("two beams whose ends have no depth") && text.contains("`depth`"),
+        "{text}"
+    );
     assert!(built([None, Some(0.05)]).is_ok());
 }
 

@@ -132,6 +132,7 @@ fn beam(
         material,
         section,
         changes: table.changes.iter().map(change).collect(),
+        ends: table.ends,
     }
 }
 

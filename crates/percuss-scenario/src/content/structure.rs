@@ -1,6 +1,6 @@
 //! Materials and beams.
 
-use percuss::{Along, Curve, StrainMeasure};
+use percuss::{Along, Curve, Ends, StrainMeasure};
 
 use crate::csv::Points;
 use crate::format::{Count, Format, List, Maybe};
@@ -11,7 +11,7 @@ use crate::point::Place;
 use crate::preset::{Preset, Presets};
 use crate::quantity::Quantity;
 use crate::table::{Braces, exclude};
-use crate::words::{Curved, Strain, Word};
+use crate::words::{Closed, Curved, Strain, Word};
 use crate::write::Writer;
 
 table! {
@@ -71,6 +71,8 @@ table! {
         section: String as NameOf<SectionName>,
         /// Places from which on it has another material or section, in their order.
         changes: Vec<Change> as List<Braces<Change>> = Vec::new(),
+        /// What closes its outline at both ends for contact, within its length.
+        ends: Ends as Word<Closed> = Ends::Flat,
     }
     either elements | element_length
     then settle_beam

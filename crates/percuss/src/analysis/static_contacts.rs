@@ -9,14 +9,15 @@ use crate::contact::axis::longest_arc;
 use crate::contact::configuration::Configuration;
 use crate::contact::pair::{Memory, Pair, Target};
 use crate::contact::row::Row;
-use crate::contact::touch::{Reach, Touch, Turning};
+use crate::contact::touch::{Reach, Touch};
+use crate::contact::turning::Turning;
 use crate::linalg::block::ZERO;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{cross, norm, scale};
 use crate::model::frozen::{BodyKind, NodeHold};
 use crate::model::{Model, TouchLaw};
 use crate::state::State;
-use crate::step::contacts::add_tangent;
+use crate::step::contacts::{add_tangent, add_turning};
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
 
@@ -316,7 +317,7 @@ impl StaticContacts {
             place.row = pair.normal_row(&touch, &at);
             place.row.spread(-place.force, residual);
             if TANGENT {
-                place.add_tangent(model, pair, &touch, tangent);
+                place.add_tangent(model, pair, &touch, &at, tangent);
             }
         }
         if TANGENT {
@@ -562,18 +563,25 @@ impl Place {
         }
     }
 
-    fn add_tangent(&self, model: &Model, pair: &Pair, touch: &Touch, tangent: &mut Tangent) {
+    fn add_tangent(
+        &self,
+        model: &Model,
+        pair: &Pair,
+        touch: &Touch,
+        at: &Configuration,
+        tangent: &mut Tangent,
+    ) {
         let (slope, bend) = match &model.contacts[pair.contact].law {
             TouchLaw::Smooth(law) => (law.potential.stiffness(-touch.gap), self.force),
             // What closes has not yet a force of which the turning could be told.
             TouchLaw::Rigid(_) => (self.stiffness, self.multiplier.max(0.0)),
         };
         let row = moving(model, &self.row);
-        let turning = pair.turning(touch).map(|t| Turning {
-            forms: t.forms.each_ref().map(|form| moving(model, form)),
-            weights: t.weights,
-        });
+        let moving = |t: Turning| Turning { forms: t.forms.map(|form| moving(model, &form)), ..t };
+        let turning = pair.turning(touch, at).map(moving);
         add_tangent(tangent, &row, &row, slope, bend, turning.as_ref());
+        let of_sections = pair.section_turnings(touch, at);
+        of_sections.into_iter().flatten().for_each(|t| add_turning(tangent, bend, &moving(t)));
     }
 }
 

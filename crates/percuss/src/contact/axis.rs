@@ -8,6 +8,13 @@ use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 /// Distances that differ by less than this share are the same.
 const SAME: f64 = 1e-14;
 
+/// Share of its length up to which either end of a beam is rounded.
+const LONGEST_CAP: f64 = 0.45;
+/// Ends nearer to a node than this share of an element are at the node.
+const AT_NODE: f64 = 1e-9;
+/// Taper beyond which an end is taken to lean no more.
+const STEEPEST: f64 = 0.9;
+
 /// An element of a beam's axis.
 #[derive(Clone, Copy, Debug)]
 pub struct AxisElement {
@@ -37,6 +44,17 @@ pub struct AxisElements {
     pub longest: f64,
     /// Largest half depth \[m\].
     pub deepest: f64,
+    /// Elements before the first of these, and from the second on, are within half a depth of an end.
+    near_ends: [usize; 2],
+}
+
+fn near_ends(list: &[AxisElement]) -> [usize; 2] {
+    let (Some(first), Some(last)) = (list.first(), list.last()) else { return [0; 2] };
+    let [from, to] = [first.half_depths[0], last.half_depths[1]];
+    let length = last.s + last.length;
+    let until = if from > 0.0 { list.partition_point(|e| e.s < from) } else { 0 };
+    let since = |e: &AxisElement| e.s + e.length <= length - to;
+    [until, if to > 0.0 { list.partition_point(since) } else { list.len() }]
 }
 
 impl AxisElements {
@@ -46,8 +64,56 @@ impl AxisElements {
         Self {
             longest: most(|e| e.length),
             deepest: most(|e| e.half_depths[0].max(e.half_depths[1])),
+            near_ends: near_ends(&list),
             list,
         }
+    }
+
+    /// Numbers of the elements of which parts are no farther from an end than half the depth there.
+    pub fn at_ends(&self) -> impl Iterator<Item = usize> {
+        let [first, last] = self.near_ends;
+        (0..first).chain(last.max(first)..self.list.len())
+    }
+
+    /// Both ends, their corners rounded off by these radii, at most half a depth; they lie within the length of the beam.
+    pub fn ends(&self, roundings: [f64; 2]) -> [AxisEnd; 2] {
+        [0, 1].map(|which| self.end(which == 1, roundings[which]))
+    }
+
+    fn end(&self, last: bool, rounding: f64) -> AxisEnd {
+        let length = self.list.last().map_or(0.0, |e| e.s + e.length);
+        let away = rounding.min(LONGEST_CAP * length);
+        let s = if last { length - away } else { away };
+        let count = self.list.len();
+        let mut k = self.list.partition_point(|e| e.s + e.length <= s).min(count.max(1) - 1);
+        let Some(element) = self.list.get(k) else { return AxisEnd::default() };
+        let mut xi = ((s - element.s) / element.length).clamp(0.0, 1.0);
+        if (xi - xi.round()).abs() < AT_NODE {
+            xi = xi.round();
+            // An end at a node is that of the element within.
+            if last && xi == 0.0 && k > 0 {
+                (k, xi) = (k - 1, 1.0);
+            } else if !last && xi == 1.0 && k + 1 < count {
+                (k, xi) = (k + 1, 0.0);
+            }
+        }
+        let element = &self.list[k];
+        let [a, b] = element.half_depths;
+        let out = if last { 1.0 } else { -1.0 };
+        let half_depth = element.half_depth(xi);
+        let inner = half_depth - away.min(half_depth);
+        let lean = (out * (b - a) / element.length).clamp(-STEEPEST, STEEPEST);
+        // The faces of a tapered end lean, so they meet the edge farther out than a circle about the axis reaches.
+        let half_width = inner / (1.0 - lean * lean).sqrt();
+        let point = AxisPoint { element: k, xi };
+        AxisEnd { point, s, out, half_width, rounding: half_depth - inner, lean }
+    }
+}
+
+impl Default for AxisEnd {
+    fn default() -> Self {
+        let point = AxisPoint::default();
+        Self { point, s: 0.0, out: 1.0, half_width: 0.0, rounding: 0.0, lean: 0.0 }
     }
 }
 
@@ -66,6 +132,26 @@ pub struct AxisPoint {
     pub element: usize,
     /// Share of the element, from 0 to 1.
     pub xi: f64,
+}
+
+/// Where an axis ends as contact sees it, and what closes the outline there.
+///
+/// Beyond the section at `point` lies what is left of the beam: a straight edge across, with corners that are rounded off by arcs of
+/// a circle. The edge of their centres has half a width of `half_width` about the axis; the outline is `rounding` away from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisEnd {
+    /// The last point of the axis.
+    pub point: AxisPoint,
+    /// Its arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Sign of the way out of the beam along its axis.
+    pub out: f64,
+    /// Half the width of the edge \[m\].
+    pub half_width: f64,
+    /// Radius of the corners \[m\].
+    pub rounding: f64,
+    /// Growth of the half depth per length on the way out.
+    pub lean: f64,
 }
 
 /// A point of an axis and the element it is on, as it lies.
@@ -94,6 +180,8 @@ pub struct Axis<'a> {
     pub elements: &'a AxisElements,
     /// Elements left out, for a beam against itself.
     pub skip: [usize; 2],
+    /// Where it ends.
+    pub ends: &'a [AxisEnd; 2],
     /// Length that none of the elements exceeds \[m\].
     pub arc: f64,
 }
@@ -106,7 +194,21 @@ pub fn longest_arc(elements: &[AxisElement], nodes: &[NodeFrame], at: &Configura
 
 impl Axis<'_> {
     fn left_out(&self, k: usize) -> bool {
-        self.skip[0] <= k && k < self.skip[1]
+        let [first, last] = self.ends;
+        let skipped = self.skip[0] <= k && k < self.skip[1];
+        skipped || k < first.point.element || k > last.point.element
+    }
+
+    /// Shares of an element between which it is part of the axis.
+    fn limits(&self, k: usize) -> [f64; 2] {
+        let [first, last] = self.ends.each_ref().map(|end| end.point);
+        let low = if k == first.element { first.xi } else { 0.0 };
+        [low, if k == last.element { last.xi } else { 1.0 }]
+    }
+
+    /// The element at which an end of the axis is, as it lies.
+    pub fn placed_end(&self, end: &AxisEnd, at: &Configuration) -> Placed {
+        self.placed(end.point.element, at)
     }
 
     fn placed(&self, k: usize, at: &Configuration) -> Placed {
@@ -129,8 +231,8 @@ impl Axis<'_> {
         let local = best.1;
         let found = local.map(|foot| foot.point.element);
         let mut leaps = false;
-        let mut next = 0;
-        while next < self.elements.len() {
+        let mut next = self.ends[0].point.element;
+        while next <= self.ends[1].point.element {
             let k = next;
             next += 1;
             if self.left_out(k) {
@@ -150,7 +252,7 @@ impl Axis<'_> {
                 continue;
             }
             let placed = Placed::between(element, &ends);
-            let xi = placed.nearest(&ends, y, side);
+            let xi = placed.nearest(&ends, y, side, self.limits(k));
             let away = placed.away(y, xi);
             // Of two as near, the one found first: at a node both elements say the same.
             if away + SAME * norm(sub(placed.position(xi), y)) < best.0 {
@@ -176,10 +278,11 @@ impl Axis<'_> {
 
     /// The point nearest to `y` in the neighbourhood of another one: downhill along the axis.
     pub fn near(&self, y: [f64; 2], at: &Configuration, from: AxisPoint, side: f64) -> Foot {
-        let (mut element, mut guess, mut way) = (from.element, from.xi, 0_i8);
+        let [first, last] = self.ends.each_ref().map(|end| end.point.element);
+        let (mut element, mut guess, mut way) = (from.element.clamp(first, last), from.xi, 0_i8);
         loop {
             let placed = self.placed(element, at);
-            let xi = placed.descend(y, guess, side);
+            let xi = placed.descend(y, guess, side, self.limits(element));
             let here = Foot { point: AxisPoint { element, xi }, placed };
             let slope = |placed: &Placed, xi: f64| placed.slope_at(y, xi, side);
             let (next, start) = if xi == 1.0 && way >= 0 && slope(&placed, xi) < 0.0 {
@@ -210,6 +313,14 @@ impl Axis<'_> {
             || (point.xi == 0.0 && k > 0 && self.left_out(k - 1))
     }
 
+    /// The end of the axis that the place at arc length `s` is no farther from than half its width.
+    pub fn end_near(&self, s: f64) -> Option<&AxisEnd> {
+        let [first, last] = self.ends;
+        let away = [s - first.s, last.s - s];
+        let (end, away) = if away[0] < away[1] { (first, away[0]) } else { (last, away[1]) };
+        (away <= end.half_width).then_some(end)
+    }
+
     /// Sign of the side on which `y` lies, seen along the axis at its nearest point; zero beyond an end.
     pub fn side(&self, y: [f64; 2], at: &Configuration, point: AxisPoint) -> f64 {
         let placed = self.placed(point.element, at);
@@ -225,6 +336,9 @@ impl Axis<'_> {
         point: AxisPoint,
     ) -> f64 {
         let onward = dot(away, tangent);
+        if self.ends.iter().any(|end| end.point == point && end.out * onward > 0.0) {
+            return 0.0;
+        }
         let neighbour = if point.xi == 1.0 && onward > 0.0 {
             (point.element + 1, 0.0)
         } else if point.xi == 0.0 && onward < 0.0 {
@@ -266,7 +380,9 @@ mod tests {
             let elements = AxisElements::new((0..3).map(element).collect());
             let at = Configuration::of(&displacement);
             let arc = longest_arc(&elements, &frames, &at);
-            let bounded = Axis { nodes: &frames, elements: &elements, skip: [0, 0], arc };
+            let ends = elements.ends([0.0; 2]);
+            let bounded =
+                Axis { nodes: &frames, elements: &elements, skip: [0, 0], ends: &ends, arc };
             let y = [y.0, y.1];
             let away = |p: AxisPoint| bounded.placed(p.element, &at).away(y, p.xi);
 

@@ -7,7 +7,7 @@
 use super::configuration::Configuration;
 use super::pair::{Centre, Memory, Pair, Target};
 use super::row::{self, Row};
-use super::search::farthest;
+use super::search::farthest_of;
 use super::touch::{Reach, Touch};
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;
@@ -58,7 +58,7 @@ impl Pair {
         }
         let gaps = [finite(gap_0), finite(end.gap)];
         // The gap to a straight line that does not turn is linear, too.
-        let straight = matches!(self.target, Target::Line { .. });
+        let straight = matches!(self.target, Target::Line { .. }) && self.source.is_on_axis();
         if projected && !straight {
             let miss = (gaps[1] - gaps[0]) - row.on(at.increment);
             // A difference of gaps is known no better than the positions they are taken from.
@@ -129,7 +129,7 @@ impl Pair {
             Target::Segment { ends } => of(&ends[0]).max(of(&ends[1])),
             Target::Axis { beam, .. } => {
                 let beam = &model.beams[*beam];
-                at.share * farthest(&at.increment[beam.nodes.clone()], beam.axis.longest)
+                at.share * farthest_of(beam, at.increment)
             }
         };
         of(&self.source) + target

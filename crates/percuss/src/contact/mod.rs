@@ -3,6 +3,7 @@
 pub mod axis;
 pub mod configuration;
 pub mod discrete_gradient;
+pub mod edge;
 pub mod effective_mass;
 pub mod free_gap;
 pub mod impact;
@@ -12,3 +13,4 @@ pub mod placed;
 pub mod row;
 pub mod search;
 pub mod touch;
+pub mod turning;

@@ -3,10 +3,11 @@
 //! Every contact is made of such pairs: a disc against a beam, a point of a beam against a half-plane, the end of a wall against a
 //! beam. The source has a centre and a radius; the target is where the gap is measured to.
 
-use super::axis::AxisPoint;
+use super::axis::{AxisEnd, AxisPoint};
 use super::configuration::Configuration;
 use super::row::Row;
-use crate::math::vec2::{cross, scale};
+use super::turning::Turning;
+use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;
 
 /// A point that follows one node, or the two of an element.
@@ -26,8 +27,21 @@ pub enum Hold {
     /// A rigid body: its third degree of freedom is an angle. The point is off its centre by `offset`; that of a body that
     /// turns is its centre.
     Body { offset: [f64; 2] },
-    /// A beam: shape functions and their slopes at the point, and the reference tangent there.
-    Beam { shape: [f64; 4], slope: [f64; 4], tangent: [f64; 2] },
+    /// A beam: shape functions and their slopes at a point of its axis, and the reference tangent there. The point itself is off
+    /// the axis by `offset`, along it and across it, and turns with the section.
+    Beam { shape: [f64; 4], slope: [f64; 4], tangent: [f64; 2], offset: [f64; 2] },
+}
+
+/// A section of a beam in a configuration.
+struct Section<'a> {
+    slope: &'a [f64; 4],
+    /// Unit tangent and normal of the axis.
+    tangent: [f64; 2],
+    normal: [f64; 2],
+    /// Length of the derivative that the slopes give.
+    stretch: f64,
+    /// From the axis to the point \[m\].
+    arm: [f64; 2],
 }
 
 impl Centre {
@@ -36,7 +50,15 @@ impl Centre {
         let a = at.node(self.node);
         match &self.hold {
             Hold::Body { .. } => [a[0], a[1]],
-            Hold::Beam { shape, .. } => combine(shape, &a, &at.node(self.node + 1)),
+            Hold::Beam { shape, slope, tangent, offset } => {
+                let b = at.node(self.node + 1);
+                let moved = combine(shape, &a, &b);
+                if *offset == [0.0; 2] {
+                    return moved;
+                }
+                let now = add(*tangent, combine(slope, &a, &b));
+                add(moved, sub(carried(now, *offset), carried(*tangent, *offset)))
+            }
         }
     }
 
@@ -47,13 +69,56 @@ impl Centre {
     }
 
     /// Adds a force at the point.
-    pub fn add_force(&self, row: &mut Row, force: [f64; 2]) {
+    pub fn add_force(&self, row: &mut Row, force: [f64; 2], at: &Configuration) {
         match &self.hold {
             Hold::Body { offset } => {
                 row.add(self.node, [force[0], force[1], cross(*offset, force), 0.0]);
             }
-            Hold::Beam { shape, .. } => add_weighted(row, self.node, shape, force),
+            Hold::Beam { shape, .. } => {
+                add_weighted(row, self.node, shape, force);
+                if let Some(section) = self.section(at) {
+                    section.add_turn(row, self.node, cross(section.arm, force));
+                }
+            }
         }
+    }
+
+    /// Whether it moves as the axis of its beam does, or its body; not one that turns with a section.
+    pub fn is_on_axis(&self) -> bool {
+        !matches!(self.hold, Hold::Beam { offset, .. } if offset != [0.0; 2])
+    }
+
+    /// Adds the turn of the section that the point is off the axis of.
+    pub fn add_turn(&self, row: &mut Row, factor: f64, at: &Configuration) {
+        if let Some(section) = self.section(at) {
+            section.add_turn(row, self.node, factor);
+        }
+    }
+
+    /// Second derivative of `force . place`; `None` for a point that is not off an axis.
+    pub fn turning(&self, force: [f64; 2], at: &Configuration) -> Option<Turning> {
+        let section = self.section(at)?;
+        let mut forms = [Row::default(); 2];
+        section.add_turn(&mut forms[0], self.node, 1.0);
+        let along = scale(1.0 / section.stretch, section.tangent);
+        add_weighted(&mut forms[1], self.node, section.slope, along);
+        // The turn O of the derivative g changes by -2 O (x) (t . dg)/|g|; an arm r that turns by O has the second derivative -r.
+        let mixed = -dot(force, rot90(section.arm));
+        Some(Turning { forms, weights: [[-dot(force, section.arm), mixed], [mixed, 0.0]] })
+    }
+
+    /// Its section as it lies, if the point is off the axis.
+    fn section(&self, at: &Configuration) -> Option<Section<'_>> {
+        let Hold::Beam { slope, tangent, offset, .. } = &self.hold else { return None };
+        if *offset == [0.0; 2] {
+            return None;
+        }
+        let (a, b) = (at.node(self.node), at.node(self.node + 1));
+        let g = add(*tangent, combine(slope, &a, &b));
+        let stretch = norm(g);
+        let tangent = scale(1.0 / stretch, g);
+        let arm = carried(g, *offset);
+        Some(Section { slope, tangent, normal: rot90(tangent), stretch, arm })
     }
 
     /// Adds a force that does work on the derivative of the point along its axis; nothing on a body.
@@ -75,9 +140,8 @@ impl Centre {
             Hold::Body { .. } => row.add(self.node, [0.0, 0.0, couple, 0.0]),
             Hold::Beam { slope, tangent, .. } => {
                 let u = combine(slope, &at.node(self.node), &at.node(self.node + 1));
-                let g = [tangent[0] + u[0], tangent[1] + u[1]];
-                let a = g[0] * g[0] + g[1] * g[1];
-                add_weighted(row, self.node, slope, scale(couple / a, [-g[1], g[0]]));
+                let g = add(*tangent, u);
+                add_weighted(row, self.node, slope, scale(couple / dot(g, g), rot90(g)));
             }
         }
     }
@@ -85,9 +149,21 @@ impl Centre {
     /// Adds a force that acts at a place `p`, off the point.
     pub fn add_force_at(&self, row: &mut Row, force: [f64; 2], p: [f64; 2], at: &Configuration) {
         let x = self.place(at);
-        self.add_force(row, force);
+        self.add_force(row, force, at);
         self.add_couple(row, cross([p[0] - x[0], p[1] - x[1]], force), at);
     }
+}
+
+impl Section<'_> {
+    fn add_turn(&self, row: &mut Row, node: usize, factor: f64) {
+        add_weighted(row, node, self.slope, scale(factor / self.stretch, self.normal));
+    }
+}
+
+/// An offset along and across an axis whose derivative is `g`.
+pub fn carried(g: [f64; 2], offset: [f64; 2]) -> [f64; 2] {
+    let t = scale(1.0 / norm(g), g);
+    add(scale(offset[0], t), scale(offset[1], rot90(t)))
 }
 
 fn combine(n: &[f64; 4], a: &[f64; 4], b: &[f64; 4]) -> [f64; 2] {
@@ -118,8 +194,8 @@ pub enum Target {
     Line { point: Centre, normal: [f64; 2] },
     /// A wall between two points, from either side.
     Segment { ends: [Centre; 2] },
-    /// A face of a beam.
-    Axis { beam: usize, skip: [usize; 2] },
+    /// The outline of a beam: faces at half a depth from its axis, and what closes them at both ends.
+    Axis { beam: usize, skip: [usize; 2], ends: [AxisEnd; 2] },
 }
 
 /// A pair.
@@ -135,7 +211,7 @@ pub struct Pair {
     pub reach: f64,
     /// Of it, the target's own radius \[m\].
     pub target_radius: f64,
-    /// Whether the ends of an axis are left to other pairs.
+    /// Whether ends of an axis that are points, or rounded from face to face, are left to other pairs.
     pub skips_ends: bool,
     /// The obstacle among the two, if one is.
     pub obstacle: Option<usize>,
@@ -145,6 +221,8 @@ pub struct Pair {
     pub source_party: usize,
     /// Arc length of the source along its beam; NaN for a body \[m\].
     pub s: f64,
+    /// Whether the source belongs to an end of its beam.
+    pub at_end: bool,
 }
 
 /// What a pair remembers: which side the source is on, and where it was nearest.

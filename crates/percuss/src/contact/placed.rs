@@ -159,27 +159,31 @@ impl Placed {
         Seen { away: sub(self.position(xi), y), tangent: self.onward(xi) }
     }
 
-    /// The share nearest to `y` of all. Where the element is bent so much that there may be several feet, each is looked for.
-    pub fn nearest(&self, ends: &Ends, y: [f64; 2], side: f64) -> f64 {
+    /// The share nearest to `y` of all between two `limits`. Where the element is bent so much that there may be several feet, each is
+    /// looked for.
+    pub fn nearest(&self, ends: &Ends, y: [f64; 2], side: f64, limits: [f64; 2]) -> f64 {
         let away = |xi: f64| self.away(y, xi);
-        let coarse: [f64; 5] = std::array::from_fn(|k| away(0.25 * k as f64));
+        let [low, high] = limits;
+        let at = |k: usize, of: usize| low + (high - low) * (k as f64 / of as f64);
+        let coarse: [f64; 5] = std::array::from_fn(|k| away(at(k, 4)));
         let (best, least) = least_of(&coarse);
         if ends.has_one_foot(least + self.half_depth + self.growth.max(0.0)) {
-            return self.descend(y, 0.25 * best as f64, side);
+            return self.descend(y, at(best, 4), side, limits);
         }
-        let fine: [f64; FEET + 1] = std::array::from_fn(|k| away(k as f64 / FEET as f64));
+        let fine: [f64; FEET + 1] = std::array::from_fn(|k| away(at(k, FEET)));
         let nearer = |k: usize, other: Option<&f64>| other.is_none_or(|other| fine[k] <= *other);
         let valleys = (0..=FEET).filter(|k| {
             nearer(*k, k.checked_sub(1).map(|before| &fine[before])) && nearer(*k, fine.get(k + 1))
         });
-        let feet = valleys.map(|k| self.descend(y, k as f64 / FEET as f64, side));
-        feet.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0.5)
+        let feet = valleys.map(|k| self.descend(y, at(k, FEET), side, limits));
+        feet.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0.5 * (low + high))
     }
 
     /// The share nearest to `y` in the neighbourhood of another one: Newton's iteration on the square of the distance, downhill,
-    /// within the element. What is on the other side of the axis than `side` has gone through: it is nearest where it is deepest.
-    pub fn descend(&self, y: [f64; 2], mut xi: f64, side: f64) -> f64 {
-        let (mut low, mut high) = (0.0, 1.0);
+    /// between two `limits`. What is on the other side of the axis than `side` has gone through: it is nearest where it is deepest.
+    pub fn descend(&self, y: [f64; 2], guess: f64, side: f64, limits: [f64; 2]) -> f64 {
+        let [mut low, mut high] = limits;
+        let mut xi = guess.clamp(low, high);
         let mut seen = self.seen(y, xi);
         for iteration in 0..PATIENCE + 55 {
             let slope = self.slope(&seen, side);
@@ -199,10 +203,10 @@ impl Placed {
                 next = 0.5 * (low + high);
             } else if !(next >= low && next <= high) {
                 // Out of the bracket: to its end if that is the element's, else to its middle.
-                next = if next < low && low == 0.0 {
-                    0.0
-                } else if next > high && high == 1.0 {
-                    1.0
+                next = if next < low && low == limits[0] {
+                    low
+                } else if next > high && high == limits[1] {
+                    high
                 } else {
                     0.5 * (low + high)
                 };

@@ -4,7 +4,7 @@
 //! step; a pair sleeps until the sum of both has reached the gap it was last seen at. Sleep changes no result: pairs that wake are
 //! looked at where they stand.
 
-use super::axis::longest_arc;
+use super::axis::{AxisElements, longest_arc};
 use super::configuration::Configuration;
 use super::pair::{Pair, Target};
 use super::touch::Reach;
@@ -35,6 +35,27 @@ pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
     }
     // Shape functions of values sum to one; those of slopes reach 4/27 of the length each.
     norm([most[0], most[1]]) + 8.0 / 27.0 * long * norm([most[2], most[3]])
+}
+
+/// How far a point of a beam or of its outline moves, at most.
+pub fn farthest_of(beam: &BeamData, nodal: &[[f64; 4]]) -> f64 {
+    let axis = &beam.axis;
+    farthest(&nodal[beam.nodes.clone()], axis.longest) + swing(axis, nodal)
+}
+
+/// What turns of sections add to that near the ends, where points off the axis touch. Unit vectors along two derivatives g differ by no
+/// more than their difference over their mean length, which is above one half for any strain that a beam survives.
+fn swing(axis: &AxisElements, nodal: &[[f64; 4]]) -> f64 {
+    let mut most = 0.0_f64;
+    for k in axis.at_ends() {
+        let element = &axis[k];
+        let (a, b) = (&nodal[element.node], &nodal[element.node + 1]);
+        let apart = norm([b[0] - a[0], b[1] - a[1]]) * 1.5 / element.length;
+        let turn = apart + norm([a[2], a[3]]).max(norm([b[2], b[3]]));
+        let [first, last] = element.half_depths;
+        most = most.max(2.0 * first.max(last) * turn);
+    }
+    most
 }
 
 /// Lengths that no element exceeds while its nodes move by any share of `increment`, from those where they start.
@@ -118,7 +139,7 @@ impl Search {
         let beams = model.beams.len();
         let mut most = 0.0_f64;
         for (way, beam) in self.step.iter_mut().zip(&model.beams) {
-            *way = factor * farthest(&nodal[beam.nodes.clone()], beam.axis.longest);
+            *way = factor * farthest_of(beam, nodal);
             most = most.max(*way);
         }
         let first = model.beam_node_count();

@@ -2,16 +2,17 @@
 //!
 //! The gap is signed by the side the source was on: what has gone through is deep inside, not on the other side.
 
-use super::axis::{Axis, Foot};
+use super::axis::{Axis, AxisEnd, AxisPoint, Foot};
 use super::configuration::Configuration;
-use super::pair::{Centre, Hold, Memory, Pair, Target};
+use super::edge::{self, EdgeTouch};
+use super::pair::{Centre, Hold, Memory, Pair, Target, carried};
 use super::row::Row;
 use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;
 
 /// Below this distance of centre and axis the normal is that of the axis \[m\].
-const COINCIDENT: f64 = 1e-9;
+pub(super) const COINCIDENT: f64 = 1e-9;
 
 /// A pair where it is nearest.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +44,8 @@ pub enum Bend {
     Flat,
     /// About the foot, at this signed distance.
     Round { distance: f64 },
+    /// With the section at the end of an axis, at this signed distance.
+    Edge { distance: f64 },
     /// The foot slides along an axis.
     Curve { distance: f64, tangent: [f64; 2], bend: [f64; 2] },
 }
@@ -80,8 +83,8 @@ impl Pair {
             }
             Target::Round { centre } => Some(self.round(*centre, 1.0, y, at, memory)),
             Target::Segment { ends } => Some(self.segment(ends, y, at, memory)),
-            Target::Axis { beam, skip } => {
-                let axis = axis_of(model, at, *beam, *skip);
+            Target::Axis { beam, skip, ends } => {
+                let axis = axis_of(model, at, *beam, *skip, ends);
                 let (foot, leapt_from) = match reach {
                     Reach::All => {
                         let found = axis.nearest(y, at, memory.near, memory.side)?;
@@ -95,20 +98,16 @@ impl Pair {
                     if before * memory.side < 0.0 { -after } else { after }
                 });
                 let known = Memory { side, ..*memory };
-                let mut touch = self.on_axis(&axis, &foot, y, at, &known);
-                if touch.memory.side == 0.0 && (self.skips_ends || axis.is_border(foot.point)) {
-                    touch.gap = f64::INFINITY;
-                }
-                Some(touch)
+                Some(self.on_axis(&axis, &foot, y, at, &known))
             }
         }
     }
 
     /// Whether another place of the target is nearer than the foot remembered.
     pub fn leaps(&self, model: &Model, at: &Configuration, memory: &Memory) -> bool {
-        let Target::Axis { beam, skip } = self.target else { return false };
+        let Target::Axis { beam, skip, ends } = &self.target else { return false };
         let y = self.source.place(at);
-        axis_of(model, at, beam, skip).has_nearer(y, at, memory.near, memory.side)
+        axis_of(model, at, *beam, *skip, ends).has_nearer(y, at, memory.near, memory.side)
     }
 
     fn flat(
@@ -184,40 +183,38 @@ impl Pair {
         let element = &axis.elements[point.element];
         let (tangent, foot_place) = (placed.tangent(point.xi), placed.position(point.xi));
         let away = sub(y, foot_place);
+        let distance = norm(away);
         let seen = axis.side_of(away, tangent, at, point);
+        let s = element.s + point.xi * element.length;
+        if let Some(end) = axis.end_near(s)
+            && (end.point == point || distance < element.half_depth(point.xi))
+            && let Some(found) = edge::nearest(axis, end, foot, y, at, [memory.side, seen])
+        {
+            return self.on_edge(axis, end, &found, point);
+        }
         // Beyond an end there are no sides; a face once known stays known.
         let side = if seen == 0.0 || memory.side == 0.0 { seen } else { memory.side };
         let sign = if seen == 0.0 { 1.0 } else { side * seen };
-        let distance = norm(away);
         let normal = if distance > COINCIDENT {
             scale(sign / distance, away)
         } else {
             let side = if side == 0.0 { 1.0 } else { side };
             scale(side / norm(tangent), rot90(tangent))
         };
-        let shape = hermite::shape(point.xi, element.length);
-        let slope = hermite::slope(point.xi, element.length);
-        let frames = [&axis.nodes[element.node], &axis.nodes[element.node + 1]];
-        let reference = |n: &[f64; 4]| {
-            [0, 1].map(|i| {
-                n[0] * frames[0].position[i]
-                    + n[1] * frames[0].tangent[i]
-                    + n[2] * frames[1].position[i]
-                    + n[3] * frames[1].tangent[i]
-            })
-        };
-        let hold = Hold::Beam { shape, slope, tangent: reference(&slope) };
         let (distance, half_depth) = (sign * distance, element.half_depth(point.xi));
         let slides = point.xi > 0.0 && point.xi < 1.0;
+        // Where the elements left out begin is no end.
+        let border = side == 0.0 && axis.is_border(point);
+        let gap = distance - self.reach - half_depth;
         Touch {
-            gap: distance - self.reach - half_depth,
+            gap: if border { f64::INFINITY } else { gap },
             apart: distance.abs() - self.reach - half_depth,
             normal,
-            foot: Centre { position: reference(&shape), node: element.node, hold },
+            foot: centre_on(axis, point, [0.0; 2]),
             foot_place,
             radius: half_depth,
             memory: Memory { side, near: point },
-            s: element.s + point.xi * element.length,
+            s,
             bend: if slides {
                 Bend::Curve { distance, tangent, bend: placed.bend(point.xi) }
             } else {
@@ -226,12 +223,30 @@ impl Pair {
         }
     }
 
+    /// At the end of an axis, whose nearest point is `near`.
+    fn on_edge(&self, axis: &Axis, end: &AxisEnd, found: &EdgeTouch, near: AxisPoint) -> Touch {
+        let apart = found.distance - self.reach - end.rounding;
+        let left = found.corner && self.skips_ends && end.half_width == 0.0;
+        let distance = found.distance;
+        Touch {
+            gap: if left { f64::INFINITY } else { apart },
+            apart,
+            normal: found.normal,
+            foot: centre_on(axis, end.point, found.offset),
+            foot_place: found.place,
+            radius: end.rounding,
+            memory: Memory { side: found.side, near },
+            s: end.s,
+            bend: if found.corner { Bend::Round { distance } } else { Bend::Edge { distance } },
+        }
+    }
+
     /// Gradient of the gap: the source is pushed along the normal, the target back.
     pub fn normal_row(&self, touch: &Touch, at: &Configuration) -> Row {
         let mut row = Row::default();
         let n = touch.normal;
-        self.source.add_force(&mut row, n);
-        touch.foot.add_force(&mut row, [-n[0], -n[1]]);
+        self.source.add_force(&mut row, n, at);
+        touch.foot.add_force(&mut row, [-n[0], -n[1]], at);
         match &self.target {
             // The guide carries the couple of a force off the line of flight.
             Target::Guided { .. } => {
@@ -259,53 +274,40 @@ impl Pair {
         touch.foot.add_force_at(&mut row, [-t[0], -t[1]], surface, at);
         row
     }
-
-    /// How the gradient of the gap turns with its nodes; `None` where it does not.
-    ///
-    /// With A the motion across the normal and O the turn of the axis at the foot, both as forms, the second derivative of the gap is
-    /// `A (x) A / d` at a distance d from a fixed foot. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', adds
-    /// its share (theory, section 6).
-    pub fn turning(&self, touch: &Touch) -> Option<Turning> {
-        let n = touch.normal;
-        let across = rot90(n);
-        let mut forms = [Row::default(); 2];
-        self.source.add_force(&mut forms[0], across);
-        touch.foot.add_force(&mut forms[0], scale(-1.0, across));
-        let weights = match touch.bend {
-            Bend::Round { distance } if distance.abs() > COINCIDENT => {
-                [[1.0 / distance, 0.0], [0.0; 2]]
-            }
-            Bend::Curve { distance, tangent, bend } => {
-                // Across the normal; on a tapered beam the tangent is not.
-                let level = dot(across, tangent);
-                let turns = dot(n, bend);
-                let slack = level * level - distance * turns;
-                if slack <= 1e-3 * level * level {
-                    return None;
-                }
-                touch.foot.add_slope(&mut forms[1], n);
-                let mixed = -level / slack;
-                [[-turns / slack, mixed], [mixed, -distance / slack]]
-            }
-            _ => return None,
-        };
-        Some(Turning { forms, weights })
-    }
 }
 
-/// Second derivative of a gap: the sum of `weights[i][j] forms[i] (x) forms[j]`.
-#[derive(Clone, Copy, Debug)]
-pub struct Turning {
-    /// Forms on the nodes of the pair.
-    pub forms: [Row; 2],
-    /// Symmetric \[1/m\].
-    pub weights: [[f64; 2]; 2],
+/// A point of an axis, or one off it that goes with its section.
+fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
+    let element = &axis.elements[point.element];
+    let shape = hermite::shape(point.xi, element.length);
+    let slope = hermite::slope(point.xi, element.length);
+    let frames = [&axis.nodes[element.node], &axis.nodes[element.node + 1]];
+    let reference = |n: &[f64; 4]| {
+        [0, 1].map(|i| {
+            n[0] * frames[0].position[i]
+                + n[1] * frames[0].tangent[i]
+                + n[2] * frames[1].position[i]
+                + n[3] * frames[1].tangent[i]
+        })
+    };
+    let (mut position, tangent) = (reference(&shape), reference(&slope));
+    if offset != [0.0; 2] {
+        position = add(position, carried(tangent, offset));
+    }
+    let hold = Hold::Beam { shape, slope, tangent, offset };
+    Centre { position, node: element.node, hold }
 }
 
 /// The axis of a beam, as far as it can be touched.
-fn axis_of<'a>(model: &'a Model, at: &Configuration, beam: usize, skip: [usize; 2]) -> Axis<'a> {
+fn axis_of<'a>(
+    model: &'a Model,
+    at: &Configuration,
+    beam: usize,
+    skip: [usize; 2],
+    ends: &'a [AxisEnd; 2],
+) -> Axis<'a> {
     let arc = at.arcs.get(beam).copied().unwrap_or(f64::INFINITY);
-    Axis { nodes: &model.nodes, elements: &model.beams[beam].axis, skip, arc }
+    Axis { nodes: &model.nodes, elements: &model.beams[beam].axis, skip, ends, arc }
 }
 
 /// The tangent that goes with a normal: turned by -90 degrees.

@@ -11,6 +11,7 @@ mod fault;
 pub(crate) mod frozen;
 mod loads;
 mod mesh;
+mod outline;
 mod overlaps;
 mod pairs;
 mod places;

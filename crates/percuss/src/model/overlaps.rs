@@ -66,7 +66,7 @@ impl Model {
         let through = |pair: &Pair| {
             let end = match &pair.source.hold {
                 Hold::Body { .. } => true,
-                Hold::Beam { .. } => pair.s == 0.0 || pair.s == self.beams[pair.movers[0]].length,
+                Hold::Beam { .. } => pair.at_end,
             };
             let touch = pair.touch(self, at, &Memory::default(), Reach::All).filter(|_| end)?;
             let depth = touch.gap + 2.0 * pair.thickness(self, &touch.memory);

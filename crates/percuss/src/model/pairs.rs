@@ -1,9 +1,10 @@
 //! Contacts as pairs of something round and what it touches.
 
-use super::builder::{ModelBuilder, locate, point_at};
+use super::builder::{ModelBuilder, locate};
 use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
+use super::outline::Outline;
 use crate::contact::pair::{Centre, Hold, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};
 
@@ -55,6 +56,7 @@ fn guided(i: usize, projectile: &Projectile, model: &mut Model) {
         movers: [model.beams.len() + body, point.beam],
         source_party: 1,
         s: point.s,
+        at_end: false,
     };
     let law = match &projectile.kind {
         ProjectileKind::Elastic { law } => TouchLaw::Smooth(law.clone()),
@@ -89,8 +91,9 @@ fn body_centre(model: &Model, body: usize) -> Centre {
     Centre { position: model.nodes[node].position, node, hold }
 }
 
-fn beam_centre(point: &MaterialPoint) -> Centre {
-    let hold = Hold::Beam { shape: point.shape, slope: point.slope, tangent: point.tangent };
+pub(super) fn beam_centre(point: &MaterialPoint) -> Centre {
+    let MaterialPoint { shape, slope, tangent, .. } = *point;
+    let hold = Hold::Beam { shape, slope, tangent, offset: [0.0; 2] };
     Centre { position: point.position, node: point.node, hold }
 }
 
@@ -117,7 +120,7 @@ impl Pairs<'_> {
             [Party::Beam(a), Party::Beam(b)] => {
                 let (a, b) = (a.0 as usize, b.0 as usize);
                 self.points_on_axis(a, b, points, 0, false);
-                // Ends of `b` are touched already, by being points of it or through the ends of `a`.
+                // Where both end in points or are round, ends of `b` are touched already, as sources or through the ends of `a`.
                 self.points_on_axis(b, a, points, 1, true);
             }
             [Party::Beam(beam), other] => self.beam_and_rigid(beam.0 as usize, 0, other, points),
@@ -223,12 +226,15 @@ impl Pairs<'_> {
             movers: [beams + body, beams + other],
             source_party,
             s: f64::NAN,
+            at_end: false,
         });
     }
 
     /// A beam and a disc or obstacle; `beam_party` tells which of the two the beam is.
     fn beam_and_rigid(&mut self, beam: usize, beam_party: usize, other: Party, points: usize) {
-        let axis = Target::Axis { beam, skip: [0, 0] };
+        let outline = Outline::exact(self.builder, self.model, beam);
+        let axis = outline.target([0, 0]);
+        let sources = outline.sources(points);
         for shape in self.shapes(other) {
             match &shape {
                 Rigid::Round { body, centre, radius } => {
@@ -238,25 +244,26 @@ impl Pairs<'_> {
                 }
                 Rigid::Line { .. } | Rigid::Segment { .. } => {
                     let (target, target_radius, body) = self.target(&shape);
-                    for (point, half_depth) in self.beam_points(beam, points) {
+                    for source in &sources {
                         self.found.push(Pair {
                             contact: self.contact,
-                            source: beam_centre(&point),
+                            source: source.centre,
                             target: target.clone(),
-                            reach: half_depth + target_radius,
+                            reach: source.radius + target_radius,
                             target_radius,
                             skips_ends: false,
                             obstacle: None,
                             movers: [beam, self.model.beams.len() + body],
                             source_party: beam_party,
-                            s: point.s,
+                            s: source.s,
+                            at_end: source.at_end,
                         });
                     }
                     if let Rigid::Segment { ends, radius, .. } = &shape {
                         for end in ends {
                             let source = self.offset_centre(body, *end);
                             let pair = self.on_axis(source, *radius, body, axis.clone(), beam);
-                            // The ends of the beam are points of it.
+                            // Where the beam ends in a point, that is a source already.
                             let source_party = 1 - beam_party;
                             self.found.push(Pair { skips_ends: true, source_party, ..pair });
                         }
@@ -285,6 +292,7 @@ impl Pairs<'_> {
             movers: [self.model.beams.len() + body, beam],
             source_party: 0,
             s: f64::NAN,
+            at_end: false,
         }
     }
 
@@ -297,18 +305,20 @@ impl Pairs<'_> {
         source_party: usize,
         skips_ends: bool,
     ) {
-        for (point, half_depth) in self.beam_points(from, points) {
+        let target = Outline::rounded(self.builder, self.model, onto).target([0, 0]);
+        for source in Outline::rounded(self.builder, self.model, from).sources(points) {
             self.found.push(Pair {
                 contact: self.contact,
-                source: beam_centre(&point),
-                target: Target::Axis { beam: onto, skip: [0, 0] },
-                reach: half_depth,
+                source: source.centre,
+                target: target.clone(),
+                reach: source.radius,
                 target_radius: 0.0,
                 skips_ends,
                 obstacle: None,
                 movers: [from, onto],
                 source_party,
-                s: point.s,
+                s: source.s,
+                at_end: source.at_end,
             });
         }
     }
@@ -326,21 +336,12 @@ impl Pairs<'_> {
                 axis.partition_point(|e| e.s + e.length <= pair.s - apart),
                 axis.partition_point(|e| e.s < pair.s + apart),
             ];
-            pair.target = Target::Axis { beam, skip };
+            if let Target::Axis { skip: own, .. } = &mut pair.target {
+                *own = skip;
+            }
             // Of two ends that touch, one is the source.
             pair.skips_ends = pair.s > 0.5 * self.model.beams[beam].length;
         }
-    }
-
-    /// Points of a beam that can touch, with their half depths: evenly in each element, and its last end.
-    fn beam_points(&self, beam: usize, points: usize) -> Vec<(MaterialPoint, f64)> {
-        let data = &self.model.beams[beam];
-        let inner = data.axis.iter().flat_map(|e| {
-            let at = move |k: usize| e.s + e.length * k as f64 / points as f64;
-            (0..points).map(move |k| (at(k), e.half_depth(k as f64 / points as f64)))
-        });
-        let last = data.axis.last().map(|e| (data.length, e.half_depth(1.0)));
-        inner.chain(last).map(|(s, half)| (point_at(self.model, beam, s), half)).collect()
     }
 }
 

@@ -9,7 +9,8 @@ use crate::contact::law::StepForce;
 use crate::contact::pair::{Memory, Target};
 use crate::contact::row::Row;
 use crate::contact::search::longest_arcs;
-use crate::contact::touch::{Reach, Turning};
+use crate::contact::touch::Reach;
+use crate::contact::turning::Turning;
 use crate::linalg::block::ZERO;
 use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
 
@@ -171,7 +172,10 @@ impl StepProblem<'_> {
             let force = law.potential.collocated(-touch.gap, -touch.gap, 1.0);
             if TANGENT && force.force > 0.0 {
                 let (slope, bend) = (theta * force.slope, theta * force.force);
-                add_tangent(tangent, &row, &row, slope, bend, pair.turning(&touch).as_ref());
+                let turning = pair.turning(&touch, &mid);
+                add_tangent(tangent, &row, &row, slope, bend, turning.as_ref());
+                let of_sections = pair.section_turnings(&touch, &mid);
+                of_sections.iter().flatten().for_each(|t| add_turning(tangent, bend, t));
             }
             return Some(SmoothContact { pair: index, force, row, end: None });
         }
@@ -186,12 +190,15 @@ impl StepProblem<'_> {
             (law.step_force(-step.gaps[0], -step.gaps[1], rule.h), step.row)
         };
         if TANGENT && force.force > 0.0 {
-            let middle = pair.normal_row(&step.middle, &at.at(0.5));
+            let mid = at.at(0.5);
+            let middle = pair.normal_row(&step.middle, &mid);
             // Where the foot crosses into another element the gradients know other nodes; those of the middle will do.
             let crosses = step.end.foot.node != step.middle.foot.node;
             let end = if crosses { middle } else { pair.normal_row(&step.end, &at) };
-            let turning = pair.turning(&step.middle);
-            add_tangent(tangent, &middle, &end, force.slope, 0.5 * force.force, turning.as_ref());
+            let (turning, bend) = (pair.turning(&step.middle, &mid), 0.5 * force.force);
+            add_tangent(tangent, &middle, &end, force.slope, bend, turning.as_ref());
+            let of_sections = pair.section_turnings(&step.middle, &mid);
+            of_sections.iter().flatten().for_each(|t| add_turning(tangent, bend, t));
         }
         Some(SmoothContact { pair: index, force, row, end: Some(step.end.memory) })
     }
@@ -417,6 +424,22 @@ pub(crate) fn add_tangent(
                     }
                 }
             }
+            tangent.add_contact(node, column, &block);
+        }
+    }
+}
+
+/// Adds `-bend` times what a turn of sections adds to the second derivative of a gap.
+pub(crate) fn add_turning(tangent: &mut Tangent, bend: f64, turning: &Turning) {
+    let [first, second] = &turning.forms;
+    let w = &turning.weights;
+    for (column, a) in first.iter() {
+        let b = second.at(column);
+        let turned = w.map(|w| [0, 1, 2, 3].map(|k| bend * (w[0] * a[k] + w[1] * b[k])));
+        for (node, c) in first.iter() {
+            let d = second.at(node);
+            let block = [0, 1, 2, 3]
+                .map(|r| [0, 1, 2, 3].map(|k| -(c[r] * turned[0][k] + d[r] * turned[1][k])));
             tangent.add_contact(node, column, &block);
         }
     }

@@ -91,12 +91,7 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
         [Party::Disc(a), Party::Disc(b)] if a == b => {
             out.add(path("between"), "a disc and itself", "two different things");
         }
-        [Party::Beam(a), Party::Beam(b)] if [a, b].iter().all(|id| is_line(model, *id)) => {
-            let found = "two beams without depth: end on they would pass through each other";
-            let expected = "a section with a `depth` for one of them, such as sqrt(12 I/A)";
-            out.add(path("between"), found, expected);
-        }
-        _ => {}
+        [one, other] => check_thickness(model, [one, other], path("between"), out),
     }
     if !(1..=100).contains(&contact.points_per_element) {
         let found = contact.points_per_element.to_string();
@@ -111,16 +106,55 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
     }
 }
 
-/// Whether no section of a beam has a depth.
-fn is_line(model: &ModelBuilder, id: BeamId) -> bool {
-    let Some(beam) = model.beams.get(id.0 as usize) else { return false };
-    let deep = |section: &Section| {
-        let stations = section.stations.iter().map(|station| station.depth);
-        [section.depth].into_iter().chain(stations).flatten().any(|depth| depth > 0.0)
+/// Two things that end in points would pass through each other end on: no path but one leads from one point to another.
+fn check_thickness(model: &ModelBuilder, between: [Party; 2], path: String, out: &mut Faults) {
+    let [Some(one), Some(other)] = between.map(|party| bare(model, party)) else { return };
+    let (both, cure) = if between[0] == between[1] {
+        (format!("{} and itself", one.0), one.2.to_owned())
+    } else if one == other {
+        (format!("two {}", one.1), format!("{} for one of them", one.2))
+    } else {
+        (format!("{} and {}", one.0, other.0), format!("{}, or {}", one.2, other.2))
     };
-    let own = beam.changes.iter().filter_map(|change| change.section).chain([beam.section]);
-    let mut sections = own.filter_map(|id| model.sections.get(id.0 as usize));
-    sections.all(|section| !deep(section))
+    out.add(path, format!("{both}: end on they would pass through each other"), &cure);
+}
+
+/// One and several of what ends in a point, in words, and what would give it an extent there; `None` for all else.
+fn bare(model: &ModelBuilder, party: Party) -> Option<(&'static str, &'static str, &'static str)> {
+    match party {
+        Party::Beam(id) => {
+            let beam = model.beams.get(id.0 as usize)?;
+            let cure = "a section with a `depth`, such as sqrt(12 I/A)";
+            ends_bare(model, beam).then_some((
+                "a beam whose end has no depth",
+                "beams whose ends have no depth",
+                cure,
+            ))
+        }
+        Party::Disc(id) => {
+            let disc = model.discs.get(id.0 as usize)?;
+            let words = ("a disc of radius 0", "discs of radius 0", "a `radius` of the disc");
+            (disc.radius == 0.0).then_some(words)
+        }
+        // A clearance stands beside its beam.
+        Party::Obstacle(id) => match model.obstacles.get(id.0 as usize)?.shape {
+            ObstacleShape::Segment { thickness: 0.0, .. } => {
+                Some(("a wall of thickness 0", "walls of thickness 0", "a `thickness` of the wall"))
+            }
+            _ => None,
+        },
+    }
+}
+
+/// Whether a beam has no depth at its start or at its end.
+fn ends_bare(model: &ModelBuilder, beam: &Beam) -> bool {
+    let last = beam.changes.iter().rev().find_map(|change| change.section);
+    let ends = [(beam.section, 0.0), (last.unwrap_or(beam.section), 1.0)];
+    let deep = |(id, fraction): (SectionId, f64)| {
+        let section = model.sections.get(id.0 as usize);
+        section.is_none_or(|section| section.at(fraction).depth.is_some_and(|depth| depth > 0.0))
+    };
+    !ends.into_iter().all(deep)
 }
 
 /// Impacts of rigid things follow from velocities, and a jump has none.

@@ -59,6 +59,16 @@ pub struct Change {
     pub section: Option<SectionId>,
 }
 
+/// What closes the outline of a beam at its ends, as contact sees it. Either way it ends where the beam ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ends {
+    /// A straight edge across the axis, between two corners.
+    #[default]
+    Flat,
+    /// A half circle from face to face.
+    Round,
+}
+
 /// A beam: a centre line with material, section and mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Beam {
@@ -76,6 +86,8 @@ pub struct Beam {
     pub section: SectionId,
     /// Changes of material and section, in the order of their places.
     pub changes: Vec<Change>,
+    /// What closes its outline at its ends.
+    pub ends: Ends,
 }
 
 impl Beam {
@@ -95,6 +107,7 @@ impl Beam {
             material,
             section,
             changes: Vec::new(),
+            ends: Ends::Flat,
         }
     }
 }

@@ -1,0 +1,112 @@
+//! Where the outline of a beam ends: a straight edge across the axis, its corners, and what leaning faces leave between them.
+
+use super::axis::{Axis, AxisEnd, Foot};
+use super::configuration::Configuration;
+use super::placed::Placed;
+use crate::math::vec2::{add, dot, norm, rot90, scale, sub};
+
+/// What of an end is nearest to a place.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeTouch {
+    /// Signed distance from it \[m\].
+    pub distance: f64,
+    /// Unit normal.
+    pub normal: [f64; 2],
+    /// The nearest point, seen from the end of the axis along and across it \[m\].
+    pub offset: [f64; 2],
+    /// Its position \[m\].
+    pub place: [f64; 2],
+    /// The face it belongs to, as a sign; zero for the edge and its corners.
+    pub side: f64,
+    /// Whether it is a corner.
+    pub corner: bool,
+}
+
+/// The part of an outline that is nearest, in the frame of the end.
+enum Feature {
+    /// The edge.
+    Edge,
+    /// A corner.
+    Corner,
+    /// The face beside it, as far as no circle about the axis reaches it.
+    Face,
+}
+
+/// The frame of an end: the way out of the beam, and across.
+struct Frame {
+    origin: [f64; 2],
+    out: [f64; 2],
+    across: [f64; 2],
+}
+
+impl Frame {
+    fn new(end: &AxisEnd, placed: &Placed) -> Self {
+        let tangent = placed.tangent(end.point.xi);
+        let tangent = scale(1.0 / norm(tangent), tangent);
+        let origin = placed.position(end.point.xi);
+        Self { origin, out: scale(end.out, tangent), across: rot90(tangent) }
+    }
+
+    fn vector(&self, [d, e]: [f64; 2]) -> [f64; 2] {
+        add(scale(d, self.out), scale(e, self.across))
+    }
+}
+
+/// The place of an end that is nearest to `y`; `None` where that is a place of the axis' faces. `foot` is the nearest point of the
+/// axis, `beyond` tells that `y` lies beyond its end, `side` the face that `y` was seen on.
+pub fn nearest(
+    axis: &Axis,
+    end: &AxisEnd,
+    foot: &Foot,
+    y: [f64; 2],
+    at: &Configuration,
+    [side, seen]: [f64; 2],
+) -> Option<EdgeTouch> {
+    let placed = if end.point.element == foot.point.element {
+        foot.placed
+    } else {
+        axis.placed_end(end, at)
+    };
+    let frame = Frame::new(end, &placed);
+    let away = sub(y, frame.origin);
+    let (d, e) = (dot(away, frame.out), dot(away, frame.across));
+    let (w, sign) = (end.half_width, 1.0_f64.copysign(e));
+    // The face leans back from a thick end; its normal, and how far beyond the corner the place lies along it.
+    let (sine, cosine) = (end.lean, (1.0 - end.lean * end.lean).sqrt());
+    let height = e.abs() * cosine - d * sine - w * cosine;
+    let past = d * cosine + (e.abs() - w) * sine;
+    let through = side * seen < 0.0;
+    let feature = if d > 0.0 && e.abs() <= w {
+        Feature::Edge
+    } else if (past > 0.0 && (d > 0.0 || height > 0.0)) || seen == 0.0 {
+        Feature::Corner
+    } else if height < 0.0 && d > height && !through {
+        Feature::Edge
+    } else if end.lean > 0.0 && foot.point == end.point && !through {
+        Feature::Face
+    } else {
+        return None;
+    };
+    let (distance, normal, local) = match feature {
+        Feature::Edge => (d, [1.0, 0.0], [0.0, e]),
+        Feature::Face => {
+            let normal = [-sine, sign * cosine];
+            (height, normal, sub([d, e], scale(height, normal)))
+        }
+        Feature::Corner => {
+            let corner = [0.0, sign * w];
+            let away = sub([d, e], corner);
+            let distance = norm(away);
+            let normal = if distance > 0.0 { scale(1.0 / distance, away) } else { [1.0, 0.0] };
+            (distance, normal, corner)
+        }
+    };
+    Some(EdgeTouch {
+        distance,
+        normal: frame.vector(normal),
+        offset: [end.out * local[0], local[1]],
+        place: add(frame.origin, frame.vector(local)),
+        side: if matches!(feature, Feature::Face) { sign } else { 0.0 },
+        corner: matches!(feature, Feature::Corner),
+    })
+}

@@ -1,0 +1,106 @@
+//! The outline of a beam: what of it touches, and what of it is touched.
+//!
+//! Faces lie half a depth from the axis and end where the beam ends, with a straight edge across or a half circle from face to face.
+
+use super::builder::{ModelBuilder, point_at};
+use super::definition::Ends;
+use super::frozen::Model;
+use super::pairs::beam_centre;
+use crate::contact::axis::AxisEnd;
+use crate::contact::pair::{Centre, Hold, Target, carried};
+use crate::math::vec2::add;
+
+/// Radius of the corners of a flat end against beams, as a share of half the depth there. Two sharp corners that face each other, as
+/// those of bars that meet end on do, would not know on which side to pass; arcs of circles always have a normal.
+const CORNERS: f64 = 0.1;
+/// Places along a beam that differ by less than this share of its length are one.
+const SAME: f64 = 1e-9;
+
+/// The outline of a beam.
+pub(super) struct Outline<'a> {
+    model: &'a Model,
+    beam: usize,
+    ends: [AxisEnd; 2],
+}
+
+/// A circle that goes with a section: what of a beam touches something.
+pub(super) struct Source {
+    /// Its centre.
+    pub centre: Centre,
+    /// Its radius \[m\].
+    pub radius: f64,
+    /// Arc length along the beam \[m\].
+    pub s: f64,
+    /// Whether it belongs to an end of the beam.
+    pub at_end: bool,
+}
+
+impl<'a> Outline<'a> {
+    /// As obstacles and discs see it.
+    pub fn exact(builder: &ModelBuilder, model: &'a Model, beam: usize) -> Self {
+        Self::new(builder, model, beam, 0.0)
+    }
+
+    /// As beams see it: its corners are rounded off a little.
+    pub fn rounded(builder: &ModelBuilder, model: &'a Model, beam: usize) -> Self {
+        Self::new(builder, model, beam, CORNERS)
+    }
+
+    fn new(builder: &ModelBuilder, model: &'a Model, beam: usize, corners: f64) -> Self {
+        let axis = &model.beams[beam].axis;
+        let share = match builder.beams[beam].ends {
+            Ends::Flat => corners,
+            Ends::Round => 1.0,
+        };
+        let depths =
+            [axis.first().map(|e| e.half_depths[0]), axis.last().map(|e| e.half_depths[1])];
+        let ends = axis.ends(depths.map(|depth| share * depth.unwrap_or(0.0)));
+        Self { model, beam, ends }
+    }
+
+    /// What of it is touched.
+    pub fn target(&self, skip: [usize; 2]) -> Target {
+        Target::Axis { beam: self.beam, skip, ends: self.ends }
+    }
+
+    /// What of it touches: circles from face to face, evenly in each element, and at both ends smaller ones that stay within the outline,
+    /// the corners last.
+    pub fn sources(&self, points: usize) -> Vec<Source> {
+        let data = &self.model.beams[self.beam];
+        let [first, last] = &self.ends;
+        let slack = SAME * data.length;
+        let mut out = Vec::new();
+        self.add(first.s, [first.half_width, first.rounding], true, &mut out);
+        for element in data.axis.iter() {
+            for k in 0..points {
+                let share = k as f64 / points as f64;
+                let s = element.s + element.length * share;
+                let inner = s > first.s + slack && s < last.s - slack;
+                if !inner {
+                    continue;
+                }
+                let half_depth = element.half_depth(share);
+                let radius = half_depth.min(s).min(data.length - s);
+                self.add(s, [half_depth - radius, radius], false, &mut out);
+            }
+        }
+        self.add(last.s, [last.half_width, last.rounding], true, &mut out);
+        out
+    }
+
+    /// The circles at a section: two beside the axis, or one about it.
+    fn add(&self, s: f64, [across, radius]: [f64; 2], at_end: bool, out: &mut Vec<Source>) {
+        let on_axis = beam_centre(&point_at(self.model, self.beam, s));
+        let sides: &[f64] = if across > 0.0 { &[1.0, -1.0] } else { &[0.0] };
+        for side in sides {
+            let mut centre = on_axis;
+            if let Hold::Beam { tangent, offset, .. } = &mut centre.hold
+                && *side != 0.0
+            {
+                *offset = [0.0, side * across];
+                centre.position = add(centre.position, carried(*tangent, *offset));
+            }
+            out.push(Source { centre, radius, s, at_end });
+        }
+    }
+}
