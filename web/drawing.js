@@ -358,7 +358,7 @@ class Drawing {
       pen.path([[a, y], [a + width / 32 + 0.5, y], [a + width / 32 + 0.5, y + 8], [a, y + 8]], { fill: mapColour(k / 31), closed: true });
     }
     pen.text([x, y + 18], "0", { fill: palette.soft, size: 11 });
-    const name = by === "stress" ? "largest fibre stress" : `|${by}|`;
+    const name = by === "stress" ? "largest stress" : `|${by}|`;
     pen.text([x + width, y + 18], `${name} ${engineering(this.colourTop(by), unit)}`, { fill: palette.soft, size: 11, align: "right" });
   }
 }

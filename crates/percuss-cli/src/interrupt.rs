@@ -1,7 +1,7 @@
 //! Ctrl-C: the first ends the run after its step, the second ends the program.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -14,8 +14,8 @@ const TRIES: usize = 200;
 
 /// Set by the first signal.
 static REQUESTED: AtomicBool = AtomicBool::new(false);
-/// Directory to remove if the program ends at once; locked while results are put in place.
-static STAGING: Mutex<Option<PathBuf>> = Mutex::new(None);
+/// Directory to remove if the program ends at once, and the file that keeps others out; locked while results are put in place.
+static STAGING: Mutex<Option<[PathBuf; 2]>> = Mutex::new(None);
 
 /// Takes over Ctrl-C and the signal that asks to terminate, which batch systems send when time is up.
 /// A hang-up is left alone, so that `nohup` works.
@@ -53,9 +53,9 @@ pub fn requested() -> bool {
     REQUESTED.load(Ordering::Relaxed)
 }
 
-/// The directory to remove on a second Ctrl-C.
-pub fn protect(staging: &Path) {
-    *lock() = Some(staging.to_owned());
+/// What is to be removed on a second Ctrl-C.
+pub fn protect(directory: &RunDirectory) {
+    *lock() = Some([directory.path().to_owned(), directory.lock_file().to_owned()]);
 }
 
 /// Puts the results in place; no signal comes in between. Returns where they are.
@@ -70,7 +70,7 @@ pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percus
 
 fn abort() -> ! {
     let mut staging = lock();
-    if let Some(directory) = staging.take() {
+    if let Some([directory, lock_file]) = staging.take() {
         // The run may be writing into it still; what it adds while one try is at work goes with the next.
         for _ in 0..TRIES {
             if fs::remove_dir_all(&directory).is_ok() || !directory.exists() {
@@ -78,10 +78,11 @@ fn abort() -> ! {
             }
             std::thread::sleep(std::time::Duration::from_millis(1));
         }
+        let _ = fs::remove_file(lock_file);
     }
     std::process::exit(i32::from(Status::Interrupted.code()))
 }
 
-fn lock() -> MutexGuard<'static, Option<PathBuf>> {
+fn lock() -> MutexGuard<'static, Option<[PathBuf; 2]>> {
     STAGING.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -28,8 +28,11 @@ fn endless(desk: &Desk) -> Child {
 /// Starts a run to `out` and waits until its history has begun.
 fn begun(desk: &Desk, command: &mut Command) -> Child {
     let child = command.spawn().expect("the command starts");
-    let staging = format!(".out.partial-{}", child.id());
-    wait_for("a history", || desk.path(&staging).join(".history.parquet.partial").exists());
+    let is_staging = |name: &String| name.starts_with(".out.percuss-staged-");
+    wait_for("a history", || {
+        let staging = desk.names().into_iter().find(is_staging);
+        staging.is_some_and(|dir| desk.path(&dir).join(".history.parquet.partial").exists())
+    });
     child
 }
 
@@ -90,5 +93,5 @@ fn a_second_signal_ends_at_once_and_leaves_no_half_result() {
         percuss_output::read_history(desk.path("out")).expect("a history");
     }
     let names = desk.names();
-    assert!(names.iter().all(|name| !name.contains("partial")), "left behind: {names:?}");
+    assert!(names.iter().all(|name| !name.contains("percuss")), "left behind: {names:?}");
 }

@@ -118,7 +118,7 @@ fn what_is_wrong_is_told_and_nothing_written() {
     desk.percuss(&["modes", "arm.toml", "--about", "nothing"]).ends_with(2).tells("reference");
     desk.percuss(&["modes", "none.toml"]).ends_with(2).tells("none.toml");
     desk.put("notes.txt", "mine");
-    desk.percuss(&["modes", "arm.toml", "--out", "."]).ends_with(2).tells("modes.json");
+    desk.percuss(&["modes", "arm.toml", "--out", "."]).ends_with(2).tells(".percuss.json");
     desk.percuss(&["modes", "arm.toml", "--out", "notes.txt"])
         .ends_with(2)
         .tells("not a directory");

@@ -103,7 +103,14 @@ fn the_coefficients_compared_are_those_asked_for() {
     desk.percuss(&["run", "rigid.toml", "--no-report", "-q"]).ends_with(0);
     assert_eq!(
         names(&desk.path("runs/rigid")),
-        ["envelopes.csv", "history.parquet", "impacts.csv", "scenario.toml", "summary.json"]
+        [
+            "envelopes.csv",
+            "fields",
+            "history.parquet",
+            "impacts.csv",
+            "scenario.toml",
+            "summary.json"
+        ]
     );
 }
 
@@ -208,7 +215,7 @@ fn a_directory_that_is_no_run_is_refused() {
     std::fs::create_dir(desk.path("thesis")).expect("a directory");
     desk.put("thesis/chapter.txt", "years of work");
     let run = desk.percuss(&["run", "elastic.toml", "--out", "thesis"]);
-    run.ends_with(2).tells("thesis").tells("does not look like a run");
+    run.ends_with(2).tells("thesis").tells("does not hold a run");
     assert_eq!(names(&desk.path("thesis")), ["chapter.txt"]);
     assert_eq!(desk.names(), ["elastic.toml", "rigid.toml", "thesis"]);
     desk.percuss(&["run", "elastic.toml", "--out", "rigid.toml"]).ends_with(2).tells("rigid.toml");
@@ -221,7 +228,14 @@ fn a_run_replaces_the_one_before() {
     desk.percuss(&["run", "rigid.toml", "--out", "out", "--no-report", "-q"]).ends_with(0);
     assert_eq!(
         names(&desk.path("out")),
-        ["envelopes.csv", "history.parquet", "impacts.csv", "scenario.toml", "summary.json"]
+        [
+            "envelopes.csv",
+            "fields",
+            "history.parquet",
+            "impacts.csv",
+            "scenario.toml",
+            "summary.json"
+        ]
     );
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     // A faulty scenario leaves it alone.
@@ -314,4 +328,33 @@ fn a_report_made_again_has_the_envelopes() {
     std::fs::remove_file(desk.path("out/report.html")).expect("a page");
     desk.percuss(&["report", "out"]).ends_with(0);
     assert!(page() == first);
+}
+
+#[test]
+fn a_scenario_in_the_directory_of_results_is_never_replaced() {
+    let desk = Desk::new();
+    desk.percuss(&["run", "rigid.toml", "--out", "out", "-q"]).ends_with(0);
+    let echo = std::fs::read_to_string(desk.path("out/scenario.toml")).expect("a scenario");
+    let again = ["run", "out/scenario.toml", "--out", "out"];
+    desk.percuss(&again).ends_with(2).tells("the scenario lies in it");
+    // A comment of the user's makes it his own, whatever is run.
+    desk.put("out/scenario.toml", format!("# mine\n{echo}"));
+    desk.percuss(&["run", "rigid.toml", "--out", "out"]).ends_with(2).tells("was changed since");
+    let kept = std::fs::read_to_string(desk.path("out/scenario.toml")).expect("a scenario");
+    assert!(kept.starts_with("# mine"));
+}
+
+#[test]
+fn a_run_that_gives_up_leaves_the_complete_one_before_it() {
+    let desk = Desk::new();
+    desk.percuss(&["run", "rigid.toml", "--out", "out", "-q", "--no-report"]).ends_with(0);
+    let hopeless = ["run", "elastic.toml", "--out", "out", "--no-report", "--set"];
+    let hopeless = [&hopeless[..], &["projectile.mass.velocity=[0, 1e9]"]].concat();
+    let run = desk.percuss(&hopeless);
+    if run.status == Some(0) {
+        panic!("the solver was meant to give up");
+    }
+    run.ends_with(3).tells("out.incomplete").tells("keeps the complete ones");
+    assert_eq!(desk.summary("out")["status"], "completed");
+    assert_eq!(desk.summary("out.incomplete")["status"], "failed");
 }

@@ -197,7 +197,7 @@ fn a_path_overwrites_no_run() {
         .ends_with(0);
     desk.percuss(&["static", "arch.toml", "--path", "--out", "out"])
         .ends_with(2)
-        .tells("path.json");
+        .tells("holds other results (run)");
 }
 
 #[test]

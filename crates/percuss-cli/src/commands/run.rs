@@ -42,7 +42,7 @@ pub fn run(arguments: &Run) -> Result<Status, Failure> {
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
     refuse_own_input(&arguments.file, &out)?;
     let directory = RunDirectory::create(&out)?;
-    interrupt::protect(directory.path());
+    interrupt::protect(&directory);
     let ended = simulate(&ready, arguments, directory.path())?;
     let report = match arguments.no_report {
         true => Ok(()),

@@ -108,13 +108,13 @@ impl Outcome {
     }
 }
 
-/// Names in a directory, sorted.
+/// Names in a directory, sorted; the list of what belongs to the results is left out.
 pub fn names(directory: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(directory).expect("a directory");
     let name = |entry: std::io::Result<std::fs::DirEntry>| {
         entry.expect("an entry").file_name().to_string_lossy().into_owned()
     };
-    let mut names: Vec<String> = entries.map(name).collect();
+    let mut names: Vec<String> = entries.map(name).filter(|n| n != ".percuss.json").collect();
     names.sort();
     names
 }

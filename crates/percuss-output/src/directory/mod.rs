@@ -66,7 +66,7 @@ pub struct RunDirectory {
     target: PathBuf,
     staging: Staging,
     results: Results,
-    _lock: Lock,
+    lock: Lock,
 }
 
 impl RunDirectory {
@@ -93,12 +93,17 @@ impl RunDirectory {
         exchange::recover(&target)?;
         refuse_what_is_not_ours(results, given, &target)?;
         let staging = Staging::new(&target)?;
-        Ok(Self { given: given.to_owned(), target, staging, results, _lock: lock })
+        Ok(Self { given: given.to_owned(), target, staging, results, lock })
     }
 
     /// Where to write until the commit.
     pub fn path(&self) -> &Path {
         self.staging.path()
+    }
+
+    /// The file that keeps other processes out, removed in the end.
+    pub fn lock_file(&self) -> &Path {
+        self.lock.path()
     }
 
     /// Where everything will be after the commit, unless it is partial and would replace what is complete.
