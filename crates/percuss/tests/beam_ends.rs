@@ -262,8 +262,8 @@ fn what_ends_in_points_on_either_side_is_refused_with_the_cure() {
         let shape = ObstacleShape::Segment { ends: [[-2.0, 0.0], [-1.0, 0.0]], thickness };
         Party::Obstacle(b.obstacle(Obstacle { name: "screen".into(), shape, motion: None }))
     };
-    type Two = [Party; 2];
-    let cases: [(&str, &dyn Fn(&mut ModelBuilder, f64) -> Two); 4] = [
+    type Scene<'a> = &'a dyn Fn(&mut ModelBuilder, f64) -> [Party; 2];
+    let cases: [(&str, Scene); 4] = [
         ("a disc of radius 0 and a beam whose end", &|b, extent| {
             [point(b, "ball", 2.0, extent), line(b, None)]
         }),
