@@ -8,6 +8,7 @@ mod check;
 mod conservation;
 mod cradle;
 mod elastic;
+mod ends;
 mod motion;
 mod rigid;
 mod section_forces;
@@ -311,5 +312,11 @@ pub const CASES: &[Case] = &[
         title: "A disc slides along a free beam over element borders, step 1e-3 s",
         source: "conservation laws",
         run: surface::oblique_throw,
+    },
+    Case {
+        id: "beam-ends",
+        title: "A stiff bar falls on its corner; a disc slides over the end of a beam",
+        source: "rigid bodies in closed form",
+        run: ends::beam_ends,
     },
 ];

@@ -73,4 +73,5 @@ cases! {
     sphere_on_beam = "sphere-on-beam",
     infinite_beam = "infinite-beam",
     oblique_throw = "oblique-throw",
+    beam_ends = "beam-ends",
 }

@@ -5,7 +5,7 @@ use percuss_scenario::{Content, Diagnostics, read};
 
 /// Twelve lines: a beam of 3 m.
 pub const BEAM: &str = "[material.m]\nyoung = 1e9\ndensity = 1e3\n\
-                        [section.s]\narea = 1\ninertia = 1\n\
+                        [section.s]\nshape = \"circle\"\ndiameter = 0.01\n\
                         [beam.b]\npoints = [[0, 0], [3, 0]]\nelements = 6\nmaterial = \"m\"\n\
                         section = \"s\"\n\n";
 /// What stands below.

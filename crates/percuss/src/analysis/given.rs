@@ -84,10 +84,14 @@ impl RowReactions {
         }
     }
 
-    /// Means and impulses since the last row; means of the row before if nothing but impacts lies between. What they make together
-    /// over the time since then is all that the supports gave.
-    pub fn close(&mut self, state: &State) {
-        if self.time > 0.0 {
+    /// Means and impulses since the last row; means of the row before if nothing but impacts lies between, and parts of a step of no more
+    /// than `brief` altogether, between which a mean force is an impulse in disguise. What they make together over the time since then
+    /// is all that the supports gave.
+    pub fn close(&mut self, state: &State, brief: f64) {
+        if self.time <= brief {
+            self.impulsive |= self.time > 0.0;
+            self.sum.fill([0.0; 3]);
+        } else {
             for (mean, sum) in self.mean.iter_mut().zip(&mut self.sum) {
                 *mean = sum.map(|impulse| impulse / self.time);
                 *sum = [0.0; 3];

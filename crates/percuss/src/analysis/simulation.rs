@@ -21,7 +21,7 @@ use crate::model::{Fault, Model};
 use crate::record::{Channel, Flow, Recorder};
 use crate::settings::{SAME_INSTANT, Settings, Start};
 use crate::state::State;
-use crate::step::contacts::ActiveContact;
+use crate::step::contacts::{ActiveContact, BRIEF};
 use crate::step::forcing::Forcing;
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::{Effort, Failure};
@@ -313,7 +313,7 @@ impl<'m> Simulation<'m> {
         recorder.state(&self.state);
         self.show(recorder);
         if recorder.wants_rows() {
-            self.row_reactions.close(&self.state);
+            self.row_reactions.close(&self.state, BRIEF * self.settings.step);
             let since = SinceLast {
                 impulse: &self.row_impulse,
                 search: &self.search,
