@@ -289,6 +289,12 @@ fn what_ends_in_points_on_either_side_is_refused_with_the_cure() {
         assert!(text.contains(words) && text.contains("end on"), "{text}");
         assert!(built(0.05).is_ok(), "{words}");
     }
+    // From the side a point meets a line.
+    let mut b = ModelBuilder::new();
+    let line = line(&mut b, None);
+    let ball = b.disc(disc("ball", 1.0, 0.0, [0.5, 1.0], [0.0, -1.0]));
+    b.contact(Contact::new("blow", [Party::Disc(ball), line], law()));
+    assert!(b.build().is_ok());
 }
 
 #[test]

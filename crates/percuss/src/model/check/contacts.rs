@@ -6,7 +6,7 @@ use super::super::fault::Fault;
 use super::actions::check_function;
 use super::beams::check_point;
 use super::{Faults, quantity};
-use crate::math::vec2::norm;
+use crate::math::vec2::{cross, dot, norm, scale, sub};
 use crate::model::TimeFunction;
 
 pub(super) fn check_disc(disc: &Disc, out: &mut Faults) {
@@ -106,9 +106,13 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
     }
 }
 
-/// Two things that end in points would pass through each other end on: no path but one leads from one point to another.
+/// Two things that end in points pass through each other end on: no path but one leads from one point to another. Two points, and
+/// two beams, are refused in any case; where one has a side that can be met, only if the other stands right before its end.
 fn check_thickness(model: &ModelBuilder, between: [Party; 2], path: String, out: &mut Faults) {
     let [Some(one), Some(other)] = between.map(|party| bare(model, party)) else { return };
+    if !meets_end_on(model, between) {
+        return;
+    }
     let (both, cure) = if between[0] == between[1] {
         (format!("{} and itself", one.0), one.2.to_owned())
     } else if one == other {
@@ -117,6 +121,50 @@ fn check_thickness(model: &ModelBuilder, between: [Party; 2], path: String, out:
         (format!("{} and {}", one.0, other.0), format!("{}, or {}", one.2, other.2))
     };
     out.add(path, format!("{both}: end on they would pass through each other"), &cure);
+}
+
+/// Whether two bare things can meet in no other way, or will as they are placed.
+fn meets_end_on(model: &ModelBuilder, between: [Party; 2]) -> bool {
+    match between {
+        [Party::Disc(disc), other] | [other, Party::Disc(disc)] => match other {
+            Party::Disc(_) => true,
+            Party::Beam(_) | Party::Obstacle(_) => {
+                let at = model.discs.get(disc.0 as usize).map_or([f64::NAN; 2], |d| d.position);
+                ends_of(model, other).iter().any(|end| is_right_before(at, end))
+            }
+        },
+        [Party::Beam(_), Party::Beam(_)] => true,
+        [one, other] => {
+            let (one, other) = (ends_of(model, one), ends_of(model, other));
+            one.iter().any(|a| other.iter().any(|b| is_right_before(a[0], b)))
+        }
+    }
+}
+
+/// Ends of a beam or a wall: place, and direction out of it.
+fn ends_of(model: &ModelBuilder, party: Party) -> Vec<[[f64; 2]; 2]> {
+    match party {
+        Party::Beam(id) => {
+            let Some(beam) = model.beams.get(id.0 as usize) else { return Vec::new() };
+            let end = |fraction: f64| beam.line_point(Along::Fraction(fraction));
+            let (start, last) = (end(0.0), end(1.0));
+            let start = start.map(|p| [p.position, scale(-1.0, p.tangent)]);
+            start.into_iter().chain(last.map(|p| [p.position, p.tangent])).collect()
+        }
+        Party::Obstacle(id) => match model.obstacles.get(id.0 as usize).map(|o| &o.shape) {
+            Some(ObstacleShape::Segment { ends: [a, b], .. }) => {
+                vec![[*a, sub(*a, *b)], [*b, sub(*b, *a)]]
+            }
+            _ => Vec::new(),
+        },
+        Party::Disc(_) => Vec::new(),
+    }
+}
+
+/// Whether a place lies on the line that goes on straight from an end.
+fn is_right_before(at: [f64; 2], [end, out]: &[[f64; 2]; 2]) -> bool {
+    let away = sub(at, *end);
+    dot(away, *out) > 0.0 && cross(*out, away).abs() <= 1e-9 * norm(*out) * norm(away)
 }
 
 /// One and several of what ends in a point, in words, and what would give it an extent there; `None` for all else.
