@@ -40,6 +40,14 @@ def test_usual_results_are_differentiated_unless_named(elastic):
     assert np.isfinite(found.derivatives).all()
 
 
+def test_results_without_derivatives_are_named(elastic):
+    found = percuss.sensitivity(elastic, ["projectile.mass.mass"], ["steps", "contact.mass.peak_force.time"])
+    assert found.without == {("steps", "projectile.mass.mass"): "it is a count"}
+    assert np.isnan(found["steps", "projectile.mass.mass"])
+    assert found["contact.mass.peak_force.time", "projectile.mass.mass"] > 0
+    assert found.horizon is None
+
+
 def test_paths_that_lead_nowhere_are_told(elastic):
     with pytest.raises(percuss.ScenarioError, match="stiffness"):
         percuss.sensitivity(elastic, ["projectile.mass.stifness"])

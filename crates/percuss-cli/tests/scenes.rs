@@ -136,3 +136,26 @@ fn derivatives_that_are_refused_are_wrong_input() {
     let told = desk.percuss(&[&arguments[..], &["contact.mass.peak_force.value"]].concat());
     assert_eq!((told.status, told.stdout.contains("+-")), (Some(0), true), "{}", told.stdout);
 }
+
+/// A result without a derivative is named with the reason, in a table and in JSON; where none has one there is nothing to tell.
+#[test]
+fn results_without_derivatives_are_named() {
+    let desk = Desk::new();
+    let arguments =
+        ["sensitivity", "elastic.toml", "--parameter", "projectile.mass.mass", "--result", "steps"];
+    let alone = desk.percuss(&arguments);
+    assert_eq!(alone.status, Some(2), "{}", alone.stdout);
+    assert!(alone.stderr.contains("it is a count"), "{}", alone.stderr);
+    let both = [&arguments[..], &["--result", "contact.mass.peak_force.time"]].concat();
+    let told = desk.percuss(&both);
+    assert!(told.stdout.contains("none: it is a count"), "{}", told.stdout);
+    let json = desk.percuss(&[&both[..], &["--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON alone");
+    assert!(json["derivatives"][0][0].is_null() && json["horizon"].is_null(), "{json}");
+    assert!(json["derivatives"][1][0].as_f64().is_some_and(|x| x > 0.0), "{json}");
+    assert_eq!(json["without"][0]["why"], "it is a count");
+    let step = ["sensitivity", "elastic.toml", "--parameter", "time.step"];
+    let refused = desk.percuss(&step);
+    assert_eq!(refused.status, Some(2), "{}", refused.stdout);
+    assert!(refused.stderr.contains("is an error"), "{}", refused.stderr);
+}

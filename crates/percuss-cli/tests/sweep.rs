@@ -59,6 +59,23 @@ fn a_study_killed_three_times_ends_in_the_same_bytes() {
     assert!(desk.path("killed/report.html").exists());
 }
 
+/// Why a result has no Sobol indices is told, and how many runs have a value: what never touched has no force.
+#[test]
+fn a_result_without_indices_says_why() {
+    let desk = Desk::new();
+    let study = STUDY
+        .replace("runs = 96", "runs = 2\nsobol_indices = true")
+        .replace("[results]", "[results]\nnever = \"contact.mass.intervals[7].impulse\"");
+    desk.put("study.toml", study);
+    let told = desk.percuss(&["sweep", "study.toml", "--out", "out", "--json"]);
+    assert_eq!(told.status, Some(0), "{}", told.stderr);
+    let json: serde_json::Value = serde_json::from_str(&told.stdout).expect("JSON alone");
+    assert!(json["sobol_indices"]["never"].is_null(), "{json}");
+    assert_eq!(json["sobol_indices_why"]["never"], "no run has a value");
+    assert!(json["sobol_indices_why"]["peak_force"].is_null(), "{json}");
+    assert_eq!(json["results"]["peak_force"]["values"], 8);
+}
+
 #[test]
 fn parts_of_a_study_make_the_whole() {
     let desk = desk();

@@ -22,13 +22,15 @@ const MARGIN: f64 = 3.0;
 const NEAR: f64 = 0.01;
 
 /// What results are differentiated where none are named: how their paths end.
-const USUAL: [&str; 7] = [
+const USUAL: [&str; 8] = [
     ".displacement_max.component_1.value",
     ".displacement_max.component_2.value",
     ".velocity_final[0]",
     ".velocity_final[1]",
     ".peak_force.value",
     ".impulse_total",
+    // Known wherever derivatives reach.
+    ".impacts[0].impulse",
     ".intervals[0].impulse",
 ];
 

@@ -150,6 +150,10 @@ fn derivatives_reach_to_where_a_contact_stays_closed() {
     );
     assert!(found.derivatives[1][0].is_nan());
     assert!(found.without.len() == 1 && found.without[0].result == last, "{:?}", found.without);
+    // Without results named, too, there is something to tell.
+    let usual = sensitivity(&plastic, &["projectile.hammer.mass".into()], &[]).unwrap();
+    let known = usual.results.iter().zip(&usual.derivatives).find(|(one, _)| one.path == first);
+    assert_eq!(known.unwrap().1, &found.derivatives[0]);
     // A plastic impact on the effective mass m of the middle: m M / (m + M) (v of approach).
     let at = |mass: f64| {
         let set = format!("projectile.hammer.mass={mass}");

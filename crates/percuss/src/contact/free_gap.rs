@@ -28,7 +28,8 @@ impl<S: Number> FreeGap<S> {
         let found = rate.less(zero) & time.at_most(h);
         let straight = -(self.gap / self.rate);
         let in_time = self.rate.less(zero) & straight.at_most(h);
-        let straight = S::choose(in_time, straight, h);
+        // What does not close by itself does so within the step for other reasons: when, and what moves it, is not known.
+        let straight = S::choose(in_time, straight, h.underived());
         [S::choose(found, time, straight), S::choose(found, rate, self.rate)]
     }
 }
