@@ -33,6 +33,19 @@ pub(super) fn effective_mass(
     EffectiveMass::of_pair(model, mass, &u, pair, &touch)
 }
 
+/// How fast motions of the beams' nodes close the gap of a contact where it is likely to close first, one entry a motion.
+pub(super) fn closing(model: &Model, contact: usize, motions: &[&[[f64; 4]]]) -> Option<Vec<f64>> {
+    let data = &model.contacts[contact];
+    let (pair, touch, u) = first_touch(model, &model.pairs[data.pairs.clone()])?;
+    let row = pair.normal_row(&touch, &Configuration::of(&u));
+    let mut all = vec![[0.0; 4]; model.node_count()];
+    let each = motions.iter().map(|motion| {
+        all[..motion.len()].copy_from_slice(motion);
+        -row.on(&all)
+    });
+    Some(each.collect())
+}
+
 /// The pair that closes first in the motion that all things start with; where nothing approaches, the nearest one. With the
 /// displacements in which it does.
 fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<(&'a Pair, Touch, Vec<[f64; 4]>)> {

@@ -56,7 +56,7 @@ fn freeze(b: &ModelBuilder) -> Model {
 fn compared(b: &ModelBuilder, settings: &Settings) -> Vec<Comparison> {
     let model = freeze(b);
     let summary = simulate(&model, settings, &mut NoRecorder);
-    compare(&model, &summary.unwrap_or_else(|faults| panic!("{faults:?}")))
+    compare(&model, settings, &summary.unwrap_or_else(|faults| panic!("{faults:?}")))
 }
 
 #[track_caller]
