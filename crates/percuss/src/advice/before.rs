@@ -13,6 +13,7 @@ use crate::math::vec2::dot;
 use crate::model::frozen::ConnectorLaw;
 use crate::model::{HertzBody, Model, Potential, TouchLaw};
 use crate::settings::Settings;
+use crate::summary::ContactInterval;
 
 /// Steps of a contact (or a period) that resolve it, and that hardly show it.
 const STEPS: [f64; 2] = [20.0, 8.0];
@@ -21,6 +22,8 @@ const ROWS: [f64; 2] = [10.0, 4.0];
 /// Elements of the shortest wave of weight with which the force is within a per cent, and below which it is off by up to 40 %: thirty
 /// scenes against meshes of 160 elements (docs/results.md).
 const ELEMENTS: [f64; 2] = [2.0, 1.0];
+/// Steps of a contact below which its beginning and end are half of what is known of it.
+const RESOLVED: f64 = ContactInterval::RESOLVED as f64;
 /// Errors of a force that are fine, and that are worth a warning.
 const OFF: [f64; 2] = [0.01, 0.05];
 /// A beam with this share of its direction along a wall's normal meets it end on.
@@ -45,11 +48,12 @@ pub fn findings(
 ) -> Vec<Advice> {
     let desk = Desk { model, settings, case };
     let lasting = modes.lasting(case);
+    let held = mass.is_some_and(|mass| mass.on_mesh.is_infinite())
+        || lasting.as_ref().is_some_and(Lasting::is_held);
     let found = match &case.meeting {
         // What gives way to no blow has no waves either.
-        Meeting::Struck(struck) if mass.is_some_and(|m| m.on_mesh.is_infinite()) => {
-            desk.held(struck, mass)
-        }
+        Meeting::Struck(struck) if held => desk.held(struck, mass),
+        Meeting::Beams(_) if held => vec![mass.and_then(|mass| desk.effective_mass(mass))],
         Meeting::Struck(struck) => desk.struck(struck, mass, lasting.as_ref()),
         Meeting::Bodies(_) => vec![lasting.map(|lasting| desk.duration(&lasting))],
         Meeting::Beams(beams) => desk.beams(beams, mass, lasting.as_ref()),
@@ -184,6 +188,7 @@ impl Desk<'_> {
         let off = lasting.off(step);
         let verdict = match off {
             _ if steps < 2.0 => Verdict::Warning,
+            Some(off) if off < OFF[0] && steps < RESOLVED => Verdict::Note,
             Some(off) => graded(-off, OFF.map(|x| -x)),
             None => graded(steps, STEPS),
         };
@@ -199,6 +204,10 @@ impl Desk<'_> {
             }
             let better = quantity(better, "s");
             text += &match off.filter(|_| steps >= 2.0) {
+                Some(off) if off < OFF[0] => format!(
+                    ": its peak force is within a per cent, its duration and velocities are hardly resolved; set time.step to \
+                     {better}"
+                ),
                 Some(off) => format!(
                     ": expect its peak force to be off by some {} %; set time.step to {better}",
                     digits((100.0 * off).round().max(1.0))

@@ -19,6 +19,8 @@ const STEPS: f64 = 60.0;
 const MOST: usize = 60_000;
 /// Instants within a step at which a contact may begin, as shares of it.
 const EARLY: [f64; 4] = [0.0, 0.27, 0.53, 0.81];
+/// A point that gives way to a unit impulse by less than this share of what the striker does is held.
+const HELD: f64 = 1e-12;
 /// Modes whose frequencies agree to this share are one motion.
 const TOGETHER: f64 = 1e-6;
 
@@ -164,6 +166,12 @@ impl Lasting {
         let over = |p0: f64, p1: f64, h: f64| self.law.step_force(p0, p1, h).force;
         let force = |p: f64, rate: f64| force(&self.law, p, rate);
         target.blow(&self.striker, [step, early * step], MOST, over, force)
+    }
+
+    /// Whether the struck point moves in no mode.
+    pub fn is_held(&self) -> bool {
+        let moves = |[_, shape]: &[f64; 2]| shape * shape * self.striker.mass > HELD;
+        self.from == From::Modes && !self.target.modes.iter().any(moves)
     }
 
     /// Share by which shear deformation of a section, with its shear stiffness \[N\], would change the largest force.

@@ -239,7 +239,8 @@ mod tests {
         let blow = on(&target, &striker, 2e-6);
         near(blow.duration, expected.map_or(f64::NAN, |b| b.duration), 1e-3);
         near(blow.peak_force, expected.map_or(f64::NAN, |b| b.peak_force), 1e-3);
-        near(blow.deflection, expected.map_or(f64::NAN, |b| b.deflection), 1e-3);
+        // Still growing at release, and looked at there at four hundred instants of half a period.
+        near(blow.deflection, expected.map_or(f64::NAN, |b| b.deflection), 5e-3);
     }
 
     /// A mass behind a very stiff spring is one with the front, behind a very soft one it takes no part.
