@@ -81,7 +81,7 @@ fn contacts_last_as_long_as_the_modes_say() {
     let stop = b.obstacle(Obstacle { name: "stop".into(), shape, motion: None });
     let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
     b.contact(Contact::new("stop", [Party::Beam(tube), Party::Obstacle(stop)], law));
-    let force = [[0.0, -200.0]; 2];
+    let force = [[0.0, -1000.0]; 2];
     let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
     let kind = LoadKind::Distributed { beam: tube, stretch, force, follower: false };
     b.load(Load { until: 2e-3, ..Load::new("push", kind) });
@@ -105,7 +105,11 @@ fn shear_is_told_where_it_matters() {
     let very = of(0.2, 0.266, 3e9);
     assert_eq!(verdict(&very, Topic::Shear), Some(Verdict::Warning), "{very:#?}");
     assert_eq!(verdict(&of(0.02, 3.0, 1e5), Topic::Shear), Some(Verdict::Fine));
-    assert_eq!(verdict(&of(0.2, 0.8, 1e4), Topic::Shear), Some(Verdict::Fine));
+    // The force of a soft contact is right, the way of the span under it is not.
+    let soft = of(0.2, 0.8, 1e4);
+    assert_eq!(verdict(&soft, Topic::Shear), Some(Verdict::Note));
+    let text = soft.iter().find(|a| a.topic == Topic::Shear).map(|a| &a.text);
+    assert!(text.is_some_and(|t| t.contains("19.5 % more")), "{text:?}");
 }
 
 /// A strut under 0.5 and 2.8 times its Euler load at the start.
@@ -184,24 +188,24 @@ fn rows_too_far_apart_for_a_contact_are_told() {
 /// After the run: a contact still closed, one that never closed, reactions of rigid impacts.
 #[test]
 fn what_a_run_leaves_open_is_told_after_it() {
-    let of = |kind: ProjectileKind, standoff: f64| {
+    let of = |kind: ProjectileKind, mass: f64, standoff: f64| {
         let mut b = ModelBuilder::new();
         let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
         hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
-        let one = Projectile::new("mass", kind, 20.0, [0.0, -0.5], at("mid", beam, 0.5));
+        let one = Projectile::new("mass", kind, mass, [0.0, -0.5], at("mid", beam, 0.5));
         b.projectile(Projectile { standoff, ..one });
         let (model, settings) = (freeze(&b), Settings::new(5e-3, 2e-5));
         review(&model, &settings, &run(&model, &settings))
     };
-    let soft = of(ProjectileKind::spring(1e4), 0.0);
+    let soft = of(ProjectileKind::spring(1e4), 20.0, 0.0);
     assert!(
         soft.iter().any(|a| a.topic == Topic::Ending && a.text.contains("still closed")),
         "{soft:#?}"
     );
-    let late = of(ProjectileKind::spring(1e4), 1.0);
+    let late = of(ProjectileKind::spring(1e4), 20.0, 1.0);
     assert!(late.iter().any(|a| a.text.contains("nothing touched")), "{late:#?}");
-    assert!(of(ProjectileKind::spring(5e7), 0.0).is_empty());
-    let rigid = of(ProjectileKind::Rigid { restitution: 0.5 }, 0.0);
+    assert!(of(ProjectileKind::spring(5e7), 0.5, 0.0).is_empty());
+    let rigid = of(ProjectileKind::Rigid { restitution: 0.5 }, 20.0, 0.0);
     assert!(rigid.iter().any(|a| a.topic == Topic::Reactions), "{rigid:#?}");
 }
 

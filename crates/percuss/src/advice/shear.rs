@@ -5,10 +5,12 @@ use super::case::Struck;
 use super::duration::{From, Lasting};
 use super::formulas::shear_stiffness;
 use super::words::digits;
-use super::{Advice, Topic};
+use super::{Advice, Topic, Verdict};
 
 /// Shares that are fine, and that are worth a warning.
 const SHARES: [f64; 2] = [0.02, 0.1];
+/// A compliance by shear of this share of that by bending is no correction any more.
+const GOVERNS: f64 = 0.5;
 
 /// The estimate for a struck beam, of a full rectangle with Poisson's ratio 0.3: of a blow that no wave comes back to, the change of its
 /// force and rebound; else that of its force by the modes; under a rigid law the compliance of the span.
@@ -40,10 +42,27 @@ pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) 
     if !share.is_finite() {
         return None;
     }
+    // Deflections follow the compliance, whatever the force does.
+    let yields = struck.place.span().map_or(0.0, |span| span.shear_share(shear));
+    let and = match lasting {
+        Some(_) if yields >= SHARES[0] => {
+            format!(
+                ", and let the span give way {} % more to a force at rest",
+                digits(100.0 * yields)
+            )
+        }
+        _ => String::new(),
+    };
     let text = format!(
-        "shear deformation, left out, would {what} (of a full rectangle; of a tube some twice, of an I-section two to three times \
-         as much)"
+        "shear deformation, left out, would {what}{and} (of a full rectangle; of a tube some twice, of an I-section two to three \
+         times as much)"
     );
-    let verdict = graded(-share, SHARES.map(|x| -x));
+    let of_force = graded(-share, SHARES.map(|x| -x));
+    let of_way = match yields {
+        x if x < SHARES[0] => Verdict::Fine,
+        x if x < GOVERNS => Verdict::Note,
+        _ => Verdict::Warning,
+    };
+    let verdict = of_force.max(of_way);
     Some(desk.finding(Topic::Shear, [share, SHARES[0]], "1", verdict, text))
 }
