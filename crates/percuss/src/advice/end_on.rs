@@ -99,7 +99,7 @@ pub fn strut(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<Advice> {
 fn strut_under(desk: &Desk<'_>, place: &BeamPlace<'_>, force: f64) -> Option<Advice> {
     let (section, length) = (place.section(), place.beam.length);
     let euler = PI * PI * section.bending / (length * length);
-    if !(force > euler) {
+    if force.is_nan() || force <= euler {
         return None;
     }
     let text = format!(

@@ -10,6 +10,7 @@ mod duration;
 mod end_on;
 mod first_touch;
 pub mod formulas;
+mod resolution;
 mod review;
 mod shear;
 mod slips;
