@@ -65,7 +65,7 @@ fn table_tennis(out: &Path) -> Result<(), RecorderError> {
     let mut writer = HistoryWriter::new(dir.path(), HistoryFormat::Parquet, SCENARIO);
     let run = simulate(&model, &settings, &mut writer).map_err(|faults| format!("{faults:?}"))?;
     writer.finish()?;
-    let (advice, comparisons) = (advise(&model, &settings), compare(&model, &run));
+    let (advice, comparisons) = (advise(&model, &settings), compare(&model, &settings, &run));
     let info = RunInfo {
         title: "Two discs on a bar",
         settings: &settings,

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use percuss::{RunSummary, Simulation, Termination, advise, compare};
+use percuss::{RunSummary, Simulation, Termination, advise, compare, review};
 use percuss_output::{RunInfo, summary_value};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -85,11 +85,12 @@ struct Ended {
 
 fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorder<'_>) -> Ended {
     let compiled = &ready.compiled;
-    let advice = advise(&compiled.model, &compiled.settings);
+    let mut advice = advise(&compiled.model, &compiled.settings);
     let begun = Instant::now();
     let summary = simulation.run(recorder);
     let seconds = begun.elapsed().as_secs_f64();
-    let comparisons = compare(&compiled.model, &summary);
+    advice.extend(review(&compiled.model, &compiled.settings, &summary));
+    let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
         settings: &compiled.settings,

@@ -27,7 +27,7 @@ mod summary;
 /// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
-pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas};
+pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas, review};
 pub use analysis::{
     BucklingMode, BucklingOutcome, Detail, Equilibrium, LinearBuckling, Mode, ModeKind, Path,
     PathPoint, Simulation, StaticContact, buckling, equilibrium, equilibrium_in, equilibrium_path,

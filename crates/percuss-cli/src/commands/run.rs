@@ -8,7 +8,7 @@ mod recorder;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use percuss::{RunSummary, Simulation, Termination, advise, compare};
+use percuss::{RunSummary, Simulation, Termination, advise, compare, review};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
@@ -90,7 +90,7 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
 
     let simulation = Simulation::new(&compiled.model, &compiled.settings)
         .map_err(|faults| ready.refuse(faults, &arguments.set))?;
-    let advice = advise(&compiled.model, &compiled.settings);
+    let mut advice = advise(&compiled.model, &compiled.settings);
     if !arguments.quiet {
         advisor::tell(&advice);
     }
@@ -113,7 +113,12 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
         return Err(Failure::System(error.to_string()));
     }
     history.finish()?;
-    let comparisons = compare(&compiled.model, &summary);
+    let after = review(&compiled.model, &compiled.settings, &summary);
+    if !arguments.quiet {
+        advisor::tell(&after);
+    }
+    advice.extend(after);
+    let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
         settings: &compiled.settings,

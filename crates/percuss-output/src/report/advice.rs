@@ -8,7 +8,7 @@ use super::quantity::{number, quantity};
 /// Findings and formulas shown; all of them are in `summary.json`.
 const LISTED: usize = 60;
 
-/// What the advisor said before the run.
+/// What the advisor said before the run and after it.
 pub(super) fn findings(summary: &Value) -> String {
     let list = summary["advice"].as_array().map_or(&[][..], Vec::as_slice);
     if list.is_empty() {
@@ -31,7 +31,8 @@ pub(super) fn findings(summary: &Value) -> String {
     };
     let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(row).collect();
     let header = ["contact", "topic", "", "found", "against", "what it means"];
-    let caption = "Before the run, by hand calculation from the model alone";
+    let caption =
+        "By hand calculation from the model alone, and what the results must not be taken for";
     let mut out = "<h2>Advisor</h2>\n<div class=\"prose\">\n".to_owned();
     out += &table_of_cells(caption, &header, &rows);
     out += "</div>\n";

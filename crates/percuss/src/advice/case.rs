@@ -2,13 +2,14 @@
 
 use super::formulas::{
     Blow, InfiniteBeam, InfiniteBeamBlow, Span, TwoMassBlow, TwoMasses, WaveControlled, hertz_blow,
-    linear_blow, reduced_mass, table_blow,
+    linear_blow, pressed_blow, reduced_mass, shear_stiffness, table_blow,
 };
 use super::structure::{BeamPlace, first_hit, gravity, nearest};
+use super::surroundings::Surroundings;
 use crate::contact::pair::Target;
-use crate::math::vec2::{add, dot, norm, rot90, scale, sub};
+use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::frozen::{Body, BodyKind, ContactData};
-use crate::model::{Model, Potential, TouchLaw};
+use crate::model::{Model, Potential, SmoothLaw, TouchLaw};
 use crate::summary::ContactPlace;
 
 /// A contact.
@@ -47,10 +48,21 @@ pub struct Struck<'a> {
     pub direction: [f64; 2],
     /// Speed of approach in the motion both start with \[m/s\].
     pub speed: f64,
+    /// Relative speed along the beam in that motion, which a contact without friction leaves alone \[m/s\].
+    pub sideways: f64,
     /// Free way to the first touch \[m\]; none if it is not seen where they meet.
     pub gap: Option<f64>,
     /// The place struck.
     pub place: BeamPlace<'a>,
+}
+
+/// Shares by which something changes a blow.
+#[derive(Clone, Copy, Debug)]
+pub struct Change {
+    /// Of the largest force.
+    pub force: f64,
+    /// Of the velocity of rebound, where there is one.
+    pub rebound: Option<f64>,
 }
 
 /// A mass behind a projectile.
@@ -58,6 +70,7 @@ pub struct Struck<'a> {
 pub struct Rear {
     pub mass: f64,
     pub stiffness: f64,
+    pub damping: f64,
 }
 
 /// Two bodies, one of which may be an obstacle.
@@ -69,6 +82,9 @@ pub struct Bodies {
     pub speed: f64,
     /// Whether both touch at one place whatever happens: not so with a wall of finite length or a clearance.
     pub simple: bool,
+    /// Constant force that presses a disc on an obstacle at rest \[N\]; two discs fall together. None where its direction is
+    /// not known.
+    pub pressed: Option<f64>,
 }
 
 /// Points of a beam against something.
@@ -76,8 +92,6 @@ pub struct Bodies {
 pub struct Beams<'a> {
     /// The first beam, at its middle.
     pub place: BeamPlace<'a>,
-    /// Mass that goes with one point that can touch \[kg\].
-    pub point_mass: f64,
     /// Normal of the half-plane it meets, if it meets one.
     pub wall: Option<[f64; 2]>,
     /// Velocity of the beam's middle at the start \[m/s\].
@@ -99,8 +113,8 @@ fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
     let data = &model.projectiles[k];
     let body = &model.bodies[data.body];
     let rear = match model.bodies.get(data.body + 1).filter(|_| data.has_rear) {
-        Some(Body { mass, kind: BodyKind::Rear { stiffness, .. }, .. }) => {
-            Some(Rear { mass: *mass, stiffness: *stiffness })
+        Some(Body { mass, kind: BodyKind::Rear { stiffness, damping, .. }, .. }) => {
+            Some(Rear { mass: *mass, stiffness: *stiffness, damping: *damping })
         }
         _ => None,
     };
@@ -117,6 +131,7 @@ fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
         radius: None,
         direction: data.direction,
         speed: dot(relative, data.direction),
+        sideways: 0.0,
         gap,
         place,
     })
@@ -141,11 +156,11 @@ fn meeting<'a>(
     let body = |mover: usize| mover.checked_sub(beams).map(|k| (k, &model.bodies[k]));
     let [a, b] = first.movers;
     match (body(a), body(b)) {
-        (Some(one), Some(two)) => bodies(model, [one, two], &first.target),
+        (Some(one), Some(two)) => bodies(model, [one, two], &first.target, at),
         (Some((k, disc)), None) | (None, Some((k, disc))) if is_disc(disc) => {
             struck_by_disc(model, k, beam(a).or(beam(b))?, at)
         }
-        _ => points_of_beams(model, beam(a).or(beam(b))?, pairs.len(), &first.target),
+        _ => points_of_beams(model, beam(a).or(beam(b))?, &first.target),
     }
 }
 
@@ -153,7 +168,12 @@ fn is_disc(body: &Body) -> bool {
     matches!(body.kind, BodyKind::Disc { .. })
 }
 
-fn bodies<'a>(model: &Model, two: [(usize, &Body); 2], target: &Target) -> Option<Meeting<'a>> {
+fn bodies<'a>(
+    model: &Model,
+    two: [(usize, &Body); 2],
+    target: &Target,
+    at: Option<ContactPlace>,
+) -> Option<Meeting<'a>> {
     let masses = two.map(|(_, body)| if is_disc(body) { body.mass } else { f64::INFINITY });
     let moves = |(k, body): (usize, &Body)| {
         // An obstacle that is moved as prescribed is no rigid wall at rest.
@@ -165,7 +185,31 @@ fn bodies<'a>(model: &Model, two: [(usize, &Body); 2], target: &Target) -> Optio
     }
     let speed = norm(sub(two[0].1.velocity, two[1].1.velocity));
     let simple = matches!(target, Target::Line { .. } | Target::Round { .. });
-    Some(Meeting::Bodies(Bodies { mass: reduced_mass(masses), speed, simple }))
+    let mass = reduced_mass(masses);
+    let pressed = pressed(model, two, target, at).map(|pull| mass * pull);
+    Some(Meeting::Bodies(Bodies { mass, speed, simple, pressed }))
+}
+
+/// Acceleration of gravity that presses a disc on an obstacle \[m/s^2\]; none where the normal is not known.
+fn pressed(
+    model: &Model,
+    two: [(usize, &Body); 2],
+    target: &Target,
+    at: Option<ContactPlace>,
+) -> Option<f64> {
+    let pull = gravity(model).0;
+    if two.iter().all(|(_, body)| is_disc(body)) || norm(pull) == 0.0 {
+        return Some(0.0);
+    }
+    if let Target::Line { normal, .. } = target {
+        return Some(-dot(pull, *normal));
+    }
+    // From the disc to where it touches; it has flown there in a parabola, so that only a place on a straight one tells.
+    let (k, disc) = two.into_iter().find(|(_, body)| is_disc(body))?;
+    let way = sub(at?.position, model.nodes[model.body_node(k)].position);
+    let straight =
+        [way, disc.velocity].iter().all(|v| cross(*v, pull).abs() <= 1e-6 * norm(*v) * norm(pull));
+    (straight && norm(way) > 0.0).then(|| dot(pull, way) / norm(way))
 }
 
 fn struck_by_disc(
@@ -197,18 +241,19 @@ fn struck_by_disc(
     let steep = towards.abs() > 1e-3 * speed && speed > 0.0;
     let gap = seen.filter(|_| steep);
     let gap = gap.map(|[_, time]| (time * towards.abs() - radius - half_depth).max(0.0));
-    let speed = towards.abs();
-    let radius = (radius > 0.0).then_some(radius);
-    let mass = body.mass;
-    Some(Meeting::Struck(Struck { mass, rear: None, radius, direction, speed, gap, place }))
+    Some(Meeting::Struck(Struck {
+        mass: body.mass,
+        rear: None,
+        radius: (radius > 0.0).then_some(radius),
+        direction,
+        speed: towards.abs(),
+        sideways: dot(relative, place.tangent()).abs(),
+        gap,
+        place,
+    }))
 }
 
-fn points_of_beams<'a>(
-    model: &'a Model,
-    beam: usize,
-    pairs: usize,
-    target: &Target,
-) -> Option<Meeting<'a>> {
+fn points_of_beams<'a>(model: &'a Model, beam: usize, target: &Target) -> Option<Meeting<'a>> {
     let place = BeamPlace::new(model, beam, 0.5 * model.beams[beam].length);
     let wall = match target {
         Target::Line { normal, .. } => Some(*normal),
@@ -216,8 +261,7 @@ fn points_of_beams<'a>(
     };
     let nodes = &model.beams[beam].nodes;
     let velocity = beam_velocity(model, beam, model.nodes[nodes.start + nodes.len() / 2].position);
-    let point_mass = place.mass() / pairs.max(1) as f64;
-    Some(Meeting::Beams(Beams { place, point_mass, wall, velocity }))
+    Some(Meeting::Beams(Beams { place, wall, velocity }))
 }
 
 impl Struck<'_> {
@@ -230,6 +274,13 @@ impl Struck<'_> {
     pub fn gravity_shares(&self) -> [f64; 2] {
         let (pull, _) = gravity(self.place.model);
         [dot(pull, self.direction), norm(pull)]
+    }
+
+    /// Acceleration by which gravity brings both together \[m/s^2\]: of a beam that nothing holds, and that falls as the
+    /// projectile does, none.
+    pub fn pull(&self) -> f64 {
+        let held = Surroundings::of(self.place.model, self.place.index).held;
+        if held { self.gravity_shares()[0] } else { 0.0 }
     }
 
     /// Mass with which the beam as a whole meets the blow: of a known span the reduced one, of a free beam that of a rigid piece,
@@ -261,37 +312,65 @@ impl Struck<'_> {
     }
 
     /// The wave-controlled impact, where it is one: a single mass under a smooth law, across a beam that is uniform and carries
-    /// nothing at the place. In closed form for a linear spring without losses.
+    /// nothing at the place. In closed form for a linear spring without losses and without weight.
     pub fn infinite_beam(&self, law: &TouchLaw, speed: f64) -> Option<InfiniteBeamBlow> {
-        let TouchLaw::Smooth(smooth) = law else { return None };
-        let model = self.place.model;
-        let here = |s: f64| (s - self.place.s).abs() < 1e-6 * self.place.beam.length;
-        let index = self.place.index;
-        let carries = model.masses.iter().any(|m| m.point.beam == index && here(m.point.s));
-        let fits = self.rear.is_none() && !carries && self.across() > 0.999;
-        if !fits || !self.place.is_uniform() || self.place.free_distance() <= 0.0 {
+        if !self.is_wave_controlled() {
             return None;
         }
-        let section = self.place.section();
-        if let Some(stiffness) = linear_stiffness(law) {
+        if let (Some(stiffness), true) = (linear_stiffness(law), self.pull() == 0.0) {
+            let section = self.place.section();
             let beam = InfiniteBeam::of(self.mass, stiffness, section.bending, section.mass);
             return Some(beam.blow(self.mass, stiffness, speed));
         }
-        if speed <= 0.0 {
+        self.softened(law, speed, 0.0)
+    }
+
+    /// The same by the integral equation, with rotary inertia and shear as the softening has them.
+    pub fn softened(&self, law: &TouchLaw, speed: f64, softening: f64) -> Option<InfiniteBeamBlow> {
+        let TouchLaw::Smooth(smooth) = law else { return None };
+        if speed <= 0.0 || !self.is_wave_controlled() {
             return None;
         }
-        let lasts = rigid_blow(law, self.mass, speed)?.duration;
+        let (section, pull) = (self.place.section(), self.pull());
+        let lasts = rigid_blow(law, self.mass, speed, self.mass * pull)?.duration;
         let case = WaveControlled {
             mass: self.mass,
             speed,
             bending: section.bending,
             mass_per_length: section.mass,
+            pull,
+            softening,
         };
-        let force = |p: f64, rate: f64| {
-            (smooth.potential.force(p) * (1.0 + smooth.dissipation * rate)).max(0.0)
-        };
-        Some(case.blow(force, lasts))
+        Some(case.blow(|p, rate| force(smooth, p, rate), lasts))
     }
+
+    /// What rotary inertia and, beside it, shear change of a blow on a beam without end, to first order.
+    pub fn corrections(&self, law: &TouchLaw, speed: f64) -> Option<[Change; 2]> {
+        let section = self.place.section();
+        let of = |shear| self.softened(law, speed, section.softening(shear));
+        let plain = self.softened(law, speed, 0.0)?;
+        let (rotary, sheared) = (of(f64::INFINITY)?, of(shear_stiffness(section.axial))?);
+        let change = |a: &InfiniteBeamBlow, b: &InfiniteBeamBlow| {
+            let rebound = a.restitution.zip(b.restitution).map(|(a, b)| b / a - 1.0);
+            Change { force: b.peak_force / a.peak_force - 1.0, rebound }
+        };
+        let all = [change(&plain, &rotary), change(&rotary, &sheared)];
+        all.iter().all(|c| c.force.is_finite()).then_some(all)
+    }
+
+    fn is_wave_controlled(&self) -> bool {
+        let model = self.place.model;
+        let here = |s: f64| (s - self.place.s).abs() < 1e-6 * self.place.beam.length;
+        let index = self.place.index;
+        let carries = model.masses.iter().any(|m| m.point.beam == index && here(m.point.s));
+        let fits = self.rear.is_none() && !carries && self.across() > 0.999;
+        fits && self.place.is_uniform() && self.place.free_distance() > 0.0
+    }
+}
+
+/// Force of a smooth law at a penetration and its rate \[N\].
+pub fn force(law: &SmoothLaw, p: f64, rate: f64) -> f64 {
+    (law.potential.force(p) * (1.0 + law.dissipation * rate)).max(0.0)
 }
 
 /// Contacts shorter than this share of the lowest mode's period are no case for one mass and one spring.
@@ -308,10 +387,14 @@ pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {
     }
 }
 
-/// The blow of a mass on a rigid target under a smooth law, its losses left out; none under a set-valued law, or at no speed where
-/// the speed matters.
-pub fn rigid_blow(law: &TouchLaw, mass: f64, speed: f64) -> Option<Blow> {
+/// The blow of a mass on a rigid target under a smooth law, its losses left out, while the force `pressed` \[N\] presses it on; none
+/// under a set-valued law, or at no speed where the speed matters.
+pub fn rigid_blow(law: &TouchLaw, mass: f64, speed: f64, pressed: f64) -> Option<Blow> {
     let TouchLaw::Smooth(law) = law else { return None };
+    if pressed != 0.0 && !matches!(law.potential, Potential::Function(_)) {
+        let (energy, force) = (|p| law.potential.energy(p), |p| law.potential.force(p));
+        return pressed_blow(energy, force, mass, speed, pressed);
+    }
     let blow = match &law.potential {
         Potential::Linear { stiffness } => linear_blow(mass, *stiffness, speed),
         Potential::Hertz { stiffness } => hertz_blow(mass, *stiffness, speed),

@@ -28,14 +28,36 @@ pub(super) fn effective_mass(
         return None;
     }
     let rest = vec![[0.0; 4]; model.node_count()];
-    let (pair, touch, u) = first_touch(model, pairs)?;
+    let First { pair, touch, u, comes } = first_touch(model, pairs)?;
     let mass = factored.get_or_insert_with(|| mass_matrix(model, &rest)).as_mut().ok()?;
-    EffectiveMass::of_pair(model, mass, &u, pair, &touch)
+    let found = EffectiveMass::of_pair(model, mass, &u, pair, &touch)?;
+    // Where nothing approaches, the nearest pair may be one that is held and will never close.
+    (comes || found.on_mesh.is_finite()).then_some(found)
 }
 
-/// The pair that closes first in the motion that all things start with; where nothing approaches, the nearest one. With the
-/// displacements in which it does.
-fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<(&'a Pair, Touch, Vec<[f64; 4]>)> {
+/// A pair that is likely to close first, with the displacements in which it does, and whether it approaches.
+struct First<'a> {
+    pair: &'a Pair,
+    touch: Touch,
+    u: Vec<[f64; 4]>,
+    comes: bool,
+}
+
+/// How fast motions of the beams' nodes close the gap of a contact where it is likely to close first, one entry a motion.
+pub(super) fn closing(model: &Model, contact: usize, motions: &[&[[f64; 4]]]) -> Option<Vec<f64>> {
+    let data = &model.contacts[contact];
+    let First { pair, touch, u, .. } = first_touch(model, &model.pairs[data.pairs.clone()])?;
+    let row = pair.normal_row(&touch, &Configuration::of(&u));
+    let mut all = vec![[0.0; 4]; model.node_count()];
+    let each = motions.iter().map(|motion| {
+        all[..motion.len()].copy_from_slice(motion);
+        -row.on(&all)
+    });
+    Some(each.collect())
+}
+
+/// The pair that closes first in the motion that all things start with; where nothing approaches, the nearest one.
+fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<First<'a>> {
     let velocity = velocities(model);
     let mut u = vec![[0.0; 4]; model.node_count()];
     let mut found = None;
@@ -51,7 +73,7 @@ fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<(&'a Pair, Touch,
             a.2.total_cmp(&b.2).then(a.1.gap.total_cmp(&b.1.gap))
         };
         let (pair, touch, time) = seen.min_by(sooner)?;
-        found = Some((pair, touch));
+        found = Some((pair, touch, time.is_finite()));
         if !time.is_finite() || time == 0.0 {
             break;
         }
@@ -59,7 +81,7 @@ fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<(&'a Pair, Touch,
             (0..4).for_each(|i| u[i] += time * v[i]);
         }
     }
-    found.map(|(pair, touch)| (pair, touch, u))
+    found.map(|(pair, touch, comes)| First { pair, touch, u, comes })
 }
 
 /// Velocities of all nodes at the start.

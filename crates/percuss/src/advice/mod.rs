@@ -6,10 +6,18 @@
 mod after;
 mod before;
 mod case;
+mod duration;
+mod end_on;
 mod first_touch;
 pub mod formulas;
+mod resolution;
+mod review;
+mod shear;
 mod slips;
+mod stability;
 mod structure;
+mod surroundings;
+mod taper;
 #[cfg(test)]
 mod tests;
 mod words;
@@ -38,6 +46,22 @@ pub enum Topic {
     Span,
     /// Period of a rear mass on its spring against the step \[s\].
     RearMass,
+    /// Shear deformation, which beams here leave out, against what matters \[1\].
+    Shear,
+    /// Axial force against that under which a straight beam buckles \[N\]; of a start from equilibrium, whether it is stable.
+    Stability,
+    /// Time in which the force of a bar on a wall rises, against that of a wave through an element or the step \[s\].
+    ForceRise,
+    /// Time between rows of the history against the contact \[s\].
+    Recording,
+    /// Largest reactions where rigid impacts make them.
+    Reactions,
+    /// A section that varies along a beam, against one whose size does.
+    Taper,
+    /// Compressive strain against what a strain measure can be trusted with.
+    Strain,
+    /// What was still to come when the run ended.
+    Ending,
     /// A value so far from what things are made of that it looks like a slip of a unit, against the nearest usual one.
     Slip,
 }
@@ -107,6 +131,14 @@ impl Topic {
             Self::Stiffness => "contact stiffness",
             Self::Span => "minimum span",
             Self::RearMass => "rear mass",
+            Self::Shear => "shear deformation",
+            Self::Stability => "stability",
+            Self::ForceRise => "rise of the force",
+            Self::Recording => "recording",
+            Self::Reactions => "reactions",
+            Self::Taper => "taper",
+            Self::Strain => "strain",
+            Self::Ending => "end of the run",
             Self::Slip => "a slip of a unit?",
         }
     }
@@ -130,24 +162,34 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
         return slips::findings(model, settings);
     }
     let masses = model.effective_masses();
+    let modes = duration::Modes::new(model);
     let cases = (0..model.contacts.len()).filter_map(|k| case::read(model, k, None));
     let mut factored = None;
     let mut all = slips::findings(model, settings);
+    all.extend(taper::findings(model));
+    all.extend(stability::of_the_start(model, settings));
     for case in cases {
         let mass = match case.guided {
             Some(k) => masses.get(k).copied(),
             None => first_touch::effective_mass(model, case.index, &mut factored),
         };
-        all.extend(before::findings(model, settings, &case, mass));
+        all.extend(before::findings(model, settings, &case, mass, &modes));
     }
     all
 }
 
 /// The results of a run beside the hand formulas whose case they are, contact after contact.
-pub fn compare(model: &Model, summary: &RunSummary) -> Vec<Comparison> {
+pub fn compare(model: &Model, settings: &Settings, summary: &RunSummary) -> Vec<Comparison> {
     let mut all = Vec::new();
-    for (k, contact) in summary.contacts.iter().enumerate() {
-        all.extend(after::comparisons(model, summary, k, contact));
+    let modes = duration::Modes::new(model);
+    for k in 0..summary.contacts.len() {
+        all.extend(after::comparisons(model, settings, summary, &modes, k));
     }
     all
+}
+
+/// What is worth knowing of a finished run before its results are used: contacts still closed or never reached at its end,
+/// reactions that no mesh settles, strains beyond what their measure can be trusted with.
+pub fn review(model: &Model, settings: &Settings, summary: &RunSummary) -> Vec<Advice> {
+    review::findings(model, settings, summary)
 }

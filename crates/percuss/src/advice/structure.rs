@@ -3,8 +3,8 @@
 use super::formulas::{Span, SpanKind, UniformBeam, free_bar_mass};
 use crate::element::beam::ElementTable;
 use crate::math::vec2::{cross, dot, rot90, sub};
-use crate::model::Model;
-use crate::model::frozen::{BeamData, Coordinate, LoadAction, MaterialPoint, Place};
+use crate::model::frozen::{BeamData, Coordinate, LoadAction, LoadData, MaterialPoint, Place};
+use crate::model::{Model, StrainMeasure};
 
 /// Ends and places on a beam agree within this share of its length.
 const SAME: f64 = 1e-6;
@@ -52,6 +52,15 @@ impl<'a> BeamPlace<'a> {
         self.model.spans[span].table(k).length
     }
 
+    /// First node of the element at the place, and its shape functions there.
+    pub fn interpolation(&self) -> (usize, [f64; 4]) {
+        let (i, k) = self.element();
+        let span = &self.model.spans[i];
+        let length = span.table(k).length;
+        let share = (self.s - span.stations[k]) / (span.stations[k + 1] - span.stations[k]);
+        (span.nodes.start + k, crate::math::hermite::shape(share.clamp(0.0, 1.0), length))
+    }
+
     /// Reference tangent at the place.
     pub fn tangent(&self) -> [f64; 2] {
         let (span, k) = self.element();
@@ -64,6 +73,11 @@ impl<'a> BeamPlace<'a> {
         let row = &self.model.spans[span].table(k).rows[1];
         let law = &row.section;
         UniformBeam { axial: law.axial, bending: law.bending, mass: row.mass, rotary: law.rotary }
+    }
+
+    /// Strain measure at the place.
+    pub fn measure(&self) -> StrainMeasure {
+        self.model.spans[self.element().0].measure
     }
 
     /// Young's modulus at the place \[Pa\].
@@ -82,11 +96,6 @@ impl<'a> BeamPlace<'a> {
     /// Shortest time of a longitudinal wave through an element of the beam \[s\].
     pub fn shortest_transit(&self) -> f64 {
         self.transits().fold(f64::INFINITY, f64::min)
-    }
-
-    /// Time of a longitudinal wave through the beam \[s\].
-    pub fn transit(&self) -> f64 {
-        self.transits().sum()
     }
 
     fn transits(&self) -> impl Iterator<Item = f64> {
@@ -239,7 +248,8 @@ impl<'a> BeamPlace<'a> {
     }
 }
 
-fn coordinate_points(coordinate: &Coordinate) -> impl Iterator<Item = &MaterialPoint> {
+/// The material points of a coordinate.
+pub fn coordinate_points(coordinate: &Coordinate) -> impl Iterator<Item = &MaterialPoint> {
     let points: [Option<&MaterialPoint>; 2] = match coordinate {
         Coordinate::Displacement { point, .. } => [Some(point), None],
         Coordinate::Distance { ends } => ends.each_ref().map(|end| match end {
@@ -297,13 +307,22 @@ pub fn nearest(model: &Model, beam: &BeamData, position: [f64; 2]) -> f64 {
 pub fn gravity(model: &Model) -> ([f64; 2], bool) {
     let (mut sum, mut others) = ([0.0; 2], false);
     for load in &model.loads {
-        let steady = [0.0, 1e-3, 1.0, 1e3].iter().all(|t| load.factor(*t, 1e-6) == 1.0);
         match &load.kind {
-            LoadAction::Gravity { acceleration } if steady => {
+            LoadAction::Gravity { acceleration } if is_steady(load) => {
                 sum = [0, 1].map(|i| sum[i] + acceleration[i]);
             }
             _ => others = true,
         }
     }
     (sum, others)
+}
+
+/// Whether a gravity load changes in time.
+pub fn gravity_varies(model: &Model) -> bool {
+    let falls = |load: &LoadData| matches!(load.kind, LoadAction::Gravity { .. });
+    model.loads.iter().any(|load| falls(load) && !is_steady(load))
+}
+
+fn is_steady(load: &LoadData) -> bool {
+    [0.0, 1e-3, 1.0, 1e3].iter().all(|t| load.factor(*t, 1e-6) == 1.0)
 }

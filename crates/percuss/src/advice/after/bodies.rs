@@ -3,6 +3,7 @@
 use super::super::Comparison;
 use super::super::case::{Bodies, Struck, rigid_blow};
 use super::super::formulas::{Span, SpanKind, reduced_mass};
+use super::super::structure::gravity_varies;
 use super::super::words::{digits, quantity};
 use super::{Assumptions, Desk, Formula, Quantity, Touch};
 use crate::model::TouchLaw;
@@ -11,7 +12,7 @@ use crate::model::TouchLaw;
 const SHORTEST: f64 = 0.5;
 
 /// Adds that a smooth law has no losses.
-fn lossless(desk: &Desk<'_>, assumptions: Assumptions) -> Assumptions {
+pub(super) fn lossless(desk: &Desk<'_>, assumptions: Assumptions) -> Assumptions {
     match desk.case.law {
         TouchLaw::Smooth(law) => {
             assumptions.and("no losses in the contact", law.dissipation == 0.0)
@@ -26,7 +27,7 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
         return Vec::new();
     };
     let mass = reduced_mass([struck.mass, beam]);
-    let Some(blow) = rigid_blow(desk.case.law, mass, desk.speed) else { return Vec::new() };
+    let Some(blow) = rigid_blow(desk.case.law, mass, desk.speed, 0.0) else { return Vec::new() };
     let section = struck.place.section();
     // A free beam has the frequencies of a clamped one.
     let like = Span {
@@ -44,7 +45,7 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let formula = Formula {
         name: "two free rigid bodies",
         source: "conservation of momentum and energy, with the reduced mass",
-        assumptions: lossless(desk, desk.undisturbed().and(longer, share >= 1.0)),
+        assumptions: lossless(desk, desk.undisturbed(struck).and(longer, share >= 1.0)),
     };
     let mut quantities = desk.force_and_duration(blow.peak_force, blow.duration);
     if let Some(simulated) = desk.release_velocity(struck) {
@@ -75,46 +76,35 @@ pub fn impulse_of_struck(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison
         name: "effective mass of the struck point",
         source: "Newton's impact law with 1/(1/M + n M^-1 n)",
         assumptions: desk
-            .undisturbed()
+            .undisturbed(struck)
             .and("no friction", !desk.rubs())
             .and(mesh, !mass.depends_on_mesh()),
     };
     newton(desk, &formula, reduced_mass([struck.mass, mass.on_mesh]), restitution)
 }
 
-/// Impulse and loss of a first impact under Newton's law.
+/// Impulse and loss of a first impact under Newton's law. Friction takes energy of its own, and turns what it rubs: with it only the
+/// impulse is compared.
 fn newton(desk: &Desk<'_>, formula: &Formula, mass: f64, restitution: f64) -> Vec<Comparison> {
     let Touch::Impact(impact) = desk.touch else { return Vec::new() };
     let loss = 0.5 * (1.0 - restitution * restitution) * mass * desk.speed * desk.speed;
-    let quantities = vec![
-        Quantity {
-            name: "impulse of the first impact",
-            unit: "N s",
-            by_hand: (1.0 + restitution) * mass * desk.speed,
-            simulated: impact.impulse,
-        },
-        Quantity {
-            name: "energy lost in the first impact",
-            unit: "J",
-            by_hand: loss,
-            simulated: impact.energy.lost,
-        },
-    ];
-    desk.rows(formula, quantities)
-}
-
-const GIVES_WAY: &str =
-    "a target that does not give way: as the beam does, the force is smaller and lasts longer";
-
-/// A smooth blow on a beam that no other formula knows: an upper bound of the force, a lower one of the duration.
-pub fn rigid_target(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
-    let Some(blow) = rigid_blow(desk.case.law, struck.mass, desk.speed) else { return Vec::new() };
-    let formula = Formula {
-        name: "rigid target",
-        source: "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24): a bound",
-        assumptions: lossless(desk, desk.undisturbed()).and_unchecked(GIVES_WAY),
+    let impulse = Quantity {
+        name: "impulse of the first impact",
+        unit: "N s",
+        by_hand: (1.0 + restitution) * mass * desk.speed,
+        simulated: impact.impulse,
     };
-    desk.rows(&formula, desk.force_and_duration(blow.peak_force, blow.duration))
+    let lost = Quantity {
+        name: "energy lost in the first impact",
+        unit: "J",
+        by_hand: loss,
+        simulated: impact.energy.lost,
+    };
+    let mut quantities = vec![impulse];
+    if !desk.rubs() {
+        quantities.push(lost);
+    }
+    desk.rows(formula, quantities)
 }
 
 /// Two discs, or a disc and an obstacle at rest.
@@ -131,11 +121,27 @@ pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
         };
         return newton(desk, &formula, two.mass, restitution);
     }
-    let Some(blow) = rigid_blow(desk.case.law, two.mass, desk.speed) else { return Vec::new() };
+    let alone = lossless(desk, alone);
+    let pressed = two.pressed.filter(|_| !gravity_varies(desk.model));
+    let weight = pressed.unwrap_or(0.0);
+    let alone = match pressed {
+        Some(0.0) => alone,
+        Some(weight) => {
+            alone.and(format!("a weight of {} in the blow", quantity(weight, "N")), true)
+        }
+        None => alone.and("no weight in the blow", false),
+    };
+    let Some(blow) = rigid_blow(desk.case.law, two.mass, desk.speed, weight) else {
+        return Vec::new();
+    };
     let formula = Formula {
         name: "two rigid bodies",
-        source: "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24)",
-        assumptions: lossless(desk, alone),
+        source: if weight == 0.0 {
+            "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24)"
+        } else {
+            "energy and time of a mass that its weight presses on a rigid target"
+        },
+        assumptions: alone,
     };
     desk.rows(&formula, desk.force_and_duration(blow.peak_force, blow.duration))
 }

@@ -1,15 +1,20 @@
 //! Results of a run beside hand formulas.
 
 mod bodies;
+mod bound;
 mod span;
 mod waves;
 
 use super::Comparison;
 use super::case::{self, Case, Meeting, Struck};
+use super::duration::Modes;
 use super::structure::gravity;
-use super::words::quantity;
-use crate::math::vec2::dot;
+use super::surroundings::Surroundings;
+use super::words::{digits, quantity};
+use crate::math::vec2::{dot, norm};
+use crate::model::frozen::LoadAction;
 use crate::model::{Model, TouchLaw};
+use crate::settings::{Settings, Start};
 use crate::summary::{
     ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, RunSummary,
 };
@@ -17,14 +22,16 @@ use crate::summary::{
 /// What hand formulas say about the first touch of a contact.
 pub fn comparisons(
     model: &Model,
+    settings: &Settings,
     run: &RunSummary,
+    modes: &Modes<'_>,
     index: usize,
-    contact: &ContactSummary,
 ) -> Vec<Comparison> {
+    let contact = &run.contacts[index];
     let Some(touch) = Touch::first(&contact.record) else { return Vec::new() };
     let Some(case) = case::read(model, index, Some(touch.place())) else { return Vec::new() };
     let speed = touch.approach();
-    let desk = Desk { model, run, index, contact, case: &case, touch, speed };
+    let desk = Desk { model, settings, run, index, contact, case: &case, touch, speed };
     if desk.speed <= 0.0 || desk.speed.is_nan() {
         return Vec::new();
     }
@@ -37,7 +44,7 @@ pub fn comparisons(
             all.extend(bodies::free_beam(&desk, struck));
             all.extend(bodies::impulse_of_struck(&desk, struck));
             if all.is_empty() {
-                all.extend(bodies::rigid_target(&desk, struck));
+                all.extend(bound::of_the_force(&desk, struck, modes));
             }
             all
         }
@@ -94,6 +101,7 @@ impl<'a> Touch<'a> {
 /// A contact, what became of it, and the hand formulas' view of it.
 pub(super) struct Desk<'a> {
     pub model: &'a Model,
+    pub settings: &'a Settings,
     pub run: &'a RunSummary,
     /// Number of the contact.
     pub index: usize,
@@ -178,30 +186,67 @@ impl Desk<'_> {
     }
 
     /// Assumptions common to all formulas of a beam at rest without losses: nothing but this contact acts.
-    pub fn undisturbed(&self) -> Assumptions {
+    pub fn undisturbed(&self, struck: &Struck<'_>) -> Assumptions {
         let damped = self.is_damped() || self.model.has_viscous_parts();
-        self.at_rest().and("no damping", !damped)
+        self.at_rest(struck).and("no damping", !damped)
     }
 
     /// The same where the formula knows the losses of the contact itself.
-    pub fn undisturbed_but_for_contact(&self) -> Assumptions {
-        self.at_rest().and("no damping but that of the contact", !self.is_damped())
+    pub fn undisturbed_but_for_contact(&self, struck: &Struck<'_>) -> Assumptions {
+        self.at_rest(struck).and("no damping but that of the contact", !self.is_damped())
     }
 
     fn is_damped(&self) -> bool {
         self.model.has_viscous_structure() || self.model.spans.iter().any(|span| span.is_damped())
     }
 
-    fn at_rest(&self) -> Assumptions {
+    /// Whether no load but gravity acts and nothing is damped but by the contact.
+    pub fn is_bare(&self) -> bool {
+        !gravity(self.model).1 && !self.is_damped()
+    }
+
+    /// That the beam rests, or flies without turning, and that nothing else acts until the contact ends.
+    pub fn at_rest(&self, struck: &Struck<'_>) -> Assumptions {
         let (_, loads) = gravity(self.model);
-        let model = self.model;
-        let spins = model.initial_motion.spin != 0.0 || !model.own_motions.is_empty();
-        let moves = spins || self.model.supports.iter().any(|s| s.motion.is_some());
-        let starts = self.others().filter_map(Touch::first).map(|touch| touch.time());
-        let earlier = starts.into_iter().any(|time| time < self.touch.time());
-        let still = !(loads || moves || earlier);
-        Assumptions::default()
-            .and("nothing but its weight loads or moves the beam before the touch", still)
+        let around = Surroundings::of(self.model, struck.place.index);
+        let rests = match around.start(self.model) {
+            Some(v) => norm(v) == 0.0 || !around.held,
+            None => false,
+        };
+        let driven = self.model.supports.iter().any(|s| s.motion.is_some());
+        let still = rests && !loads && !driven && self.is_alone();
+        Assumptions::default().and(
+            "a beam at rest, or one that nothing holds and that flies without turning; nothing but weights and this contact \
+             acts on it until the contact ends",
+            still,
+        )
+    }
+
+    /// Adds that the beam carries its own weight before the touch, where it has any across the blow.
+    pub fn carried(&self, struck: &Struck<'_>, mut all: Assumptions, duration: f64) -> Assumptions {
+        let pull = struck.pull();
+        if pull == 0.0 {
+            return all;
+        }
+        let share = (pull * duration / self.speed).abs();
+        let sags = self.settings.start == Start::Static;
+        let what = if sags {
+            "the beam hangs in equilibrium under its own weight before the touch".to_owned()
+        } else {
+            format!(
+                "the beam's own weight at rest before the touch (start = \"static\"), or too short a contact for it to matter: \
+                 gravity makes {} % of the speed of approach within it",
+                digits(100.0 * share)
+            )
+        };
+        all = all.and(what, sags || share < WEIGHTLESS);
+        all
+    }
+
+    /// Velocity along the blow with which the struck beam starts, and flies on where nothing holds it \[m/s\].
+    fn frame(&self, struck: &Struck<'_>) -> Option<f64> {
+        let start = Surroundings::of(self.model, struck.place.index).start(self.model)?;
+        Some(dot(start, struck.direction))
     }
 
     /// The other contacts of what meets here; beams may be joined, so that all of them count as one.
@@ -256,11 +301,15 @@ impl Desk<'_> {
         Some(dot(projectile.velocity_final, struck.direction))
     }
 
-    /// Velocity of the projectile at release, where the first contact is the only one, has ended, and nothing acts afterwards.
+    /// Velocity of the projectile at release against the beam's own before the touch, where the first contact is the only one, has
+    /// ended, and nothing acts afterwards \[m/s\].
     pub fn release_velocity(&self, struck: &Struck<'_>) -> Option<f64> {
         let only = self.intervals().len() == 1 && self.intervals()[0].end.is_finite();
-        let free = self.gravity_along(struck.direction) == 0.0 && struck.rear.is_none();
-        self.final_velocity(struck).filter(|_| only && free)
+        let falls =
+            self.model.loads.iter().any(|load| matches!(load.kind, LoadAction::Gravity { .. }));
+        let free = !falls && struck.rear.is_none();
+        let frame = self.frame(struck)?;
+        self.final_velocity(struck).filter(|_| only && free).map(|v| v - frame)
     }
 
     /// Coefficient of restitution of a set-valued law.
@@ -295,6 +344,9 @@ impl Desk<'_> {
         ]
     }
 }
+
+/// Gravity that makes less than this share of the speed of approach within a contact does not matter.
+const WEIGHTLESS: f64 = 0.01;
 
 /// `a` against `b` in words.
 pub(super) fn against(a: f64, b: f64, unit: &str) -> String {

@@ -2,9 +2,10 @@
 
 use super::super::Comparison;
 use super::super::case::{Struck, linear_stiffness};
-use super::super::formulas::impact_factor as factor;
+use super::super::formulas::{Span, impact_factor as factor, shear_stiffness};
 use super::super::words::digits;
 use super::{Assumptions, Desk, Formula, Quantity, against};
+use crate::settings::Start;
 
 /// Deflections below this share of the radius of gyration (or of the span, where its ends can slide) are small.
 const SMALL: f64 = 0.3;
@@ -12,6 +13,8 @@ const SMALL_SLIDING: f64 = 0.05;
 /// A weight below this share of the largest force is negligible; above the second it governs.
 const LIGHT: f64 = 0.02;
 const HEAVY: f64 = 0.2;
+/// Compliance by shear below this share of that by bending is negligible.
+const SHEAR: f64 = 0.02;
 
 /// Adds that deflections must be small for the span's stiffness to be what it is.
 fn small(assumptions: Assumptions, struck: &Struck<'_>, deflection: f64) -> Assumptions {
@@ -43,11 +46,31 @@ fn weightless(
         .and(format!("weight negligible: {} % of the force", digits(100.0 * share)), share < LIGHT)
 }
 
-fn deflection(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
+/// Static deflection of the struck point under the span's own weight, along the blow \[m\].
+fn sag(desk: &Desk<'_>, struck: &Struck<'_>, span: &Span) -> f64 {
+    span.sag(span.mass * desk.gravity_along(struck.direction))
+}
+
+/// Adds that the span hangs at rest under its own weight, or that this is nothing beside the deflection by the blow. Displacements
+/// count from the reference, so that of a span that hangs the sag comes on top.
+fn hangs(desk: &Desk<'_>, assumptions: Assumptions, sag: f64, deflection: f64) -> Assumptions {
+    if sag == 0.0 || desk.settings.start == Start::Static {
+        return assumptions;
+    }
+    let what = format!(
+        "at rest under its own weight before the blow (start = \"static\"): it swings by {}",
+        against(2.0 * sag.abs(), deflection, "m")
+    );
+    assumptions.and(what, 2.0 * sag.abs() < LIGHT * deflection)
+}
+
+/// The deflection beside that of the run; `sag` comes on top where the run starts with it.
+fn deflection(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64, sag: f64) -> Quantity {
+    let hung = if desk.settings.start == Start::Static { sag } else { 0.0 };
     Quantity {
         name: "largest deflection of the struck point",
         unit: "m",
-        by_hand,
+        by_hand: by_hand + hung,
         simulated: desk.deflection(struck).map_or(f64::NAN, |[value, _]| value),
     }
 }
@@ -57,24 +80,35 @@ fn moment(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
     Quantity { name: "largest bending moment", unit: "N m", by_hand, simulated }
 }
 
+/// Adds that shear would let the span give way little more.
+fn stiff_in_shear(struck: &Struck<'_>, span: &Span, assumptions: Assumptions) -> Assumptions {
+    let share = span.shear_share(shear_stiffness(struck.place.section().axial));
+    let what =
+        format!("shear, left out, would let the span give way {} % more", digits(100.0 * share));
+    assumptions.and(what, share < SHEAR)
+}
+
 /// Projectile, contact spring, reduced mass and stiffness of the span.
 pub fn two_masses(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let Some((blow, span)) = struck.two_masses(desk.case.law, desk.speed) else {
         return Vec::new();
     };
     let share = blow.duration / span.period();
-    let assumptions = desk.undisturbed().and(
+    let assumptions = desk.undisturbed(struck).and(
         format!("the contact lasts longer than the lowest mode: {} periods", digits(share)),
         share >= 1.0,
     );
     let assumptions = small(assumptions, struck, blow.deflection);
+    let sag = sag(desk, struck, &span);
+    let assumptions = hangs(desk, assumptions, sag, blow.deflection);
+    let assumptions = stiff_in_shear(struck, &span, assumptions);
     let formula = Formula {
         name: "two masses and two springs",
         source: "Shivakumar, Elber and Illg 1985, with the span's reduced mass",
         assumptions: weightless(desk, struck, assumptions, blow.peak_force),
     };
     let mut quantities = desk.force_and_duration(blow.peak_force, blow.duration);
-    quantities.push(deflection(desk, struck, blow.deflection));
+    quantities.push(deflection(desk, struck, blow.deflection, sag));
     desk.rows(&formula, quantities)
 }
 
@@ -87,17 +121,20 @@ pub fn cox(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     if weight > HEAVY * force {
         return Vec::new(); // a case for the impact factor
     }
+    let sag = sag(desk, struck, &span);
     let formula = |assumptions| Formula {
         name: "Cox",
         source: "Cox 1849: momentum of mass and reduced span, then their energy",
         assumptions,
     };
     let assumptions = || {
-        let stays = desk.undisturbed().and(STAYS, stays(desk, struck));
-        weightless(desk, struck, small(stays, struck, cox.deflection), force)
+        let stays = desk.undisturbed(struck).and(STAYS, stays(desk, struck));
+        let small = small(stays, struck, cox.deflection);
+        let hangs = hangs(desk, small, sag, cox.deflection);
+        weightless(desk, struck, stiff_in_shear(struck, &span, hangs), force)
     };
     let mut all =
-        desk.rows(&formula(assumptions()), vec![deflection(desk, struck, cox.deflection)]);
+        desk.rows(&formula(assumptions()), vec![deflection(desk, struck, cox.deflection, sag)]);
     let bent = assumptions().and(STATIC_SHAPE, false);
     all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, cox.moment)]));
     all
@@ -134,18 +171,16 @@ pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
             return Vec::new(); // the span's own weight governs
         }
         let assumptions = || {
-            let sags = format!("own weight of the span small: sag {}", against(sag, by_hand, "m"));
-            let all = desk
-                .undisturbed()
-                .and(STAYS, stays(desk, struck))
-                .and(sags, sag < SMALL_SLIDING * by_hand);
+            let stays = desk.undisturbed(struck).and(STAYS, stays(desk, struck));
+            let all = stiff_in_shear(struck, &span, hangs(desk, stays, sag, by_hand));
             let share =
                 format!("span light: its reduced mass is {} of the falling one", digits(ratio));
             small(if light { all.and(share, ratio < LIGHT) } else { all }, struck, by_hand)
         };
         let formula = |assumptions| Formula { name, source, assumptions };
         let bent = assumptions().and(STATIC_SHAPE, false);
-        let mut all = desk.rows(&formula(assumptions()), vec![deflection(desk, struck, by_hand)]);
+        let bending = vec![deflection(desk, struck, by_hand, sag)];
+        let mut all = desk.rows(&formula(assumptions()), bending);
         let by_hand = span.moment(own * by_hand);
         all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, by_hand)]));
         all

@@ -1,15 +1,17 @@
 //! Formulas in which waves run away.
 
 use super::super::Comparison;
-use super::super::case::{Beams, Struck, linear_stiffness};
-use super::super::formulas::pulse_frequency;
+use super::super::case::{Beams, Struck, force, linear_stiffness, rigid_blow};
+use super::super::formulas::{BarBlow, BarOnWall, UniformBeam, pulse_frequency};
+use super::super::structure::gravity;
 use super::super::words::digits;
 use super::{Assumptions, Desk, Formula, Quantity, against};
 use crate::math::vec2::{dot, norm};
+use crate::model::TouchLaw;
 use crate::summary::ContactRecord;
 
-/// Rotary inertia below this share of the inertia across is neglected.
-const ROTARY: f64 = 0.02;
+/// What changes the force by less than this share is negligible.
+const NEGLIGIBLE: f64 = 0.01;
 /// Slopes and strains below this are small.
 const SMALL: f64 = 0.05;
 
@@ -25,26 +27,22 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
         return Vec::new();
     }
     let wave_number = section.wave_number(pulse_frequency(lasts));
-    let rotary = section.rotary * wave_number * wave_number / section.mass;
     let slope = desk.speed * blow.peak_time * wave_number;
     let undisturbed = back >= lasts && blow.duration.is_some();
-    let assumptions = desk
-        .undisturbed_but_for_contact()
-        .and(
-            format!("no wave comes back from ends or supports: {}", against(back, lasts, "s")),
-            back >= lasts,
-        )
-        .and(
-            format!(
-                "rotary inertia negligible: {} % of the shortest waves'",
-                digits(100.0 * rotary)
-            ),
-            rotary < ROTARY,
-        )
-        .and(format!("small slopes: up to {}", digits(slope)), slope < SMALL);
+    let returns =
+        format!("no wave comes back from ends or supports: {}", against(back, lasts, "s"));
+    let slopes = format!("small slopes: up to {}", digits(slope));
+    let mut assumptions = desk
+        .undisturbed_but_for_contact(struck)
+        .and(returns, back >= lasts)
+        .and(slopes, slope < SMALL);
+    for (what, off) in corrections(desk, struck) {
+        assumptions = assumptions.and(what, off < NEGLIGIBLE);
+    }
+    let assumptions = desk.carried(struck, assumptions, lasts);
     let formula = Formula {
         name: "infinite beam",
-        source: if linear_stiffness(desk.case.law).is_some() {
+        source: if linear_stiffness(desk.case.law).is_some() && struck.pull() == 0.0 {
             "closed form for a mass behind a linear spring on a Bernoulli beam without end"
         } else {
             "Timoshenko's integral equation for a contact law on a Bernoulli beam without end"
@@ -75,6 +73,32 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     desk.rows(&formula, quantities)
 }
 
+/// What rotary inertia, which the run has, and shear, which it has not, change of force and rebound on a beam without end, in words,
+/// and the larger share of both.
+fn corrections(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<(String, f64)> {
+    let Some([rotary, shear]) = struck.corrections(desk.case.law, desk.speed) else {
+        return Vec::new();
+    };
+    let mut all = Vec::new();
+    if struck.place.section().rotary > 0.0 {
+        let what = format!(
+            "rotary inertia negligible: it changes the force by {} %",
+            digits(100.0 * rotary.force)
+        );
+        all.push((what, rotary.force.abs()));
+    }
+    let rebound = shear.rebound.map_or(String::new(), |share| {
+        format!(" and the velocity of rebound by {} %", digits(100.0 * share))
+    });
+    let what = format!(
+        "shear, left out here, negligible: of a full rectangle it would change the force by {} %{rebound}",
+        digits(100.0 * shear.force)
+    );
+    let most = shear.rebound.unwrap_or(0.0).abs().max(shear.force.abs());
+    all.push((what, most));
+    all
+}
+
 /// A free bar that flies lengthwise against a wall.
 pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
     let (tangent, place) = (beams.place.tangent(), &beams.place);
@@ -85,22 +109,38 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
         && place.free_mass().is_some();
     let (Some(last), true) = (desk.intervals().last(), fits) else { return Vec::new() };
     let section = place.section();
-    let blow = section.bar_blow(place.beam.length, desk.speed);
-    let strain = desk.speed / section.bar_speed();
+    let length = place.beam.length;
     let one = desk.intervals().len() == 1;
-    let formula = Formula {
-        name: "elastic bar on a rigid wall",
-        source: "Saint-Venant: one wave runs up and down the bar",
-        assumptions: Assumptions::default()
-            .and(format!("small strains: {}", digits(strain)), strain < SMALL)
-            .and("a rigid wall, met by the whole section at once, in one contact", one),
-    };
+    let Some((blow, source)) = bar_blow(desk, &section, length) else { return Vec::new() };
+    let strain = blow.force / section.axial;
+    let pull = dot(gravity(desk.model).0, tangent).abs();
+    let mut assumptions = Assumptions::default()
+        .and(format!("small strains: {}", digits(strain)), strain < SMALL)
+        .and("a wall at rest, met by the whole section at once, in one contact", one)
+        .and(
+            "no other contact before it ends, no load, no damping",
+            desk.is_alone() && desk.is_bare(),
+        );
+    if pull > 0.0 {
+        let share = pull * blow.duration / desk.speed;
+        let what =
+            format!("weight negligible: {} % of the speed in the contact", digits(100.0 * share));
+        assumptions = assumptions.and(what, share < NEGLIGIBLE);
+    }
+    let formula = Formula { name: "elastic bar on a rigid wall", source, assumptions };
     let impulse: f64 = desk.intervals().iter().map(|i| i.impulse).sum::<f64>()
         + match &desk.contact.record {
             ContactRecord::Nonsmooth { impacts, .. } => impacts.iter().map(|i| i.impulse).sum(),
             ContactRecord::Smooth { .. } => 0.0,
         };
     let quantities = vec![
+        Quantity {
+            name: "largest contact force",
+            unit: "N",
+            by_hand: blow.force,
+            // Under a set-valued law forces are means over steps.
+            simulated: desk.interval().map_or(f64::NAN, |i| i.peak_force.value),
+        },
         Quantity {
             name: "time from the first touch to the release",
             unit: "s",
@@ -110,4 +150,32 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
         Quantity { name: "impulse", unit: "N s", by_hand: blow.impulse, simulated: impulse },
     ];
     desk.rows(&formula, quantities)
+}
+
+/// The blow of the bar under the law of the contact, and where it comes from.
+fn bar_blow(
+    desk: &Desk<'_>,
+    section: &UniformBeam,
+    length: f64,
+) -> Option<(BarBlow, &'static str)> {
+    let TouchLaw::Smooth(law) = desk.case.law else {
+        let source = "Saint-Venant: one wave runs up and down the bar";
+        return Some((section.bar_blow(length, desk.speed), source));
+    };
+    match section.bar_on_wall(length, desk.speed, |p, rate| force(law, p, rate))? {
+        BarOnWall::Waves(blow) => {
+            Some((blow, "waves of a bar whose end presses on the wall by the law of the contact"))
+        }
+        BarOnWall::OnePiece => {
+            let mass = section.mass * length;
+            let rigid = rigid_blow(desk.case.law, mass, desk.speed, 0.0)?;
+            let blow = BarBlow {
+                force: rigid.peak_force,
+                duration: rigid.duration,
+                impulse: 2.0 * mass * desk.speed,
+            };
+            let source = "a rigid bar: its contact lasts many times the wave that runs up and down";
+            (law.dissipation == 0.0).then_some((blow, source))
+        }
+    }
 }

@@ -78,6 +78,17 @@ impl Span {
         factor * load * self.length.powi(4) / self.bending
     }
 
+    /// Compliance of the struck point by shear over that by bending, for a shear stiffness `kappa G A` \[N\]: 12, 48 or 3
+    /// `EI/(kappa G A L^2)`, of the deflections `F L/(4 S)`, `F L/(4 S)` and `F L/S` by shear.
+    pub fn shear_share(&self, shear: f64) -> f64 {
+        let factor = match self.kind {
+            SpanKind::Pinned => 12.0,
+            SpanKind::Clamped => 48.0,
+            SpanKind::Cantilever => 3.0,
+        };
+        factor * self.bending / (shear * self.length.powi(2))
+    }
+
     /// Largest bending moment under a force at the struck point \[N m\]: 1/4, 1/8 or 1 `F L`.
     pub fn moment(&self, force: f64) -> f64 {
         let factor = match self.kind {
@@ -180,6 +191,16 @@ mod tests {
         let static_deflection = weight / stiffness;
         let deflection = static_deflection * impact_factor(height, static_deflection);
         near(weight * (height + deflection), 0.5 * stiffness * deflection.powi(2), 1e-14);
+    }
+
+    /// A full rectangle of depth L/1.33 gives way 2.8 times as far between pins as Bernoulli's beam.
+    #[test]
+    fn a_stocky_beam_gives_way_mostly_by_shear() {
+        let (length, depth) = (1.0, 1.0 / 1.33);
+        let axial = 1e9;
+        let bending = axial * depth * depth / 12.0;
+        let span = Span { kind: SpanKind::Pinned, length, bending, mass: 1.0 };
+        near(1.0 + span.shear_share(super::super::shear_stiffness(axial)), 2.764, 1e-3);
     }
 
     /// Lowest roots of `cos x cosh x = 1` and `cos x cosh x = -1`.

@@ -32,7 +32,29 @@ pub fn pulse_frequency(duration: f64) -> f64 {
     3.0 * PI / duration
 }
 
+/// Young's modulus over the shear modulus at Poisson's ratio 0.3.
+const YOUNG_OVER_SHEAR: f64 = 2.6;
+/// Share of a full rectangle's area that carries shear.
+const SHEAR_AREA: f64 = 5.0 / 6.0;
+
+/// Shear stiffness `kappa G A` \[N\] of a full rectangle with Poisson's ratio 0.3 whose axial stiffness EA \[N\] is given: beams
+/// here have no shear deformation, this is for estimates of what it would do. A tube has some 0.6, an I-section across its
+/// flanges some 0.3 to 0.5 of it.
+pub fn shear_stiffness(axial: f64) -> f64 {
+    axial * SHEAR_AREA / YOUNG_OVER_SHEAR
+}
+
 impl UniformBeam {
+    /// First order of rotary inertia and shear in what a beam without end gives way to a force across it, D in `(1 + D s)/(C
+    /// s^(3/2))` of Laplace space \[s\]; `shear` is the shear stiffness \[N\], infinite for Rayleigh's beam.
+    ///
+    /// Timoshenko's beam has `Y(s) = ((1 + rhoI s^2/S)/(a b) + EI/S) / (2 EI (a + b))`, `(a b)^2 = rhoA s^2/EI (1 + rhoI s^2/S)`,
+    /// `a^2 + b^2 = s^2 (rhoI/EI + rhoA/S)`; for small s, `D = sqrt(rhoA/EI) (3/4 EI/S - 1/4 rhoI/rhoA)`.
+    pub fn softening(&self, shear: f64) -> f64 {
+        (self.mass / self.bending).sqrt()
+            * (0.75 * self.bending / shear - 0.25 * self.rotary / self.mass)
+    }
+
     /// Speed of longitudinal waves, `sqrt(EA / rhoA)` \[m/s\].
     pub fn bar_speed(&self) -> f64 {
         (self.axial / self.mass).sqrt()

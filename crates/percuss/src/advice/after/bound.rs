@@ -1,0 +1,75 @@
+//! An upper bound of the force of a blow on a structure that no other formula knows.
+
+use super::super::Comparison;
+use super::super::case::{Struck, rigid_blow};
+use super::super::duration::Modes;
+use super::super::structure::gravity;
+use super::super::surroundings::Surroundings;
+use super::super::words::digits;
+use super::bodies::lossless;
+use super::{Desk, Formula, Quantity, Touch};
+use crate::math::vec2::{dot, norm};
+use crate::settings::Start;
+
+/// Compliances are taken so much larger than that of the modes, of which there are finitely many.
+const MORE: f64 = 1.2;
+
+/// The force of a lossless contact on anything passive: a bound, and why.
+///
+/// Let a mass M, with another one M' behind it on a spring, meet at relative speed v a structure that has no energy to give: at rest
+/// and free of stress. Energies of motion and of strain are never negative and their sum only falls (damping), so that the potential
+/// of the contact never exceeds what there was: `V(p) <= (M + M') v^2/2`, and with a force `V'` that grows with p,
+/// `F <= V'(p_max)`, on a spring `v sqrt(k (M + M'))`. The velocity of a disc along the beam counts, since a beam that turns may turn
+/// it into one across. There is no such bound of the duration: a light beam throws a mass back in less than half a period of mass and
+/// spring, and one that yields keeps it longer.
+///
+/// A weight `W = (M + M') g` adds its work `W (p + w)`, w the way of the struck point. A linear structure of stiffness K there stores
+/// at least `K w^2/2`, and `W w - K w^2/2 <= W^2/(2K)`; the spring K' behind stores its own, `M' g e - K' e^2/2 <= (M' g)^2/(2K')`:
+/// `V(p) - W p <= (M + M') v^2/2 + W^2/(2K) + (M' g)^2/(2K')`.
+pub fn of_the_force(desk: &Desk<'_>, struck: &Struck<'_>, modes: &Modes<'_>) -> Vec<Comparison> {
+    let Touch::Interval(interval) = desk.touch else { return Vec::new() };
+    let (pull, behind) = (struck.pull(), struck.rear.map_or(0.0, |rear| rear.mass));
+    let mass = struck.mass + behind;
+    let fallen = norm(gravity(desk.model).0) * interval.start;
+    let sideways = if desk.case.guided.is_some() { 0.0 } else { struck.sideways + fallen };
+    let weight = mass * pull;
+    let yields = match weight {
+        0.0 => 0.0,
+        _ => weight * weight * MORE * modes.target(struck).compliance(),
+    };
+    let swings = struck.rear.map_or(0.0, |rear| (rear.mass * pull).powi(2) / rear.stiffness);
+    // What there is, as the speed of the mass that would have it.
+    let speed = (desk.speed.powi(2) + sideways.powi(2) + (yields + swings) / mass).sqrt();
+    let Some(blow) = rigid_blow(desk.case.law, mass, speed, weight) else { return Vec::new() };
+    let bare = (desk.speed.powi(2) + sideways.powi(2)).sqrt();
+    let without = rigid_blow(desk.case.law, mass, bare, 0.0).map_or(f64::NAN, |b| b.peak_force);
+    let around = Surroundings::of(desk.model, struck.place.index);
+    let relaxed = around.is_relaxed(desk.model);
+    let weighs = dot(gravity(desk.model).0, struck.direction) != 0.0 && around.held;
+    let mut assumptions = lossless(desk, desk.at_rest(struck))
+        .and("nothing strained before the touch but by weights", relaxed)
+        .and("one point of contact", desk.model.contacts[desk.index].pairs.len() == 1);
+    if norm(gravity(desk.model).0) > 0.0 && around.held {
+        let carries = desk.settings.start == Start::Static;
+        assumptions = assumptions.and("equilibrium under the own weight before the touch", carries);
+    }
+    if weighs {
+        let what = format!(
+            "a structure that stays linear under the weight, which makes {} % of the force",
+            digits(100.0 * (1.0 - without / blow.peak_force))
+        );
+        assumptions = assumptions.and_unchecked(what);
+    }
+    let formula = Formula {
+        name: "upper bound of the force",
+        source: "the contact stores at most what moves and falls: V(p) <= M v^2/2 + work of the weight; on a spring v sqrt(k M)",
+        assumptions,
+    };
+    let force = Quantity {
+        name: "largest contact force",
+        unit: "N",
+        by_hand: blow.peak_force,
+        simulated: interval.peak_force.value,
+    };
+    desk.rows(&formula, vec![force])
+}

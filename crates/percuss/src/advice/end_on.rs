@@ -1,0 +1,113 @@
+//! Beams that are struck, or strike, end on.
+
+use std::f64::consts::PI;
+
+use super::before::{Desk, graded};
+use super::case::{Beams, Struck, force, rigid_blow};
+use super::formulas::BarOnWall;
+use super::structure::BeamPlace;
+use super::words::{digits, quantity, round_down};
+use super::{Advice, Topic, Verdict};
+use crate::math::vec2::dot;
+use crate::model::TouchLaw;
+
+/// Elements, or steps, in which the force of a bar rises: those that follow it, and those that make it too large by half.
+const RISES: [f64; 2] = [1.0, 0.3];
+const STEPS: [f64; 2] = [4.0, 1.0];
+/// A blow with this share of its direction along a straight beam is end on.
+const END_ON: f64 = 0.99;
+
+/// A beam that meets a wall end on: how long it stays, and whether the mesh and the step follow its force.
+pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Option<Advice>> {
+    let (place, settings) = (&beams.place, desk.settings);
+    let speed = beams.wall.map_or(0.0, |normal| -dot(normal, beams.velocity));
+    if speed <= 0.0 || !place.is_uniform() {
+        return Vec::new();
+    }
+    let (section, length) = (place.section(), place.beam.length);
+    let wave = section.bar_blow(length, speed);
+    let TouchLaw::Smooth(law) = desk.case.law else {
+        return vec![Some(stays(desk, wave.duration)), strut_under(desk, place, wave.force)];
+    };
+    let found = section.bar_on_wall(length, speed, |p, rate| force(law, p, rate));
+    let duration = match found {
+        Some(BarOnWall::Waves(blow)) => Some(blow.duration),
+        Some(BarOnWall::OnePiece) => {
+            rigid_blow(desk.case.law, section.mass * length, speed, 0.0).map(|blow| blow.duration)
+        }
+        None => None,
+    };
+    let peak = match found {
+        Some(BarOnWall::Waves(blow)) => blow.force,
+        _ => 0.0,
+    };
+    let rise = section.rise_time(speed, |p| force(law, p, 0.0)).map(|rise| {
+        let transit = place.element_length() / section.bar_speed();
+        let (in_elements, in_steps) = (rise / transit, rise / settings.step);
+        let verdict = graded(in_elements, RISES).max(graded(in_steps, STEPS));
+        let mut text = format!(
+            "the force rises within {}, {} times the {} of a wave through an element, {} steps, and comes to {} at most (EA v/c)",
+            quantity(rise, "s"),
+            digits(in_elements),
+            quantity(transit, "s"),
+            digits(in_steps),
+            quantity(wave.force, "N")
+        );
+        if verdict != Verdict::Fine {
+            let shorter = quantity(round_down(rise * section.bar_speed()), "m");
+            let step = quantity(round_down(rise / STEPS[0]), "s");
+            text += &format!(
+                ": a peak above that is one of this mesh and step; use elements of {shorter} and a step of {step} or less, or a \
+                 softer contact"
+            );
+        }
+        desk.finding(Topic::ForceRise, [rise, transit], "s", verdict, text)
+    });
+    vec![duration.map(|duration| stays(desk, duration)), rise, strut_under(desk, place, peak)]
+}
+
+fn stays(desk: &Desk<'_>, duration: f64) -> Advice {
+    let steps = duration / desk.settings.step;
+    let verdict = graded(steps, [20.0, 8.0]);
+    let mut text = format!(
+        "the bar stays on the wall for {}, {} steps",
+        quantity(duration, "s"),
+        digits(steps)
+    );
+    if verdict != Verdict::Fine {
+        text +=
+            &format!(": set time.step to {} or less", quantity(round_down(duration / 20.0), "s"));
+    }
+    desk.finding(Topic::ContactDuration, [duration, desk.settings.step], "s", verdict, text)
+}
+
+/// A beam struck along its axis: whether the force is above that under which it buckles.
+///
+/// The force is at most that of the wave that the striker sends into the beam, `EA v/c`, or of a rigid target, whichever is less, until
+/// the wave is back.
+pub fn strut(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<Advice> {
+    if dot(struck.direction, struck.place.tangent()).abs() < END_ON || !struck.place.is_uniform() {
+        return None;
+    }
+    let section = struck.place.section();
+    let wave = section.bar_impedance() * struck.speed;
+    let rigid = rigid_blow(desk.case.law, struck.mass, struck.speed, 0.0);
+    let force = rigid.map_or(wave, |blow| blow.peak_force.min(wave));
+    strut_under(desk, &struck.place, force)
+}
+
+fn strut_under(desk: &Desk<'_>, place: &BeamPlace<'_>, force: f64) -> Option<Advice> {
+    let (section, length) = (place.section(), place.beam.length);
+    let euler = PI * PI * section.bending / (length * length);
+    if force.is_nan() || force <= euler {
+        return None;
+    }
+    let text = format!(
+        "the blow presses the straight beam with some {}, {} times the Euler load {} between pins: a mesh without any \
+         imperfection stays straight where a real beam bows out; give it one (a slight curve, an offset of the blow)",
+        quantity(force, "N"),
+        digits(force / euler),
+        quantity(euler, "N")
+    );
+    Some(desk.finding(Topic::Stability, [force, euler], "N", Verdict::Warning, text))
+}

@@ -1,0 +1,117 @@
+//! Whether steps and rows show a contact.
+
+use super::before::{Desk, STEPS, graded};
+use super::case::Meeting;
+use super::duration::{From, Lasting};
+use super::words::{digits, quantity, round_down};
+use super::{Advice, Topic, Verdict};
+use crate::model::frozen::ConnectorLaw;
+use crate::summary::ContactInterval;
+
+/// Errors of a force that are fine, and that are worth a warning.
+const OFF: [f64; 2] = [0.01, 0.05];
+/// Steps of a contact below which its beginning and end are half of what is known of it.
+const RESOLVED: f64 = ContactInterval::RESOLVED as f64;
+/// Rows of the history that show the course of a contact, and that hardly do.
+const ROWS: [f64; 2] = [10.0, 4.0];
+/// Deflections below this share of the radius of gyration (or of the length, where ends slide) leave the stiffness as it is.
+const SMALL: f64 = 0.3;
+const SMALL_SLIDING: f64 = 0.05;
+
+impl Desk<'_> {
+    pub fn duration(&self, lasting: &Lasting) -> Advice {
+        let (contact, step) = (lasting.duration, self.settings.step);
+        let steps = contact / step;
+        let who = match lasting.from {
+            From::Comes => "a beam that comes in its lowest motion stays for about",
+            _ => "the contact lasts about",
+        };
+        let mut text = format!("{who} {}, {} steps", quantity(contact, "s"), digits(steps));
+        if let Some(limit) = self.bends_beyond(lasting) {
+            text += &format!(
+                " by the modes of the structure at rest, were it linear; but the struck point goes {} far, where its stiffness \
+                 changes beyond some {}: the true contact may well be several times shorter or longer",
+                quantity(lasting.deflection, "m"),
+                quantity(limit, "m")
+            );
+        }
+        let off = lasting.off(step);
+        let verdict = match off {
+            _ if steps < 2.0 => Verdict::Warning,
+            Some(off) if off < OFF[0] && steps < RESOLVED => Verdict::Note,
+            Some(off) => graded(-off, OFF.map(|x| -x)),
+            None => graded(steps, STEPS),
+        };
+        if verdict != Verdict::Fine {
+            let mut better = step.min(contact);
+            for _ in 0..40 {
+                better = round_down(0.5 * better);
+                if contact / better >= STEPS[1]
+                    && lasting.off(better).is_none_or(|off| off < OFF[0])
+                {
+                    break;
+                }
+            }
+            let better = quantity(better, "s");
+            text += &match off.filter(|_| steps >= 2.0) {
+                Some(off) if off < OFF[0] => format!(
+                    ": its peak force is within a per cent, its duration and velocities are hardly resolved; set time.step to \
+                     {better}"
+                ),
+                Some(off) => format!(
+                    ": expect its peak force to be off by some {} %; set time.step to {better}",
+                    digits((100.0 * off).round().max(1.0))
+                ),
+                None => format!(": the run does not see its course; set time.step to {better}"),
+            };
+        }
+        self.finding(Topic::ContactDuration, [contact, step], "s", verdict, text)
+    }
+
+    /// The deflection up to which the struck beam is linear, where the contact bends it farther: a third of the radius of gyration
+    /// where ends cannot slide or the beam is curved, a twentieth of its length else. Stops that close count as a change, too.
+    fn bends_beyond(&self, lasting: &Lasting) -> Option<f64> {
+        let Meeting::Struck(struck) = &self.case.meeting else { return None };
+        let (place, section) = (&struck.place, struck.place.section());
+        let stiffens = place.is_held_lengthwise() || !place.is_uniform();
+        let limit = match stiffens {
+            true => SMALL * (section.bending / section.axial).sqrt(),
+            false => SMALL_SLIDING * place.beam.length,
+        };
+        let limit = limit.min(self.nearest_stop());
+        (lasting.from == From::Modes && lasting.deflection > limit).then_some(limit)
+    }
+
+    /// Least gap of a stop \[m\].
+    fn nearest_stop(&self) -> f64 {
+        let gaps = self.model.connectors.iter().map(|one| match one.law {
+            ConnectorLaw::OneSided { gap, .. } => gap,
+            ConnectorLaw::Linear { .. } => f64::INFINITY,
+        });
+        gaps.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Rows of the history against the contact.
+    pub fn recording(&self, contact: f64) -> Option<Advice> {
+        let every = self.settings.record_every.max(1);
+        let between = self.settings.step * every as f64;
+        let rows = contact / between;
+        // A row a step shows what there is.
+        let verdict = if every == 1 { Verdict::Fine } else { graded(rows, ROWS) };
+        let mut text = format!(
+            "the history has a row every {}, {} in the contact of {}",
+            quantity(between, "s"),
+            digits(rows),
+            quantity(contact, "s")
+        );
+        if verdict != Verdict::Fine {
+            let most = (contact / STEPS[0] / self.settings.step).floor().max(1.0);
+            text += &format!(
+                ": curves and figures miss its course, though not the peaks of the summary; set record.every to {}",
+                digits(most)
+            );
+        }
+        let values = [between, contact];
+        Some(self.finding(Topic::Recording, values, "s", verdict, text))
+    }
+}

@@ -1,0 +1,68 @@
+//! What shear deformation, which beams here leave out, would do.
+
+use super::before::{Desk, graded};
+use super::case::Struck;
+use super::duration::{From, Lasting};
+use super::formulas::shear_stiffness;
+use super::words::digits;
+use super::{Advice, Topic, Verdict};
+
+/// Shares that are fine, and that are worth a warning.
+const SHARES: [f64; 2] = [0.02, 0.1];
+/// A compliance by shear of this share of that by bending is no correction any more.
+const GOVERNS: f64 = 0.5;
+
+/// The estimate for a struck beam, of a full rectangle with Poisson's ratio 0.3: of a blow that no wave comes back to, the change of its
+/// force and rebound; else that of its force by the modes; under a rigid law the compliance of the span.
+pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) -> Option<Advice> {
+    if struck.across() < 0.5 {
+        return None;
+    }
+    let section = struck.place.section();
+    let shear = shear_stiffness(section.axial);
+    let (share, what) = match lasting {
+        Some(lasting) if lasting.from == From::WithoutEnd => {
+            let [_, change] = struck.corrections(desk.case.law, struck.speed)?;
+            let rebound = change.rebound.map_or(String::new(), |share| {
+                format!(" and the velocity of rebound by {} %", digits(100.0 * share))
+            });
+            let share = change.rebound.unwrap_or(0.0).abs().max(change.force.abs());
+            (share, format!("change the force by {} %{rebound}", digits(100.0 * change.force)))
+        }
+        Some(lasting) => {
+            let share = lasting.shear(&section, shear)?;
+            (share, format!("change the force by {} %", digits(100.0 * share)))
+        }
+        None => {
+            let share = struck.place.span()?.shear_share(shear);
+            (share, format!("let the span give way {} % more", digits(100.0 * share)))
+        }
+    };
+    let share = share.abs();
+    if !share.is_finite() {
+        return None;
+    }
+    // Deflections follow the compliance, whatever the force does.
+    let yields = struck.place.span().map_or(0.0, |span| span.shear_share(shear));
+    let and = match lasting {
+        Some(_) if yields >= SHARES[0] => {
+            format!(
+                ", and let the span give way {} % more to a force at rest",
+                digits(100.0 * yields)
+            )
+        }
+        _ => String::new(),
+    };
+    let text = format!(
+        "shear deformation, left out, would {what}{and} (of a full rectangle; of a tube some twice, of an I-section two to three \
+         times as much)"
+    );
+    let of_force = graded(-share, SHARES.map(|x| -x));
+    let of_way = match yields {
+        x if x < SHARES[0] => Verdict::Fine,
+        x if x < GOVERNS => Verdict::Note,
+        _ => Verdict::Warning,
+    };
+    let verdict = of_force.max(of_way);
+    Some(desk.finding(Topic::Shear, [share, SHARES[0]], "1", verdict, text))
+}
