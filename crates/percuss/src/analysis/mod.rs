@@ -25,8 +25,8 @@ mod struck_mass;
 mod trial;
 
 pub use batch::{Detail, simulate_batch};
-pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling};
-pub use modes::{Mode, ModeKind, modes_about, natural_frequencies};
+pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
+pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};
 pub use simulation::{Simulation, simulate};
 pub use start::{massless, reference_state};

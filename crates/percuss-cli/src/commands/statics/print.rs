@@ -54,7 +54,7 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
         text.push_str(&format!(
             "linear buckling at {} times the loads (about the reference configuration{})\n",
             number(mode.factor),
-            if found.contacts.is_empty() { "" } else { ", contacts left out" }
+            contacts_of_buckling(&found.contacts)
         ));
     }
     if let Some(reason) = linear.outcome.reason()
@@ -63,6 +63,18 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
         text.push_str(&format!("{reason}\n"));
     }
     text
+}
+
+/// What linear buckling makes of contacts.
+fn contacts_of_buckling(found: &[StaticContact]) -> &'static str {
+    let press = found.iter().any(|c| c.force > 0.0);
+    let open = found.iter().any(|c| c.force == 0.0);
+    match (press, open) {
+        (false, false) => "",
+        (false, true) => ", open contacts left out",
+        (true, false) => ", contacts that press held closed, those of discs left out",
+        (true, true) => ", contacts that press held closed, open ones and those of discs left out",
+    }
 }
 
 /// Contacts: what they carry, and where.
