@@ -1,5 +1,6 @@
 //! Linear buckling: the load factor at which the tangent would turn singular if the geometric stiffness grew with the load.
 
+use super::flutter::{FollowerStability, follower_stability};
 use super::spectrum::{Held, Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
 use super::statics::Equilibrium;
@@ -32,6 +33,8 @@ pub struct LinearBuckling {
     pub modes: Vec<BucklingMode>,
     /// What is known.
     pub outcome: BucklingOutcome,
+    /// Under loads that follow the beams, where stability is lost instead; not looked for where contacts press.
+    pub stability: Option<FollowerStability>,
 }
 
 /// What linear buckling found.
@@ -84,7 +87,7 @@ impl BucklingOutcome {
 /// response to the loads; contacts are left out. The factors below any value are as many as the negative eigenvalues of
 /// `K + value K_g`, so that none is passed over, whatever negative factors there are.
 pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
-    as_result(find(&model.structure(), Vec::new(), count))
+    result(&model.structure(), Vec::new(), count)
 }
 
 /// The same where the contacts that press in an equilibrium stay closed: as supports do, rigid ones do not give way, compliant ones
@@ -92,13 +95,18 @@ pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
 ///
 /// Of gaps that close under the loads it knows as little as of all other displacements.
 pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> LinearBuckling {
-    as_result(find(&model.structure(), found.held.clone(), count))
+    result(&model.structure(), found.held.clone(), count)
 }
 
-fn as_result(found: Result<Vec<BucklingMode>, BucklingOutcome>) -> LinearBuckling {
-    match found {
-        Ok(modes) => LinearBuckling { modes, outcome: BucklingOutcome::Found },
-        Err(outcome) => LinearBuckling { modes: Vec::new(), outcome },
+fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
+    let alone = held.is_empty();
+    match find(structure, held, count) {
+        Ok(modes) => LinearBuckling { modes, outcome: BucklingOutcome::Found, stability: None },
+        Err(outcome) => {
+            let follows = alone && outcome == BucklingOutcome::Follower;
+            let stability = follows.then(|| follower_stability(structure));
+            LinearBuckling { modes: Vec::new(), outcome, stability }
+        }
     }
 }
 

@@ -6,6 +6,7 @@ mod buckling;
 mod channels;
 mod contact_log;
 pub(crate) mod crest;
+mod flutter;
 mod given;
 mod giving_up;
 mod impacts;
@@ -26,6 +27,7 @@ mod trial;
 
 pub use batch::{Detail, simulate_batch};
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
+pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};
 pub use simulation::{Simulation, simulate};

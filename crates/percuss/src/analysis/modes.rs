@@ -127,15 +127,13 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
 
 /// The `count` lowest modes of a structure.
 pub(super) fn lowest(model: &Model, state: &State, held: Vec<Held>, count: usize) -> Vec<Mode> {
-    let structure = Linearized::new(model, state, held);
-    let mut modes = if structure.layout.is_symmetric(&structure.tangent) {
-        structure.symmetric(count, false)
-    } else {
-        structure.general(count)
-    };
-    modes.sort_by(|a, b| a.eigenvalue.total_cmp(&b.eigenvalue));
-    modes.truncate(count);
-    modes
+    Linearized::new(model, state, held).lowest(count)
+}
+
+/// The same about an equilibrium under a share of the loads.
+pub(super) fn lowest_under(model: &Model, state: &State, share: f64, count: usize) -> Vec<Mode> {
+    let search = StaticSearch::at_share(model, state, share);
+    Linearized::about(Layout::new(model), search, state).lowest(count)
 }
 
 /// A structure linearised about an equilibrium.
@@ -152,8 +150,11 @@ struct Linearized<'m> {
 
 impl<'m> Linearized<'m> {
     fn new(model: &'m Model, state: &State, held: Vec<Held>) -> Self {
-        let layout = Layout::holding(model, held);
-        let search = StaticSearch::at(model, state);
+        Self::about(Layout::holding(model, held), StaticSearch::at(model, state), state)
+    }
+
+    fn about(layout: Layout<'m>, search: StaticSearch<'m>, state: &State) -> Self {
+        let model = layout.model;
         let tangent = layout.tangent(&search);
         let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
         let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
@@ -161,6 +162,17 @@ impl<'m> Linearized<'m> {
             || model.connectors.iter().zip(&state.coordinates).any(|(c, q)| c.potential(*q) > 0.0);
         let mass = mass_band(model, &state.displacement);
         Self { layout, search, tangent, mass, stressed, free }
+    }
+
+    fn lowest(&self, count: usize) -> Vec<Mode> {
+        let mut modes = if self.layout.is_symmetric(&self.tangent) {
+            self.symmetric(count, false)
+        } else {
+            self.general(count)
+        };
+        modes.sort_by(|a, b| a.eigenvalue.total_cmp(&b.eigenvalue));
+        modes.truncate(count);
+        modes
     }
 
     /// Modes where forces have a potential, those that grow first; `flexible` of them beside those of rigid bodies.

@@ -70,12 +70,17 @@ impl<'m> StaticSearch<'m> {
 
     /// At an equilibrium: increments count from it. In the reference configuration no load acts.
     pub fn at(model: &'m Model, state: &State) -> Self {
+        let loaded = largest(&state.displacement) > 0.0;
+        Self::at_share(model, state, f64::from(u8::from(loaded)))
+    }
+
+    /// The same at an equilibrium under a share of the loads.
+    pub fn at_share(model: &'m Model, state: &State, share: f64) -> Self {
         let mut search = Self::new(model);
         search.base.displacement.clone_from(&state.displacement);
         search.base.coordinates.clone_from(&state.coordinates);
         search.work.multiplier.clone_from(&state.multiplier);
-        let loaded = largest(&state.displacement) > 0.0;
-        search.forcing.set_static(model, f64::from(u8::from(loaded)));
+        search.forcing.set_static(model, share);
         search.forcing.hold_motions();
         search.foresee(true);
         search

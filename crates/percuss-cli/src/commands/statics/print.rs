@@ -1,7 +1,8 @@
 //! An equilibrium and a path, as text.
 
 use percuss::{
-    BucklingOutcome, Equilibrium, LinearBuckling, Path, SectionPeak, SectionRange, StaticContact,
+    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Path, SectionPeak,
+    SectionRange, StaticContact,
 };
 
 use crate::number::{count, number};
@@ -62,7 +63,30 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     {
         text.push_str(&format!("{reason}\n"));
     }
+    if let Some(stability) = linear.stability {
+        text.push_str(&format!("{}\n", under_followers(stability)));
+    }
     text
+}
+
+/// Where loads that follow the beams end the stability of the equilibrium.
+fn under_followers(stability: FollowerStability) -> String {
+    let contacts = "contacts left out";
+    match stability {
+        FollowerStability::Flutter { factor, frequency } => format!(
+            "flutter from {} times the loads on, at {} Hz ({contacts})",
+            number(factor),
+            number(frequency)
+        ),
+        FollowerStability::Divergence { factor } => {
+            format!("divergence from {} times the loads on ({contacts})", number(factor))
+        }
+        FollowerStability::Kept { up_to } => format!(
+            "no flutter and no divergence at the load factors looked at, in steps up to {} ({contacts})",
+            number(up_to)
+        ),
+        _ => String::new(),
+    }
 }
 
 /// What linear buckling makes of contacts.
