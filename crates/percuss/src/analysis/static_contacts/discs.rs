@@ -108,7 +108,10 @@ impl StaticContacts {
 
     /// Notes what has left for good.
     pub fn look_for_lost(&mut self, model: &Model, u: &[[f64; 4]]) {
-        let far = |n: &[f64; 4]| !(norm([n[0], n[1]]) <= LOST * self.size);
+        let far = |n: &[f64; 4]| {
+            let moved = norm([n[0], n[1]]);
+            moved.is_nan() || moved > LOST * self.size
+        };
         let disc = self.discs.iter().find(|d| far(&u[d.node])).map(|d| model.beams.len() + d.body);
         let gone = |b: &BeamData| u[b.nodes.clone()].iter().any(far);
         let beam = || model.beams.iter().position(gone).filter(|_| !self.loose.is_empty());
