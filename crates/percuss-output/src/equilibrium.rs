@@ -1,7 +1,8 @@
 //! A static equilibrium as JSON.
 
 use percuss::{
-    Equilibrium, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange, StaticContact,
+    Equilibrium, FollowerStability, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange,
+    StaticContact,
 };
 use serde_json::{Map, Value, json};
 
@@ -23,7 +24,21 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
         "section_forces": forces.collect::<Map<_, _>>(),
         "linear_buckling": linear.modes.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
         "linear_buckling_note": linear.outcome.reason(),
+        "follower_stability": linear.stability.map(stability),
     })
+}
+
+fn stability(found: FollowerStability) -> Value {
+    match found {
+        FollowerStability::Flutter { factor, frequency } => {
+            json!({ "kind": "flutter", "factor": factor, "frequency": frequency })
+        }
+        FollowerStability::Divergence { factor } => {
+            json!({ "kind": "divergence", "factor": factor })
+        }
+        FollowerStability::Kept { up_to } => json!({ "kind": "none found", "up_to": up_to }),
+        _ => Value::Null,
+    }
 }
 
 fn contact(found: &StaticContact) -> Value {

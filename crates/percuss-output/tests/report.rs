@@ -445,6 +445,8 @@ fn reactions_and_section_forces_have_figures_and_tables_with_signs() -> Outcome 
     assert!(!ids.iter().any(|i| i == "reaction-1" || i == "section-stress"), "{ids:?}");
     assert!(page.contains("Reactions, on the structure</caption>"));
     assert!(page.contains("<td>-150\u{a0}kN</td>"), "a reaction that pulls keeps its sign");
+    assert!(page.contains("apart from their forces</caption>"));
+    assert!(page.contains("<td>-12.5\u{a0}N\u{a0}s</td>"), "impulses of supports");
     assert!(page.contains("bending moment") && !page.contains("fibre stress"));
     Ok(())
 }

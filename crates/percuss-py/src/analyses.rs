@@ -1,6 +1,9 @@
 //! Natural modes and static equilibrium for Python.
 
-use percuss::{Start, buckling, equilibrium, equilibrium_path, modes_about, reference_state};
+use percuss::{
+    Start, buckling_in_contact, equilibrium, equilibrium_path, modes_about,
+    modes_about_equilibrium, reference_state,
+};
 use percuss_output::{ModesInfo, equilibrium_value, modes_value, path_value};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -23,14 +26,16 @@ pub fn modes<'py>(
     let ready = source.ready(py)?;
     let (compiled, model) = (&ready.compiled, &ready.compiled.model);
     let loaded = about.map_or(compiled.settings.start == Start::Static, |word| word == "static");
-    let state = if loaded {
+    let (modes, state) = if loaded {
         ready.refuse_mechanism(py)?;
-        let found = py.detach(|| equilibrium(model));
-        found.map_err(|error| analysis_error(py, error.to_string()))?.state
+        let found = py.detach(|| {
+            equilibrium(model).map(|e| (modes_about_equilibrium(model, &e, count), e.state))
+        });
+        found.map_err(|error| analysis_error(py, error.to_string()))?
     } else {
-        reference_state(model).map_err(|faults| ready.refuse(py, faults))?
+        let state = reference_state(model).map_err(|faults| ready.refuse(py, faults))?;
+        (py.detach(|| modes_about(model, &state, count)), state)
     };
-    let modes = py.detach(|| modes_about(model, &state, count));
     source.raised().map_or(Ok(()), Err)?;
     if modes.is_empty() {
         return Err(analysis_error(
@@ -66,11 +71,12 @@ pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bou
     let solved = py.detach(|| {
         if !path {
             let found = equilibrium(model)?;
-            let value = equilibrium_value(&found, &buckling(model, 1));
+            let value = equilibrium_value(&found, &buckling_in_contact(model, &found, 1));
             return Ok((value, found.state));
         }
         let followed = equilibrium_path(model, &ready.compiled.path)?;
-        let mut value = equilibrium_value(&followed.end, &buckling(model, 1));
+        let mut value =
+            equilibrium_value(&followed.end, &buckling_in_contact(model, &followed.end, 1));
         value["path"] = path_value(&followed);
         Ok((value, followed.end.state))
     });

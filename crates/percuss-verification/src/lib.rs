@@ -12,6 +12,7 @@ mod ends;
 mod motion;
 mod rigid;
 mod section_forces;
+mod stability;
 mod statics;
 mod stops;
 mod structure;
@@ -192,6 +193,30 @@ pub const CASES: &[Case] = &[
         title: "Frequencies of slender beams, clamped, free, cantilevered",
         source: "closed form",
         run: vibration::slender_beams,
+    },
+    Case {
+        id: "strip-on-floor",
+        title: "A strip lies down on a rigid floor: force, moment, touch-down",
+        source: "closed form h = w a^4 / 72 EI; heavy elastica by Runge-Kutta and Newton's method",
+        run: stability::strip_on_a_floor,
+    },
+    Case {
+        id: "tip-mass",
+        title: "Lowest frequency of a cantilever with 1 t at its tip, up to 1000 elements",
+        source: "closed form",
+        run: stability::tip_mass,
+    },
+    Case {
+        id: "becks-column",
+        title: "Beck's column: frequencies, and flutter with its load",
+        source: "Beck 1952, Z. angew. Math. Phys. 3, 225; closed form",
+        run: stability::becks_column,
+    },
+    Case {
+        id: "column-beside-ties",
+        title: "Linear buckling of a column beside rods in tension",
+        source: "Euler's column",
+        run: stability::column_beside_ties,
     },
     Case {
         id: "spin-up",

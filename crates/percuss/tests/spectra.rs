@@ -186,17 +186,27 @@ fn becks_column_flutters_at_20_05_and_never_diverges() {
 }
 
 #[test]
-fn linear_buckling_of_forces_that_follow_is_refused() {
-    for elements in [4, 24] {
+fn linear_buckling_of_forces_that_follow_is_refused_and_flutter_found() {
+    for (elements, push) in [(4, 1000.0), (24, 1000.0), (24, 3e5)] {
         let model = straight(elements, 7850.0, |b, beam| {
             clamp(b, beam, 0.0);
-            let force = [-1000.0, 0.0];
+            let force = [-push, 0.0];
             let kind = LoadKind::Point { at: at(beam, 1.0), force, moment: 0.0, follower: true };
             b.load(Load::new("push", kind));
         });
         let found = buckling(&model, 2);
         assert!(found.modes.is_empty());
         assert_eq!(found.outcome, BucklingOutcome::Follower);
+        // Beck 1952: 20.05 EI / L^2; four elements meet it to their order.
+        let Some(FollowerStability::Flutter { factor, frequency }) = found.stability else {
+            panic!("{found:?}")
+        };
+        let load = factor * push * LENGTH * LENGTH / bending();
+        // As above, the strain of the load stiffens and shortens: p I / (A L^2) = 1e-3 at 20.
+        close(load, 20.0509, if elements == 4 { 1e-2 } else { 4e-3 });
+        // Both frequencies are 11.016 there, in units of sqrt(EI / rhoA L^4).
+        let unit = (bending() / (7850.0 * SIDE * SIDE)).sqrt() / (TAU * LENGTH * LENGTH);
+        close(frequency, 11.016 * unit, if elements == 4 { 1e-2 } else { 4e-3 });
     }
 }
 

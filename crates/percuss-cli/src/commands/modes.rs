@@ -1,6 +1,9 @@
 //! `percuss modes`.
 
-use percuss::{Mode, ModeKind, Start, equilibrium, modes_about, reference_state};
+use percuss::{
+    Equilibrium, Mode, ModeKind, Start, equilibrium, modes_about, modes_about_equilibrium,
+    reference_state,
+};
 use percuss_output::{ModesInfo, Results, RunDirectory, modes_value, write_modes};
 
 use crate::arguments::{About, Modes};
@@ -19,19 +22,24 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         Start::Reference => About::Reference,
         Start::Static => About::Static,
     });
-    let state = match about {
+    let count = arguments.count as usize;
+    let found = match about {
         About::Reference => reference_state(model)
+            .map(|state| (modes_about(model, &state, count), state, false))
             .map_err(|_| "the reference configuration cannot be set up".to_owned()),
         About::Static => {
             ready.refuse_mechanism(&arguments.set)?;
-            equilibrium(model).map(|found| found.state).map_err(|error| error.to_string())
+            let with_modes = |found: Equilibrium| {
+                let pressed = found.contacts.iter().any(|c| c.force > 0.0);
+                (modes_about_equilibrium(model, &found, count), found.state, pressed)
+            };
+            equilibrium(model).map(with_modes).map_err(|error| error.to_string())
         }
     };
-    let state = match state {
-        Ok(state) => state,
+    let (modes, state, pressed) = match found {
+        Ok(found) => found,
         Err(text) => return Ok(gave_up(&text)),
     };
-    let modes = modes_about(model, &state, arguments.count as usize);
     if modes.is_empty() {
         return Ok(gave_up("no modes: nothing has mass, or the tangent is singular"));
     }
@@ -49,7 +57,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     if arguments.json {
         terminal::print(&format!("{:#}\n", modes_value(&info)))?;
     } else {
-        terminal::print(&table(about, &modes))?;
+        terminal::print(&table(about, pressed, &modes))?;
         terminal::tell(&format!("results  {}", out.display()));
     }
     let unstable = modes.iter().filter(|m| m.growth() > 0.0).count();
@@ -72,9 +80,12 @@ fn word(about: About) -> &'static str {
     }
 }
 
-fn table(about: About, modes: &[Mode]) -> String {
+fn table(about: About, pressed: bool, modes: &[Mode]) -> String {
     let about = match about {
         About::Reference => "the reference configuration",
+        About::Static if pressed => {
+            "static equilibrium, contacts that press held closed, those of discs left out"
+        }
         About::Static => "static equilibrium",
     };
     let mut text = format!("natural modes about {about}\n  mode  frequency [Hz]    period [s]\n");

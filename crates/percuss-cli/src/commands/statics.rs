@@ -2,7 +2,7 @@
 
 mod print;
 
-use percuss::{Error, LinearBuckling, Path, buckling, equilibrium, equilibrium_path};
+use percuss::{Error, LinearBuckling, Path, buckling_in_contact, equilibrium, equilibrium_path};
 use percuss_output::{Results, RunDirectory, equilibrium_value, path_value, write_path};
 use serde_json::Value;
 
@@ -25,7 +25,7 @@ pub fn run(arguments: &Static) -> Result<Status, Failure> {
         Ok(found) => found,
         Err(error) => return Ok(gave_up(&error)),
     };
-    let linear = buckling(model, 1);
+    let linear = buckling_in_contact(model, &found, 1);
     if arguments.json {
         terminal::print(&format!("{:#}\n", equilibrium_value(&found, &linear)))?;
     } else {
@@ -56,7 +56,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
             return Ok(Status::GaveUp);
         }
     };
-    let linear = buckling(&compiled.model, 1);
+    let linear = buckling_in_contact(&compiled.model, &path.end, 1);
     let value = as_json(&path, &linear);
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-path"));
     let directory = RunDirectory::create_for(Results::Path, &out)?;

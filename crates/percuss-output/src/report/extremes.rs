@@ -1,4 +1,4 @@
-//! Tables of extremes: reactions of supports, section forces of beams.
+//! Tables of extremes: reactions of supports, section forces of beams; sums of the impulses of supports.
 
 use serde_json::{Map, Value};
 
@@ -7,11 +7,53 @@ use super::quantity::{number, quantity};
 
 /// Rows shown of a table.
 const LISTED: usize = 400;
+/// Impulses below this share of the largest are round-off.
+const ROUND_OFF: f64 = 1e-12;
 
-/// Both tables.
+/// All tables.
 pub(super) fn render(summary: &Value) -> String {
-    let supports = reactions(summary);
-    format!("{supports}{}", section_forces(summary))
+    let (supports, impulses) = (reactions(summary), impulses(summary));
+    format!("{supports}{impulses}{}", section_forces(summary))
+}
+
+/// Impulses that supports and obstacles gave beyond their forces, where impacts or jumps of prescribed velocities asked for any.
+fn impulses(summary: &Value) -> String {
+    let quantities = [("impulse_1", "N*s"), ("impulse_2", "N*s"), ("impulse_moment", "N*m*s")];
+    let empty = Map::new();
+    let supports = summary["support"].as_object().unwrap_or(&empty);
+    let of = |entry: &Value, key: &str| entry[key].as_f64().unwrap_or(0.0).abs();
+    let largest = |keys: &[&str]| {
+        let each = supports.values().flat_map(|e| keys.iter().map(move |key| of(e, key)));
+        each.fold(0.0, f64::max)
+    };
+    let most = [largest(&["impulse_1", "impulse_2"]), largest(&["impulse_moment"])];
+    let is_round_off =
+        |entry: &Value, k: usize| of(entry, quantities[k].0) <= ROUND_OFF * most[k / 2];
+    let mut rows = Vec::new();
+    for (name, entry) in supports {
+        if (0..3).all(|k| is_round_off(entry, k)) {
+            continue;
+        }
+        let told = |k: usize| {
+            let (key, unit) = quantities[k];
+            let value = entry[key].as_f64();
+            quantity(if is_round_off(entry, k) { value.map(|_| 0.0) } else { value }, unit)
+        };
+        rows.push([vec![name.clone()], (0..3).map(told).collect()].concat());
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    let more = rows.len().saturating_sub(LISTED);
+    rows.truncate(LISTED);
+    let caption =
+        "Impulses of supports and obstacles in impacts, on the structure, apart from their forces";
+    let header = ["support", "impulse 1", "impulse 2", "impulse of moment"];
+    let mut out = table(caption, &header, &rows);
+    if more > 0 {
+        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
+    }
+    out
 }
 
 fn reactions(summary: &Value) -> String {

@@ -1,7 +1,9 @@
 //! Linear buckling: the load factor at which the tangent would turn singular if the geometric stiffness grew with the load.
 
-use super::spectrum::{Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
+use super::flutter::{FollowerStability, follower_stability};
+use super::spectrum::{Held, Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
+use super::statics::Equilibrium;
 use crate::model::Model;
 use crate::settings::Scheme;
 use crate::state::State;
@@ -31,6 +33,8 @@ pub struct LinearBuckling {
     pub modes: Vec<BucklingMode>,
     /// What is known.
     pub outcome: BucklingOutcome,
+    /// Under loads that follow the beams, where stability is lost instead; not looked for where contacts press.
+    pub stability: Option<FollowerStability>,
 }
 
 /// What linear buckling found.
@@ -80,12 +84,29 @@ impl BucklingOutcome {
 /// Linear buckling factors of the loads that act at time zero: the `count` lowest positive ones, in ascending order.
 ///
 /// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear
-/// response to the loads. The factors below any value are as many as the negative eigenvalues of `K + value K_g`, so that none is
-/// passed over, whatever negative factors there are.
+/// response to the loads; contacts are left out. The factors below any value are as many as the negative eigenvalues of
+/// `K + value K_g`, so that none is passed over, whatever negative factors there are.
 pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
-    match find(&model.structure(), count) {
-        Ok(modes) => LinearBuckling { modes, outcome: BucklingOutcome::Found },
-        Err(outcome) => LinearBuckling { modes: Vec::new(), outcome },
+    result(&model.structure(), Vec::new(), count)
+}
+
+/// The same where the contacts that press in an equilibrium stay closed: as supports do, rigid ones do not give way, compliant ones
+/// with the stiffness of their law. Open ones and those of discs are left out.
+///
+/// Of gaps that close under the loads it knows as little as of all other displacements.
+pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> LinearBuckling {
+    result(&model.structure(), found.held.clone(), count)
+}
+
+fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
+    let alone = held.is_empty();
+    match find(structure, held, count) {
+        Ok(modes) => LinearBuckling { modes, outcome: BucklingOutcome::Found, stability: None },
+        Err(outcome) => {
+            let follows = alone && outcome == BucklingOutcome::Follower;
+            let stability = follows.then(|| follower_stability(structure));
+            LinearBuckling { modes: Vec::new(), outcome, stability }
+        }
     }
 }
 
@@ -96,14 +117,18 @@ struct Buckling<'l> {
     geometric: Matrix,
 }
 
-fn find(model: &Model, count: usize) -> Result<Vec<BucklingMode>, BucklingOutcome> {
+fn find(
+    model: &Model,
+    held: Vec<Held>,
+    count: usize,
+) -> Result<Vec<BucklingMode>, BucklingOutcome> {
     let rest = State::at_rest(model, Scheme::EnergyMomentum);
-    let layout = Layout::new(model);
+    let layout = Layout::holding(model, held);
     let unloaded = StaticSearch::at(model, &rest);
     if !free_motions(&layout, &unloaded).motions.is_empty() {
         return Err(BucklingOutcome::Mechanism);
     }
-    let stiffness = layout.tangent(&unloaded);
+    let stiffness = layout.tangent_with(&unloaded, 0.0);
     let factored = layout.factor(&stiffness, true).ok_or(BucklingOutcome::Unstable)?;
     if factored.negative > 0 {
         return Err(BucklingOutcome::Unstable);

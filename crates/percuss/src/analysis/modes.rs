@@ -2,9 +2,10 @@
 
 use nalgebra::Complex;
 
-use super::spectrum::{Eigen, FreeMotions, Layout, Matrix, Nodal, Pair, Pencil, subtract};
+use super::spectrum::{Eigen, FreeMotions, Held, Layout, Matrix, Nodal, Pair, Pencil, subtract};
 use super::spectrum::{free_motions, metric, size, strain_share, stress_share};
 use super::static_search::StaticSearch;
+use super::statics::Equilibrium;
 use crate::contact::effective_mass::mass_band;
 use crate::linalg::chain::Chain;
 use crate::model::Model;
@@ -83,7 +84,14 @@ impl Mode {
 /// Fewer if there are fewer: as many as the rank of the mass matrix. Damping is left out.
 pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
     let model = &model.structure();
-    lowest(model, &state.of_structure(model), count)
+    lowest(model, &state.of_structure(model), Vec::new(), count)
+}
+
+/// The same about a static equilibrium, in which contacts that press stay closed: rigid ones do not give way, compliant ones with
+/// the stiffness of their law. Contacts of discs are left out.
+pub fn modes_about_equilibrium(model: &Model, found: &Equilibrium, count: usize) -> Vec<Mode> {
+    let model = &model.structure();
+    lowest(model, &found.state.of_structure(model), found.held.clone(), count)
 }
 
 /// The `count` lowest natural frequencies about the stress-free reference configuration \[Hz\], in ascending order.
@@ -101,7 +109,7 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
     let nodes = model.node_count();
     let model = &model.structure();
     let state = &state.of_structure(model);
-    let structure = Linearized::new(model, state);
+    let structure = Linearized::new(model, state, Vec::new());
     // Modes that are orthogonal: of the part of stiffness that has a potential.
     let found = structure.symmetric(ratios.len(), true);
     let flexible = found.into_iter().filter(|m| m.eigenvalue > 0.0);
@@ -118,16 +126,14 @@ pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
 }
 
 /// The `count` lowest modes of a structure.
-pub(super) fn lowest(model: &Model, state: &State, count: usize) -> Vec<Mode> {
-    let structure = Linearized::new(model, state);
-    let mut modes = if structure.layout.is_symmetric(&structure.tangent) {
-        structure.symmetric(count, false)
-    } else {
-        structure.general(count)
-    };
-    modes.sort_by(|a, b| a.eigenvalue.total_cmp(&b.eigenvalue));
-    modes.truncate(count);
-    modes
+pub(super) fn lowest(model: &Model, state: &State, held: Vec<Held>, count: usize) -> Vec<Mode> {
+    Linearized::new(model, state, held).lowest(count)
+}
+
+/// The same about an equilibrium under a share of the loads.
+pub(super) fn lowest_under(model: &Model, state: &State, share: f64, count: usize) -> Vec<Mode> {
+    let search = StaticSearch::at_share(model, state, share);
+    Linearized::about(Layout::new(model), search, state).lowest(count)
 }
 
 /// A structure linearised about an equilibrium.
@@ -143,9 +149,12 @@ struct Linearized<'m> {
 }
 
 impl<'m> Linearized<'m> {
-    fn new(model: &'m Model, state: &State) -> Self {
-        let layout = Layout::new(model);
-        let search = StaticSearch::at(model, state);
+    fn new(model: &'m Model, state: &State, held: Vec<Held>) -> Self {
+        Self::about(Layout::holding(model, held), StaticSearch::at(model, state), state)
+    }
+
+    fn about(layout: Layout<'m>, search: StaticSearch<'m>, state: &State) -> Self {
+        let model = layout.model;
         let tangent = layout.tangent(&search);
         let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
         let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
@@ -153,6 +162,17 @@ impl<'m> Linearized<'m> {
             || model.connectors.iter().zip(&state.coordinates).any(|(c, q)| c.potential(*q) > 0.0);
         let mass = mass_band(model, &state.displacement);
         Self { layout, search, tangent, mass, stressed, free }
+    }
+
+    fn lowest(&self, count: usize) -> Vec<Mode> {
+        let mut modes = if self.layout.is_symmetric(&self.tangent) {
+            self.symmetric(count, false)
+        } else {
+            self.general(count)
+        };
+        modes.sort_by(|a, b| a.eigenvalue.total_cmp(&b.eigenvalue));
+        modes.truncate(count);
+        modes
     }
 
     /// Modes where forces have a potential, those that grow first; `flexible` of them beside those of rigid bodies.

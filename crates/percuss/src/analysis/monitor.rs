@@ -106,8 +106,8 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Opens the record at the initial state.
-    pub fn new(model: &Model, state: &State) -> Self {
+    /// Opens the record at the initial state, an equilibrium in which contacts press with the forces given.
+    pub fn new(model: &Model, state: &State, pressed: &[(Row, f64)]) -> Self {
         let points = model
             .points
             .iter()
@@ -119,7 +119,7 @@ impl Monitor {
             section_forces: section_forces::unset(model),
             supports: model.supports.iter().map(|s| unset_support(&s.name)).collect(),
             reacted: None,
-            lines: Lines::at_rest(model, state),
+            lines: Lines::at_rest(model, state, pressed),
             impulsive: false,
             energy_residual: 0.0,
             linear_residual: 0.0,

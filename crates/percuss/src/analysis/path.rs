@@ -1,5 +1,6 @@
 //! Equilibrium paths by arc length: past limit points, where load control ends.
 
+use super::static_contacts::Pressing;
 use super::static_search::{Reached, StaticSearch};
 use super::statics::{Equilibrium, finish, refuse_overlaps};
 use crate::error::Error;
@@ -182,6 +183,7 @@ struct Tracer<'m> {
 impl<'m> Tracer<'m> {
     fn new(model: &'m Model) -> Result<Self, Error> {
         let mut search = StaticSearch::new(model);
+        search.hold_loose_beams();
         search.foresee(true);
         // Springs may be stressed before any load acts.
         let stressed = model.connectors.iter().zip(&search.base.coordinates);
@@ -282,7 +284,7 @@ impl<'m> Tracer<'m> {
         if !self.prepare() {
             return None;
         }
-        self.search.contacts.begin();
+        self.search.contacts.begin(Pressing::Following);
         let start = self.search.work.increment.clone();
         let ahead = self.inner(&self.way, &self.response.0);
         let first = self.way.as_flattened().iter().all(|c| *c == 0.0);

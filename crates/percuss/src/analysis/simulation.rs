@@ -11,6 +11,7 @@ use super::start::{Initial, initial_state, massless};
 use super::static_contacts::takes_part;
 use super::trial::size_of;
 use crate::contact::effective_mass::EffectiveMass;
+use crate::contact::row::Row;
 use crate::contact::search::Search;
 use crate::contact::touch::Reach;
 use crate::error::Error;
@@ -76,8 +77,8 @@ pub struct Simulation<'m> {
     row_reactions: RowReactions,
     /// What striking bodies gave through contacts.
     given: Vec<Given>,
-    /// Forces of contacts on the nodes in the equilibrium the run started from; empty otherwise \[N\].
-    pub(super) contact_forces: Vec<[f64; 4]>,
+    /// Contacts that press in the equilibrium the run started from, with their forces \[N\]; empty otherwise.
+    pub(super) pressed: Vec<(Row, f64)>,
     row_iterations: usize,
     /// Time of the last row \[s\].
     row_time: f64,
@@ -122,20 +123,20 @@ impl<'m> Simulation<'m> {
 
     /// The same of structures that may have beams without mass, which nothing moves in time.
     pub(super) fn about(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
-        let Initial { state, reactions, contact_forces } = initial_state(model, settings)?;
+        let Initial { state, reactions, pressed } = initial_state(model, settings)?;
         // What presses on something in equilibrium may well be inside it.
-        let pressed = |c: &ContactData| {
+        let may_press = |c: &ContactData| {
             settings.start == Start::Static
                 && model.pairs[c.pairs.clone()].iter().all(|p| takes_part(model, p))
         };
-        let overlaps = model.overlaps(&state.displacement, |c| !pressed(c));
+        let overlaps = model.overlaps(&state.displacement, |c| !may_press(c));
         if !overlaps.is_empty() {
             return Err(overlaps);
         }
         let mut simulation = Self {
             model,
             settings: *settings,
-            monitor: Monitor::new(model, &state),
+            monitor: Monitor::new(model, &state, &pressed),
             state,
             work: Workspace::new(model),
             forcing: Forcing::new(model),
@@ -152,7 +153,7 @@ impl<'m> Simulation<'m> {
             row_impulse: vec![[0.0; 2]; model.contacts.len()],
             row_reactions: RowReactions::new(model, reactions),
             given: vec![Given::default(); model.striking_bodies().count()],
-            contact_forces,
+            pressed,
             row_iterations: 0,
             row_time: f64::NEG_INFINITY,
             located: None,
@@ -183,7 +184,7 @@ impl<'m> Simulation<'m> {
         self.measures = Measures::of(self.model, &self.state, self.search.awake());
         let round_off = RoundOff::new(self.model, self.settings.step);
         self.state.books = Books::open(&self.measures, &round_off);
-        self.monitor = Monitor::new(self.model, &self.state);
+        self.monitor = Monitor::new(self.model, &self.state, &self.pressed);
         self.monitor.open_reactions(self.row_reactions.mean(), self.state.time);
         self.row_time = f64::NEG_INFINITY;
     }

@@ -7,6 +7,7 @@ use super::simulation::Simulation;
 use super::static_search::StaticSearch;
 use super::statics::{equilibrium, mechanisms};
 use crate::contact::effective_mass;
+use crate::contact::row::Row;
 use crate::error::Error;
 use crate::math::vec2::{dot, rot90, scale};
 use crate::model::frozen::{BeamData, Body, BodyKind};
@@ -161,7 +162,9 @@ impl Simulation<'_> {
         for (f, m) in force.iter_mut().zip(&inertia) {
             (0..4).for_each(|k| f[k] -= m[k]);
         }
-        for (f, contact) in force.iter_mut().zip(&self.contact_forces) {
+        let mut contact_forces = vec![[0.0; 4]; model.node_count()];
+        self.pressed.iter().for_each(|(row, force)| row.spread(*force, &mut contact_forces));
+        for (f, contact) in force.iter_mut().zip(&contact_forces) {
             (0..4).for_each(|i| f[i] += contact[i]);
         }
         mass.solve_linear(&structure, &mut force);
@@ -172,10 +175,8 @@ impl Simulation<'_> {
         let falling =
             |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
         force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
-        for (body, (a, f)) in model
-            .bodies
-            .iter()
-            .zip(force[beams..].iter_mut().zip(self.contact_forces.iter().skip(beams)))
+        for (body, (a, f)) in
+            model.bodies.iter().zip(force[beams..].iter_mut().zip(&contact_forces[beams..]))
         {
             if body.mass > 0.0 {
                 (0..2).for_each(|i| a[i] += f[i] / body.mass);
@@ -208,15 +209,15 @@ pub(super) struct Initial {
     pub state: State,
     /// Reactions of the supports, shape (n_support) \[N, N m\].
     pub reactions: Vec<[f64; 3]>,
-    /// Forces of the contacts of an equilibrium on the nodes, shape (n_node); empty for the reference configuration.
-    pub contact_forces: Vec<[f64; 4]>,
+    /// Contacts of an equilibrium that press, with their forces \[N\]; empty for the reference configuration.
+    pub pressed: Vec<(Row, f64)>,
 }
 
 /// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.
 pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
     let mut state = State::at_rest(model, settings.scheme);
     let mut reactions = vec![[0.0; 3]; model.supports.len()];
-    let mut contact_forces = Vec::new();
+    let mut pressed = Vec::new();
     if settings.start == Start::Static {
         let fault = |e: Error| {
             let found = format!("loads that no equilibrium was found for ({e})");
@@ -232,7 +233,7 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
         }
         let found = equilibrium(model).map_err(fault)?;
         reactions = found.reactions.iter().map(|(_, r)| *r).collect();
-        contact_forces = found.contact_forces;
+        pressed = found.pressed;
         let found = found.state;
         state.displacement.copy_from_slice(&found.displacement);
         state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
@@ -251,7 +252,7 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
             stored_strains(model, &mut state);
         }
     }
-    Ok(Initial { state, reactions, contact_forces })
+    Ok(Initial { state, reactions, pressed })
 }
 
 /// Stores the strains of the configuration, for the scheme that keeps them.

@@ -1,8 +1,8 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
 use super::section_forces::{self, Acting, Lines};
-use super::spectrum::{metric, random, size};
-use super::static_contacts::StaticContacts;
+use super::spectrum::{Layout, free_motions, metric, random, size};
+use super::static_contacts::{Pressing, StaticContacts};
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
 use crate::element::membrane::green_or_engineering;
@@ -70,15 +70,32 @@ impl<'m> StaticSearch<'m> {
 
     /// At an equilibrium: increments count from it. In the reference configuration no load acts.
     pub fn at(model: &'m Model, state: &State) -> Self {
+        let loaded = largest(&state.displacement) > 0.0;
+        Self::at_share(model, state, f64::from(u8::from(loaded)))
+    }
+
+    /// The same at an equilibrium under a share of the loads.
+    pub fn at_share(model: &'m Model, state: &State, share: f64) -> Self {
         let mut search = Self::new(model);
         search.base.displacement.clone_from(&state.displacement);
         search.base.coordinates.clone_from(&state.coordinates);
         search.work.multiplier.clone_from(&state.multiplier);
-        let loaded = largest(&state.displacement) > 0.0;
-        search.forcing.set_static(model, f64::from(u8::from(loaded)));
+        search.forcing.set_static(model, share);
         search.forcing.hold_motions();
         search.foresee(true);
         search
+    }
+
+    /// Lets beams that neither supports nor joints hold be held by contacts, or be named where these do not.
+    pub fn hold_loose_beams(&mut self) {
+        if self.contacts.is_empty() {
+            return;
+        }
+        let structure = self.model.structure();
+        let rest = State::at_rest(&structure, Scheme::EnergyMomentum);
+        let layout = Layout::new(&structure);
+        let loose = free_motions(&layout, &StaticSearch::at(&structure, &rest));
+        self.contacts.hold_loosely(self.model, loose.stops);
     }
 
     /// Newton's iteration at a share of the loads, from the increment that stands in the workspace.
@@ -96,14 +113,13 @@ impl<'m> StaticSearch<'m> {
             .zip(&self.model.bodies)
             .filter(|(_, body)| body.kind == BodyKind::Obstacle)
             .for_each(|(d, _)| *d = [0.0; 4]);
-        self.contacts.begin();
+        self.contacts.begin(Pressing::Exactly);
         self.contacts.slow_discs();
         let (alone, mut restless) = (self.contacts.is_empty(), 0);
         for _ in 0..if alone { MOST_ITERATIONS } else { MOST_WITH_CONTACTS } {
-            if !self.factor() {
+            if !self.direction() {
                 return false;
             }
-            self.correction();
             if largest(&self.work.correction) > 1e-6 * self.size()
                 && self.contacts.climb(&self.work.residual, &self.work.correction)
             {
@@ -132,6 +148,19 @@ impl<'m> StaticSearch<'m> {
             }
         }
         false
+    }
+
+    /// The correction at the current increment, with the rigid contacts that close and open; `false` where there is none.
+    fn direction(&mut self) -> bool {
+        self.assemble::<true>();
+        if self.contacts.press_exactly() {
+            return self.press();
+        }
+        let regular = self.factor_assembled().is_ok();
+        if regular {
+            self.correction();
+        }
+        regular
     }
 
     /// The place reached.
@@ -185,7 +214,8 @@ impl<'m> StaticSearch<'m> {
         for (d, c) in work.increment.iter_mut().zip(&work.correction) {
             (0..4).for_each(|i| d[i] += c[i]);
         }
-        self.contacts.correct(&work.correction, share, &work.increment);
+        self.contacts.correct(&work.correction, share);
+        self.contacts.look_for_lost(self.model, &work.increment);
         self.iterations += 1;
         let reach = largest(&work.increment);
         let lost = self.contacts.lost(self.model).is_some();
@@ -284,6 +314,7 @@ impl<'m> StaticSearch<'m> {
     pub fn is_stable_touching(&mut self) -> bool {
         let model = self.model;
         self.foresee(true);
+        self.contacts.hold();
         self.assemble::<true>();
         self.contacts.without_springs(&mut self.work.tangent);
         // Measured by stiffness: density has no part in it.
@@ -347,7 +378,8 @@ impl<'m> StaticSearch<'m> {
         let acting =
             Acting { state: &self.base, increment, theta: 1.0, beams, forcing: &self.forcing };
         let (mut lines, mut forces) = (Lines::default(), section_forces::unset(self.model));
-        lines.set(self.model, &acting, []);
+        let pressed = self.contacts.forces().map(|(_, force, row)| ([row; 2], [force, 0.0]));
+        lines.set(self.model, &acting, pressed);
         section_forces::update(self.model, &lines, state, &mut forces);
         forces
     }

@@ -1,11 +1,13 @@
 //! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
 
-use super::spectrum::{Layout, free_motions, is_stable};
-use super::static_contacts::StaticContact;
+use super::spectrum::{Held, Layout, free_motions, is_stable};
+use super::static_contacts::{StaticContact, takes_part};
 use super::static_search::{StaticSearch, largest};
+use crate::contact::row::Row;
 use crate::error::Error;
 use crate::model::{Fault, Model, StrainMeasure, TouchLaw};
 use crate::state::State;
+use crate::step::tangent::inner;
 use crate::summary::SectionForceSummary;
 
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
@@ -30,8 +32,10 @@ pub struct Equilibrium {
     pub reactions: Vec<(String, [f64; 3])>,
     /// Contacts that take part, in the model's order.
     pub contacts: Vec<StaticContact>,
-    /// Forces of the contacts on the nodes of beams and bodies, shape (n_node).
-    pub(crate) contact_forces: Vec<[f64; 4]>,
+    /// Contacts that press, with their forces \[N\].
+    pub(crate) pressed: Vec<(Row, f64)>,
+    /// Contacts of beams that press, as they stay closed in small motions.
+    pub(crate) held: Vec<Held>,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
     /// Load steps taken.
@@ -46,8 +50,8 @@ pub struct Equilibrium {
 /// ones as gap and force are complementary, all without friction. Guided projectiles and discs on their way take no part.
 ///
 /// # Errors
-/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry. A disc that nothing holds. One
-/// thing inside another before any load acts.
+/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry. A disc or a beam that nothing
+/// holds. One thing inside another before any load acts.
 pub fn equilibrium(model: &Model) -> Result<Equilibrium, Error> {
     equilibrium_in(model, FIRST_STEP)
 }
@@ -60,6 +64,7 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     let structure = model.structure();
     let mut search = StaticSearch::new(model);
     refuse_overlaps(&search)?;
+    search.hold_loose_beams();
     search.foresee(true);
     let mut accepted = search.reached();
     let (mut reached, mut step, mut load_steps) = (0.0, first_step.clamp(1e-3, 1.0), 0);
@@ -84,8 +89,8 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
             step = (1.5 * step).min(first_step);
             accepted = search.reached();
         } else {
-            if let Some(body) = search.contacts.lost(model) {
-                return Err(Error::nothing_holds(body.to_owned()));
+            if let Some(name) = search.contacts.lost(model) {
+                return Err(Error::nothing_holds(name.to_owned()));
             }
             step *= 0.5;
             search.go_back(&accepted);
@@ -96,10 +101,12 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     }
     search.forcing.set_static(model, 1.0);
     let mut found = finish(&mut search, load_steps);
-    found.stable = if search.contacts.press() {
+    found.stable = if !search.contacts.press() {
+        stable || is_stable_alone(&structure, &search)
+    } else if search.contacts.has_discs() {
         search.is_stable_touching()
     } else {
-        stable || is_stable_alone(&structure, &search)
+        is_stable(&structure, &found.state.of_structure(&structure), found.held.clone())
     };
     Ok(found)
 }
@@ -112,7 +119,7 @@ pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
 
 /// Whether the beams, which touch nothing, return to where they are.
 fn is_stable_alone(structure: &Model, search: &StaticSearch) -> bool {
-    is_stable(structure, &search.state().of_structure(structure))
+    is_stable(structure, &search.state().of_structure(structure), Vec::new())
 }
 
 /// The result at the increment reached.
@@ -122,15 +129,14 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let state = search.state();
     let model = search.model;
     let at = |p: &crate::model::frozen::MaterialPoint| p.value(&state.displacement);
-    let mut contact_forces = vec![[0.0; 4]; model.node_count()];
-    search.contacts.forces().for_each(|(_, force, row)| row.spread(force, &mut contact_forces));
     let names = model.support_names().map(str::to_owned);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
         section_forces: search.section_forces(&state),
         reactions: names.zip(search.reactions(&state)).collect(),
         contacts: search.contacts.results(model),
-        contact_forces,
+        pressed: search.contacts.forces().map(|(_, force, row)| (*row, force)).collect(),
+        held: search.contacts.held(model, &state),
         stable: true,
         load_steps,
         newton_iterations: search.iterations,
@@ -160,13 +166,23 @@ fn lost(search: &mut StaticSearch, share: f64) -> Error {
     }
 }
 
-/// A fault for each beam that supports and joints leave free to move without strain: what the rank of the stiffness matrix
-/// lacks, whatever stiffness and density are.
+/// A fault for each beam that supports and joints leave free to move without strain and that nothing can be held by: what the rank
+/// of the stiffness matrix lacks, whatever stiffness and density are.
+///
+/// Beams that have a contact may rest on something; whether they do [`equilibrium`] tells.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
+    let beams = model.beams.len();
+    let mut touchable = vec![false; beams];
+    for pair in model.pairs.iter().filter(|pair| takes_part(model, pair)) {
+        pair.movers.iter().filter(|m| **m < beams).for_each(|m| touchable[*m] = true);
+    }
     let model = &model.structure();
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);
     let layout = Layout::new(model);
     let loose = free_motions(&layout, &StaticSearch::at(model, &rest)).motions;
+    let loose = without(&loose, |node| {
+        model.beams.iter().zip(&touchable).any(|(b, t)| *t && b.nodes.contains(&node))
+    });
     let moves = |beam: &crate::model::frozen::BeamData| {
         loose.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
     };
@@ -176,4 +192,31 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
         Fault::new(format!("beam.{}", beam.name), found, expected)
     };
     model.beams.iter().filter(|beam| moves(beam)).map(fault).collect()
+}
+
+/// Those of the motions, or their sums, that leave some nodes at rest.
+fn without(motions: &[Vec<[f64; 4]>], is_still: impl Fn(usize) -> bool) -> Vec<Vec<[f64; 4]>> {
+    const STILL: f64 = 1e-12;
+    let n = motions.len();
+    let product = |a: &[[f64; 4]], b: &[[f64; 4]]| {
+        let nodes = a.iter().zip(b).enumerate().filter(|(node, _)| is_still(*node));
+        nodes.map(|(_, (a, b))| (0..4).map(|i| a[i] * b[i]).sum::<f64>()).sum::<f64>()
+    };
+    let gram = nalgebra::DMatrix::from_fn(n, n, |i, j| product(&motions[i], &motions[j]));
+    let all: f64 = motions.iter().map(|x| inner(x, x)).sum();
+    if gram.trace() == 0.0 {
+        return motions.to_vec();
+    }
+    let eigen = nalgebra::SymmetricEigen::new(gram);
+    let still = (0..n).filter(|k| eigen.eigenvalues[*k] <= STILL * all);
+    let sum = |k: usize| {
+        let mut out = vec![[0.0; 4]; motions[0].len()];
+        for (x, share) in motions.iter().zip(eigen.eigenvectors.column(k).iter()) {
+            for (out, x) in out.iter_mut().zip(x) {
+                (0..4).for_each(|i| out[i] += share * x[i]);
+            }
+        }
+        out
+    };
+    still.map(sum).collect()
 }

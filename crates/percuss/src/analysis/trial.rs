@@ -256,11 +256,13 @@ impl Simulation<'_> {
 
     /// Reactions at the start of the step solved last, where the step before does not tell them.
     fn note_start_reactions(&mut self, integration: Integration) {
-        let Some(at_start) = integration.at_start().filter(|_| self.state.instant.is_none()) else {
-            return;
-        };
+        // Whether or not velocities have jumped there.
+        let of_run = self.state.step == 0;
+        let found = integration.at_start(of_run).filter(|_| self.state.instant.is_none());
+        let Some(at_start) = found else { return };
         let (model, state, forcing) = (self.model, &self.state, &self.forcing);
         let mut work = self.work.clone();
+        work.lead.set(model, state, &at_start, forcing);
         let problem = StepProblem {
             model,
             state,

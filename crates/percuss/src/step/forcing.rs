@@ -18,8 +18,8 @@ pub struct Forcing {
     started: Vec<f64>,
     /// Derivatives of the courses at the end, from the left, shape (n_motion) \[1/s\].
     rates: Vec<f64>,
-    /// Second derivatives there, shape (n_motion) \[1/s^2\].
-    second_rates: Vec<f64>,
+    /// Second derivatives at the start, from the right, and at the end, from the left, shape (n_motion) \[1/s^2\].
+    second_rates: Vec<[f64; 2]>,
     /// Whether each constraint acts, shape (n_constraint).
     pub constrained: Vec<bool>,
     /// Whether each connector acts, shape (n_connector).
@@ -41,7 +41,7 @@ impl Forcing {
             moved: vec![0.0; model.motions.len()],
             started: vec![0.0; model.motions.len()],
             rates: vec![0.0; model.motions.len()],
-            second_rates: vec![0.0; model.motions.len()],
+            second_rates: vec![[0.0; 2]; model.motions.len()],
             constrained: vec![true; model.constraints.len()],
             connected: vec![true; model.connectors.len()],
         }
@@ -77,7 +77,10 @@ impl Forcing {
         for (i, course) in model.motions.iter().enumerate() {
             self.started[i] = reached[i].value - reached[i].origin;
             self.rates[i] = course.rate_on(end, inside, WIDTH * step);
-            self.second_rates[i] = course.second_rate_on(end, inside, 0.5 * step);
+            self.second_rates[i] = [
+                course.second_rate_on(start, start + beside.min(0.5 * h), 0.5 * step),
+                course.second_rate_on(end, inside, 0.5 * step),
+            ];
             self.moved[i] = if h >= SHORT * step {
                 course.value(end) - reached[i].value
             } else if reached[i].held {
@@ -136,9 +139,13 @@ impl Forcing {
         drive.iter().map(|(motion, amplitude)| amplitude * self.rates[*motion]).sum()
     }
 
-    /// Second derivative of a prescribed value at the end of the step, from the left.
-    pub fn second_rate(&self, drive: &Drive) -> f64 {
-        drive.iter().map(|(motion, amplitude)| amplitude * self.second_rates[*motion]).sum()
+    /// Second derivatives of a prescribed value at the start of the step, from the right, and at its end, from the left.
+    pub fn second_rates(&self, drive: &Drive) -> [f64; 2] {
+        let at = |end: usize| {
+            let each = drive.iter().map(|(motion, a)| a * self.second_rates[*motion][end]);
+            each.sum()
+        };
+        [at(0), at(1)]
     }
 
     /// Second derivative of a prescribed value at time zero, from the right.

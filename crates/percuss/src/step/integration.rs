@@ -75,9 +75,13 @@ impl Integration {
     }
 
     /// The same where forces balance at the start of the step, for schemes that advance accelerations.
-    pub fn at_start(&self) -> Option<Self> {
+    ///
+    /// What such a scheme carries from step to step are accelerations `alpha_f - alpha_m` of a step before (Arnold, Bruels 2007); at
+    /// the start of a run they are those of that instant.
+    pub fn at_start(&self, of_run: bool) -> Option<Self> {
         let Rule::Alpha(w) = self.rule else { return None };
-        Some(Self { rule: Rule::Alpha(AlphaWeights { alpha_m: 1.0, alpha_f: 1.0, ..w }), ..*self })
+        let alpha_m = if of_run { 1.0 } else { 1.0 + w.alpha_m - w.alpha_f };
+        Some(Self { rule: Rule::Alpha(AlphaWeights { alpha_m, alpha_f: 1.0, ..w }), ..*self })
     }
 
     /// Weight of the end of the step in the configuration where forces are evaluated.

@@ -42,17 +42,28 @@ pub struct LeadWork {
 #[derive(Clone, Copy)]
 struct Prescribed {
     increment: f64,
-    /// Velocity and acceleration at the start, as they are.
+    /// Velocity and acceleration at the start, as the scheme has them.
     start: [f64; 2],
-    /// Velocity and acceleration at the end, as prescribed.
-    end: [f64; 2],
+    /// Velocity at the end, as prescribed.
+    rate: f64,
+    /// Acceleration at the start and at the end, as prescribed.
+    second_rates: [f64; 2],
 }
 
 impl Prescribed {
     /// Lead in velocity and acceleration.
+    ///
+    /// The accelerations that generalized-alpha advances lag behind those of the motion (Arnold, Bruels 2007): weighed by its
+    /// `alpha_m` they are the true ones weighed by its `alpha_f`, and so the inertia of what is held is that of its motion.
     fn lead(&self, rule: &Integration) -> [f64; 2] {
-        let (d, [v0, a0], [v1, a1]) = (self.increment, self.start, self.end);
-        [v1 - rule.velocity(d, v0, a0), a1 - rule.acceleration(d, v0, a0)]
+        let (d, [v0, a0], [b0, b1]) = (self.increment, self.start, self.second_rates);
+        let a1 = match rule.rule {
+            Rule::Alpha(w) if w.alpha_m < 1.0 => {
+                ((1.0 - w.alpha_f) * b1 + w.alpha_f * b0 - w.alpha_m * a0) / (1.0 - w.alpha_m)
+            }
+            _ => b1,
+        };
+        [self.rate - rule.velocity(d, v0, a0), a1 - rule.acceleration(d, v0, a0)]
     }
 }
 
@@ -101,7 +112,8 @@ impl Lead {
                 let prescribed = Prescribed {
                     increment: forcing.increment(drive),
                     start: [on(&state.velocity[n]), state.acceleration.get(n).map_or(0.0, on)],
-                    end: [forcing.rate(drive), forcing.second_rate(drive)],
+                    rate: forcing.rate(drive),
+                    second_rates: forcing.second_rates(drive),
                 };
                 let [v, a] = prescribed.lead(rule);
                 for k in 0..4 {
@@ -126,10 +138,10 @@ impl Lead {
             if !acts || c.drive.is_empty() {
                 continue;
             }
-            let (turn, rate, second) = (
+            let (turn, rate, second_rates) = (
                 forcing.increment(&c.drive),
                 forcing.rate(&c.drive),
-                forcing.second_rate(&c.drive),
+                forcing.second_rates(&c.drive),
             );
             let none: &[[f64; 4]] = &[];
             let accelerations =
@@ -140,7 +152,7 @@ impl Lead {
                         if x.is_empty() { 0.0 } else { dot(*direction, point.value(x)) }
                     };
                     let start = [on(&state.velocity), on(accelerations)];
-                    let held = Prescribed { increment: turn, start, end: [rate, second] };
+                    let held = Prescribed { increment: turn, start, rate, second_rates };
                     let weights = [point.shape[0], point.shape[2]];
                     self.add(point.node, 0, weights, *direction, held.lead(rule));
                 }
@@ -153,10 +165,16 @@ impl Lead {
                     let on = |x: &[[f64; 4]]| {
                         if x.is_empty() { 0.0 } else { dot(across, point.gradient(x)) }
                     };
+                    let start = [on(&state.velocity), on(accelerations)];
+                    let [before, after] = second_rates;
                     let held = Prescribed {
                         increment: stretch * turn.sin(),
-                        start: [on(&state.velocity), on(accelerations)],
-                        end: [at_end * rate, at_end * second + 2.0 * stretching * rate],
+                        start,
+                        rate: at_end * rate,
+                        second_rates: [
+                            stretch * before + 2.0 * stretching * start[0] / stretch,
+                            at_end * after + 2.0 * stretching * rate,
+                        ],
                     };
                     let weights = [point.slope[1], point.slope[3]];
                     self.add(point.node, 2, weights, across, held.lead(rule));

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use percuss::{
     Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak,
-    RunSummary, Termination, Topic, Verdict,
+    RunSummary, SupportSummary, Termination, Topic, Verdict,
 };
 use percuss_output::report::story;
 use serde_json::Value;
@@ -52,6 +52,8 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
             format!("never closed: {}", names.join(", ")),
         ));
     }
+    let labels = ["impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
+    rows.extend(labels.zip(impulses(run)));
     if run.accumulated_steps > 0 {
         let steps = count(run.accumulated_steps, "step");
         let what = "with more impacts than are followed one by one, without restitution in the rest of the step";
@@ -92,6 +94,33 @@ fn wrapped(text: &str, columns: usize) -> Vec<String> {
         }
     }
     lines
+}
+
+/// What supports and obstacles gave beyond their forces.
+fn impulses(run: &RunSummary) -> Vec<String> {
+    let parts = |s: &SupportSummary| s.impulse.map(|i| if i.is_nan() { 0.0 } else { i.abs() });
+    let most = run
+        .supports
+        .iter()
+        .map(parts)
+        .fold([0.0_f64; 2], |[force, moment], [a, b, c]| [force.max(a).max(b), moment.max(c)]);
+    let gave = |s: &&SupportSummary| {
+        let [a, b, c] = parts(s);
+        a.max(b) > ROUNDING * most[0] || c > ROUNDING * most[1]
+    };
+    let found: Vec<&SupportSummary> = run.supports.iter().filter(gave).collect();
+    listed(&found, found.len(), HANDED, |support| {
+        let told = |k: usize| {
+            let i = support.impulse[k];
+            number(if i.abs() <= ROUNDING * most[k / 2] { 0.0 } else { i })
+        };
+        let moment = match support.impulse[2].is_nan() {
+            true => String::new(),
+            false => format!(", moment {} N m s", told(2)),
+        };
+        let (x, y) = (told(0), told(1));
+        format!("{} gave {x} N s, {y} N s{moment}, beyond its forces", support.name)
+    })
 }
 
 /// A violation of the contact conditions beyond this, relative to the largest velocity, is worth a warning.
@@ -283,7 +312,7 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
 }
 
 /// The first few of `count` items, and how many more there are.
-fn listed<T>(items: &[T], count: usize, most: usize, line: fn(&T) -> String) -> Vec<String> {
+fn listed<T>(items: &[T], count: usize, most: usize, line: impl Fn(&T) -> String) -> Vec<String> {
     let mut lines: Vec<String> = items.iter().take(most).map(line).collect();
     if count > lines.len() {
         lines.push(format!("and {} more", count - lines.len()));

@@ -1,7 +1,8 @@
 //! An equilibrium and a path, as text.
 
 use percuss::{
-    BucklingOutcome, Equilibrium, LinearBuckling, Path, SectionPeak, SectionRange, StaticContact,
+    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Path, SectionPeak,
+    SectionRange, StaticContact,
 };
 
 use crate::number::{count, number};
@@ -54,7 +55,7 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
         text.push_str(&format!(
             "linear buckling at {} times the loads (about the reference configuration{})\n",
             number(mode.factor),
-            if found.contacts.is_empty() { "" } else { ", contacts left out" }
+            contacts_of_buckling(&found.contacts)
         ));
     }
     if let Some(reason) = linear.outcome.reason()
@@ -62,7 +63,42 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     {
         text.push_str(&format!("{reason}\n"));
     }
+    if let Some(stability) = linear.stability {
+        text.push_str(&format!("{}\n", under_followers(stability)));
+    }
     text
+}
+
+/// Where loads that follow the beams end the stability of the equilibrium.
+fn under_followers(stability: FollowerStability) -> String {
+    let contacts = "contacts left out";
+    match stability {
+        FollowerStability::Flutter { factor, frequency } => format!(
+            "flutter from {} times the loads on, at {} Hz ({contacts})",
+            number(factor),
+            number(frequency)
+        ),
+        FollowerStability::Divergence { factor } => {
+            format!("divergence from {} times the loads on ({contacts})", number(factor))
+        }
+        FollowerStability::Kept { up_to } => format!(
+            "no flutter and no divergence at the load factors looked at, in steps up to {} ({contacts})",
+            number(up_to)
+        ),
+        _ => String::new(),
+    }
+}
+
+/// What linear buckling makes of contacts.
+fn contacts_of_buckling(found: &[StaticContact]) -> &'static str {
+    let press = found.iter().any(|c| c.force > 0.0);
+    let open = found.iter().any(|c| c.force == 0.0);
+    match (press, open) {
+        (false, false) => "",
+        (false, true) => ", open contacts left out",
+        (true, false) => ", contacts that press held closed, those of discs left out",
+        (true, true) => ", contacts that press held closed, open ones and those of discs left out",
+    }
 }
 
 /// Contacts: what they carry, and where.

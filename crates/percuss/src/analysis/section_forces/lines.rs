@@ -39,8 +39,9 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// Of a state at rest, which what acts at time zero has brought about; nothing acts in the reference configuration.
-    pub fn at_rest(model: &Model, state: &State) -> Self {
+    /// Of a state at rest, which what acts at time zero has brought about, the forces of contacts among it; nothing acts in the
+    /// reference configuration.
+    pub fn at_rest(model: &Model, state: &State, pressed: &[(Row, f64)]) -> Self {
         let nodes = &state.displacement[..model.beam_node_count()];
         let moved = nodes.as_flattened().iter().any(|u| *u != 0.0);
         let mut forcing = Forcing::new(model);
@@ -51,7 +52,8 @@ impl Lines {
         let increment = &vec![[0.0; 4]; model.node_count()];
         let mut lines = Self::default();
         let forcing = &forcing;
-        lines.set(model, &Acting { state, increment, theta: 1.0, beams, forcing }, []);
+        let pressed = pressed.iter().map(|(row, force)| ([row; 2], [*force, 0.0]));
+        lines.set(model, &Acting { state, increment, theta: 1.0, beams, forcing }, pressed);
         lines
     }
 

@@ -4,6 +4,7 @@
 //! numbers, motions of a rigid body stay without strain against any number of elements.
 
 use super::super::static_search::StaticSearch;
+use super::held::Held;
 use crate::element::beam::{ElementSums, ElementTable, ElementValues, GaussRow, step_point};
 use crate::element::collocation;
 use crate::element::membrane::{MembranePoint, MembraneTable};
@@ -47,6 +48,8 @@ pub struct Layout<'m> {
     free: Vec<WideBlock>,
     /// Number of a node's hold.
     hold: Vec<Option<usize>>,
+    /// Contacts that stay closed.
+    pub(super) held: Vec<Held>,
 }
 
 /// Whether stress and stiffness are those of the structure, or left out for unit bending stiffness and springs to match beams
@@ -82,6 +85,11 @@ pub struct Matrix {
 
 impl<'m> Layout<'m> {
     pub fn new(model: &'m Model) -> Self {
+        Self::holding(model, Vec::new())
+    }
+
+    /// With contacts that stay closed.
+    pub fn holding(model: &'m Model, held: Vec<Held>) -> Self {
         let n = model.node_count();
         let tied: Vec<Vec<usize>> = model.constraints.iter().map(constraint::nodes).collect();
         let (group, count) = groups(n, &tied);
@@ -100,11 +108,17 @@ impl<'m> Layout<'m> {
             let ends = nodes.clone();
             ends.into_iter().flat_map(move |a| nodes.clone().into_iter().map(move |b| (a, b)))
         });
-        let pattern = Pattern::new(sizes, band.chain(spanned).map(|(a, b)| (group[a], group[b])));
+        let touching = held.iter().flat_map(|held| {
+            let nodes = held.nodes();
+            let ends = nodes.clone();
+            ends.into_iter().flat_map(move |a| nodes.clone().into_iter().map(move |b| (a, b)))
+        });
+        let coupled = band.chain(spanned).chain(touching);
+        let pattern = Pattern::new(sizes, coupled.map(|(a, b)| (group[a], group[b])));
         let mut hold = vec![None; n];
         model.holds.iter().enumerate().for_each(|(i, h)| hold[h.node] = Some(i));
         let free = model.holds.iter().map(projection).collect();
-        Self { model, pattern, home, multiplier, free, hold }
+        Self { model, pattern, home, multiplier, free, hold, held }
     }
 
     fn zeros(&self) -> Matrix {
@@ -113,6 +127,11 @@ impl<'m> Layout<'m> {
 
     /// The tangent at the base of a search.
     pub fn tangent(&self, search: &StaticSearch) -> Matrix {
+        self.tangent_with(search, 1.0)
+    }
+
+    /// The same where contacts press with a share of their forces.
+    pub fn tangent_with(&self, search: &StaticSearch, pressed: f64) -> Matrix {
         let mut matrix = self.zeros();
         self.add_elements(&mut matrix, search, |_, _, e| (Wide::ONE, search.base.strain[e]));
         let mut rest = Tangent::new(self.model);
@@ -122,6 +141,7 @@ impl<'m> Layout<'m> {
         let add = |c: &Connector, s: &ConnectorStep| self.add_spring(&mut matrix, c, s, s.slope);
         connectors::apply_turning(self.model, base, &RULE, forcing, &mut rest, add);
         self.add_blocks(&mut matrix, &rest);
+        self.add_held(&mut matrix, pressed);
         self.add_border(&mut matrix, search);
         matrix
     }
@@ -137,6 +157,7 @@ impl<'m> Layout<'m> {
         let mut unused = Tangent::new(self.model);
         let (base, forcing) = (&search.base, &search.forcing);
         connectors::apply_turning(self.model, base, &RULE, forcing, &mut unused, add);
+        self.add_held_kinematic(&mut matrix, length);
         self.add_border(&mut matrix, search);
         matrix
     }
@@ -187,6 +208,13 @@ impl<'m> Layout<'m> {
         let still = vec![[0.0; 4]; base.displacement.len()];
         if let Stress::Taken = stress {
             self.add_turning(search, &still, &mut rest);
+        }
+        for held in &self.held {
+            let stiffness = match stress {
+                Stress::Taken => held.stiffness,
+                Stress::Left(length) => length.powi(-3),
+            };
+            each(stiffness * held.row.on(x).powi(2));
         }
         let add = |c: &Connector, s: &ConnectorStep| {
             let moved: f64 = c
@@ -281,7 +309,7 @@ impl<'m> Layout<'m> {
     }
 
     /// Adds a block between two nodes, without what is held.
-    fn add(&self, matrix: &mut Matrix, i: usize, j: usize, block: &WideBlock) {
+    pub(super) fn add(&self, matrix: &mut Matrix, i: usize, j: usize, block: &WideBlock) {
         let mut block = *block;
         if let Some(h) = self.hold[j] {
             block = block.map(|row| times(&row, &self.free[h]));
@@ -359,6 +387,10 @@ impl<'m> Layout<'m> {
         }
         for c in &self.model.constraints {
             let nodes = constraint::nodes(c);
+            pairs.extend(nodes.iter().flat_map(|a| nodes.iter().map(|b| (*a, *b))));
+        }
+        for held in &self.held {
+            let nodes = held.nodes();
             pairs.extend(nodes.iter().flat_map(|a| nodes.iter().map(|b| (*a, *b))));
         }
         pairs.sort_unstable();

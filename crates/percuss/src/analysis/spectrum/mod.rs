@@ -3,11 +3,13 @@
 //! Matrices are formed and factored in [`crate::scalar::Wide`] numbers, eigenvalues counted by the signs of pivots and found in
 //! Krylov subspaces of the inverse. Which motions strain nothing is a matter of geometry alone.
 
+mod held;
 mod kinematics;
 mod krylov;
 mod matrix;
 mod pencil;
 
+pub use held::Held;
 pub use kinematics::{FreeMotions, free_motions, strain_share, stress_share};
 pub use krylov::{Krylov, Nodal, Pair, Ritz, random, subtract};
 pub use matrix::{Layout, Matrix};
@@ -39,12 +41,12 @@ pub fn metric(model: &Model, unit: bool) -> Chain {
     chain
 }
 
-/// Whether no motion of a structure about an equilibrium grows; contacts are left out.
+/// Whether no motion of a structure about an equilibrium grows; contacts are left out but for those held closed.
 ///
 /// Stiffness decides where forces have a potential: no pivot is negative, but for those of round-off beside the bending
 /// stiffness. Density has no part in it. Where a force follows the beams, motions may grow that stiffness knows nothing of
 /// (flutter), and frequencies decide.
-pub fn is_stable(model: &Model, state: &State) -> bool {
+pub fn is_stable(model: &Model, state: &State, held: Vec<Held>) -> bool {
     /// Stiffness below this share of that of bending counts as none.
     const NEUTRAL: f64 = 1e-6;
     /// Eigenvalues below this share of the largest one looked at count as none.
@@ -52,10 +54,10 @@ pub fn is_stable(model: &Model, state: &State) -> bool {
     /// Modes looked at where frequencies decide.
     const MODES: usize = 8;
     let search = StaticSearch::at(model, state);
-    let layout = Layout::new(model);
+    let layout = Layout::holding(model, held.clone());
     let mut tangent = layout.tangent(&search);
     if !layout.is_symmetric(&tangent) {
-        let modes = super::modes::lowest(model, state, MODES);
+        let modes = super::modes::lowest(model, state, held, MODES);
         let most = modes.iter().fold(0.0_f64, |most, m| most.max(m.eigenvalue.abs()));
         let floor = ROUND_OFF * most;
         return modes.iter().all(|m| m.imaginary == 0.0 && m.eigenvalue >= -floor);

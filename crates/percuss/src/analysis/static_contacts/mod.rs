@@ -1,0 +1,344 @@
+//! Contacts at rest, without friction: compliant ones by their potential, rigid ones as `0 <= gap  perp  force >= 0`.
+//!
+//! Rigid contacts keep a multiplier each. Those between beams, and of beams with obstacles, press with it; corrections find it with
+//! the closed set ([`pressing`]). Those of discs press with `multiplier - stiffness gap` while that is positive (augmented Lagrangian:
+//! Alart, Curnier 1991); multipliers follow wherever the closed set has come to rest. Their stiffness only speeds the iteration up:
+//! in equilibrium gaps are round-off and forces are the multipliers. Discs have no stiffness of their own; a weak spring to where
+//! the iteration stands, not to any place, keeps the tangent regular.
+
+mod discs;
+mod place;
+mod pressing;
+mod results;
+
+pub use results::StaticContact;
+
+use crate::contact::axis::longest_arc;
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::{Memory, Pair, Target};
+use crate::contact::row::Row;
+use crate::contact::touch::Reach;
+use crate::math::vec2::norm;
+use crate::model::frozen::BodyKind;
+use crate::model::{Model, TouchLaw};
+use crate::state::State;
+use crate::step::forcing::Forcing;
+use crate::step::tangent::Tangent;
+use discs::Disc;
+use place::Place;
+
+/// Gaps and moves below this share of the positions in play are round-off.
+const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+/// Gaps below this share of the positions in play are closed: a tenth of what a transient holds to be none.
+const CLOSED: f64 = 1e-13;
+/// A rigid contact begins as stiff as a foundation that lets its beam sink in over this share of its length: whole stretches come and go
+/// at once on it, which on a stiff one would one by one.
+const SOFT: f64 = 0.1;
+/// Stiffness of a rigid contact in the end, in units of its element's.
+const STIFFER: f64 = 1e3;
+/// The weak spring of a disc in the end, in units of its weight over the size of the structure, and the stiffness of its rigid
+/// contacts.
+const WEAK: f64 = 1e-4;
+const STIFF: f64 = 1e5;
+/// Stiffness of a rigid contact grows by this factor where a correction of a closed set that stays leaves more than a share of its gap.
+const GROWTH: f64 = 100.0;
+const SLOW: f64 = 1e-4;
+/// Forces below this share of the largest.
+const NEXT_TO_NOTHING: f64 = 1e-8;
+/// Change of a multiplier that has settled, relative to the largest: where it follows the gap, and where a correction finds it.
+const SETTLED: f64 = 1e-6;
+const SETTLED_EXACTLY: f64 = 1e-9;
+/// A disc moves by no more than this share of the structure in a correction, once it touches.
+const STRIDE: f64 = 0.05;
+
+/// How the rigid contacts of a structure press that are not those of discs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Pressing {
+    /// As those of discs.
+    #[default]
+    Following,
+    /// With multipliers that corrections find.
+    Exactly,
+    /// With their multipliers; what is closed resists any move.
+    Held,
+}
+
+/// Contacts and discs that take part in statics.
+#[derive(Clone, Debug, Default)]
+pub(super) struct StaticContacts {
+    places: Vec<Place>,
+    discs: Vec<Disc>,
+    /// Bodies in the model: all of them stand still but those discs.
+    has_bodies: bool,
+    /// Scale of positions \[m\].
+    size: f64,
+    /// Whether the closed set of the tangent assembled last is another one than that before; whether it is empty and was not always.
+    changed: bool,
+    opened: bool,
+    /// Weak springs of discs in units of their weights over the size of the structure.
+    damping: f64,
+    /// Components of nodes that, held, would stop all motions of beams that neither supports nor joints do, and their weak springs:
+    /// (node, component, \[N/m\] or \[N m\]).
+    loose: Vec<(usize, usize, f64)>,
+    /// What has left for good: beams first, then bodies.
+    lost: Option<usize>,
+    arcs: Vec<f64>,
+    pressing: Pressing,
+}
+
+/// Whether a body takes part in an equilibrium: at rest, and not on a line of flight.
+fn rests(model: &Model, body: usize) -> bool {
+    let body = &model.bodies[body];
+    match body.kind {
+        BodyKind::Obstacle => true,
+        BodyKind::Disc { .. } => body.velocity == [0.0; 2] && body.spin == 0.0,
+        BodyKind::Guided | BodyKind::Rear { .. } => false,
+    }
+}
+
+/// Whether a pair takes part.
+pub(super) fn takes_part(model: &Model, pair: &Pair) -> bool {
+    let beams = model.beams.len();
+    !matches!(pair.target, Target::Guided { .. })
+        && pair.movers.iter().all(|m| *m < beams || rests(model, m - beams))
+}
+
+impl StaticContacts {
+    /// Contacts as they stand in `base`.
+    pub fn new(model: &Model, base: &State) -> Self {
+        let nodes = model.nodes.iter().map(|n| norm(n.position)).fold(0.0, f64::max);
+        let size = super::trial::size_of(model).max(nodes);
+        let extent = super::trial::size_of(model).max(f64::MIN_POSITIVE);
+        let gravity = model.gravity();
+        let bending = model.beams.iter().map(|b| {
+            let law = &model.spans[b.spans.start].table(0).rows[1].section;
+            law.bending / (b.length * b.length)
+        });
+        let other = bending.fold(f64::INFINITY, f64::min).min(f64::MAX);
+        let disc = |body: usize| {
+            let weight = model.bodies[body].mass * gravity;
+            let weight = if weight > 0.0 { weight } else { WEAK * other };
+            Disc { body, node: model.body_node(body), spring: WEAK * weight / extent }
+        };
+        let is_disc = |i: &usize| matches!(model.bodies[*i].kind, BodyKind::Disc { .. });
+        let discs: Vec<Disc> = (0..model.bodies.len())
+            .filter(is_disc)
+            .filter(|i| rests(model, *i))
+            .map(disc)
+            .collect();
+        let mut contacts =
+            Self { discs, has_bodies: !model.bodies.is_empty(), size, ..Self::default() };
+        let at = Configuration::of(&base.displacement);
+        for (i, pair) in model.pairs.iter().enumerate().filter(|(_, p)| takes_part(model, p)) {
+            let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
+            let memory = touch.map_or(Memory::default(), |t| t.memory);
+            let rigid = matches!(model.contacts[pair.contact].law, TouchLaw::Rigid(_));
+            let of_disc = |d: &Disc| pair.movers.contains(&(model.beams.len() + d.body));
+            contacts.places.push(Place {
+                pair: i,
+                is_exact: rigid && !contacts.discs.iter().any(of_disc),
+                accepted: memory,
+                seen: memory,
+                gap: touch.map_or(f64::INFINITY, |t| t.gap),
+                force: 0.0,
+                multiplier: 0.0,
+                stiffness: 0.0,
+                stiffnesses: if rigid { contacts.stiffnesses(model, pair) } else { [0.0; 2] },
+                closed: false,
+                was_closed: false,
+                held: 0.0,
+                deep: contacts.deep(model, pair),
+                row: Row::default(),
+                s: f64::NAN,
+                change: 0.0,
+            });
+        }
+        contacts
+    }
+
+    /// Stiffnesses of a rigid pair, the first and the largest: in units of the softer party's, or of a disc's weight.
+    fn stiffnesses(&self, model: &Model, pair: &Pair) -> [f64; 2] {
+        let beams = model.beams.len();
+        let of = |mover: &usize| {
+            if let Some(beam) = model.beams.get(*mover) {
+                let table = model.spans[beam.spans.start].table(0);
+                let (bending, l) = (table.rows[1].section.bending, table.length);
+                let soft = 4.0 * bending * l / (SOFT * beam.length).powi(4);
+                return [soft, STIFFER * 12.0 * bending / l.powi(3)];
+            }
+            let disc = self.discs.iter().find(|d| d.body == mover - beams);
+            let own = disc.map_or(f64::MAX, |d| STIFF / WEAK * d.spring);
+            [own, own]
+        };
+        let [a, b] = pair.movers.each_ref().map(of);
+        [a[0].min(b[0]), a[1].min(b[1])]
+    }
+
+    /// Whether there is nothing that could touch or has to be held.
+    pub fn is_empty(&self) -> bool {
+        self.places.is_empty() && self.discs.is_empty()
+    }
+
+    /// Whether any contact transmits a force.
+    pub fn press(&self) -> bool {
+        self.places.iter().any(|p| p.force != 0.0)
+    }
+
+    /// An iteration begins.
+    pub fn begin(&mut self, pressing: Pressing) {
+        self.pressing = pressing;
+        self.places.iter_mut().for_each(|p| p.stiffness = p.stiffnesses[0]);
+    }
+
+    /// What is closed stays closed and resists any move.
+    pub fn hold(&mut self) {
+        self.damping = WEAK;
+        if self.pressing == Pressing::Exactly {
+            self.pressing = Pressing::Held;
+        }
+    }
+
+    /// Whether corrections find forces of rigid contacts.
+    pub fn press_exactly(&self) -> bool {
+        self.pressing == Pressing::Exactly && self.places.iter().any(|p| p.is_exact)
+    }
+
+    /// The equilibrium at hand is one: sides and feet are those seen in it.
+    pub fn accept(&mut self) {
+        self.places.iter_mut().for_each(|p| p.accepted = p.seen);
+    }
+
+    /// Adds weight and weak springs of discs, forces of contacts and their tangent to those of the beams.
+    pub fn assemble<const TANGENT: bool>(
+        &mut self,
+        model: &Model,
+        base: &State,
+        forcing: &Forcing,
+        increment: &[[f64; 4]],
+        residual: &mut [[f64; 4]],
+        tangent: &mut Tangent,
+    ) {
+        if self.has_bodies {
+            self.bodies::<TANGENT>(model, forcing, residual, tangent);
+        }
+        if TANGENT {
+            self.add_springs(tangent);
+        }
+        if self.places.is_empty() {
+            return;
+        }
+        let start = Configuration { start: &base.displacement, increment, share: 1.0, arcs: &[] };
+        self.arcs.clear();
+        let on_axis = |p: &Place| matches!(model.pairs[p.pair].target, Target::Axis { .. });
+        if self.places.iter().any(on_axis) {
+            let arcs = model.beams.iter().map(|b| longest_arc(&b.axis, &model.nodes, &start));
+            self.arcs.extend(arcs);
+        }
+        let (at, size) = (Configuration { arcs: &self.arcs, ..start }, self.size);
+        let pressing = self.pressing;
+        let (mut flips, mut most) = (0.0_f64, 0.0_f64);
+        let closed = |contacts: &Self| contacts.places.iter().any(|p| p.was_closed);
+        let held = closed(self);
+        for place in &mut self.places {
+            let pair = &model.pairs[place.pair];
+            let memory = Memory { near: place.seen.near, ..place.accepted };
+            let Some(touch) = pair.touch(model, &at, &memory, Reach::All) else {
+                (place.gap, place.force, place.closed) = (f64::INFINITY, 0.0, false);
+                place.multiplier = 0.0;
+                continue;
+            };
+            place.seen = touch.memory;
+            place.look(model, pair, &touch, size, pressing);
+            let exact = place.is_exact && pressing != Pressing::Following;
+            if TANGENT && !exact {
+                if place.closed != place.was_closed {
+                    flips = flips.max(place.force).max(place.held);
+                }
+                most = most.max(place.force);
+                (place.was_closed, place.held) = (place.closed, place.force);
+            }
+            if place.force == 0.0 && !place.closed && !exact {
+                continue;
+            }
+            place.row = pair.normal_row(&touch, &at);
+            place.row.spread(-place.force, residual);
+            if TANGENT && (place.force != 0.0 || place.closed) {
+                place.add_tangent(model, pair, (&touch, &at), tangent, pressing);
+            }
+        }
+        if TANGENT {
+            // What presses next to nothing may come and go by round-off.
+            self.changed = flips > NEXT_TO_NOTHING * most;
+            self.opened = held && !closed(self);
+            self.damping = (0.5 * self.damping).max(WEAK);
+        }
+    }
+
+    /// Whether everything has come open at once, which was not what the tangent before had in mind.
+    pub fn opened(&self) -> bool {
+        self.opened
+    }
+
+    /// Takes in a correction, of which a share was taken.
+    pub fn correct(&mut self, correction: &[[f64; 4]], share: f64) {
+        let (size, follows) = (self.size, !self.changed);
+        let exactly = self.press_exactly();
+        for place in self.places.iter_mut().filter(|p| p.stiffnesses[0] > 0.0) {
+            if exactly && place.is_exact {
+                place.change *= share;
+                place.multiplier += place.change;
+                continue;
+            }
+            place.change = 0.0;
+            if !place.closed {
+                place.multiplier = 0.0;
+                continue;
+            }
+            if !follows {
+                continue;
+            }
+            let moved = place.row.on(correction) / share;
+            let pushed = (place.force - place.stiffness * moved).max(0.0);
+            place.change = share * (pushed - place.multiplier);
+            place.multiplier += place.change;
+            let gap = place.gap.abs();
+            if gap > CLOSED * size && (place.gap + moved).abs() > SLOW * gap {
+                place.stiffness = (GROWTH * place.stiffness).min(place.stiffnesses[1]);
+            }
+        }
+    }
+
+    /// Whether the closed set of the tangent assembled last is another one than that before.
+    pub fn changed(&self) -> bool {
+        self.changed
+    }
+
+    /// Whether the last look found nothing to change, and the last correction hardly changed a force.
+    pub fn settled(&self) -> bool {
+        let most = self.places.iter().map(|p| p.force.abs()).fold(0.0, f64::max);
+        let exactly = self.press_exactly();
+        let rests = |p: &Place| {
+            let touches = !p.closed || p.stiffnesses[0] == 0.0 || p.gap.abs() <= CLOSED * self.size;
+            let exact = exactly && p.is_exact;
+            let (outside, share) = match exact {
+                true => (p.gap >= -CLOSED * self.size, SETTLED_EXACTLY),
+                false => (true, SETTLED),
+            };
+            touches && outside && p.change.abs() <= share * most
+        };
+        !self.changed && self.places.iter().all(rests)
+    }
+
+    fn round_off(&self) -> f64 {
+        ROUND_OFF * self.size
+    }
+
+    /// Writes pairs as they stand to a state of the model.
+    pub fn enter(&self, state: &mut State) {
+        for place in &self.places {
+            let seen = &mut state.pairs[place.pair];
+            (seen.gap, seen.rate, seen.memory) = (place.gap, 0.0, place.seen);
+            seen.closed = place.closed && place.force > 0.0;
+        }
+    }
+}

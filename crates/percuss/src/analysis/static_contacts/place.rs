@@ -1,0 +1,119 @@
+//! A pair of a contact at rest: its gap, its force, its part in the tangent.
+
+use super::{Pressing, ROUND_OFF};
+use crate::analysis::contact_log;
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::{Memory, Pair};
+use crate::contact::row::Row;
+use crate::contact::touch::Touch;
+use crate::contact::turning::Turning;
+use crate::model::frozen::NodeHold;
+use crate::model::{Model, TouchLaw};
+use crate::step::contacts::{add_tangent, add_turning};
+use crate::step::tangent::Tangent;
+
+/// A pair that takes part.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    pub pair: usize,
+    /// Rigid, and not of a disc.
+    pub is_exact: bool,
+    /// Side and foot in the equilibrium found last, and the foot seen last.
+    pub accepted: Memory,
+    pub seen: Memory,
+    /// Gap at the last look; infinite where nothing can touch \[m\].
+    pub gap: f64,
+    /// Force at the last look \[N\].
+    pub force: f64,
+    /// Multiplier of a rigid pair \[N\].
+    pub multiplier: f64,
+    /// Stiffness of a rigid pair \[N/m\]; zero for a compliant one.
+    pub stiffness: f64,
+    /// The one an iteration begins with, and the largest \[N/m\].
+    pub stiffnesses: [f64; 2],
+    /// Rigid and closed at the last look, and in the tangent assembled last.
+    pub closed: bool,
+    pub was_closed: bool,
+    /// Force in the tangent assembled last \[N\].
+    pub held: f64,
+    /// How deep a disc may be pushed in by a correction \[m\].
+    pub deep: f64,
+    pub row: Row,
+    /// Arc length along the beam \[m\].
+    pub s: f64,
+    /// Change of the multiplier by the last correction \[N\].
+    pub change: f64,
+}
+
+impl Place {
+    /// Gap and force where the pair is nearest.
+    pub fn look(
+        &mut self,
+        model: &Model,
+        pair: &Pair,
+        touch: &Touch,
+        size: f64,
+        pressing: Pressing,
+    ) {
+        self.gap = touch.gap;
+        self.s = contact_log::along(pair, touch);
+        match &model.contacts[pair.contact].law {
+            TouchLaw::Smooth(law) => {
+                self.force = law.potential.force(-touch.gap);
+                self.closed = false;
+            }
+            TouchLaw::Rigid(_) if self.is_exact && pressing != Pressing::Following => {
+                if touch.gap == f64::INFINITY {
+                    self.multiplier = 0.0;
+                }
+                self.closed = self.multiplier > 0.0;
+                self.force = self.multiplier;
+            }
+            TouchLaw::Rigid(_) => {
+                let round_off = ROUND_OFF * size;
+                let gap = if touch.gap.abs() <= round_off { 0.0 } else { touch.gap };
+                let pushed = self.multiplier - self.stiffness * gap;
+                self.closed = pushed > 0.0;
+                self.force = pushed.max(0.0);
+            }
+        }
+    }
+
+    pub fn add_tangent(
+        &self,
+        model: &Model,
+        pair: &Pair,
+        (touch, at): (&Touch, &Configuration),
+        tangent: &mut Tangent,
+        pressing: Pressing,
+    ) {
+        let (slope, bend) = match &model.contacts[pair.contact].law {
+            TouchLaw::Smooth(law) => (law.potential.stiffness(-touch.gap), self.force),
+            TouchLaw::Rigid(_) if self.is_exact && pressing == Pressing::Exactly => {
+                (0.0, self.multiplier)
+            }
+            TouchLaw::Rigid(_) if self.is_exact && pressing == Pressing::Held => {
+                (self.stiffnesses[1], self.multiplier)
+            }
+            // What closes has not yet a force of which the turning could be told.
+            TouchLaw::Rigid(_) => (self.stiffness, self.multiplier.max(0.0)),
+        };
+        let row = moving(model, &self.row);
+        let moving = |t: Turning| Turning { forms: t.forms.map(|form| moving(model, &form)), ..t };
+        let turning = pair.turning(touch, at).map(moving);
+        add_tangent(tangent, &row, &row, slope, bend, turning.as_ref());
+        let of_sections = pair.section_turnings(touch, at);
+        of_sections.into_iter().flatten().for_each(|t| add_turning(tangent, bend, &moving(t)));
+    }
+}
+
+/// A form on the nodes that can move: the others would only tie together what they touch.
+pub fn moving(model: &Model, row: &Row) -> Row {
+    let mut out = Row::default();
+    for (node, c) in row.iter() {
+        if !model.hold_at(node).is_some_and(NodeHold::is_whole) {
+            out.add(node, *c);
+        }
+    }
+    out
+}

@@ -1,0 +1,256 @@
+//! Which rigid contacts of a structure carry a load, and how much: a quadratic programme in each of Newton's corrections.
+//!
+//! About a configuration with residual r, tangent K, gaps g and their gradients G the correction d is the least of
+//! `1/2 d.K d + r.d` with `g + G d >= 0`. Several candidates an element may lie closer than its shape functions tell apart: forces
+//! of neighbours are then not unique, and the programme has no single dual solution. The proximal method of multipliers
+//! (Rockafellar 1976) asks for none: about multipliers m it minimises `1/2 d.K d + r.d + sum max(0, m - k (g + G d))^2 / 2k` and
+//! sets `m = max(0, m - k (g + G d))`, until gaps are none. Each of these functions is convex and piecewise quadratic where K is
+//! positive: Newton's method with an exact line search ends on the right closed set after finitely many steps, however many
+//! contacts come and go in one.
+
+use super::super::static_search::{StaticSearch, largest};
+use super::StaticContacts;
+use super::place::{Place, moving};
+use crate::contact::row::Row;
+use crate::model::Model;
+use crate::step::contacts::add_tangent;
+use crate::step::tangent::Tangent;
+
+/// Changes of the closed set about the same multipliers, and changes of multipliers, of one correction.
+const MOST_SETS: usize = 200;
+const MOST_ROUNDS: usize = 40;
+/// Gaps below the first share of the positions in play are none; what a correction leaves is held to be none below the second. A gap
+/// that comes and goes by round-off would change the forces of neighbours by far more.
+const ZERO_GAP: f64 = 16.0 * f64::EPSILON;
+const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
+/// Forces below this share of the largest come and go by round-off.
+const ROUND_OFF_OF_FORCES: f64 = 1e-13;
+/// Gaps that a correction may leave, as a share of the largest move: the next is smaller by itself.
+const INEXACT: f64 = 1e-7;
+/// Halvings of the interval in a line search: to round-off.
+const HALVINGS: usize = 52;
+
+/// The rigid contacts about a configuration.
+struct Programme {
+    /// Places of [`StaticContacts`], and what is known of each.
+    places: Vec<usize>,
+    rows: Vec<Row>,
+    gaps: Vec<f64>,
+    stiffness: Vec<f64>,
+    /// Multipliers about which forces are sought.
+    multipliers: Vec<f64>,
+    /// Which contacts are closed in the tangent factored last.
+    closed: Vec<bool>,
+}
+
+/// A correction, with the forces it is in equilibrium with: of either sign where closed.
+#[derive(Clone)]
+struct Balanced {
+    correction: Vec<[f64; 4]>,
+    forces: Vec<f64>,
+    /// Gaps it leads to.
+    gaps: Vec<f64>,
+    constraints: Vec<f64>,
+}
+
+/// What of a search stays the same during a correction.
+struct Linear {
+    tangent: Tangent,
+    /// Unbalanced forces without those of the contacts.
+    residual: Vec<[f64; 4]>,
+    constraints: Vec<f64>,
+}
+
+impl StaticSearch<'_> {
+    /// The correction that the assembled tangent and its rigid contacts ask for; `false` where the tangent is singular.
+    pub fn press(&mut self) -> bool {
+        let mut programme = Programme::new(self.model, &self.contacts);
+        let mut linear = Linear {
+            tangent: self.work.tangent.clone(),
+            residual: self.work.residual.clone(),
+            constraints: self.work.multiplier.clone(),
+        };
+        programme.spread(&programme.multipliers, &mut linear.residual);
+        let Some(found) = programme.solve(self, &linear) else { return false };
+        self.work.correction.copy_from_slice(&found.correction);
+        self.work.multiplier.copy_from_slice(&found.constraints);
+        self.contacts.take(&programme);
+        true
+    }
+}
+
+impl StaticContacts {
+    /// Changes of forces that a programme has found.
+    fn take(&mut self, programme: &Programme) {
+        self.places.iter_mut().filter(|p| p.is_exact).for_each(|p| p.change = 0.0);
+        for (k, i) in programme.places.iter().enumerate() {
+            let place = &mut self.places[*i];
+            place.change = programme.multipliers[k] - place.multiplier;
+        }
+    }
+}
+
+impl Programme {
+    fn new(model: &Model, contacts: &StaticContacts) -> Self {
+        let near = |p: &&Place| p.is_exact && p.gap.is_finite();
+        let all = || contacts.places.iter().filter(near);
+        let round_off = ZERO_GAP * contacts.size;
+        let gap = |p: &Place| if p.gap.abs() <= round_off { 0.0 } else { p.gap };
+        let numbers = contacts.places.iter().enumerate().filter(|(_, p)| near(p));
+        Self {
+            places: numbers.map(|(i, _)| i).collect(),
+            rows: all().map(|p| moving(model, &p.row)).collect(),
+            gaps: all().map(gap).collect(),
+            stiffness: all().map(|p| p.stiffnesses[1]).collect(),
+            multipliers: all().map(|p| p.multiplier).collect(),
+            closed: all().map(|p| p.multiplier > 0.0).collect(),
+        }
+    }
+
+    /// Adds forces along the gradients of their gaps.
+    fn spread(&self, forces: &[f64], nodal: &mut [[f64; 4]]) {
+        for (row, force) in self.rows.iter().zip(forces).filter(|(_, f)| **f != 0.0) {
+            row.spread(*force, nodal);
+        }
+    }
+
+    /// Forces about the multipliers where the gaps are those given; negative where the contact is open.
+    fn trial(&self, gaps: &[f64]) -> Vec<f64> {
+        let each = self.multipliers.iter().zip(&self.stiffness).zip(gaps);
+        each.map(|((m, k), g)| m - k * g).collect()
+    }
+
+    fn solve(&mut self, search: &mut StaticSearch, linear: &Linear) -> Option<Balanced> {
+        let mut at: Option<Balanced> = None;
+        let mut factored = false;
+        for _ in 0..MOST_ROUNDS {
+            for _ in 0..MOST_SETS {
+                if let Some(at) = &at {
+                    factored &= !self.flip(&self.trial(&at.gaps));
+                }
+                if !factored {
+                    self.factor(search, linear)?;
+                    factored = true;
+                }
+                let full = self.balance(search, linear);
+                let Some(from) = &at else {
+                    at = Some(full);
+                    continue;
+                };
+                let share = self.share(from, &full);
+                let reached = from.toward(&full, share);
+                let trial = self.trial(&reached.gaps);
+                at = Some(reached);
+                if share == 1.0 && !self.would_flip(&trial) {
+                    break;
+                }
+            }
+            let reached = at.as_ref()?;
+            let forces = self.trial(&reached.gaps);
+            self.multipliers = forces.iter().map(|f| f.max(0.0)).collect();
+            let most = largest(&reached.correction);
+            let left = |(k, g): (usize, &f64)| if self.closed[k] { g.abs() } else { (-g).max(0.0) };
+            let left = reached.gaps.iter().enumerate().map(left).fold(0.0, f64::max);
+            let none = ROUND_OFF * search.contacts.size;
+            if !most.is_finite() {
+                return None;
+            }
+            if left <= none.max(INEXACT * most) {
+                break;
+            }
+        }
+        at
+    }
+
+    fn would_flip(&self, trial: &[f64]) -> bool {
+        let most = trial.iter().fold(0.0_f64, |m, f| m.max(*f));
+        let flips = |(f, closed): (&f64, &bool)| {
+            (*f > 0.0) != *closed && f.abs() > ROUND_OFF_OF_FORCES * most
+        };
+        trial.iter().zip(&self.closed).any(flips)
+    }
+
+    /// Closes what presses and opens what pulls; whether anything changed.
+    fn flip(&mut self, trial: &[f64]) -> bool {
+        let flips = self.would_flip(trial);
+        if flips {
+            self.closed = trial.iter().map(|f| *f > 0.0).collect();
+        }
+        flips
+    }
+
+    fn factor(&self, search: &mut StaticSearch, linear: &Linear) -> Option<()> {
+        search.work.tangent.clone_from(&linear.tangent);
+        let closed = self.rows.iter().zip(&self.stiffness).zip(&self.closed).filter(|(_, c)| **c);
+        for ((row, stiffness), _) in closed {
+            add_tangent(&mut search.work.tangent, row, row, *stiffness, 0.0, None);
+        }
+        search.factor_assembled().ok()
+    }
+
+    /// The correction on the closed set factored last.
+    fn balance(&self, search: &mut StaticSearch, linear: &Linear) -> Balanced {
+        let closed = |k: usize, force: f64| if self.closed[k] { force } else { 0.0 };
+        let start: Vec<f64> =
+            self.trial(&self.gaps).iter().enumerate().map(|(k, f)| closed(k, *f)).collect();
+        search.work.residual.copy_from_slice(&linear.residual);
+        let pushed: Vec<f64> = start.iter().map(|f| -f).collect();
+        self.spread(&pushed, &mut search.work.residual);
+        search.work.multiplier.copy_from_slice(&linear.constraints);
+        search.correction();
+        let correction = search.work.correction.clone();
+        let moved = self.rows.iter().map(|row| row.on(&correction));
+        let gaps: Vec<f64> = self.gaps.iter().zip(moved).map(|(g, moved)| g + moved).collect();
+        let forces = self.trial(&gaps).iter().enumerate().map(|(k, f)| closed(k, *f)).collect();
+        Balanced { correction, forces, gaps, constraints: search.work.multiplier.clone() }
+    }
+
+    /// The share of the way to another correction after which the function of the programme is least.
+    ///
+    /// Its slope is that of the structure, whose unbalanced forces at either end are the forces of the contacts there, less that of
+    /// the contacts.
+    fn share(&self, from: &Balanced, to: &Balanced) -> f64 {
+        let slope = |share: f64| {
+            let mut sum = 0.0;
+            for k in 0..self.places.len() {
+                let moved = to.gaps[k] - from.gaps[k];
+                let gap = from.gaps[k] + share * moved;
+                let balanced = from.forces[k] + share * (to.forces[k] - from.forces[k]);
+                let pressed = self.multipliers[k] - self.stiffness[k] * gap;
+                sum += (balanced - pressed.max(0.0)) * moved;
+            }
+            sum
+        };
+        // Uphill from the start where the tangent is not positive: nothing to minimise.
+        if slope(1.0) <= 0.0 || slope(0.0) >= 0.0 {
+            return 1.0;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if slope(middle) < 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    }
+}
+
+impl Balanced {
+    fn toward(&self, other: &Self, share: f64) -> Self {
+        if share == 1.0 {
+            return other.clone();
+        }
+        let mix = |a: &f64, b: &f64| a + share * (b - a);
+        let each = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| mix(a, b)).collect();
+        let nodal = self.correction.iter().zip(&other.correction);
+        Self {
+            correction: nodal.map(|(a, b)| std::array::from_fn(|i| mix(&a[i], &b[i]))).collect(),
+            forces: each(&self.forces, &other.forces),
+            gaps: each(&self.gaps, &other.gaps),
+            constraints: each(&self.constraints, &other.constraints),
+        }
+    }
+}
