@@ -8,14 +8,16 @@ use std::time::{Duration, Instant};
 
 use common::{Desk, Outcome};
 
-/// Waits until something is true, for at most a minute.
-#[track_caller]
-fn wait_for(what: &str, mut is_true: impl FnMut() -> bool) {
+/// Waits until something is true, for at most a minute; says whether it came true.
+fn wait_for(mut is_true: impl FnMut() -> bool) -> bool {
     let begun = Instant::now();
     while !is_true() {
-        assert!(begun.elapsed() < Duration::from_secs(60), "waited in vain for {what}");
+        if begun.elapsed() > Duration::from_secs(60) {
+            return false;
+        }
         std::thread::sleep(Duration::from_millis(5));
     }
+    true
 }
 
 /// A run without end, its history begun.
@@ -27,12 +29,16 @@ fn endless(desk: &Desk) -> Child {
 
 /// Starts a run to `out` and waits until its history has begun.
 fn begun(desk: &Desk, command: &mut Command) -> Child {
-    let child = command.spawn().expect("the command starts");
+    let mut child = command.spawn().expect("the command starts");
     let is_staging = |name: &String| name.starts_with(".out.percuss-staged-");
-    wait_for("a history", || {
+    let has_begun = wait_for(|| {
         let staging = desk.names().into_iter().find(is_staging);
         staging.is_some_and(|dir| desk.path(&dir).join(".history.parquet.partial").exists())
     });
+    if !has_begun {
+        let _ = child.kill(); // it would run for ever
+        panic!("waited in vain for a history");
+    }
     child
 }
 

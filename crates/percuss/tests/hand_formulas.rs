@@ -170,7 +170,7 @@ fn a_bar_on_a_wall_stays_as_long_as_its_contact_lets_it() {
     for (stiffness, step) in [(2e6, 2e-5), (2e8, 2e-6), (1.5e9, 5e-7)] {
         let mut b = ModelBuilder::new();
         let beam = steel(&mut b, length, 80);
-        let shape = ObstacleShape::HalfPlane { point: [-0.0251, 0.0], normal: [1.0, 0.0] };
+        let shape = ObstacleShape::HalfPlane { point: [-1e-4, 0.0], normal: [1.0, 0.0] };
         let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
         let velocity = [-speed, 0.0];
         b.initial_motion(InitialMotion { velocity, ..InitialMotion::default() });
@@ -190,7 +190,7 @@ fn a_bar_on_a_wall_stays_as_long_as_its_contact_lets_it() {
 fn a_hard_contact_of_a_bar_is_told_as_one_of_the_mesh() {
     let mut b = ModelBuilder::new();
     let beam = steel(&mut b, 2.0, 40);
-    let shape = ObstacleShape::HalfPlane { point: [-0.0251, 0.0], normal: [1.0, 0.0] };
+    let shape = ObstacleShape::HalfPlane { point: [-1e-4, 0.0], normal: [1.0, 0.0] };
     let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
     b.initial_motion(InitialMotion { velocity: [-1.0, 0.0], ..InitialMotion::default() });
     let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e12 }));
