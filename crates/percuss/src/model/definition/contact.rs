@@ -213,7 +213,7 @@ pub enum TouchLaw {
 /// Two things that can touch.
 ///
 /// Beams touch with their faces, half a depth from the centre line (with the line itself where the section has no depth), and
-/// with their [`Ends`], flat or round, that lie where the beam ends. Against anything but a disc a beam touches at points along it,
+/// with their [`Ends`](crate::Ends), flat or round, that lie where the beam ends. Against anything but a disc a beam touches at points along it,
 /// `points_per_element` of them in each element, and with the corners of its ends; the law holds for each of these points. Where
 /// two beams meet, the corners of flat ends are rounded off by a twentieth of the depth.
 #[derive(Clone, Debug, PartialEq)]
