@@ -194,7 +194,11 @@ fn sections(summary: &Value) -> Option<String> {
         let (s, time) = (quantity(one["s"].as_f64(), "m"), quantity(one["time"].as_f64(), "s"));
         format!("{} in {name} at s = {s}, {time}", quantity(Some(value.abs()), unit))
     };
-    let moment = largest("moment").map(|m| format!("the largest moment {}", place(m, "N*m")));
+    // A moment is told beside the energy in play: what is nothing but round-off of it is none.
+    let floor = 1e-12 * summary["energy"]["scale"].as_f64().unwrap_or(0.0);
+    let moment = largest("moment")
+        .filter(|m| m.2.abs() > floor)
+        .map(|m| format!("the largest moment {}", place(m, "N*m")));
     let stress = largest("stress").map(|s| format!("the largest stress {}", place(s, "Pa")));
     let both: Vec<String> = [moment, stress].into_iter().flatten().collect();
     let mut text = both.join("; ");
