@@ -8,6 +8,10 @@ use percuss_output::read_history;
 const FILES: [&str; 6] =
     ["envelopes.csv", "fields", "impacts.csv", "report.html", "scenario.toml", "summary.json"];
 
+/// What a run without a report leaves.
+const UNREPORTED: [&str; 6] =
+    ["envelopes.csv", "fields", "history.parquet", "impacts.csv", "scenario.toml", "summary.json"];
+
 #[track_caller]
 fn number(value: &serde_json::Value, pointer: &str) -> f64 {
     let found = value.pointer(pointer).and_then(serde_json::Value::as_f64);
@@ -101,17 +105,7 @@ fn the_coefficients_compared_are_those_asked_for() {
     desk.percuss(&["run", "rigid.toml", "--set", "time.step=5e-7", "-q"]).ends_with(0);
     assert!(!desk.path("runs/rigid/comparison.csv").exists());
     desk.percuss(&["run", "rigid.toml", "--no-report", "-q"]).ends_with(0);
-    assert_eq!(
-        names(&desk.path("runs/rigid")),
-        [
-            "envelopes.csv",
-            "fields",
-            "history.parquet",
-            "impacts.csv",
-            "scenario.toml",
-            "summary.json"
-        ]
-    );
+    assert_eq!(names(&desk.path("runs/rigid")), UNREPORTED);
 }
 
 #[test]
@@ -226,17 +220,7 @@ fn a_run_replaces_the_one_before() {
     let desk = Desk::new();
     desk.percuss(&["run", "elastic.toml", "--out", "out", "--history", "csv", "-q"]).ends_with(0);
     desk.percuss(&["run", "rigid.toml", "--out", "out", "--no-report", "-q"]).ends_with(0);
-    assert_eq!(
-        names(&desk.path("out")),
-        [
-            "envelopes.csv",
-            "fields",
-            "history.parquet",
-            "impacts.csv",
-            "scenario.toml",
-            "summary.json"
-        ]
-    );
+    assert_eq!(names(&desk.path("out")), UNREPORTED);
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     // A faulty scenario leaves it alone.
     let faulty = ["run", "elastic.toml", "--out", "out", "--set", "beam.girder.elements=0"];

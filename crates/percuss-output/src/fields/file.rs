@@ -18,13 +18,13 @@ use super::{DIRECTORY, Fields, StoredFrame};
 use crate::error::Error;
 use crate::files;
 
-/// Lists of a frame: name of the column, and the list itself.
-type List = (&'static str, fn(&mut StoredFrame) -> &mut Vec<f32>);
+/// Lists of a frame: name of the column, and the list itself, to be written and to be read.
+type List = (&'static str, fn(&StoredFrame) -> &Vec<f32>, fn(&mut StoredFrame) -> &mut Vec<f32>);
 const LISTS: [List; 4] = [
-    ("displacement", |f| &mut f.displacement),
-    ("section_forces", |f| &mut f.section_forces),
-    ("contact_forces", |f| &mut f.contact_forces),
-    ("load_factors", |f| &mut f.load_factors),
+    ("displacement", |f| &f.displacement, |f| &mut f.displacement),
+    ("section_forces", |f| &f.section_forces, |f| &mut f.section_forces),
+    ("contact_forces", |f| &f.contact_forces, |f| &mut f.contact_forces),
+    ("load_factors", |f| &f.load_factors, |f| &mut f.load_factors),
 ];
 
 /// What the columns hold, for those who read the file without this program.
@@ -50,7 +50,7 @@ fn write_frames(file: File, fields: &Fields) -> Result<()> {
         Ok(Arc::new(Type::primitive_type_builder(name, kind).with_repetition(repetition).build()?))
     };
     let mut columns = vec![field("time", PhysicalType::DOUBLE, Repetition::REQUIRED)?];
-    for (name, _) in LISTS {
+    for (name, ..) in LISTS {
         columns.push(field(name, PhysicalType::FLOAT, Repetition::REPEATED)?);
     }
     let schema = Arc::new(Type::group_type_builder("frames").with_fields(columns).build()?);
@@ -69,15 +69,13 @@ fn write_frames(file: File, fields: &Fields) -> Result<()> {
     let mut column = next(&mut group)?;
     column.typed::<DoubleType>().write_batch(&times, None, None)?;
     column.close()?;
-    for (_, list) in LISTS {
+    for (_, list, _) in LISTS {
         let (mut values, mut defined, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
-        for frame in &fields.frames {
-            let mut frame = frame.clone();
-            let list = list(&mut frame);
+        for list in fields.frames.iter().map(list) {
             // An empty list is one undefined entry; in a longer one all but the first repeat.
             defined.extend(std::iter::repeat_n(i16::from(!list.is_empty()), list.len().max(1)));
             repeated.extend((0..list.len().max(1)).map(|k| i16::from(k > 0)));
-            values.append(list);
+            values.extend_from_slice(list);
         }
         let mut column = next(&mut group)?;
         column.typed::<FloatType>().write_batch(&values, Some(&defined), Some(&repeated))?;
@@ -124,7 +122,7 @@ fn read_frames(file: File) -> Result<Vec<StoredFrame>> {
             .read_records(rows, None, None, &mut times)?;
         let mut read: Vec<StoredFrame> =
             times.into_iter().map(|time| StoredFrame { time, ..StoredFrame::default() }).collect();
-        for (k, (_, list)) in LISTS.iter().enumerate() {
+        for (k, (_, _, list)) in LISTS.iter().enumerate() {
             let (mut values, mut defined, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
             get_typed_column_reader::<FloatType>(group.get_column_reader(k + 1)?).read_records(
                 rows,

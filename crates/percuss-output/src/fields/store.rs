@@ -42,7 +42,7 @@ impl Kind {
 /// Keeps frames of a run: all while they are few, then every second, every fourth, ...
 ///
 /// Frames in which something touches are thinned apart from the others; the one with the largest contact force, the one with the
-/// largest impulse, the first and the last are kept in any case.
+/// largest impulse, the first, and that at the end of a run that reaches it are kept in any case.
 #[derive(Clone, Debug)]
 pub struct FrameStore {
     scene: Scene,

@@ -9,6 +9,8 @@ const MODES: usize = 8;
 /// Steps of the load factor up to one, and its growth from step to step beyond.
 const STEPS: usize = 10;
 const GROWTH: f64 = 1.5;
+/// Halvings of the first factor, where that is unstable already.
+const HALVINGS: usize = 30;
 /// Largest load factor looked at.
 const UP_TO: f64 = 1e3;
 /// Width of the bracket in the end, as a share of the factor, and evaluations that narrow it.
@@ -86,12 +88,29 @@ pub(super) fn follower_stability(structure: &Model) -> FollowerStability {
     for factor in factors() {
         let Some(at) = evaluate(&mut search, &start, factor) else { break };
         if at.growing().is_some() {
-            return narrowed(&mut search, last, at);
+            let (stable, unstable) = match last {
+                Some(stable) => (Some(stable), at),
+                None => halved(&mut search, at),
+            };
+            return narrowed(&mut search, stable, unstable);
         }
         start = at.reached.clone();
         last = Some(at);
     }
     FollowerStability::Kept { up_to: last.map_or(0.0, |at| at.factor) }
+}
+
+/// Between which factors stability is lost below the first one looked at.
+fn halved(search: &mut StaticSearch, first: At) -> (Option<At>, At) {
+    let rest = StaticSearch::new(search.model).reached();
+    let mut unstable = first;
+    for _ in 0..HALVINGS {
+        match evaluate(search, &rest, 0.5 * unstable.factor) {
+            Some(at) if at.growing().is_some() => unstable = at,
+            stable => return (stable, unstable),
+        }
+    }
+    (None, unstable)
 }
 
 /// Factors looked at.
@@ -111,10 +130,10 @@ fn evaluate(search: &mut StaticSearch, from: &Reached, factor: f64) -> Option<At
     (!modes.is_empty()).then(|| At { factor, reached: search.reached(), modes })
 }
 
-/// Where stability is lost between a stable equilibrium and an unstable one; the least factor looked at if there is none before.
+/// Where stability is lost between a stable equilibrium and an unstable one.
 fn narrowed(search: &mut StaticSearch, stable: Option<At>, unstable: At) -> FollowerStability {
     let (Some(mut low), mut high) = (stable, unstable) else {
-        return FollowerStability::Kept { up_to: 0.0 }; // unstable from the first step on: no factor is known
+        return FollowerStability::Kept { up_to: 0.0 }; // unstable under next to no load: no factor is known
     };
     // Illinois: an end that stays counts half.
     let (mut share_low, mut share_high) = (1.0, 1.0);
