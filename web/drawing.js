@@ -64,11 +64,22 @@ function canExaggerate(motion) {
   return motion.scene.contacts.every((c) => c.between.some((name) => guided.has(name)));
 }
 
+// Colour of the run of this number.
+function runColour(palette, k) {
+  return palette.runs[k % palette.runs.length];
+}
+
 class Drawing {
-  constructor(motion, palette) {
+  // `others` are motions of other runs, drawn over the first one as outlines.
+  constructor(motion, palette, others = []) {
     this.motion = motion;
+    this.others = others;
     this.palette = palette; // text, soft, beam, ghost, hatch, load, contact, body, page: colours
     this.bounds = boundsOf(motion);
+    for (const { low, high } of others.map(boundsOf)) {
+      this.bounds.low = this.bounds.low.map((v, i) => Math.min(v, low[i]));
+      this.bounds.high = this.bounds.high.map((v, i) => Math.max(v, high[i]));
+    }
   }
 
   // Draws time t. Options: exaggeration, colour (none, stress, moment), diagram (none, axial, shear, moment), forces, loads, ghost,
@@ -90,6 +101,7 @@ class Drawing {
     this.masses();
     this.bodies();
     if (options.loads) this.loads();
+    this.others.forEach((other, k) => this.other(other, t, runColour(this.palette, k + 1)));
     if (options.forces) this.forces(options.flash ?? 0);
     this.furniture(t);
   }
@@ -144,6 +156,16 @@ class Drawing {
         this.pen.path(part.map((p) => this.view.to(p.place)), { stroke: this.palette.ghost, width: 1.2, dash: [5, 4] });
       }
     });
+  }
+
+  // Beams and bodies of another run at the same time, as outlines of one colour.
+  other(motion, t, outline) {
+    const own = { motion: this.motion, state: this.state, palette: this.palette, options: this.options };
+    const palette = { ...this.palette, outline, beam: undefined, body: undefined };
+    Object.assign(this, { motion, state: motion.at(t), palette, options: { ...this.options, colour: "none" } });
+    motion.scene.beams.forEach((_, i) => this.beam(i));
+    this.bodies();
+    Object.assign(this, own);
   }
 
   beam(i) {
@@ -346,6 +368,11 @@ class Drawing {
     const notes = [`t = ${engineering(t, "s") || "0 s"}`];
     if (this.e !== 1) notes.push(`displacements \u00d7 ${this.e}`);
     pen.text([10, 14], notes.join(",  "), { fill: palette.text, size: 13, halo: palette.page });
+    if (this.others.length) {
+      [this.motion, ...this.others].forEach((run, k) => {
+        pen.text([10, 32 + 16 * k], run.name, { fill: runColour(palette, k), size: 12, halo: palette.page });
+      });
+    }
     if (options.colour && options.colour !== "none") this.legend(options.colour);
   }
 

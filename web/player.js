@@ -10,7 +10,7 @@ function palette() {
   return {
     page: of("--page"), text: of("--text"), soft: of("--soft"), outline: of("--scene-outline"), beam: of("--scene-beam"),
     ghost: of("--c7"), hatch: of("--c7"), wall: of("--grid"), symbol: of("--soft"), load: of("--c3"), contact: of("--c2"),
-    body: of("--scene-body"), diagram: of("--c4"),
+    body: of("--scene-body"), diagram: of("--c4"), runs: [0, 1, 2, 3, 4, 5, 6, 8].map((k) => of(`--c${k}`)),
   };
 }
 
@@ -31,13 +31,15 @@ function contactSpan(motion) {
 }
 
 class Player {
-  constructor(section, motion) {
+  // `others` are motions of other runs, shown over the first one.
+  constructor(section, motion, others = []) {
     this.section = section;
     this.motion = motion;
+    this.others = others;
     this.canvas = section.querySelector("canvas");
     this.slider = section.querySelector("input[type=range]");
     this.playing = false;
-    this.whole = [motion.start, motion.end];
+    this.whole = [motion.start, Math.max(motion.end, ...others.map((m) => m.end))];
     this.impact = contactSpan(motion);
     this.span = this.whole;
     this.time = motion.size.peak ?? motion.start;
@@ -55,7 +57,7 @@ class Player {
   }
 
   theme() {
-    this.drawing = new Drawing(this.motion, palette());
+    this.drawing = new Drawing(this.motion, palette(), this.others);
     this.draw();
   }
 
@@ -176,8 +178,8 @@ class Player {
     this.control("on").addEventListener("click", () => this.step(1));
     this.control("impact").addEventListener("click", () => this.show(this.span === this.impact ? this.whole : this.impact));
     this.control("fit").addEventListener("click", () => this.look({ zoom: 1, shift: [0, 0] }));
-    this.control("svg").addEventListener("click", () => download("scene.svg", `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.svg())}`));
-    this.control("png").addEventListener("click", () => download("scene.png", this.canvas.toDataURL("image/png")));
+    this.control("svg").addEventListener("click", () => saveAs("scene.svg", `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.svg())}`));
+    this.control("png").addEventListener("click", () => saveAs("scene.png", this.canvas.toDataURL("image/png")));
     for (const name of ["colour", "diagram", "exaggeration", "forces", "loads", "ghost"]) {
       this.control(name).addEventListener("change", () => this.draw());
     }
@@ -222,13 +224,6 @@ class Player {
     const shift = [x, y].map((p, i) => p - middle[i] - by * (p - middle[i] - this.camera.shift[i]));
     this.look({ zoom, shift });
   }
-}
-
-function download(name, href) {
-  const link = document.createElement("a");
-  link.download = name;
-  link.href = href;
-  link.click();
 }
 
 if (typeof module !== "undefined") module.exports = { contactSpan };

@@ -1,11 +1,17 @@
 // The page's numbers come back as they were packed: `node --test web/`.
 
 import assert from "node:assert/strict";
-import { createRequire } from "node:module";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import vm from "node:vm";
 import { deflateRawSync } from "node:zlib";
 
-const { unpack, significant, withUnit, spansOf, bandValue, wholeOf } = createRequire(import.meta.url)("./report.js");
+// The page runs them as one script.
+const parts = ["pens.js", "columns.js", "figures.js", "zoom.js", "exports.js"];
+const text = parts.map((name) => readFileSync(new URL(name, import.meta.url), "utf8")).join("\n");
+const names = "{ unpack, significant, withUnit, spansOf, bandValue, wholeOf, tables, extremesByColumn, turnsOf, zoomed, moved, csvOf }";
+const page = vm.runInThisContext(`(() => {${text}\nreturn ${names};})()`);
+const { unpack, significant, withUnit, spansOf, bandValue, wholeOf, tables, extremesByColumn, turnsOf, zoomed, moved, csvOf } = page;
 
 function shuffled(values) {
   const plain = Buffer.from(values.buffer);
@@ -35,7 +41,7 @@ for (const [encoding, packed] of [["plain", bytes], ["deflate", deflateRawSync(b
 test("values read as an engineer writes them", () => {
   assert.equal(significant(337784.605, 6), "337785");
   assert.equal(significant(0.1 + 0.2, 6), "0.3");
-  assert.equal(significant(2.5e-12, 3), "2.50e-12");
+  assert.equal(significant(2.5e-12, 3), "2.5e-12");
   assert.equal(withUnit(12.5, "kN"), "12.5 kN");
   assert.equal(withUnit(null, "kN"), "");
 });
@@ -56,4 +62,44 @@ test("figures over time share their span, an empty one has some", () => {
   assert.ok(high > 5 && high < 5.001);
   assert.deepEqual(wholeOf([entry()]), [0, 1]);
   assert.deepEqual(wholeOf([entry(3)]), [3, 4]);
+});
+
+test("what is round-off beside its scale is nothing", () => {
+  assert.equal(withUnit(3e-14, "kN", 1), "0 kN");
+  assert.equal(withUnit(3e-11, "kN", 1), "3e-11 kN");
+  assert.equal(withUnit(123456.7, ""), "123460");
+});
+
+test("areas lie on each other and keep their own values", () => {
+  const series = [{ shape: "area", y: 1, label: "a" }, { shape: "area", y: 2, label: "b" }, { shape: "line", y: 3, label: "all" }];
+  const figure = { tables: [{ x: 0, series }], x: { caption: "time [s]" }, y: { unit: "J" } };
+  const data = tables(figure, [[0, 1], [1, 2], [10, 20], [11, 22.5]]);
+  assert.deepEqual(data.map((c) => [...c]), [[0, 1], [1, 2], [11, 22], [11, 22.5]]);
+  assert.equal(csvOf(figure, data), '"time [s]","a [J]","b [J]","all [J]"\n0,1,10,11\n1,2,20,22.5\n');
+});
+
+test("a cell is no formula", () => {
+  const figure = { tables: [{ x: 0, series: [{ shape: "line", label: '=HYPERLINK("x")' }] }], x: { caption: "time" }, y: { unit: "" } };
+  assert.equal(csvOf(figure, [[0], [null]]), '"time","\'=HYPERLINK(""x"")"\n0,\n');
+});
+
+test("a band has the extremes of each column of pixels", () => {
+  const y = [0, 1, -1, 5, null, 4];
+  const found = extremesByColumn(2, 0, 5, (i) => i / 3, (i) => y[i]);
+  assert.deepEqual(JSON.parse(JSON.stringify(found)), [{ column: 0, low: -1, high: 1 }, { column: 1, low: 4, high: 5 }]);
+});
+
+test("zooming stays within the whole", () => {
+  const list = (range) => Array.from(range);
+  assert.deepEqual(list(zoomed([0, 10], 2, 5, [0, 10])), [2.5, 7.5]);
+  assert.deepEqual(list(zoomed([2, 4], 0.1, 3, [0, 10])), [0, 10]);
+  assert.deepEqual(list(moved([2, 4], -5, [0, 10])), [0, 2]);
+  assert.deepEqual(list(moved([2, 4], 50, [0, 10])), [8, 10]);
+});
+
+test("turning points are counted, round-off is none", () => {
+  const y = Array.from({ length: 1001 }, (_, i) => Math.sin((2 * Math.PI * i) / 100));
+  assert.equal(turnsOf(y, 0, 1000), 20);
+  assert.equal(turnsOf(y.map((v, i) => i + 1e-3 * v), 0, 1000), 0);
+  assert.equal(turnsOf([1, null, 2, 3], 0, 3), 0);
 });

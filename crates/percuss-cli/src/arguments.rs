@@ -380,12 +380,15 @@ pub struct New {
 /// Arguments of `report`.
 #[derive(Args, Debug)]
 pub struct Report {
-    /// Directory of a finished run
-    #[arg(value_hint = ValueHint::DirPath)]
-    pub dir: PathBuf,
-    /// Write the figures as SVG and PNG as well, into figures/
+    /// Directory of a finished run; several are laid over each other on one page
+    #[arg(value_hint = ValueHint::DirPath, required = true, value_name = "DIR")]
+    pub dirs: Vec<PathBuf>,
+    /// Write the figures of a run as SVG and PNG as well, into its figures/
     #[arg(long)]
     pub figures: bool,
+    /// Page to write of several runs
+    #[arg(long, value_hint = ValueHint::FilePath, value_name = "FILE", default_value = "comparison.html")]
+    pub out: PathBuf,
 }
 
 /// Arguments of `verify`.

@@ -74,7 +74,7 @@ fn table_tennis(out: &Path) -> Result<(), RecorderError> {
         comparisons: &comparisons,
     };
     write_summary(dir.path(), &summary_value(&run, info))?;
-    write_impacts(dir.path(), &run.contacts)?;
+    write_impacts(dir.path(), &run.contacts, &run.supports)?;
     report::write_with_figures(dir.path(), &report::ReportData::read(dir.path())?)?;
     dir.commit()?;
     Ok(())

@@ -1,4 +1,5 @@
-//! `impacts.csv`: the impact log, one row an impact or an interval of closed contact, in the order of time.
+//! `impacts.csv`: the impact log, one row an impact, an interval of closed contact or a time in which a stop pressed, in the order of
+//! time.
 //!
 //! Forces and impulses have columns of their own: an impact has no force, and none is made up from its impulse. Fields that do
 //! not apply are empty. Always CSV: it holds names, and it is small beside any history.
@@ -8,7 +9,7 @@ use std::path::Path;
 
 use percuss::{
     ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact,
-    NoRestitution,
+    NoRestitution, Peak, StopTouch, SupportSummary,
 };
 
 use crate::csv_text;
@@ -22,7 +23,9 @@ const HEADER: &str = "contact,first,second,kind,start_s,end_s,impulse_N_s,fricti
 
 /// A row before it is written; NaN where something does not apply.
 struct Row<'a> {
-    contact: &'a ContactSummary,
+    /// The contact, or the stop, and the two between which it is: of a stop none.
+    name: &'a str,
+    between: [&'a str; 2],
     kind: &'static str,
     start: f64,
     /// Numbers between `start_s` and the places.
@@ -40,8 +43,16 @@ struct Row<'a> {
 ///
 /// # Errors
 /// If the file cannot be written.
-pub fn write_impacts(dir: impl AsRef<Path>, contacts: &[ContactSummary]) -> Result<(), Error> {
-    let mut rows: Vec<Row<'_>> = contacts.iter().flat_map(rows).collect();
+pub fn write_impacts(
+    dir: impl AsRef<Path>,
+    contacts: &[ContactSummary],
+    supports: &[SupportSummary],
+) -> Result<(), Error> {
+    let stops = supports.iter().flat_map(|support| {
+        let touches = support.touches.as_deref().unwrap_or_default();
+        touches.iter().map(move |touch| row_of_stop(support, touch))
+    });
+    let mut rows: Vec<Row<'_>> = contacts.iter().flat_map(rows).chain(stops).collect();
     rows.sort_by(|a, b| a.start.total_cmp(&b.start)); // stable: of one instant in the contacts' order
     let mut text = format!("{HEADER}\n");
     rows.iter().for_each(|row| row.write(&mut text));
@@ -53,8 +64,10 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
         ContactRecord::Smooth { intervals, .. } => (&[], intervals),
         ContactRecord::Nonsmooth { impacts, intervals, .. } => (impacts, intervals),
     };
+    let (name, between) = (contact.name.as_str(), contact.between.each_ref().map(String::as_str));
     let impact = |i: &Impact| Row {
-        contact,
+        name,
+        between,
         kind: "impact",
         start: i.time,
         numbers: [
@@ -74,7 +87,8 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
         why: i.restitution().err(),
     };
     let interval = |i: &ContactInterval| Row {
-        contact,
+        name,
+        between,
         kind: "interval",
         start: i.start,
         numbers: [
@@ -96,11 +110,31 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
     impacts.iter().map(impact).chain(intervals.iter().map(interval)).collect()
 }
 
+fn row_of_stop<'a>(support: &'a SupportSummary, touch: &StopTouch) -> Row<'a> {
+    let nan = f64::NAN;
+    let Peak { value, time } = touch.peak_force;
+    let none = ContactPlace { s: nan, position: [nan; 2] };
+    Row {
+        name: &support.name,
+        between: [""; 2],
+        kind: "stop",
+        start: touch.start,
+        numbers: [touch.end.unwrap_or(nan), touch.impulse, nan, value, time, nan, nan, nan],
+        place: none,
+        energy: EnergySplit { given: [nan; 2], lost: nan, stored: nan, scheme: nan },
+        tamed: None,
+        counts: [None, None],
+        why: None,
+    }
+}
+
 impl Row<'_> {
     fn write(&self, text: &mut String) {
-        let [first, second] = &self.contact.between;
-        for name in [&self.contact.name, first, second] {
-            text.push_str(&csv_text::quote(name));
+        let [first, second] = self.between;
+        for name in [self.name, first, second] {
+            if !name.is_empty() {
+                text.push_str(&csv_text::quote(name));
+            }
             text.push(',');
         }
         text.push_str(self.kind);

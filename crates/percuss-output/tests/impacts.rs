@@ -4,7 +4,9 @@ mod synthetic;
 
 use std::error::Error;
 
-use percuss::{ContactInterval, ContactRecord, ContactSummary, EnergySplit, Peak};
+use percuss::{
+    ContactInterval, ContactRecord, ContactSummary, EnergySplit, Peak, StopTouch, SupportSummary,
+};
 use percuss_output::write_impacts;
 
 fn contact(name: &str, record: ContactRecord) -> ContactSummary {
@@ -17,14 +19,24 @@ type Row = Vec<(String, String)>;
 
 /// The rows of the file.
 fn written(contacts: &[ContactSummary]) -> Result<Vec<Row>, Box<dyn Error>> {
+    written_with(contacts, &[])
+}
+
+fn written_with(
+    contacts: &[ContactSummary],
+    supports: &[SupportSummary],
+) -> Result<Vec<Row>, Box<dyn Error>> {
     let dir = tempfile::tempdir()?;
-    write_impacts(dir.path(), contacts)?;
+    write_impacts(dir.path(), contacts, supports)?;
     let text = std::fs::read_to_string(dir.path().join("impacts.csv"))?;
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().ok_or("no header")?.split(',').collect();
     let row = |line: &str| {
         // Names with commas come quoted; here only the second party's is.
-        let (before, quoted) = line.split_once('"').unwrap_or((line, ""));
+        let Some((before, quoted)) = line.split_once('"') else {
+            let fields = line.split(',').map(str::to_owned);
+            return header.iter().map(|h| (*h).to_owned()).zip(fields).collect();
+        };
         let (name, after) = quoted.rsplit_once('"').unwrap_or(("", ""));
         let mut fields: Vec<String> = before.split(',').map(str::to_owned).collect();
         fields.pop();
@@ -139,5 +151,27 @@ fn what_the_step_does_not_resolve_has_a_reason_instead_of_a_number() -> Result<(
             [found, why]
         );
     }
+    Ok(())
+}
+
+#[test]
+fn touches_of_stops_stand_among_the_contacts() -> Result<(), Box<dyn Error>> {
+    let peak_force = Peak { value: 900.0, time: 1e-3 };
+    let touch = StopTouch { start: 5e-4, end: Some(2e-3), impulse: 0.7, peak_force };
+    let still = StopTouch { start: 9e9, end: None, ..touch };
+    let stop =
+        SupportSummary { touches: Some(vec![touch, still]), ..synthetic::support("bracket", 1.0) };
+    let rows = written_with(
+        &[contact("mass", synthetic::smooth())],
+        &[stop, synthetic::support("root", 1.0)],
+    )?;
+    let of_stop: Vec<&Row> = rows.iter().filter(|r| field(r, "kind") == "stop").collect();
+    assert_eq!(of_stop.len(), 2);
+    assert_eq!(field(of_stop[0], "contact"), "bracket");
+    let told = ["start_s", "end_s", "impulse_N_s", "force_peak_N"].map(|c| field(of_stop[0], c));
+    assert_eq!(told, ["0.0005", "0.002", "0.7", "900.0"]);
+    assert_eq!((field(of_stop[1], "end_s"), field(of_stop[1], "restitution")), ("", ""));
+    let starts: Vec<f64> = rows.iter().filter_map(|r| field(r, "start_s").parse().ok()).collect();
+    assert!(starts.is_sorted());
     Ok(())
 }

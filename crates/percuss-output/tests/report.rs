@@ -95,6 +95,7 @@ fn a_rigid_run_has_the_figures_of_the_paper() -> Outcome {
     assert_eq!(stems["shape"], "stem");
     let column = stems["y"].as_u64().ok_or("no column")? as usize;
     assert_eq!(index["columns"][column], json!([4, 250]), "the summary's impacts, nothing else");
+    assert!(page.contains("250\u{a0}touches in"), "one row of chatter");
     assert!(page.contains("and 210 more, in impacts.csv"), "250 impacts, 40 listed");
     assert!(page.contains("Mind the mesh"), "91.2 kg against 17.3 kg");
     Ok(())

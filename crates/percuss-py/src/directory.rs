@@ -43,7 +43,7 @@ impl Directory {
         history.finish()?;
         write_summary(dir, summary)?;
         write_envelopes(dir, &run.section_forces)?;
-        write_impacts(dir, &run.contacts)?;
+        write_impacts(dir, &run.contacts, &run.supports)?;
         if self.report {
             report::write(dir, &ReportData::read(dir)?)?;
         }

@@ -483,6 +483,26 @@ pub struct SupportSummary {
     /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
     /// point \[N s, N m s\].
     pub impulse: [f64; 3],
+    /// When it pressed, in the order of time; of a stop alone.
+    pub touches: Option<Vec<StopTouch>>,
+}
+
+/// A time in which a stop pressed, resolved to the steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StopTouch {
+    /// Start of the first step in which it gave a force \[s\].
+    pub start: f64,
+    /// End of the last such step \[s\]; none while it presses.
+    pub end: Option<f64>,
+    /// Magnitude of its force, summed over time \[N s\].
+    pub impulse: f64,
+    /// Largest magnitude of its force, the mean over a step \[N\].
+    pub peak_force: Peak,
+}
+
+impl StopTouch {
+    /// Touches of a stop that are kept.
+    pub const KEPT: usize = 10_000;
 }
 
 /// The result of a run.

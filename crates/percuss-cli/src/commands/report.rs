@@ -1,18 +1,79 @@
 //! `percuss report`.
 
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::fs::File;
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
 
 use percuss_output::RunUpdate;
+use percuss_output::report::side_by_side::{self, Named};
 use percuss_output::report::{ReportData, write, write_with_figures};
 
 use crate::arguments::Report;
 use crate::outcome::{Failure, Status};
 use crate::terminal;
 
-/// Rebuilds the report of a finished run.
+/// Rebuilds the report of a finished run, or lays several over each other.
 pub fn run(arguments: &Report) -> Result<Status, Failure> {
-    let dir = &arguments.dir;
-    refuse_what_is_no_run(dir)?;
+    arguments.dirs.iter().try_for_each(|dir| refuse_what_is_no_run(dir))?;
+    match arguments.dirs.as_slice() {
+        [dir] => rebuild(dir, arguments),
+        dirs => compare(dirs, &arguments.out),
+    }
+}
+
+/// Writes one page of several runs.
+fn compare(dirs: &[PathBuf], out: &Path) -> Result<Status, Failure> {
+    if dirs.len() > side_by_side::MOST_RUNS {
+        return Err(Failure::Input(format!(
+            "{} runs are more than a page can tell apart; give {} at most",
+            dirs.len(),
+            side_by_side::MOST_RUNS
+        )));
+    }
+    refuse_foreign_page(out)?;
+    let names = names(dirs);
+    let read = |(dir, name): (&PathBuf, String)| Ok(Named { name, data: ReportData::read(dir)? });
+    let runs = dirs.iter().zip(names).map(read).collect::<Result<Vec<_>, Failure>>()?;
+    side_by_side::write(out, &runs)?;
+    terminal::tell(&format!("{} compares {} runs", out.display(), runs.len()));
+    Ok(Status::Done)
+}
+
+/// Names of the directories, with as much of their paths as tells them apart.
+fn names(dirs: &[PathBuf]) -> Vec<String> {
+    let named = |parts: usize| -> Vec<String> {
+        let name = |dir: &PathBuf| {
+            let whole = dir.canonicalize().unwrap_or_else(|_| dir.clone());
+            let all: Vec<_> = whole.iter().map(|p| p.to_string_lossy().into_owned()).collect();
+            all[all.len().saturating_sub(parts)..].join("/")
+        };
+        dirs.iter().map(name).collect()
+    };
+    let differ = |names: &[String]| names.iter().collect::<BTreeSet<_>>().len() == names.len();
+    (1..6).map(named).find(|names| differ(names)).unwrap_or_else(|| {
+        dirs.iter().enumerate().map(|(k, d)| format!("{}: {}", k + 1, d.display())).collect()
+    })
+}
+
+/// A file that is no page of ours stays as it is.
+fn refuse_foreign_page(out: &Path) -> Result<(), Failure> {
+    if !out.exists() {
+        return Ok(());
+    }
+    let mut start = Vec::new();
+    let read = File::open(out).and_then(|file| file.take(4096).read_to_end(&mut start));
+    let ours = read.is_ok() && String::from_utf8_lossy(&start).contains(side_by_side::MARK);
+    match ours {
+        true => Ok(()),
+        false => Err(Failure::Input(format!(
+            "{}: stands there already and is no comparison that percuss wrote; give another --out",
+            out.display()
+        ))),
+    }
+}
+
+fn rebuild(dir: &Path, arguments: &Report) -> Result<Status, Failure> {
     let (data, page) = (ReportData::read(dir)?, dir.join("report.html"));
     let update = RunUpdate::open(dir)?;
     if arguments.figures {

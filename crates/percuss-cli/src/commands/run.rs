@@ -6,14 +6,14 @@ mod comparison;
 mod recorder;
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Instant, SystemTime};
 
 use percuss::{RunSummary, Simulation, Termination, advise, compare, review};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    Extent, HistoryWriter, RunDirectory, RunInfo, summary_value, write_comparison, write_envelopes,
-    write_impacts, write_summary,
+    Extent, HistoryWriter, RunDirectory, RunInfo, provenance, summary_value, write_comparison,
+    write_envelopes, write_impacts, write_summary,
 };
 use serde_json::Value;
 
@@ -102,7 +102,7 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     let frames = FrameStore::new(scene, end, ready.scenario.content().record.shapes);
     let energy = keeps_energy.then(EnergySeries::default);
     let mut recorder = RunRecorder::new(history, energy, frames, progress);
-    let begun = Instant::now();
+    let (begun, started) = (Instant::now(), SystemTime::now());
     let summary = simulation.run(&mut recorder);
     let wall_seconds = begun.elapsed().as_secs_f64();
 
@@ -126,10 +126,12 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
         advice: &advice,
         comparisons: &comparisons,
     };
-    let value = summary_value(&summary, info);
+    let mut value = summary_value(&summary, info);
+    let file = arguments.file.display().to_string();
+    value["provenance"] = provenance(&file, &arguments.set, started);
     write_summary(dir, &value)?;
     write_envelopes(dir, &summary.section_forces)?;
-    write_impacts(dir, &summary.contacts)?;
+    write_impacts(dir, &summary.contacts, &summary.supports)?;
     if ready.scenario.content().record.shapes > 0.0 {
         fields::write(dir, &frames.finish())?;
     }

@@ -58,6 +58,7 @@ pub(super) fn discs(canvas: &Canvas<'_>) -> Vec<Entry> {
             let mut draft = canvas.over_time((&id, &title, label), Section::Impact, unit, curves);
             draft.figure.picture = true;
             draft.omit = if unit == "rad/s" { Omit::Zeros } else { Omit::Nothing };
+            draft.apart = true;
             all.push(Entry::Draft(draft));
         }
     }

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value};
 
 use super::html::table;
-use super::quantity::{number, quantity};
+use super::quantity::{number, quantity, without_round_off};
 
 /// Rows shown of a table.
 const LISTED: usize = 400;
@@ -103,11 +103,15 @@ fn listing(
             }
             let shown = if std::mem::take(&mut first) { name.clone() } else { String::new() };
             let mut row = vec![shown, (*label).to_owned()];
+            let scale = scale_of(of, key);
             for end in ["min", "max"] {
-                let value = |key: &str, unit: &str| quantity(range[end][key].as_f64(), unit);
-                row.push(value("value", unit));
-                row.extend(place.then(|| metres(&range[end]["s"])));
-                row.push(value("time", "s"));
+                let value = range[end]["value"].as_f64().map(|v| without_round_off(v, scale));
+                row.push(quantity(value, unit));
+                // What is nothing has no place and no instant.
+                let none = value == Some(0.0) && range[end]["value"] != 0.0;
+                let told = |text: String| if none { "\u{2013}".to_owned() } else { text };
+                row.extend(place.then(|| told(metres(&range[end]["s"]))));
+                row.push(told(quantity(range[end]["time"].as_f64(), "s")));
             }
             rows.push(row);
         }
@@ -122,6 +126,15 @@ fn listing(
         out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
     }
     out
+}
+
+/// Size beside which a value is round-off: the largest force, or moment, or else the largest of its kind.
+fn scale_of(of: &Value, key: &str) -> f64 {
+    match key {
+        "force_1" | "force_2" => magnitude(of, &["force_1", "force_2"]),
+        "axial" | "shear" => magnitude(of, &["axial", "shear"]),
+        other => magnitude(of, &[other]),
+    }
 }
 
 /// An arc length without a prefix, so that places compare.

@@ -24,6 +24,8 @@ pub(crate) enum Section {
 pub(crate) enum Shape {
     /// Joined.
     Line,
+    /// Joined, stacked on the areas before it in its table, and filled down to them.
+    Area,
     /// One vertical line a value, never joined.
     Stem,
     /// Spans of the abscissa, from one to the next of each pair of rows; the value belongs to the span.
@@ -104,6 +106,17 @@ pub(crate) struct Figure {
     pub group: String,
     pub note: String,
     pub tables: Vec<Table>,
+    /// What made it of channels, if it was: with it values are SI again.
+    pub scaled: Option<Scaled>,
+}
+
+/// How the values of a figure came from SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Scaled {
+    /// Factors of the abscissa and of the ordinate.
+    pub factors: [f64; 2],
+    /// Unit of the ordinate as channels spell it.
+    pub unit: &'static str,
 }
 
 impl Figure {
@@ -123,6 +136,7 @@ impl Figure {
             group: String::new(),
             note: String::new(),
             tables: Vec::new(),
+            scaled: None,
         }
     }
 

@@ -11,6 +11,7 @@ use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::impact;
 use super::quantity::Scale;
 use super::structure;
+use super::thin::Bins;
 use crate::error::Error;
 use crate::history::HistorySource;
 
@@ -18,6 +19,9 @@ use crate::history::HistorySource;
 const POINTS_SHOWN: usize = 24;
 /// Values on a page, all figures together; 4 bytes each before compression.
 const VALUES_PER_PAGE: usize = 600_000;
+/// Around a contact rows are kept for this share of its length, and for as many steps at least.
+const AROUND: f64 = 0.25;
+const ROWS_AROUND: f64 = 16.0;
 /// Rows looked at before any curve is drawn.
 const SAMPLED: usize = 512;
 
@@ -30,6 +34,7 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     let sample = sample(history)?;
     let time_scale = Scale::new(largest(&sample[time]), "s");
     let canvas = Canvas { history, sample: &sample, time_scale, bins: bins(history) };
+    let bins = rows_to_draw(history, time, &data.summary, canvas.bins)?;
     let projectiles = contacts::guided(history);
     let mut entries = Vec::new();
     for name in &projectiles {
@@ -39,9 +44,9 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     entries.extend(contacts::discs(&canvas));
     entries.extend(contacts::between(&canvas, &data.summary));
     entries.push(energy(&canvas, data));
-    entries.extend(momentum(&canvas));
+    entries.extend(energy_balance(&canvas, &data.summary));
     entries.extend(restitution(&canvas, data).map(Entry::Ready));
-    entries.push(energy_shares(&canvas));
+    entries.extend(momentum(&canvas));
     entries.extend(structure::reactions(&canvas, &data.summary));
     entries.extend(structure::section_forces(&canvas, &data.summary));
     entries.extend(envelopes::figures(&data.envelopes).into_iter().map(Entry::Ready));
@@ -49,7 +54,7 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     for point in names(history, "point.", ".displacement_1").iter().take(POINTS_SHOWN) {
         entries.push(displacement_of(&canvas, point));
     }
-    draft::finish(entries, history, (time, &canvas.time_scale), canvas.bins)
+    draft::finish(entries, history, (time, &canvas.time_scale), &bins)
 }
 
 /// What the figures of a page have in common.
@@ -85,7 +90,7 @@ impl Canvas<'_> {
         curves: Vec<Curve>,
     ) -> Draft {
         let figure = Figure::new(section, id, title, self.time_axis(), label);
-        Draft { figure, unit, curves, omit: Omit::Zeros, floor: 0.0 }
+        Draft { figure, unit, curves, omit: Omit::Zeros, floor: 0.0, apart: false }
     }
 }
 
@@ -111,6 +116,33 @@ fn sample(history: &HistorySource) -> Result<Vec<Vec<f64>>, Error> {
     Ok(sample)
 }
 
+/// Bins in which long histories are reduced, with the rows around contacts kept as they are.
+fn rows_to_draw(
+    history: &HistorySource,
+    time: usize,
+    summary: &Value,
+    bins: usize,
+) -> Result<Bins, Error> {
+    let mut times = Vec::with_capacity(history.rows());
+    history.scan(&[time], &mut |piece| times.extend_from_slice(piece[0]))?;
+    let end = times.last().copied().unwrap_or(0.0);
+    let empty = serde_json::Map::new();
+    let mut windows = Vec::new();
+    for contact in summary["contact"].as_object().unwrap_or(&empty).values() {
+        let list = |key: &str| contact[key].as_array().map_or(&[][..], Vec::as_slice);
+        let of_interval =
+            |i: &Value| Some([i["start"].as_f64()?, i["end"].as_f64().unwrap_or(end)]);
+        windows.extend(list("intervals").iter().filter_map(of_interval));
+        windows.extend(list("impacts").iter().filter_map(|i| i["time"].as_f64()).map(|t| [t, t]));
+    }
+    let mean_step = end / times.len().max(1) as f64;
+    for [from, to] in &mut windows {
+        let room = (AROUND * (*to - *from)).max(ROWS_AROUND * mean_step);
+        (*from, *to) = (*from - room, *to + room);
+    }
+    Ok(Bins::finer_within(&times, &windows, bins))
+}
+
 /// Names between `prefix` and `suffix` among the channels, in their order.
 pub(super) fn names(history: &HistorySource, prefix: &str, suffix: &str) -> Vec<String> {
     let name = |c: &crate::history::Channel| {
@@ -133,8 +165,6 @@ fn energy(canvas: &Canvas<'_>, data: &ReportData) -> Entry {
         ("energy.kinetic", "kinetic", 1),
         ("energy.strain", "strain", 2),
         ("energy.contact", "contact", 3),
-        ("energy.springs", "springs", 5),
-        ("energy.loss_damping", "taken by damping", 4),
         ("energy.total", "total", 0),
     ]);
     let texts = ("energy", "Energy", "energy");
@@ -158,21 +188,30 @@ fn lacks_comparison(data: &ReportData) -> bool {
     rigid && data.comparison.is_empty() && data.summary["status"] == "completed" && !asked
 }
 
-fn energy_shares(canvas: &Canvas<'_>) -> Entry {
-    let curves = canvas.curves(&[
+/// Where the energy is, stacked, below all that came in.
+fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
+    let mut curves = canvas.curves(&[
         ("energy.kinetic_projectiles", "kinetic, projectiles", 1),
         ("energy.kinetic_beams", "kinetic, beams", 6),
         ("energy.strain_bending", "strain, bending", 2),
         ("energy.strain_axial", "strain, axial", 5),
-        ("energy.springs", "springs", 7),
+        ("energy.springs", "in springs", 7),
+        ("energy.contact", "in contacts", 3),
         ("energy.loss_damping", "taken by damping", 8),
-        ("energy.work_loads", "work of loads", 3),
-        ("energy.work_supports", "work of supports", 4),
-        ("energy.loss_impacts", "lost in impacts", 0),
+        ("energy.loss_impacts", "lost in impacts", 4),
     ]);
-    let texts = ("energy-shares", "Energy, where it is", "energy");
-    let draft = canvas.over_time(texts, Section::Books, "J", curves);
-    Entry::Draft(Draft { omit: Omit::RoundOff, ..draft })
+    curves.iter_mut().for_each(|curve| curve.shape = Shape::Area);
+    let works = ["energy.work_loads", "energy.work_supports"];
+    let terms = works.iter().filter_map(|w| Some((canvas.history.position(w)?, 1.0))).collect();
+    let initial = summary["energy"]["initial"].as_f64()?;
+    curves.push(Curve::sum("at the start, and work of loads and supports", 0, terms, initial));
+    let texts = ("energy-balance", "Balance of energy", "energy");
+    let mut draft = canvas.over_time(texts, Section::Books, "J", curves);
+    draft.figure.picture = true;
+    draft.figure.note = "Parts lie on each other. The line is what was there at the start and what loads and supports \
+         have put in since; what remains between it and the parts is missing."
+        .to_owned();
+    Some(Entry::Draft(Draft { omit: Omit::RoundOff, ..draft }))
 }
 
 fn momentum(canvas: &Canvas<'_>) -> [Entry; 2] {
@@ -183,7 +222,7 @@ fn momentum(canvas: &Canvas<'_>) -> [Entry; 2] {
     linear.omit = Omit::RoundOff;
     linear.figure.picture = true;
     linear.figure.note = "Momentum of beams and projectiles together, by the axes' directions. \
-         Supports and loads change it; the audit takes their impulses into the books."
+         Supports and loads change it; the audit takes their impulses into the balance."
         .to_owned();
     let about = canvas.curves(&[("momentum.angular", "about the origin", 4)]);
     let texts = ("momentum-angular", "Angular momentum", "angular momentum");

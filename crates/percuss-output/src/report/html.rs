@@ -46,6 +46,20 @@ pub(crate) fn table(caption: &str, header: &[&str], rows: &[Vec<String>]) -> Str
 
 /// The same with cells of markup among them.
 pub(crate) fn table_of_cells(caption: &str, header: &[&str], rows: &[Vec<Cell>]) -> String {
+    let plain = |cells: &Vec<Cell>| Row { cells: cells.clone(), attributes: String::new() };
+    table_of_rows(caption, header, &rows.iter().map(plain).collect::<Vec<_>>())
+}
+
+/// A row of a table.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    pub cells: Vec<Cell>,
+    /// Attributes of its element, markup of our own.
+    pub attributes: String,
+}
+
+/// The same with attributes of the rows.
+pub(crate) fn table_of_rows(caption: &str, header: &[&str], rows: &[Row]) -> String {
     let mut out = format!("<div class=\"table\"><table><caption>{}</caption>\n", escape(caption));
     if !header.is_empty() {
         out.push_str("<thead><tr>");
@@ -56,8 +70,9 @@ pub(crate) fn table_of_cells(caption: &str, header: &[&str], rows: &[Vec<Cell>])
     }
     out.push_str("<tbody>\n");
     for row in rows {
-        out.push_str("<tr>");
-        for (k, cell) in row.iter().enumerate() {
+        let space = if row.attributes.is_empty() { "" } else { " " };
+        let _ = write!(out, "<tr{space}{}>", row.attributes);
+        for (k, cell) in row.cells.iter().enumerate() {
             let content = match cell {
                 Cell::Text(text) => escape(text),
                 Cell::Markup(markup) => markup.clone(),

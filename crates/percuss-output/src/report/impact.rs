@@ -27,7 +27,14 @@ pub(super) fn figures(
     all.extend(force.map(|force| {
         let figure = frame.figure("force", "Contact force", "contact force");
         let curves = vec![Curve::new("contact force", 2, force)];
-        Entry::Draft(Draft { figure, unit: "N", curves, omit: Omit::Nothing, floor: 0.0 })
+        Entry::Draft(Draft {
+            figure,
+            unit: "N",
+            curves,
+            omit: Omit::Nothing,
+            floor: 0.0,
+            apart: false,
+        })
     }));
     all.extend(impulse.then(|| {
         let id = if several { format!("impulse-{name}") } else { "impulse".to_owned() };
@@ -157,7 +164,14 @@ fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
     let label = "displacement along the line of flight";
     let mut figure = frame.figure("displacement", "Displacement", label);
     figure.note = "The projectile's is measured from where it first touches.".to_owned();
-    Some(Entry::Draft(Draft { figure, unit: "m", curves, omit: Omit::Nothing, floor: 0.0 }))
+    Some(Entry::Draft(Draft {
+        figure,
+        unit: "m",
+        curves,
+        omit: Omit::Nothing,
+        floor: 0.0,
+        apart: true,
+    }))
 }
 
 fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
@@ -178,7 +192,14 @@ fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
         ..Curve::sum(format!("projectile {}", frame.name), 1, flight.along(flight.velocity), 0.0)
     };
     let curves = point.into_iter().chain([projectile]).collect(); // the later one lies on top
-    Entry::Draft(Draft { figure, unit: "m/s", curves, omit: Omit::Nothing, floor: 0.0 })
+    Entry::Draft(Draft {
+        figure,
+        unit: "m/s",
+        curves,
+        omit: Omit::Nothing,
+        floor: 0.0,
+        apart: true,
+    })
 }
 
 /// Impulses of impacts as stems, intervals of closed contact as bands; `name` stands in the title unless it is empty.

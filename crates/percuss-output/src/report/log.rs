@@ -1,64 +1,176 @@
-//! The impact log: impacts and intervals of closed contact in the order of time, the first of them on the page.
+//! The impact log: impacts, intervals of closed contact and of stops in the order of time, chatter as one row, the first of them on
+//! the page.
 
 use std::fmt::Write as _;
 
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use super::figure::largest;
-use super::html::{Cell, escape, table_of_cells};
-use super::quantity::{Scale, number, quantity};
+use super::html::{Cell, Row, escape, table_of_rows};
+use super::quantity::{Scale, fine_number, number, quantity};
 
 /// Rows shown; all of them are in `impacts.csv`.
 const LISTED: usize = 40;
 /// Parts of the energy below this share are not named beside their bar.
 const NAMED: f64 = 5e-3;
 
-/// An impact or an interval.
-struct Entry<'a> {
-    contact: &'a str,
-    between: &'a Value,
+/// Touches that follow one another within this share of the run are chatter, if there are so many at least.
+const CLOSE: f64 = 1.0 / 250.0;
+const CHATTER: usize = 4;
+
+/// An impact, an interval of closed contact, a time in which a stop pressed, or several of them that follow one another.
+struct Entry {
+    contact: String,
+    between: Value,
     start: f64,
-    value: &'a Value,
+    end: f64,
+    value: Value,
+    /// The touches of chatter; empty for one alone.
+    touches: Vec<Entry>,
 }
 
 /// The log with its heading; nothing where nothing touched.
 pub(super) fn render(summary: &Value) -> String {
     let empty = Map::new();
+    let end = summary["time"].as_f64().unwrap_or(0.0);
     let contacts = summary["contact"].as_object().unwrap_or(&empty);
-    let mut entries: Vec<Entry<'_>> = contacts.iter().flat_map(|(k, v)| entries(k, v)).collect();
-    if entries.is_empty() {
+    let stops = summary["support"].as_object().unwrap_or(&empty);
+    let stops = stops.iter().filter(|(_, s)| !list(s, "intervals").is_empty());
+    let parties: Vec<(&String, &Value)> = contacts.iter().chain(stops).collect();
+    let mut total = 0;
+    let mut kept = 0;
+    let mut log = Vec::new();
+    for (name, party) in &parties {
+        let touches = touches(name, party, end);
+        total += happened(party).max(touches.len());
+        kept += touches.len();
+        log.extend(grouped(touches, CLOSE * end));
+    }
+    if log.is_empty() {
         return String::new();
     }
-    entries.sort_by(|a, b| a.start.total_cmp(&b.start));
-    let total = contacts.values().map(happened).sum::<usize>().max(entries.len());
-    let kept = entries.len();
-    entries.truncate(LISTED);
-    let columns = columns(&entries, contacts.len() > 1);
-    let row = |(k, entry): (usize, &Entry<'_>)| {
-        let cells = columns.iter().map(|column| column.cell(entry));
-        std::iter::once(Cell::Text((k + 1).to_string())).chain(cells).collect()
-    };
-    let rows: Vec<Vec<Cell>> = entries.iter().enumerate().map(row).collect();
+    log.sort_by(|a, b| a.start.total_cmp(&b.start));
+    let shown = &log[..log.len().min(LISTED)];
+    let told: usize = shown.iter().map(|e| e.touches.len().max(1)).sum();
+    let columns = columns(shown, parties.len() > 1);
+    let mut rows = Vec::new();
+    for (k, entry) in shown.iter().enumerate() {
+        rows.extend(rows_of(k + 1, entry, &columns));
+    }
     let header: Vec<&str> =
         std::iter::once("").chain(columns.iter().map(|c| c.header.as_str())).collect();
-    let mut out = format!("<h2>Impact log</h2>\n{}", legend(&entries));
+    let mut out = format!("<h2>Impact log</h2>\n{}{}", legend(shown), sorting(shown.len()));
     out += "<div class=\"log\">\n";
-    out += &table_of_cells(&caption(contacts), &header, &rows);
+    out += &table_of_rows(&caption(&parties), &header, &rows);
     out += "</div>\n";
-    out + &more(total, kept, rows.len())
+    out + &more(total, kept, told)
+}
+
+/// Buttons that put the rows in another order.
+fn sorting(rows: usize) -> String {
+    if rows < 2 {
+        return String::new();
+    }
+    let button = |key: &str, pressed: bool| {
+        format!(
+            "<button type=\"button\" data-sort=\"{key}\" aria-pressed=\"{pressed}\">by {key}</button> "
+        )
+    };
+    format!("<p class=\"sorting\">{}{}</p>\n", button("time", true), button("impulse", false))
+}
+
+/// The row of an entry, and below it, folded, those of the touches it consists of.
+fn rows_of(number: usize, entry: &Entry, columns: &[Column]) -> Vec<Row> {
+    let impulse = entry.value["impulse"].as_f64().unwrap_or(0.0).abs();
+    let cells = |entry: &Entry, first: Cell| {
+        std::iter::once(first).chain(columns.iter().map(|column| column.cell(entry))).collect()
+    };
+    let attributes = format!("data-time=\"{:e}\" data-impulse=\"{impulse:e}\"", entry.start);
+    if entry.touches.is_empty() {
+        return vec![Row { cells: cells(entry, Cell::Text(number.to_string())), attributes }];
+    }
+    let fold = format!(
+        "<button type=\"button\" class=\"fold\" aria-expanded=\"false\" aria-label=\"Show the touches of row {number}\">{number}</button>"
+    );
+    let mut rows = vec![Row { cells: cells(entry, Cell::Markup(fold)), attributes }];
+    for (k, touch) in entry.touches.iter().take(LISTED).enumerate() {
+        let attributes = "class=\"touch\" hidden".to_owned();
+        rows.push(Row {
+            cells: cells(touch, Cell::Text(format!("{number}.{}", k + 1))),
+            attributes,
+        });
+    }
+    if let Some(left) = entry.touches.len().checked_sub(LISTED).filter(|left| *left > 0) {
+        let text = Cell::Text(format!("and {left} more, in impacts.csv"));
+        rows.push(Row { cells: vec![text], attributes: "class=\"touch\" hidden".to_owned() });
+    }
+    rows
+}
+
+/// Touches of one contact in the order of time, those that follow one another closely as one entry.
+fn grouped(mut touches: Vec<Entry>, close: f64) -> Vec<Entry> {
+    touches.sort_by(|a, b| a.start.total_cmp(&b.start));
+    let mut groups: Vec<Vec<Entry>> = Vec::new();
+    for touch in touches {
+        match groups.last_mut().filter(|g| g.last().is_some_and(|l| touch.start - l.end <= close)) {
+            Some(group) => group.push(touch),
+            None => groups.push(vec![touch]),
+        }
+    }
+    groups.into_iter().flat_map(|g| if g.len() < CHATTER { g } else { vec![chatter(g)] }).collect()
+}
+
+/// Several touches as one: sums of what they passed on, the largest force, the fastest approach.
+fn chatter(touches: Vec<Entry>) -> Entry {
+    let first = &touches[0];
+    let numbers = |key: &'static str| touches.iter().filter_map(move |t| t.value[key].as_f64());
+    let sum_of = |path: &str| -> Option<f64> {
+        let each: Vec<f64> =
+            touches.iter().filter_map(|t| t.value.pointer(path)?.as_f64()).collect();
+        (!each.is_empty()).then(|| each.iter().sum())
+    };
+    let peaks = touches.iter().map(|t| &t.value["peak_force"]);
+    let force = |peak: &&Value| peak["value"].as_f64().unwrap_or(f64::NEG_INFINITY);
+    let peak =
+        peaks.filter(|p| p["value"].is_number()).max_by(|a, b| force(a).total_cmp(&force(b)));
+    let open = touches.iter().any(|t| t.value["start"].is_number() && t.value["end"].is_null());
+    let end = touches.iter().map(|t| t.end).fold(first.end, f64::max);
+    let value = json!({
+        "start": first.start,
+        "end": if open { None } else { Some(end) },
+        "impulse": numbers("impulse").sum::<f64>(),
+        "tangential_impulse": sum_of("/tangential_impulse"),
+        "peak_force": peak,
+        "approach_velocity": numbers("approach_velocity").reduce(f64::max),
+        "place": first.value["place"],
+        "tamed": touches.iter().any(|t| t.value["tamed"] == true),
+        "energy": {
+            "given": [sum_of("/energy/given/0"), sum_of("/energy/given/1")],
+            "lost": sum_of("/energy/lost"),
+            "stored": touches.last().and_then(|t| t.value["energy"]["stored"].as_f64()),
+        },
+    });
+    let (contact, between, start) = (first.contact.clone(), first.between.clone(), first.start);
+    Entry { contact, between, start, end, value, touches }
 }
 
 fn list<'a>(contact: &'a Value, key: &str) -> &'a [Value] {
     contact[key].as_array().map_or(&[], Vec::as_slice)
 }
 
-fn entries<'a>(name: &'a str, contact: &'a Value) -> Vec<Entry<'a>> {
-    let entry = |value: &'a Value, key: &str| {
+/// Impacts and intervals of a contact or a stop; `end` is that of the run.
+fn touches(name: &str, party: &Value, end: f64) -> Vec<Entry> {
+    let entry = |value: &Value, key: &str| {
         let start = value[key].as_f64()?;
-        Some(Entry { contact: name, between: &contact["between"], start, value })
+        let end = match key {
+            "time" => start,
+            _ => value["end"].as_f64().unwrap_or(end),
+        };
+        let (contact, between, value) = (name.to_owned(), party["between"].clone(), value.clone());
+        Some(Entry { contact, between, start, end, value, touches: Vec::new() })
     };
-    let impacts = list(contact, "impacts").iter().filter_map(|v| entry(v, "time"));
-    let intervals = list(contact, "intervals").iter().filter_map(|v| entry(v, "start"));
+    let impacts = list(party, "impacts").iter().filter_map(|v| entry(v, "time"));
+    let intervals = list(party, "intervals").iter().filter_map(|v| entry(v, "start"));
     impacts.chain(intervals).collect()
 }
 
@@ -76,11 +188,10 @@ fn happened(contact: &Value) -> usize {
     impacts + list(contact, "intervals").len()
 }
 
-fn caption(contacts: &Map<String, Value>) -> String {
-    let mut names = contacts.iter();
-    match (names.next(), names.next()) {
-        (Some((name, _)), None) => format!("Contact of {name}"),
-        _ => "All contacts, in the order of time".to_owned(),
+fn caption(parties: &[(&String, &Value)]) -> String {
+    match parties {
+        [(name, _)] => format!("Contact of {name}"),
+        _ => "All contacts and stops".to_owned(),
     }
 }
 
@@ -109,23 +220,23 @@ struct Column {
 enum Content {
     /// Numbers on one scale, so that they compare.
     Number {
-        value: fn(&Entry<'_>) -> Option<f64>,
+        value: fn(&Entry) -> Option<f64>,
         factor: f64,
     },
-    Other(fn(&Entry<'_>) -> Cell),
+    Other(fn(&Entry) -> Cell),
 }
 
 impl Column {
-    fn other(header: &str, cell: fn(&Entry<'_>) -> Cell) -> Self {
+    fn other(header: &str, cell: fn(&Entry) -> Cell) -> Self {
         Self { header: header.to_owned(), content: Content::Other(cell) }
     }
 
     /// Numbers with the unit in the header; nothing where no row has one.
     fn number(
-        entries: &[Entry<'_>],
+        entries: &[Entry],
         header: &str,
         unit: &str,
-        value: fn(&Entry<'_>) -> Option<f64>,
+        value: fn(&Entry) -> Option<f64>,
     ) -> Option<Self> {
         let values: Vec<f64> = entries.iter().filter_map(value).collect();
         let scale = Scale::new(largest(&values), unit);
@@ -135,11 +246,11 @@ impl Column {
         (!values.is_empty()).then_some(Self { header, content })
     }
 
-    fn cell(&self, entry: &Entry<'_>) -> Cell {
+    fn cell(&self, entry: &Entry) -> Cell {
         match &self.content {
             Content::Number { value, factor } => {
                 // Instants may lie close together.
-                let text = if self.header.starts_with("time") { number } else { significant };
+                let text = if self.header.starts_with("time") { fine_number } else { significant };
                 let shown = value(entry).map(|v| text(v * factor));
                 Cell::Text(shown.unwrap_or("\u{2013}".to_owned()))
             }
@@ -156,8 +267,8 @@ fn significant(value: f64) -> String {
 }
 
 /// The columns that have something to say.
-fn columns(entries: &[Entry<'_>], several: bool) -> Vec<Column> {
-    let any = |has: &dyn Fn(&Value) -> bool| entries.iter().any(|e| has(e.value));
+fn columns(entries: &[Entry], several: bool) -> Vec<Column> {
+    let any = |has: &dyn Fn(&Value) -> bool| entries.iter().any(|e| has(&e.value));
     let elsewhere = |v: &Value| v["place"]["s"].is_null() && v["place"]["position"][0].is_number();
     let slides = |v: &Value| v["tangential_impulse"].as_f64().is_some_and(|t| t != 0.0);
     let numbers = |header: &str, unit: &str, value| Column::number(entries, header, unit, value);
@@ -179,12 +290,17 @@ fn columns(entries: &[Entry<'_>], several: bool) -> Vec<Column> {
     all.into_iter().flatten().collect()
 }
 
-fn contact(entry: &Entry<'_>) -> Cell {
-    Cell::Text(entry.contact.to_owned())
+fn contact(entry: &Entry) -> Cell {
+    Cell::Text(entry.contact.clone())
 }
 
-fn lasts(entry: &Entry<'_>) -> Cell {
+fn lasts(entry: &Entry) -> Cell {
     let (start, end) = (entry.value["start"].as_f64(), entry.value["end"].as_f64());
+    if !entry.touches.is_empty() {
+        let (count, length) = (entry.touches.len(), brief(entry.end - entry.start, "s"));
+        let still = if end.is_none() { ", still closed" } else { "" };
+        return Cell::Text(format!("{count}\u{a0}touches in {length}{still}"));
+    }
     match (start, end) {
         (None, _) => Cell::Text("instant".to_owned()),
         (Some(_), None) => Cell::Text("still closed".to_owned()),
@@ -193,7 +309,7 @@ fn lasts(entry: &Entry<'_>) -> Cell {
 }
 
 /// The position of what touches on no beam.
-fn place(entry: &Entry<'_>) -> Cell {
+fn place(entry: &Entry) -> Cell {
     let place = &entry.value["place"];
     let position = |k: usize| place["position"][k].as_f64().map(significant);
     Cell::Text(match (place["s"].as_f64(), position(0), position(1)) {
@@ -202,7 +318,7 @@ fn place(entry: &Entry<'_>) -> Cell {
     })
 }
 
-fn restitution(entry: &Entry<'_>) -> Cell {
+fn restitution(entry: &Entry) -> Cell {
     let value = entry.value["restitution"].as_f64();
     let why = entry.value["restitution_why"].as_str();
     if let Some(why) = why.filter(|why| why.starts_with("not resolved")) {
@@ -218,7 +334,7 @@ fn restitution(entry: &Entry<'_>) -> Cell {
 }
 
 /// Parts of what a contact passed on: label, energy, class of the bar's piece.
-fn parts<'a>(entry: &'a Entry<'_>) -> Vec<(&'a str, f64, &'static str)> {
+fn parts(entry: &Entry) -> Vec<(&str, f64, &'static str)> {
     let energy = &entry.value["energy"];
     let party = |k: usize| entry.between[k].as_str().unwrap_or("?");
     let all = [
@@ -234,7 +350,7 @@ fn parts<'a>(entry: &'a Entry<'_>) -> Vec<(&'a str, f64, &'static str)> {
 }
 
 /// A bar of the shares, and the shares worth naming in numbers.
-fn energy(entry: &Entry<'_>) -> Cell {
+fn energy(entry: &Entry) -> Cell {
     let parts = parts(entry);
     let sum: f64 = parts.iter().map(|(_, value, _)| value).sum();
     if !(sum > 0.0 && sum.is_finite()) {
@@ -256,7 +372,7 @@ fn energy(entry: &Entry<'_>) -> Cell {
 }
 
 /// What the colours and marks mean.
-fn legend(entries: &[Entry<'_>]) -> String {
+fn legend(entries: &[Entry]) -> String {
     let mut out = "<p class=\"note\">Times and velocities along the normal, resolved within the step; an \
          impact has an impulse and no force. Energy passed on: what the contact took from one of the two and gave to "
         .to_owned();
@@ -275,4 +391,48 @@ fn legend(entries: &[Entry<'_>]) -> String {
         out.push_str(" *\u{a0}Newton's law would have given energy; Moreau's was used.");
     }
     out + "</p>\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run() -> Value {
+        let impact = |k: i32| {
+            json!({ "time": 0.1 + 1e-4 * f64::from(k), "impulse": 0.5, "approach_velocity": 1.0 / f64::from(1 + k),
+                "separation_velocity": 0.1, "restitution": 0.1, "place": {}, "energy": { "lost": 0.25 } })
+        };
+        let impacts: Vec<Value> = (0..10).chain([5000]).map(impact).collect();
+        json!({
+            "time": 1.0,
+            "contact": { "tap": { "between": ["strip", "floor"], "impacts": impacts, "impact_count": 11, "intervals": [] } },
+            "support": { "bracket": { "intervals": [
+                { "start": 0.3, "end": 0.31, "impulse": 7.0, "peak_force": { "value": 900.0, "time": 0.305 } }] } },
+        })
+    }
+
+    #[test]
+    fn chatter_is_one_row_with_its_touches_folded_below() {
+        let page = render(&run());
+        assert!(
+            page.contains("10\u{a0}touches in 0.9\u{a0}ms")
+                || page.contains("10\u{a0}touches in 900\u{a0}\u{b5}s"),
+            "{page}"
+        );
+        assert_eq!(page.matches("data-time").count(), 3, "{page}");
+        assert_eq!(page.matches("class=\"touch\" hidden").count(), 10);
+        let row = page.split("<tr ").find(|row| row.contains("10\u{a0}touches")).unwrap();
+        assert!(row.contains("data-impulse=\"5e0\""), "{row}");
+        assert!(row.contains("2.5\u{a0}J\u{a0}lost"), "{row}");
+    }
+
+    #[test]
+    fn stops_are_in_the_log() {
+        let page = render(&run());
+        let row = page.split("<tr ").find(|row| row.contains("bracket")).unwrap();
+        assert!(
+            row.contains("900") && row.contains("<td>7</td>") && row.contains("10\u{a0}ms"),
+            "{row}"
+        );
+    }
 }

@@ -7,12 +7,21 @@ use serde_json::Value;
 use super::ReportData;
 use super::figure::{Abscissa, Figure, Section};
 use super::html::{self, escape};
-use super::{advice, audit, log, payload, results, scene};
+use super::{advice, audit, log, payload, provenance, results, scene};
+use crate::fields::Fields;
 
 const TEMPLATE: &str = include_str!("../../../../web/report.html");
 pub(crate) const HEAD: &str = include_str!("../../../../web/head.html");
 pub(crate) const STYLE: &str = include_str!("../../../../web/report.css");
-const SCRIPT: &str = include_str!("../../../../web/report.js");
+/// The scripts that draw figures and tie the page together, in the order in which they use each other.
+const SCRIPTS: [&str; 6] = [
+    include_str!("../../../../web/columns.js"),
+    include_str!("../../../../web/figures.js"),
+    include_str!("../../../../web/zoom.js"),
+    include_str!("../../../../web/exports.js"),
+    include_str!("../../../../web/log.js"),
+    include_str!("../../../../web/report.js"),
+];
 const UPLOT: &str = include_str!("../../../../web/vendor/uplot/uPlot.iife.min.js");
 const UPLOT_STYLE: &str = include_str!("../../../../web/vendor/uplot/uPlot.min.css");
 const UPLOT_LICENCE: &str = include_str!("../../../../web/vendor/uplot/LICENSE");
@@ -20,7 +29,8 @@ const UPLOT_LICENCE: &str = include_str!("../../../../web/vendor/uplot/LICENSE")
 /// The whole page.
 pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
     let summary = &data.summary;
-    let payload = payload::pack(figures, data.fields.as_ref());
+    let fields: Vec<(&str, &Fields)> = data.fields.iter().map(|fields| ("", fields)).collect();
+    let payload = payload::pack(figures, &fields);
     let title = summary["title"].as_str().filter(|t| !t.is_empty()).unwrap_or("Percuss run");
     let fill = |hole: &str| -> String {
         match hole {
@@ -42,6 +52,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "points" => section(figures, Section::Points, "Recorded points"),
             "audit_table" => audit::render(summary, &data.scenario),
             "audit_figures" => section(figures, Section::Audit, ""),
+            "provenance" => provenance::render(summary),
             "settings" => audit::settings(summary),
             "scenario" => escape(&data.scenario),
             "index" => html::json(&payload.index),
@@ -59,7 +70,7 @@ pub(crate) fn page_parts(hole: &str) -> String {
         "style" => format!("{UPLOT_STYLE}\n{STYLE}"),
         "licence" => format!("/*!\nuPlot\n\n{UPLOT_LICENCE}*/"),
         "uplot" => UPLOT.to_owned(),
-        "script" => SCRIPT.to_owned(),
+        "script" => format!("{}\n{}", scene::PENS, SCRIPTS.join("\n")),
         _ => String::new(),
     }
 }
@@ -153,9 +164,15 @@ pub(crate) fn frame(figure: &Figure) -> String {
     let (id, title) = (escape(&figure.id), escape(&figure.title));
     // Small figures have one note above all of them.
     let note = if figure.group.is_empty() { escape(&figure.note) } else { String::new() };
+    let save = |kind: &str| {
+        let name = kind.to_uppercase();
+        format!(
+            "<button type=\"button\" class=\"save\" data-save=\"{kind}\" aria-label=\"Save {title} as {name}\">{name}</button>"
+        )
+    };
+    let saves: String = ["csv", "svg", "png"].map(save).concat();
     format!(
-        "<figure data-figure=\"{id}\"><figcaption><h3>{title}</h3>\
-         <button type=\"button\" class=\"save\" aria-label=\"Save {title} as PNG\">PNG</button>\
+        "<figure data-figure=\"{id}\"><figcaption><h3>{title}</h3><span>{saves}</span>\
          <p>{note}</p></figcaption><div class=\"plot\"></div></figure>\n"
     )
 }

@@ -20,10 +20,11 @@ pub(super) struct Payload {
     pub data: String,
 }
 
-/// Packs the figures, and how the scene moved.
-pub(super) fn pack(figures: &[Figure], fields: Option<&Fields>) -> Payload {
+/// Packs the figures, and how the scenes moved: that of the run first, then those it is compared with.
+pub(super) fn pack(figures: &[Figure], fields: &[(&str, &Fields)]) -> Payload {
     let mut columns = Columns::default();
-    let scene = fields.map(|fields| scene(&mut columns, fields));
+    let scenes: Vec<Value> =
+        fields.iter().map(|(name, fields)| scene(&mut columns, name, fields)).collect();
     let figures: Vec<Value> = figures.iter().map(|f| figure(&mut columns, f)).collect();
     let deflated = columns.bytes.len() >= DEFLATED_FROM;
     let bytes = if deflated {
@@ -33,14 +34,14 @@ pub(super) fn pack(figures: &[Figure], fields: Option<&Fields>) -> Payload {
     };
     let index = json!({
         "figures": figures,
-        "scene": scene,
+        "scenes": scenes,
         "columns": columns.index,
         "encoding": if deflated { "deflate" } else { "plain" },
     });
     Payload { index, data: STANDARD.encode(bytes) }
 }
 
-fn scene(columns: &mut Columns, fields: &Fields) -> Value {
+fn scene(columns: &mut Columns, name: &str, fields: &Fields) -> Value {
     let frames = &fields.frames;
     let mut all = |list: fn(&StoredFrame) -> &Vec<f32>| {
         columns.push(frames.iter().flat_map(|f| list(f).iter().copied()), f32::to_le_bytes)
@@ -53,6 +54,7 @@ fn scene(columns: &mut Columns, fields: &Fields) -> Value {
     ];
     let counts = frames.iter().map(|f| (f.contact_forces.len() / 6) as f32);
     json!({
+        "name": name,
         "scene": fields.scene,
         "frames": {
             "time": columns.push(frames.iter().map(|f| f.time), f64::to_le_bytes),
@@ -88,6 +90,7 @@ fn table(columns: &mut Columns, figure: &Figure, table: &Table) -> Value {
             "style": s.style,
             "shape": match s.shape {
                 Shape::Line => "line",
+                Shape::Area => "area",
                 Shape::Stem => "stem",
                 Shape::Band => "band",
                 Shape::Dots => "dots",

@@ -19,7 +19,7 @@ use kuva::render::render::{Primitive, Scene, render_multiple};
 use kuva::render::theme::Theme;
 
 use super::figure::{Abscissa, Figure, Section, Series, Shape, Table};
-use super::quantity::number;
+use super::quantity::fine_number;
 use super::{dashes, decimate, raster};
 use crate::error::Error;
 use crate::files;
@@ -48,6 +48,8 @@ const SMALL_COLUMNS: usize = 3;
 const SMALL_PANEL: (f64, f64) = (420.0, 300.0);
 /// Of the area between the smallest and the largest value.
 const AREA_OPACITY: f64 = 0.18;
+/// Of areas that lie on each other.
+const STACK_OPACITY: f64 = 0.55;
 /// Size of a panel and of a single picture before scaling.
 const PANEL: (f64, f64) = (560.0, 380.0);
 /// Room at the sides of a picture, so that labels touch neither numbers nor the edge.
@@ -187,7 +189,7 @@ fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
         .with_title(figure.title.clone())
         .with_x_label(figure.x.caption())
         .with_y_label(figure.y.caption())
-        .with_tick_format(TickFormat::Custom(std::sync::Arc::new(number)))
+        .with_tick_format(TickFormat::Custom(std::sync::Arc::new(fine_number)))
         .with_theme(theme())
         .with_title_size(15)
         .with_label_size(13)
@@ -246,12 +248,25 @@ fn legend(figure: &Figure) -> Vec<LegendEntry> {
         label: s.label.clone(),
         color: match s.shape {
             Shape::Band => BAND_IN_LEGEND.to_owned(),
+            Shape::Area => lightened(COLOURS[s.style % COLOURS.len()], STACK_OPACITY),
             _ => COLOURS[s.style % COLOURS.len()].to_owned(),
         },
-        shape: if s.shape == Shape::Band { LegendShape::Rect } else { LegendShape::Line },
+        shape: match s.shape {
+            Shape::Band | Shape::Area => LegendShape::Rect,
+            _ => LegendShape::Line,
+        },
         dasharray: dashes_of(figure, s).map(str::to_owned),
     };
     figure.tables.iter().flat_map(|t| &t.series).map(entry).collect()
+}
+
+/// A colour `#rrggbb` at an opacity on white.
+fn lightened(colour: &str, opacity: f64) -> String {
+    let part =
+        |k: usize| u8::from_str_radix(colour.get(k..k + 2).unwrap_or("80"), 16).unwrap_or(128);
+    let on_white = |v: u8| (255.0 - opacity * (255.0 - f64::from(v))).round() as u8;
+    let [r, g, b] = [1, 3, 5].map(|k| on_white(part(k)));
+    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 pub(crate) fn theme() -> Theme {
@@ -275,6 +290,9 @@ fn plots(figure: &Figure) -> Vec<Plot> {
     let drawn = |t: &&Table| !t.x.is_empty();
     let of_table = |table: &Table| -> Vec<Plot> {
         let area = figure.filled.then(|| area(table)).flatten();
+        if table.series.iter().any(|s| s.shape == Shape::Area) {
+            return stacked(table);
+        }
         let curves = table.series.iter().flat_map(|s| plot(&table.x, s, dashes_of(figure, s)));
         area.into_iter().chain(curves).collect()
     };
@@ -293,13 +311,31 @@ fn area(table: &Table) -> Option<Plot> {
     (!rows.is_empty()).then(|| Plot::Band(band.with_color(COLOURS[1]).with_opacity(AREA_OPACITY)))
 }
 
+/// Areas lying on each other, and lines over them.
+fn stacked(table: &Table) -> Vec<Plot> {
+    let columns: Vec<&[f64]> = table.series.iter().map(|s| s.y.as_slice()).collect();
+    let rows = decimate::rows(&columns, table.x.len(), BINS / 2);
+    let x: Vec<f64> = rows.iter().map(|&r| table.x[r]).collect();
+    let mut below = vec![0.0; rows.len()];
+    let mut plots = Vec::new();
+    for series in table.series.iter().filter(|s| s.shape == Shape::Area) {
+        let above: Vec<f64> = rows.iter().zip(&below).map(|(&r, b)| b + series.y[r]).collect();
+        let band = BandPlot::new(x.clone(), std::mem::replace(&mut below, above.clone()), above);
+        let colour = COLOURS[series.style % COLOURS.len()];
+        plots.push(Plot::Band(band.with_color(colour).with_opacity(STACK_OPACITY)));
+    }
+    let lines = table.series.iter().filter(|s| s.shape != Shape::Area);
+    plots.extend(lines.flat_map(|s| plot(&table.x, s, None)));
+    plots
+}
+
 /// A curve: a line for each run of finite values, or all its stems.
 fn plot(x: &[f64], series: &Series, dashes: Option<&str>) -> Vec<Plot> {
     let colour = COLOURS[series.style % COLOURS.len()];
     let bins = match series.shape {
         Shape::Band => return Vec::new(), // part of the layout
         Shape::Stem => STEMS / 4,
-        Shape::Line | Shape::Dots | Shape::Steps => BINS,
+        Shape::Line | Shape::Area | Shape::Dots | Shape::Steps => BINS,
     };
     let rows = decimate::rows(&[&series.y], x.len(), bins).into_iter();
     let points: Vec<(f64, f64)> = rows.map(|row| (x[row], series.y[row])).collect();

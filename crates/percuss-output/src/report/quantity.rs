@@ -9,6 +9,8 @@ pub(crate) struct Scale {
     pub unit: String,
 }
 
+/// What is below this share of its scale is round-off.
+const ROUND_OFF: f64 = 1e-12;
 /// Between a number and its unit: never broken across lines.
 const NBSP: &str = "\u{a0}";
 
@@ -58,7 +60,7 @@ fn takes_prefix(unit: &str) -> bool {
     matches!(unit, "s" | "m" | "m/s" | "N" | "N*s" | "J" | "N*m" | "Pa")
 }
 
-/// `value` of `unit` in words, six significant digits.
+/// `value` of `unit` in words, five significant digits.
 pub(crate) fn quantity(value: Option<f64>, unit: &str) -> String {
     spelled(value, unit).replace(' ', NBSP)
 }
@@ -75,8 +77,17 @@ fn spelled(value: Option<f64>, unit: &str) -> String {
     format!("{} {}", number(value * scale.factor), scale.unit)
 }
 
-/// Six significant digits, plain where that is short, else with an exponent.
+/// Five significant digits, plain where that is short, else with an exponent.
 pub(crate) fn number(value: f64) -> String {
+    digits(value, 5)
+}
+
+/// Digits of what may lie close together: instants, ticks of an enlarged axis.
+pub(crate) fn fine_number(value: f64) -> String {
+    digits(value, 7)
+}
+
+fn digits(value: f64, significant: i32) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -86,8 +97,13 @@ pub(crate) fn number(value: f64) -> String {
         let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{exponent}", trim(digits));
     }
-    let decimals = (5.0 - exponent).max(0.0) as usize;
+    let decimals = (f64::from(significant - 1) - exponent).max(0.0) as usize;
     trim(&format!("{value:.decimals$}")).to_owned()
+}
+
+/// `value`, or zero where it is round-off beside `scale`.
+pub(crate) fn without_round_off(value: f64, scale: f64) -> f64 {
+    if value.abs() <= ROUND_OFF * scale.abs() { 0.0 } else { value }
 }
 
 fn trim(digits: &str) -> &str {
@@ -120,10 +136,10 @@ mod tests {
     #[test]
     fn quantities_read_as_an_engineer_writes_them() {
         let quantity = |value, unit| super::quantity(value, unit).replace(NBSP, " ");
-        assert_eq!(quantity(Some(337_784.605), "N"), "337.785 kN");
-        assert_eq!(quantity(Some(3814.98), "N*s"), "3814.98 N s");
-        assert_eq!(quantity(Some(0.0664362), "s"), "66.4362 ms");
-        assert_eq!(quantity(Some(-19.10077444), "m/s"), "-19.1008 m/s");
+        assert_eq!(quantity(Some(337_784.605), "N"), "337.78 kN");
+        assert_eq!(quantity(Some(3814.98), "N*s"), "3815 N s");
+        assert_eq!(quantity(Some(0.0664362), "s"), "66.436 ms");
+        assert_eq!(quantity(Some(-19.10077444), "m/s"), "-19.101 m/s");
         assert_eq!(quantity(Some(10_000.0), "kg*m/s"), "10000 kg m/s");
         assert_eq!(quantity(Some(2.13e-12), "1"), "2.13e-12");
         assert_eq!(quantity(Some(0.0), "m"), "0 m");

@@ -7,9 +7,10 @@ use super::story::story;
 
 const SECTION: &str = include_str!("../../../../web/scene.html");
 
+/// What scenes and figures are drawn with.
+pub(super) const PENS: &str = include_str!("../../../../web/pens.js");
 /// The scripts that draw the scene, in the order in which they use each other.
-pub(super) const SCRIPTS: [&str; 5] = [
-    include_str!("../../../../web/pens.js"),
+pub(super) const SCRIPTS: [&str; 4] = [
     include_str!("../../../../web/scene.js"),
     include_str!("../../../../web/drawing.js"),
     include_str!("../../../../web/symbols.js"),
@@ -22,5 +23,10 @@ pub(super) fn render(data: &ReportData) -> String {
     if data.fields.as_ref().is_none_or(|fields| fields.frames.is_empty()) {
         return format!("<p class=\"story\">{text}</p>\n");
     }
-    fill_holes(SECTION, |_| text.clone())
+    section(&text)
+}
+
+/// The section below a text, which is escaped.
+pub(super) fn section(text: &str) -> String {
+    fill_holes(SECTION, |_| text.to_owned())
 }

@@ -159,7 +159,7 @@ pub fn render(sheet: &Sheet) -> String {
         _ => None,
     });
     let figures: Vec<Figure> = charts.flatten().map(figure).collect();
-    let payload = payload::pack(&figures, None);
+    let payload = payload::pack(&figures, &[]);
     let class = if sheet.alarming { "status warning" } else { "status" };
     fill_holes(TEMPLATE, |hole| match hole {
         "title" => escape(&sheet.title),

@@ -9,7 +9,7 @@ use super::figures::{Canvas, names};
 use crate::history::HistorySource;
 
 /// Curves in a figure; more names get more figures.
-const TOGETHER: usize = 6;
+const TOGETHER: usize = 4;
 /// Supports, and points, that get curves.
 const SHOWN: usize = 24;
 

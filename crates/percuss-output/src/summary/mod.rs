@@ -4,13 +4,14 @@ mod advice;
 mod contact;
 mod derivative;
 mod pick;
+mod provenance;
 
 use std::path::Path;
 
 use percuss::{
     Advice, Comparison, ImpactResolution, MultipleImpacts, Peak, PointSummary, ProjectileSummary,
     Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start,
-    SupportSummary, Termination,
+    StopTouch, SupportSummary, Termination,
 };
 use serde_json::{Map, Value, json};
 
@@ -19,6 +20,7 @@ use crate::files;
 
 pub use derivative::pick_derivatives;
 pub use pick::{Picked, SummaryPath, pick, summary_paths};
+pub use provenance::provenance;
 
 const SUMMARY: &str = "summary.json";
 
@@ -217,13 +219,27 @@ fn crest(largest: &Peak, resolved: bool) -> Value {
 
 fn support(support: &SupportSummary) -> Value {
     let range = |r: &Range| json!({ "min": peak(&r.min), "max": peak(&r.max) });
-    json!({
+    let mut value = json!({
         "force_1": range(&support.force[0]),
         "force_2": range(&support.force[1]),
         "moment": range(&support.moment),
         "impulse_1": support.impulse[0],
         "impulse_2": support.impulse[1],
         "impulse_moment": support.impulse[2],
+    });
+    if let Some(touches) = &support.touches {
+        value["intervals"] = touches.iter().map(touch).collect();
+    }
+    value
+}
+
+/// A time in which a stop pressed.
+fn touch(touch: &StopTouch) -> Value {
+    json!({
+        "start": touch.start,
+        "end": touch.end,
+        "impulse": touch.impulse,
+        "peak_force": peak(&touch.peak_force),
     })
 }
 

@@ -304,6 +304,7 @@ pub fn support(name: &str, sign: f64) -> SupportSummary {
         force: [range(-250.0, 1e3), range(-1.5e5, 8e4)],
         moment: range(-4e4 * sign.abs(), 9e4),
         impulse: [0.0, 12.5 * sign, 0.0],
+        touches: None,
     }
 }
 

@@ -23,6 +23,7 @@ mod start;
 mod static_contacts;
 mod static_search;
 mod statics;
+mod stop_log;
 mod struck_mass;
 mod trial;
 

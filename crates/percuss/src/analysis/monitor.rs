@@ -6,10 +6,12 @@
 use super::contact_log::ContactLog;
 use super::crest::Crest;
 use super::section_forces::{self, Acting, Lines};
+use super::stop_log;
 use crate::contact::row::Row;
 use crate::ledger::{Books, Measures};
 use crate::math::path::Path;
 use crate::model::Model;
+use crate::model::frozen::SupportData;
 use crate::state::State;
 use crate::step::contacts::{ActiveContact, Phase, RigidContact};
 use crate::step::forcing::Forcing;
@@ -117,7 +119,7 @@ impl Monitor {
             contacts: ContactLog::new(model, state),
             points: points.collect(),
             section_forces: section_forces::unset(model),
-            supports: model.supports.iter().map(|s| unset_support(&s.name)).collect(),
+            supports: model.supports.iter().map(unset_support).collect(),
             reacted: None,
             lines: Lines::at_rest(model, state, pressed),
             impulsive: false,
@@ -201,6 +203,9 @@ impl Monitor {
             summary.force[0].take(mean[0], state.time);
             summary.force[1].take(mean[1], state.time);
             summary.moment.take(mean[2], state.time);
+            if let Some(touches) = &mut summary.touches {
+                stop_log::take(touches, f64::hypot(mean[0], mean[1]), h, state.time);
+            }
         };
         for (support, before) in list {
             let now = &state.reactions[*support];
@@ -226,9 +231,10 @@ impl Monitor {
     }
 }
 
-fn unset_support(name: &str) -> SupportSummary {
-    let none = Range::default();
-    SupportSummary { name: name.into(), force: [none; 2], moment: none, impulse: [0.0; 3] }
+fn unset_support(support: &SupportData) -> SupportSummary {
+    let (name, none) = (support.name.clone(), Range::default());
+    let touches = support.stops.then(Vec::new);
+    SupportSummary { name, force: [none; 2], moment: none, impulse: [0.0; 3], touches }
 }
 
 /// The larger magnitude; NaN stays, so that a broken book cannot look closed.

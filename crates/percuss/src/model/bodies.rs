@@ -99,7 +99,7 @@ fn obstacle(item: &Obstacle, model: &mut Model) {
     };
     let support = model.supports.len();
     let (name, until) = (item.name.clone(), f64::INFINITY);
-    model.supports.push(SupportData { name, point: None, until, motion });
+    model.supports.push(SupportData { name, point: None, until, motion, stops: false });
     model.obstacles.push(ObstacleData { body, support, position });
 }
 

@@ -15,7 +15,8 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
             model.motions.len() - 1
         });
         let (name, until) = (support.name.clone(), support.until);
-        model.supports.push(SupportData { name, point: Some(point.clone()), until, motion });
+        let stops = matches!(support.kind, SupportKind::Stop { .. });
+        model.supports.push(SupportData { name, point: Some(point.clone()), until, motion, stops });
         match support.kind {
             SupportKind::Elastic {
                 direction,

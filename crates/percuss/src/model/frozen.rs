@@ -158,6 +158,8 @@ pub(crate) struct SupportData {
     pub until: f64,
     /// Its course among [`Model::motions`].
     pub motion: Option<usize>,
+    /// Whether it is a stop, which presses only when its gap is closed.
+    pub stops: bool,
 }
 
 /// A material point: where it lies in the mesh and how it follows the nodes.

@@ -1,0 +1,333 @@
+//! Several runs on one page: their scenes over each other, each curve once a run, key results in one table.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde_json::{Map, Value};
+
+use super::ReportData;
+use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
+use super::figures;
+use super::html::{self, escape, table};
+use super::page::{fill_holes, frame, page_parts};
+use super::quantity::{Scale, number, quantity, without_round_off};
+use super::{payload, scene, story};
+use crate::error::Error;
+use crate::fields::Fields;
+use crate::files;
+
+const TEMPLATE: &str = include_str!("../../../../web/comparison.html");
+/// What a page of ours begins with, within its first bytes.
+pub const MARK: &str = "<meta name=\"generator\" content=\"percuss comparison\">";
+/// Runs on a page: as many as there are colours to tell them apart.
+pub const MOST_RUNS: usize = 8;
+/// Colours of the runs, by their number.
+const STYLES: [usize; MOST_RUNS] = [0, 1, 2, 3, 4, 5, 6, 8];
+/// Curves that get a figure.
+const MOST_FIGURES: usize = 60;
+
+/// A run and what it is called on the page.
+pub struct Named {
+    /// Unique among the runs.
+    pub name: String,
+    /// What was read of it.
+    pub data: ReportData,
+}
+
+/// Writes the page, whole or not at all.
+///
+/// # Errors
+/// If a history cannot be read or the file not be written.
+pub fn write(file: &Path, runs: &[Named]) -> Result<(), Error> {
+    files::write(file, render(runs)?.as_bytes())
+}
+
+/// The page.
+///
+/// # Errors
+/// If a history cannot be read.
+pub fn render(runs: &[Named]) -> Result<String, Error> {
+    let figures = figures_of(runs)?;
+    let scenes: Vec<(&str, &Fields)> = runs
+        .iter()
+        .filter_map(|run| Some((run.name.as_str(), run.data.fields.as_ref()?)))
+        .filter(|(_, fields)| !fields.frames.is_empty())
+        .collect();
+    let payload = payload::pack(&figures, &scenes);
+    let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
+    let missing = runs.len() - scenes.len();
+    let lead = match (scenes.is_empty(), missing) {
+        (true, _) => "None of these runs kept its shapes (record.shapes).".to_owned(),
+        (_, 0) => "All runs over each other, at the same time.".to_owned(),
+        (_, n) => {
+            format!("All runs over each other, at the same time; {n} of them kept no shapes.")
+        }
+    };
+    Ok(fill_holes(TEMPLATE, |hole| match hole {
+        "title" => escape(&format!("Comparison of {}", names.join(", "))),
+        "status" => {
+            escape(&format!("{} runs; differences are of the size, from {}", runs.len(), names[0]))
+        }
+        "scene" if scenes.is_empty() => format!("<p class=\"story\">{}</p>\n", escape(&lead)),
+        "scene" => scene::section(&lead),
+        "scene_scripts" => scene::SCRIPTS.join("\n"),
+        "results" => results(runs),
+        "figures" => figures.iter().map(frame).collect(),
+        "stories" => stories(runs),
+        "version" => env!("CARGO_PKG_VERSION").to_owned(),
+        "index" => html::json(&payload.index),
+        "data" => payload.data.clone(),
+        other => page_parts(other),
+    }))
+}
+
+fn stories(runs: &[Named]) -> String {
+    let one = |run: &Named| {
+        let (name, text) = (escape(&run.name), escape(&story::story(&run.data.summary)));
+        format!("<p><strong>{name}</strong>: {text}</p>\n")
+    };
+    runs.iter().map(one).collect()
+}
+
+/// A figure for each curve that some run has, with a curve a run.
+fn figures_of(runs: &[Named]) -> Result<Vec<Figure>, Error> {
+    let each: Vec<Vec<Figure>> =
+        runs.iter().map(|run| figures::all(&run.data)).collect::<Result<_, _>>()?;
+    let mut seen = BTreeSet::new();
+    let mut out = Vec::new();
+    for figure in
+        each.iter().flatten().filter(|f| f.scaled.is_some() && f.section != Section::Audit)
+    {
+        for series in figure.tables.iter().flat_map(|t| &t.series) {
+            // A curve may stand in another figure in another run, where sizes differ.
+            let id = (
+                figure.id.trim_end_matches(|c: char| c == '-' || c.is_ascii_digit()),
+                &series.label,
+            );
+            let is_part = series.shape == Shape::Area;
+            if is_part || out.len() == MOST_FIGURES || !seen.insert((id.0.to_owned(), id.1.clone()))
+            {
+                continue;
+            }
+            out.extend(overlaid(runs, &each, figure, &series.label));
+        }
+    }
+    Ok(out)
+}
+
+/// The curve of this label in all runs.
+fn overlaid(runs: &[Named], each: &[Vec<Figure>], like: &Figure, label: &str) -> Option<Figure> {
+    let stem = |id: &str| id.trim_end_matches(|c: char| c == '-' || c.is_ascii_digit()).to_owned();
+    let found: Vec<(usize, Vec<f64>, Vec<f64>)> = each
+        .iter()
+        .enumerate()
+        .filter_map(|(k, figures)| {
+            let is_it = |f: &&Figure| stem(&f.id) == stem(&like.id) && f.scaled.is_some();
+            let of = |f: &Figure| {
+                let scaled = f.scaled?;
+                let table = f.tables.first()?;
+                let series =
+                    table.series.iter().find(|s| s.label == label && s.shape == Shape::Line)?;
+                let back = |values: &[f64], by: f64| values.iter().map(|v| v / by).collect();
+                let [x, y] = scaled.factors;
+                Some((k, back(&table.x, x), back(&series.y, y)))
+            };
+            figures.iter().filter(is_it).find_map(of)
+        })
+        .collect();
+    let scaled = like.scaled?;
+    let x_scale = Scale::new(largest(found.iter().flat_map(|(_, x, _)| x)), "s");
+    let y_scale = Scale::new(largest(found.iter().flat_map(|(_, _, y)| y)), scaled.unit);
+    let times = |values: &[f64], by: f64| values.iter().map(|v| v * by).collect::<Vec<f64>>();
+    let curve = |(k, x, y): &(usize, Vec<f64>, Vec<f64>)| Table {
+        x: times(x, x_scale.factor),
+        series: vec![Series {
+            label: runs[*k].name.clone(),
+            style: STYLES[*k],
+            weight: 1.0,
+            dashed: false,
+            shape: Shape::Line,
+            y: times(y, y_scale.factor),
+        }],
+    };
+    let caption = like.y.label.split(" along e").next().unwrap_or(&like.y.label);
+    let axis = Axis { label: "time".to_owned(), unit: x_scale.unit.clone() };
+    let base = like.title.split(", ").next().unwrap_or(&like.title);
+    let title = if label == caption { like.title.clone() } else { format!("{base}: {label}") };
+    let id = format!("{}: {label}", like.id);
+    let mut figure = Figure::new(Section::Impact, &id, &title, axis, caption);
+    figure.y.unit.clone_from(&y_scale.unit);
+    figure.tables = found.iter().map(curve).collect();
+    Some(figure)
+}
+
+/// A result that runs are compared by.
+struct KeyResult {
+    label: String,
+    /// Path in the summary.
+    pointer: String,
+    unit: &'static str,
+}
+
+/// Rows of key results: a column a run, and the difference from the first.
+fn results(runs: &[Named]) -> String {
+    let mut rows: Vec<KeyResult> = Vec::new();
+    for run in runs {
+        for row in key_results(&run.data.summary) {
+            if !rows.iter().any(|known| known.pointer == row.pointer) {
+                rows.push(row);
+            }
+        }
+    }
+    let mut header = vec!["".to_owned()];
+    for (k, run) in runs.iter().enumerate() {
+        header.push(run.name.clone());
+        header.extend((k > 0).then(|| "difference".to_owned()));
+    }
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let told: Vec<Vec<String>> =
+        rows.iter().filter_map(|row| cells(row, scale(row, &rows, runs), runs)).collect();
+    table("Results of each run", &header, &told)
+}
+
+/// Size beside which a result is round-off: the largest of this unit and of what it belongs to, in any run.
+fn scale(row: &KeyResult, rows: &[KeyResult], runs: &[Named]) -> f64 {
+    let owner = |row: &KeyResult| row.pointer.split('/').nth(2).unwrap_or_default().to_owned();
+    let alike = rows.iter().filter(|other| other.unit == row.unit && owner(other) == owner(row));
+    let values = alike.flat_map(|other| {
+        runs.iter().filter_map(|run| run.data.summary.pointer(&other.pointer)?.as_f64())
+    });
+    largest(&values.collect::<Vec<f64>>())
+}
+
+fn cells(row: &KeyResult, scale: f64, runs: &[Named]) -> Option<Vec<String>> {
+    let told = |v: f64| without_round_off(v, scale);
+    let value = |run: &Named| run.data.summary.pointer(&row.pointer)?.as_f64().map(told);
+    let values: Vec<Option<f64>> = runs.iter().map(value).collect();
+    let mut cells = vec![row.label.clone()];
+    let mut any = false;
+    for (k, value) in values.iter().enumerate() {
+        any |= value.is_some();
+        cells.push(quantity(*value, row.unit));
+        if k > 0 {
+            cells.push(difference(values[0], *value));
+        }
+    }
+    any.then_some(cells)
+}
+
+/// Of the size, in percent of the first value; nothing where that is none, or nothing.
+fn difference(first: Option<f64>, value: Option<f64>) -> String {
+    let (Some(first), Some(value)) = (first, value) else { return "\u{2013}".to_owned() };
+    if first == value {
+        return "none".to_owned();
+    }
+    let percent = 100.0 * (value.abs() - first.abs()) / first.abs();
+    if !percent.is_finite() {
+        return "\u{2013}".to_owned();
+    }
+    let turned = if first * value < 0.0 { ", turned" } else { "" };
+    let plus = if percent > 0.0 { "+" } else { "" };
+    format!("{plus}{}\u{a0}%{turned}", number(rounded(percent)))
+}
+
+/// Three digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+/// Results that a reader looks for first.
+fn key_results(summary: &Value) -> Vec<KeyResult> {
+    let mut rows = Vec::new();
+    let mut row =
+        |label: String, pointer: String, unit| rows.push(KeyResult { label, pointer, unit });
+    let empty = Map::new();
+    let named = |part: &str| {
+        summary[part].as_object().unwrap_or(&empty).keys().map(|n| (n, key(n))).collect::<Vec<_>>()
+    };
+    for (name, key) in named("contact") {
+        row(format!("peak contact force, {name}"), format!("/contact/{key}/peak_force/value"), "N");
+        row(format!("when, {name}"), format!("/contact/{key}/peak_force/time"), "s");
+        row(format!("total impulse, {name}"), format!("/contact/{key}/impulse_total"), "N*s");
+        row(format!("impacts, {name}"), format!("/contact/{key}/impact_count"), "1");
+    }
+    for (name, key) in named("projectile") {
+        for (k, axis) in [(0, "e1"), (1, "e2")] {
+            row(
+                format!("velocity at the end along {axis}, {name}"),
+                format!("/projectile/{key}/velocity_final/{k}"),
+                "m/s",
+            );
+        }
+        row(
+            format!("momentum given away, {name}"),
+            format!("/projectile/{key}/momentum_transferred"),
+            "kg*m/s",
+        );
+        row(
+            format!("energy given away, {name}"),
+            format!("/projectile/{key}/energy_transferred"),
+            "J",
+        );
+    }
+    for (name, key) in named("point") {
+        for k in [1, 2] {
+            row(
+                format!("largest displacement along e{k}, {name}"),
+                format!("/point/{key}/displacement_max/component_{k}/value"),
+                "m",
+            );
+        }
+    }
+    for (name, key) in named("section_forces") {
+        row(
+            format!("largest moment, {name}"),
+            format!("/section_forces/{key}/moment_max/value"),
+            "N*m",
+        );
+        row(
+            format!("largest axial force, {name}"),
+            format!("/section_forces/{key}/axial_max/value"),
+            "N",
+        );
+        row(
+            format!("largest stress, {name}"),
+            format!("/section_forces/{key}/stress/max/value"),
+            "Pa",
+        );
+    }
+    for (label, pointer) in [
+        ("energy lost in impacts", "/energy/loss_impacts"),
+        ("energy taken by damping", "/energy/loss_damping"),
+    ] {
+        row(label.to_owned(), pointer.to_owned(), "J");
+    }
+    for (label, pointer, unit) in [
+        ("energy residual, relative", "/energy/residual_max", "1"),
+        ("steps", "/steps", "1"),
+        ("wall time", "/wall_seconds", "s"),
+    ] {
+        row(label.to_owned(), pointer.to_owned(), unit);
+    }
+    rows
+}
+
+/// A name as JSON pointers spell it.
+fn key(name: &str) -> String {
+    name.replace('~', "~0").replace('/', "~1")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn differences_are_of_the_size() {
+        let told = |a: f64, b: f64| difference(Some(a), Some(b)).replace('\u{a0}', " ");
+        assert_eq!(told(-5.0, -6.0), "+20 %");
+        assert_eq!(told(4.0, -3.0), "-25 %, turned");
+        assert_eq!(told(4.0, 4.0), "none");
+        assert_eq!(told(0.0, 1.0), "\u{2013}");
+        assert_eq!(difference(None, Some(1.0)), "\u{2013}");
+    }
+}

@@ -1,0 +1,20 @@
+//! When stops press, resolved to the steps.
+
+use crate::summary::{Peak, StopTouch};
+
+/// Takes in the mean force of a stop over a step of size `h` that ends at `time`.
+pub fn take(touches: &mut Vec<StopTouch>, force: f64, h: f64, time: f64) {
+    if let Some(touch) = touches.last_mut().filter(|touch| touch.end.is_none()) {
+        if force > 0.0 {
+            touch.impulse += force * h;
+            if force > touch.peak_force.value {
+                touch.peak_force = Peak { value: force, time };
+            }
+        } else {
+            touch.end = Some(time - h);
+        }
+    } else if force > 0.0 && touches.len() < StopTouch::KEPT {
+        let peak_force = Peak { value: force, time };
+        touches.push(StopTouch { start: time - h, end: None, impulse: force * h, peak_force });
+    }
+}
