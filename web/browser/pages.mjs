@@ -2,13 +2,13 @@
 // SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it. See scripts/check-browser.
 
 import assert from "node:assert/strict";
-import { mkdirSync, readdirSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-const { PAGES, SHOTS, BROWSER, PLAYWRIGHT } = process.env;
+const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON } = process.env;
 const { chromium } = createRequire(import.meta.url)(PLAYWRIGHT);
 const quiet = ["--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const root = process.getuid?.() === 0;
@@ -20,14 +20,16 @@ before(async () => {
 });
 after(() => browser.close());
 
-async function open(name, width, height) {
+const open = (name, width, height) => openFile(join(PAGES, name, "report.html"), width, height);
+
+async function openFile(file, width, height) {
   const context = await browser.newContext({ viewport: { width, height }, offline: true, acceptDownloads: true });
   const page = await context.newPage();
   const errors = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   page.on("pageerror", (error) => errors.push(String(error)));
   page.on("request", (request) => request.url().startsWith("http") && errors.push(request.url()));
-  await page.goto(pathToFileURL(join(PAGES, name, "report.html")).href);
+  await page.goto(pathToFileURL(file).href);
   await page.waitForFunction(() => document.querySelector("[data-scene=time]")?.textContent);
   return { page, errors, close: () => context.close() };
 }
@@ -124,6 +126,88 @@ test("a click into a figure takes the scene to its time, and figures follow the 
   await scrub(page, 0.75);
   await page.waitForTimeout(200);
   assert.notEqual(await told(), quarter);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+async function downloaded(page, click) {
+  const [download] = await Promise.all([page.waitForEvent("download"), click()]);
+  return { name: download.suggestedFilename(), text: readFileSync(await download.path(), "utf8") };
+}
+
+test("a figure is exported as numbers and as a drawing, and zoomed by the keyboard", async () => {
+  const { page, errors, close } = await open("crossing-beams", 1400, 900);
+  const figure = page.locator('figure[data-figure="energy"]');
+  const csv = await downloaded(page, () => figure.locator("[data-save=csv]").click());
+  assert.equal(csv.name, "energy.csv");
+  const [header, ...rows] = csv.text.trim().split("\n");
+  assert.ok(header.startsWith('"time ['), header);
+  assert.ok(rows.length > 100 && rows.every((row) => row.split(",").length === header.split(",").length));
+  const svg = await downloaded(page, () => figure.locator("[data-save=svg]").click());
+  assert.ok(svg.text.startsWith("<svg") && svg.text.includes("kinetic"));
+  const paths = svg.text.match(/<path/g).length;
+  const over = figure.locator(".u-over");
+  await over.focus();
+  for (let k = 0; k < 12; k++) await page.keyboard.press("+");
+  const zoomed = await downloaded(page, () => figure.locator("[data-save=svg]").click());
+  assert.notEqual(zoomed.text, svg.text, "what is shown has changed");
+  assert.ok(paths > 3);
+  await over.focus();
+  await page.keyboard.press("0");
+  const whole = await downloaded(page, () => figure.locator("[data-save=svg]").click());
+  assert.equal(whole.text, svg.text);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("two fingers zoom a figure, all figures over time with it", async () => {
+  const context = await browser.newContext({ viewport: { width: 400, height: 800 }, hasTouch: true, offline: true });
+  const page = await context.newPage();
+  await page.goto(pathToFileURL(join(PAGES, "crossing-beams", "report.html")).href);
+  await page.waitForFunction(() => document.querySelector("figure[data-figure] .u-over"));
+  const ticks = () => page.evaluate(() => document.querySelector('figure[data-figure="energy"] canvas').toDataURL());
+  const before = await ticks();
+  await page.evaluate(() => {
+    const over = document.querySelector('figure[data-figure="energy"] .u-over');
+    const box = over.getBoundingClientRect();
+    const finger = (type, id, x) =>
+      over.dispatchEvent(new PointerEvent(type, { pointerId: id, pointerType: "touch", clientX: box.left + x, clientY: box.top + 20, bubbles: true }));
+    finger("pointerdown", 1, 100);
+    finger("pointerdown", 2, 140);
+    finger("pointermove", 1, 60);
+    finger("pointermove", 2, 220);
+    finger("pointerup", 1, 60);
+    finger("pointerup", 2, 220);
+  });
+  await page.waitForTimeout(200);
+  assert.notEqual(await ticks(), before);
+  await context.close();
+});
+
+test("the log folds chatter and sorts by impulse", async () => {
+  const { page, errors, close } = await open("tapping-cantilever", 1400, 900);
+  const fold = page.locator(".log .fold").first();
+  const touches = page.locator(".log tr.touch:not([hidden])");
+  assert.equal(await touches.count(), 0);
+  await fold.click();
+  assert.ok((await touches.count()) > 3);
+  await fold.click();
+  assert.equal(await touches.count(), 0);
+  await page.click("[data-sort=impulse]");
+  const impulses = await page.evaluate(() => [...document.querySelectorAll(".log tr[data-impulse]")].map((r) => Number(r.dataset.impulse)));
+  assert.ok(impulses.length > 2 && impulses.every((v, i) => !i || v <= impulses[i - 1]));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("runs over each other play together", async () => {
+  const { page, errors, close } = await openFile(COMPARISON, 1400, 900);
+  assert.ok((await inked(page)) > 300);
+  assert.ok((await page.textContent("main")).includes("difference"));
+  await page.screenshot({ path: join(SHOTS, "comparison.png") });
+  await scrub(page, 0.7);
+  const curves = await page.evaluate(() => document.querySelector('figure[data-figure] .u-legend').textContent);
+  assert.ok(curves.includes("gapped-pipe") && curves.includes("finer"), curves);
   assert.deepEqual(errors, []);
   await close();
 });
