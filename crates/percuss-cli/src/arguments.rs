@@ -169,6 +169,9 @@ pub struct Run {
     /// Write the figures of the report as SVG and PNG as well, into figures/
     #[arg(long, conflicts_with = "no_report")]
     pub figures: bool,
+    /// Open the report in the browser when the run has ended
+    #[arg(long, conflicts_with = "no_report")]
+    pub open: bool,
     /// Say nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
@@ -389,6 +392,9 @@ pub struct Report {
     /// Page to write of several runs
     #[arg(long, value_hint = ValueHint::FilePath, value_name = "FILE", default_value = "comparison.html")]
     pub out: PathBuf,
+    /// Open the page in the browser
+    #[arg(long)]
+    pub open: bool,
 }
 
 /// Arguments of `verify`.

@@ -2,6 +2,7 @@
 
 mod advisor;
 mod arguments;
+mod browser;
 mod commands;
 mod effective_mass;
 mod interrupt;

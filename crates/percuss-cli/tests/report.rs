@@ -147,3 +147,32 @@ fn the_log_has_the_touches_of_a_stop_as_its_reaction_shows_them() {
     let page = std::fs::read_to_string(desk.path("a/report.html")).expect("a page");
     assert!(page.contains("<td>bracket</td>"));
 }
+
+#[cfg(unix)]
+#[test]
+fn the_page_is_opened_where_something_can_open_it() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let desk = Desk::empty();
+    desk.put("a.toml", STOPPED);
+    desk.put("xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
+    let program = desk.path("xdg-open");
+    std::fs::set_permissions(&program, std::fs::Permissions::from_mode(0o755)).expect("a program");
+    let here = program.parent().expect("a folder").to_owned();
+    let path = format!("{}:/usr/bin:/bin", here.display());
+    let run = |path: &str| {
+        let mut command = desk.command(&["run", "a.toml", "--out", "a", "--open"]);
+        command.env("PATH", path).output().expect("the command runs")
+    };
+    let done = run(&path);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let opened = || std::fs::read_to_string(desk.path("opened")).ok().filter(|t| t.ends_with('\n'));
+    let limit = std::time::Instant::now() + std::time::Duration::from_secs(20);
+    while opened().is_none() && std::time::Instant::now() < limit {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    assert!(opened().expect("it was opened").trim().ends_with("a/report.html"));
+    let nothing = run("/nowhere");
+    assert!(nothing.status.success(), "the run is done all the same");
+    let told = String::from_utf8_lossy(&nothing.stderr).into_owned();
+    assert!(told.contains("nothing here opens") && told.contains("report.html"), "{told}");
+}

@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use kuva::backend::svg::SvgBackend;
 use percuss::{Mode, ModeKind, Model};
 use serde_json::{Value, json};
 
@@ -80,10 +79,7 @@ pub fn write_modes(dir: impl AsRef<Path>, info: &ModesInfo<'_>) -> Result<(), Er
     let panels: Vec<Panel<'_>> = info.modes.iter().take(DRAWN).enumerate().map(panel).collect();
     if !panels.is_empty() {
         let scene = shapes::sheet(info.model, info.displacement, &panels);
-        let svg = SvgBackend::new().render_scene(&scene);
-        // Without a view box a browser cuts the sheet instead of scaling it.
-        let view = format!("<svg viewBox=\"0 0 {} {}\" ", scene.width, scene.height);
-        let svg = if svg.contains("viewBox") { svg } else { svg.replacen("<svg ", &view, 1) };
+        let svg = pictures::inline_svg(&scene);
         files::write(&dir.join("modes.html"), html(info, &svg).as_bytes())?;
         pictures::draw(dir, "modes", scene)?;
     }
@@ -152,7 +148,6 @@ fn html(info: &ModesInfo<'_>, svg: &str) -> String {
         "static" => "about static equilibrium under the loads that act at time zero",
         _ => "about the reference configuration, free of stress",
     };
-    let svg = svg.find("<svg").map_or(svg, |start| &svg[start..]);
     page::fill_holes(TEMPLATE, |hole| match hole {
         "head" => page::HEAD.to_owned(),
         "title" => escape(title),

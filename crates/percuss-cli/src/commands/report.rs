@@ -10,6 +10,7 @@ use percuss_output::report::side_by_side::{self, Named};
 use percuss_output::report::{ReportData, write, write_with_figures};
 
 use crate::arguments::Report;
+use crate::browser;
 use crate::outcome::{Failure, Status};
 use crate::terminal;
 
@@ -18,12 +19,13 @@ pub fn run(arguments: &Report) -> Result<Status, Failure> {
     arguments.dirs.iter().try_for_each(|dir| refuse_what_is_no_run(dir))?;
     match arguments.dirs.as_slice() {
         [dir] => rebuild(dir, arguments),
-        dirs => compare(dirs, &arguments.out),
+        dirs => compare(dirs, arguments),
     }
 }
 
 /// Writes one page of several runs.
-fn compare(dirs: &[PathBuf], out: &Path) -> Result<Status, Failure> {
+fn compare(dirs: &[PathBuf], arguments: &Report) -> Result<Status, Failure> {
+    let out = &arguments.out;
     if dirs.len() > side_by_side::MOST_RUNS {
         return Err(Failure::Input(format!(
             "{} runs are more than a page can tell apart; give {} at most",
@@ -37,6 +39,9 @@ fn compare(dirs: &[PathBuf], out: &Path) -> Result<Status, Failure> {
     let runs = dirs.iter().zip(names).map(read).collect::<Result<Vec<_>, Failure>>()?;
     side_by_side::write(out, &runs)?;
     terminal::tell(&format!("{} compares {} runs", out.display(), runs.len()));
+    if arguments.open {
+        browser::open(out);
+    }
     Ok(Status::Done)
 }
 
@@ -84,6 +89,9 @@ fn rebuild(dir: &Path, arguments: &Report) -> Result<Status, Failure> {
         write(update.path(), &data)?;
         update.commit()?;
         terminal::tell(&format!("{} rebuilt", page.display()));
+    }
+    if arguments.open {
+        browser::open(&page);
     }
     Ok(Status::Done)
 }

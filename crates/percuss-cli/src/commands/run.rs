@@ -19,6 +19,7 @@ use serde_json::Value;
 
 use crate::advisor;
 use crate::arguments::Run;
+use crate::browser;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
@@ -188,6 +189,9 @@ fn conclude(
     report?;
     if interrupt::requested() {
         return Ok(Status::Interrupted);
+    }
+    if arguments.open {
+        browser::open(&out.join("report.html"));
     }
     let open = if arguments.strict { books::open(&ended.summary) } else { Vec::new() };
     open.iter().for_each(|text| terminal::error(text));

@@ -269,6 +269,23 @@ fn lightened(colour: &str, opacity: f64) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
+/// The element of a drawing for a page of ours, in the colours of the page: dark where that is.
+pub(crate) fn inline_svg(scene: &Scene) -> String {
+    let svg = SvgBackend::new().render_scene(scene);
+    // Without a view box a browser cuts the drawing instead of scaling it.
+    let view = format!("<svg viewBox=\"0 0 {} {}\" ", scene.width, scene.height);
+    let svg = if svg.contains("viewBox") { svg } else { svg.replacen("<svg ", &view, 1) };
+    let svg = svg.find("<svg").map_or(svg.as_str(), |start| &svg[start..]);
+    let pairs = [
+        ("\"white\"", "\"var(--page)\""),
+        ("\"#ffffff\"", "\"var(--page)\""),
+        ("\"#1b1f24\"", "\"var(--text)\""),
+        ("\"#e6e9ed\"", "\"var(--grid)\""),
+        ("\"#aab2bb\"", "\"var(--c7)\""),
+    ];
+    pairs.iter().fold(svg.to_owned(), |text, (from, to)| text.replace(from, to))
+}
+
 pub(crate) fn theme() -> Theme {
     Theme {
         axis_color: "#1b1f24".to_owned(),

@@ -1,6 +1,5 @@
 //! Pages other than that of a run: blocks one below the other, with the figures and the looks of the report.
 
-use kuva::backend::svg::SvgBackend;
 use kuva::plot::contour::ContourPlot;
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
@@ -10,7 +9,7 @@ use super::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table, large
 use super::html::{self, Cell, escape, table, table_of_cells};
 use super::page::{fill_holes, frame, page_parts};
 use super::payload;
-use super::pictures::theme;
+use super::pictures::{inline_svg, theme};
 use super::quantity::Scale;
 
 const TEMPLATE: &str = include_str!("../../../../web/sheet.html");
@@ -292,10 +291,7 @@ fn map(map: &Map) -> String {
         .with_y_label(caption(1, &map.y))
         .with_theme(theme());
     let scene = render_multiple(plots, layout);
-    let view = format!("<svg viewBox=\"0 0 {} {}\" ", scene.width, scene.height);
-    let svg = SvgBackend::new().render_scene(&scene);
-    let svg = if svg.contains("viewBox") { svg } else { svg.replacen("<svg ", &view, 1) };
-    let svg = svg.find("<svg").map_or(svg.as_str(), |start| &svg[start..]);
+    let svg = inline_svg(&scene);
     let (title, caption) = (escape(&map.title), escape(&caption(2, &map.value)));
     format!(
         "<figure><figcaption><h3>{title}</h3><p>Colour: {caption}.</p></figcaption>\
