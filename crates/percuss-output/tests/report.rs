@@ -382,7 +382,7 @@ fn findings_and_hand_formulas_stand_in_the_report() -> Outcome {
         "<h2>Advisor</h2>",
         "<span class=\"verdict mark\">warning</span>",
         "hammer: two masses and two springs</caption>",
-        "<td>256.57\u{a0}kN</td><td>337.785\u{a0}kN</td><td>+31.7\u{a0}%</td>",
+        "<td>256.57\u{a0}kN</td><td>337.78\u{a0}kN</td><td>+31.7\u{a0}%</td>",
         "<li class=\"unmet\">small slopes: up to 0.3 (not met)</li>",
     ] {
         assert!(page.contains(text), "no {text}");
@@ -503,5 +503,67 @@ fn envelopes_read_back() -> Outcome {
     }
     fs::write(dir.path().join("envelopes.csv"), "beam,s\n")?;
     assert!(read_envelopes(dir.path()).is_err_and(|e| e.is_content()));
+    Ok(())
+}
+
+/// Every name and every text of a value replaced by one that would be markup.
+fn poisoned(value: &Value, poison: &str) -> Value {
+    match value {
+        Value::String(text) => Value::from(format!("{text}{poison}")),
+        Value::Array(list) => list.iter().map(|v| poisoned(v, poison)).collect(),
+        Value::Object(entries) => entries
+            .iter()
+            .map(|(key, v)| {
+                // Names of contacts, beams, ...: keys that are no words of ours.
+                let named =
+                    v.is_object() && !["energy", "momentum", "peak_force"].contains(&key.as_str());
+                let key = if named { format!("{key}{poison}") } else { key.clone() };
+                (key, poisoned(v, poison))
+            })
+            .collect(),
+        other => other.clone(),
+    }
+}
+
+#[test]
+fn nothing_that_a_directory_of_results_says_becomes_markup() -> Outcome {
+    let parts =
+        ["projectile", "contact", "point", "support", "section_forces", "provenance", "settings"];
+    for poison in [
+        "</script><script>bad()</script>",
+        "\"><img src=x onerror=bad()>",
+        "--><b>",
+        "'><svg/onload=bad()>",
+    ] {
+        let mut data = rigid()?;
+        for part in parts {
+            let inner = data.summary[part].as_object().cloned().unwrap_or_default();
+            data.summary[part] = inner
+                .into_iter()
+                .map(|(name, value)| {
+                    let keeps = ["provenance", "settings"].contains(&part);
+                    let name = if keeps { name } else { format!("{name}{poison}") };
+                    (name, poisoned(&value, poison))
+                })
+                .collect();
+        }
+        for key in ["title", "error", "percuss_version", "advice", "hand_formulas"] {
+            data.summary[key] = poisoned(&data.summary[key], poison);
+        }
+        data.scenario.push_str(poison);
+        let page = page(&data)?;
+        let other = report::side_by_side::render(&[
+            report::side_by_side::Named { name: format!("a{poison}"), data: data.clone() },
+            report::side_by_side::Named { name: format!("b{poison}"), data },
+        ])?;
+        for text in [page, other] {
+            let plain = text.matches("<script").count();
+            assert!(!text.contains(poison), "{poison} stands in the page as it is");
+            assert!(
+                plain <= 5 && !text.contains("<img") && !text.contains("<svg/"),
+                "{plain} scripts"
+            );
+        }
+    }
     Ok(())
 }

@@ -1,0 +1,83 @@
+//! Files that lie in directories of results, or that scenarios name.
+
+use std::fs;
+use std::path::Path;
+
+use percuss_output::report::{ReportData, story, write};
+use percuss_output::{HistoryReader, fields as fields_of, read_history};
+use percuss_scenario::load;
+
+/// Directories are made where they cost no disk.
+fn folder() -> tempfile::TempDir {
+    let memory = Path::new("/dev/shm");
+    match memory.is_dir() {
+        true => tempfile::tempdir_in(memory),
+        false => tempfile::tempdir(),
+    }
+    .expect("a temporary directory")
+}
+
+/// A table of a measured force that a scenario names.
+pub fn csv_table(data: &[u8]) {
+    const SCENARIO: &str = r#"
+[material.m]
+young = "1 GPa"
+density = 1000
+[section.s]
+shape = "rectangle"
+width = 0.1
+depth = 0.1
+[beam.b]
+points = [[0, 0], [1, 0]]
+elements = 2
+material = "m"
+section = "s"
+[support.left]
+at = "b.start"
+kind = "clamp"
+[load.measured]
+at = "b.end"
+force = [0, 1]
+time = { kind = "table", file = "pulse.csv" }
+[time]
+end = 0.01
+step = 0.001
+"#;
+    let dir = folder();
+    fs::write(dir.path().join("pulse.csv"), data).expect("written");
+    fs::write(dir.path().join("scenario.toml"), SCENARIO).expect("written");
+    if let Ok(scenario) = load(dir.path().join("scenario.toml")) {
+        let _ = scenario.compile();
+    }
+}
+
+/// `summary.json`: the sentences and the page that are made of it.
+pub fn summary(data: &[u8]) {
+    let Ok(summary) = serde_json::from_slice(data) else { return };
+    let _ = story(&summary);
+    let dir = folder();
+    let page = ReportData { summary, ..ReportData::default() };
+    write(dir.path(), &page).expect("a page of whatever it says");
+}
+
+/// `history.csv`, or `history.parquet` where the first byte is odd.
+pub fn history(data: &[u8]) {
+    let Some((kind, content)) = data.split_first() else { return };
+    let dir = folder();
+    let name = if kind % 2 == 1 { "history.parquet" } else { "history.csv" };
+    fs::write(dir.path().join(name), content).expect("written");
+    let _ = read_history(dir.path());
+    let _ = HistoryReader::open(dir.path());
+}
+
+/// `fields/`: the scene up to the first zero byte, the frames behind it.
+pub fn fields(data: &[u8]) {
+    let cut = data.iter().position(|b| *b == 0).unwrap_or(data.len());
+    let dir = folder();
+    let place = dir.path().join("fields");
+    fs::create_dir(&place).expect("a directory");
+    fs::write(place.join("scene.json"), &data[..cut]).expect("written");
+    fs::write(place.join("frames.parquet"), data.get(cut + 1..).unwrap_or_default())
+        .expect("written");
+    let _ = fields_of::read(dir.path());
+}

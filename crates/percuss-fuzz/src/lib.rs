@@ -1,0 +1,34 @@
+//! What hostile input is tried on, one function a reader: each takes bytes and must come back, without a panic, within bounds of
+//! time and memory. `fuzz/` drives them with libFuzzer; a test replays the corpus that is kept.
+
+mod files;
+mod runs;
+mod texts;
+
+pub use files::{csv_table, fields, history, summary};
+pub use runs::run;
+pub use texts::{overrides, scenario, study, unit};
+
+/// A function under test.
+pub type Target = fn(&[u8]);
+
+/// All of them with the names of their corpora.
+pub const TARGETS: [(&str, Target); 9] = [
+    ("scenario", scenario),
+    ("study", study),
+    ("unit", unit),
+    ("overrides", overrides),
+    ("csv_table", csv_table),
+    ("summary", summary),
+    ("history", history),
+    ("fields", fields),
+    ("run", run),
+];
+
+/// Longest input that is looked at \[bytes\]: what a person writes is shorter, and longer ones find nothing else.
+const LONGEST: usize = 1 << 15;
+
+/// The input as text, if it is one and not too long.
+fn text(data: &[u8]) -> Option<&str> {
+    std::str::from_utf8(data.get(..data.len().min(LONGEST))?).ok()
+}

@@ -1,0 +1,51 @@
+//! Texts that people write: scenarios, studies, units, changes by `--set`.
+
+use percuss_scenario::{StudyFile, apply_overrides, read, templates, units};
+
+use super::text;
+
+/// A scenario: what can be read is written out and read again, to the same content; what can be built is looked at by the advisor.
+pub fn scenario(data: &[u8]) {
+    let Some(text) = text(data) else { return };
+    match read(text, "fuzz.toml") {
+        Err(faults) => assert!(!faults.to_string().is_empty(), "a fault without words"),
+        Ok(scenario) => {
+            let again = read(&scenario.to_toml(), "again.toml").expect("what was written is read");
+            assert_eq!(again.content(), scenario.content(), "written out and read again");
+            if super::runs::is_small(&scenario)
+                && let Ok(compiled) = scenario.compile()
+            {
+                let _ = percuss::advise(&compiled.model, &compiled.settings);
+            }
+        }
+    }
+}
+
+/// A study.
+pub fn study(data: &[u8]) {
+    let Some(text) = text(data) else { return };
+    match StudyFile::read(text, "fuzz.toml") {
+        Err(faults) => assert!(!faults.to_string().is_empty(), "a fault without words"),
+        Ok(study) => {
+            let _ = study.content.to_toml();
+        }
+    }
+}
+
+/// A quantity with its unit: finite where it is taken.
+pub fn unit(data: &[u8]) {
+    let Some(text) = text(data) else { return };
+    if let Ok(quantity) = units::parse(text) {
+        assert!(!quantity.value.is_nan(), "{text:?} is no number");
+    }
+}
+
+/// A change by `--set` in the first line, and the file it is made to in the others, or else a template.
+pub fn overrides(data: &[u8]) {
+    let Some(text) = text(data) else { return };
+    let (change, file) = text.split_once('\n').unwrap_or((text, ""));
+    let file = if file.trim().is_empty() { templates()[0].text } else { file };
+    if let Ok(changed) = apply_overrides(file, "fuzz.toml", &[change.to_owned()]) {
+        let _ = read(&changed, "fuzz.toml");
+    }
+}
