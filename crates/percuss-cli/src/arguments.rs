@@ -225,6 +225,9 @@ pub struct Sweep {
     /// fsspec location for --out
     #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["jobs", "shard", "json"])]
     pub scheduler: Option<String>,
+    /// Keep run N whole, with its history and report, in kept/run-N; may be given again, also when the study is done
+    #[arg(long, value_name = "N", conflicts_with_all = ["shard", "scheduler"])]
+    pub keep_run: Vec<u64>,
     /// Print counts and the results' ranges as JSON to standard output, and no table
     #[arg(long)]
     pub json: bool,

@@ -146,3 +146,28 @@ fn a_cluster_without_python_is_told_of() {
     );
     assert!(!desk.path("out").exists());
 }
+
+#[test]
+fn a_kept_run_is_the_one_of_the_table_and_the_page_leads_to_it() {
+    let desk = desk();
+    desk.percuss(&["sweep", "study.toml", "--out", "s", "--keep-run", "96"])
+        .ends_with(2)
+        .tells("the study has runs 0 to 95");
+    assert!(!desk.path("s").exists(), "refused before anything was run");
+    desk.percuss(&["sweep", "study.toml", "--out", "s", "--keep-run", "17"]).ends_with(0);
+    let study = percuss_study::Study::load(desk.path("study.toml")).expect("a study");
+    let table = percuss_study::Folder::open(desk.path("s"), &study)
+        .and_then(|folder| folder.results(&study))
+        .expect("a table");
+    let of_table = table.numbers("peak_force").expect("a column")[17];
+    let peak = &desk.summary("s/kept/run-17")["contact"]["mass"]["peak_force"]["value"];
+    let kept = peak.as_f64().expect("a force");
+    assert!((kept / of_table - 1.0).abs() < 1e-9, "{kept} for {of_table}");
+    // Another one later; the first stays on the page.
+    desk.percuss(&["sweep", "study.toml", "--out", "s", "--keep-run", "3"]).ends_with(0);
+    let page = std::fs::read_to_string(desk.path("s/report.html")).expect("a page");
+    for run in ["run-3", "run-17"] {
+        assert!(page.contains(&format!("href=\"kept/{run}/report.html\"")), "{run}");
+        assert!(desk.path(&format!("s/kept/{run}/report.html")).is_file());
+    }
+}

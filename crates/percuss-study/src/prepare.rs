@@ -25,6 +25,11 @@ impl<'s> Preparer<'s> {
     /// # Errors
     /// Why there is none, in one line.
     pub fn prepare(&mut self, inputs: &[Input<'s>]) -> Result<Compiled, String> {
+        self.scenario(inputs)?.compile().map_err(|diagnostics| in_one_line(&diagnostics))
+    }
+
+    /// The scenario of a run.
+    fn scenario(&mut self, inputs: &[Input<'s>]) -> Result<&Scenario, String> {
         let word = |input: &Input<'s>| match input {
             Input::Word(word) => Some(*word),
             Input::Number(_) => None,
@@ -40,7 +45,7 @@ impl<'s> Preparer<'s> {
                 })?;
             }
         }
-        scenario.compile().map_err(|diagnostics| in_one_line(&diagnostics))
+        Ok(scenario)
     }
 }
 
@@ -54,6 +59,15 @@ pub struct Invalid {
 }
 
 impl Study {
+    /// The scenario of a run as a file that names no other one.
+    ///
+    /// # Errors
+    /// Why there is none, in one line.
+    pub fn scenario_of(&self, run: u64) -> Result<String, String> {
+        let inputs = self.inputs(run);
+        Preparer::new(self).scenario(&inputs).map(Scenario::to_toml)
+    }
+
     /// Prepares at most so many runs, evenly chosen, and tells of those that are no sound scenario; and how many were prepared.
     pub fn check_sample(&self, most: u64) -> (Vec<Invalid>, u64) {
         let runs = self.run_count();

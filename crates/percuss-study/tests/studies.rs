@@ -465,7 +465,7 @@ fn shares_are_of_the_completed_runs_and_the_three_counts_are_told() {
     let forces = table.numbers("force").expect("numbers");
     let both = forces.iter().zip(&ends);
     assert!(both.clone().all(|(force, end)| force.is_nan() == end.is_nan()), "{forces:?}");
-    let page = percuss_study::report(&study, &table);
+    let page = percuss_study::report(&study, &table, &[]);
     let counts = format!("8 runs, 8 completed, {touched} of them with a value");
     assert!(page.contains(&counts), "{counts}");
     let population =

@@ -11,6 +11,7 @@ use crate::progress::Progress;
 use crate::{scenario, terminal};
 
 mod cluster;
+mod kept;
 mod outcome;
 
 /// Runs a study, or what is left of it.
@@ -20,6 +21,7 @@ pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     if let Some(scheduler) = &arguments.scheduler {
         return cluster::sweep(&arguments.study, scheduler, &out, arguments.quiet);
     }
+    kept::refuse_missing(&study, &arguments.keep_run)?;
     let folder = Folder::open(&out, &study)?;
     interrupt::install()?;
     let all = 0..study.shard_count();
@@ -52,12 +54,15 @@ pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     }
     folder.finish(&study)?;
     let table = folder.results(&study)?;
-    folder.write(percuss_study::REPORT, percuss_study::report(&study, &table).as_bytes())?;
+    let whole = kept::keep(&study, &out, &arguments.keep_run)?;
+    let kept = kept::found(&out);
+    let page = percuss_study::report(&study, &table, &kept);
+    folder.write(percuss_study::REPORT, page.as_bytes())?;
     let indices = percuss_study::indices(&study, &table);
     if study.has_sobol_indices() {
         let bytes = percuss_study::indices_parquet(&study, &indices)?;
         folder.write(percuss_study::INDICES, &bytes)?;
     }
     outcome::tell(&study, &table, &indices, arguments, &out)?;
-    Ok(Status::Done)
+    Ok(whole)
 }

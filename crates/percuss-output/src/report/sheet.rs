@@ -42,6 +42,13 @@ pub enum Block {
     Note(String),
     /// A line that nobody should miss.
     Warning(String),
+    /// Other pages beside this one.
+    Links {
+        /// What they are.
+        caption: String,
+        /// Text and relative address of each.
+        links: Vec<(String, String)>,
+    },
     /// Rows of texts below a header; the first column heads its row.
     Table {
         /// What it shows.
@@ -182,6 +189,13 @@ fn block(block: &Block) -> String {
         Block::Note(text) => format!("<p class=\"note\">{}</p>\n", escape(text)),
         Block::Warning(text) => {
             format!("<p class=\"warning\" role=\"note\">{}</p>\n", escape(text))
+        }
+        Block::Links { caption, links } => {
+            let link = |(text, page): &(String, String)| {
+                format!("<a href=\"{}\">{}</a>", escape(page), escape(text))
+            };
+            let links: Vec<String> = links.iter().map(link).collect();
+            format!("<p>{}: {}</p>\n", escape(caption), links.join(", "))
         }
         Block::Table { caption, header, rows } => {
             let header: Vec<&str> = header.iter().map(String::as_str).collect();

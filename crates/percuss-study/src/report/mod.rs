@@ -8,8 +8,9 @@ use percuss_output::report::sheet::{Block, Sheet, render};
 use crate::column::Table;
 use crate::study::Study;
 
-/// The page of a study as HTML, with everything it needs in it, made from its table alone.
-pub fn report(study: &Study, table: &Table) -> String {
+/// The page of a study as HTML, with everything it needs in it, made from its table alone; `kept` are numbers of runs that were kept
+/// whole, and where their pages are, from this one.
+pub fn report(study: &Study, table: &Table, kept: &[(u64, String)]) -> String {
     let title = match study.title() {
         "" => "Percuss study",
         title => title,
@@ -21,7 +22,13 @@ pub fn report(study: &Study, table: &Table) -> String {
         0 => format!("{runs} runs, all completed"),
         lost => format!("{runs} runs, {completed} completed, {lost} not: see the end of this page"),
     };
-    let mut blocks = vec![Block::Heading("Results".into())];
+    let mut blocks = Vec::new();
+    if !kept.is_empty() {
+        let link = |(run, page): &(u64, String)| (format!("run {run}"), page.clone());
+        let caption = "Runs that were kept, each with its scene".to_owned();
+        blocks.push(Block::Links { caption, links: kept.iter().map(link).collect() });
+    }
+    blocks.push(Block::Heading("Results".into()));
     blocks.extend(tables::results(study, table));
     blocks.extend(tables::indices(study, table));
     blocks.extend(figures::responses(study, table));

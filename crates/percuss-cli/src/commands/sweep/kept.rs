@@ -1,0 +1,70 @@
+//! Runs of a study that are kept whole: run once more, alone, with all that a run leaves.
+
+use std::path::Path;
+
+use percuss_study::Study;
+
+use crate::arguments::{History, Run};
+use crate::commands::run;
+use crate::outcome::{Failure, Status};
+
+/// Directory of the kept runs within that of the study.
+const KEPT: &str = "kept";
+
+/// Runs that the study does not have.
+pub fn refuse_missing(study: &Study, runs: &[u64]) -> Result<(), Failure> {
+    let count = study.run_count();
+    match runs.iter().find(|run| **run >= count) {
+        None => Ok(()),
+        Some(run) => Err(Failure::Input(format!(
+            "--keep-run {run}: the study has runs 0 to {}",
+            count.saturating_sub(1)
+        ))),
+    }
+}
+
+/// Runs them, each into a directory of its own, beside the scenario it follows from.
+pub fn keep(study: &Study, out: &Path, runs: &[u64]) -> Result<Status, Failure> {
+    let place = out.join(KEPT);
+    let mut worst = Status::Done;
+    for run in runs {
+        let text = study
+            .scenario_of(*run)
+            .map_err(|reason| Failure::Input(format!("run {run} has no scenario: {reason}")))?;
+        std::fs::create_dir_all(&place).map_err(|e| Failure::system(&place, "create", &e))?;
+        let file = place.join(format!("run-{run}.toml"));
+        std::fs::write(&file, text).map_err(|e| Failure::system(&file, "write", &e))?;
+        let arguments = Run {
+            file,
+            out: Some(place.join(format!("run-{run}"))),
+            set: Vec::new(),
+            strict: false,
+            json: false,
+            history: History::Parquet,
+            no_report: false,
+            figures: false,
+            open: false,
+            quiet: true,
+        };
+        match run::run(&arguments)? {
+            Status::Done => {}
+            Status::Interrupted => return Ok(Status::Interrupted),
+            other => worst = other,
+        }
+    }
+    Ok(worst)
+}
+
+/// Numbers of the runs that were kept, now or before, and their pages from that of the study.
+pub fn found(out: &Path) -> Vec<(u64, String)> {
+    let Ok(entries) = std::fs::read_dir(out.join(KEPT)) else { return Vec::new() };
+    let number = |entry: std::fs::DirEntry| {
+        let name = entry.file_name().into_string().ok()?;
+        let number = name.strip_prefix("run-")?.parse().ok()?;
+        let page = format!("{KEPT}/{name}/report.html");
+        out.join(&page).is_file().then_some((number, page))
+    };
+    let mut all: Vec<(u64, String)> = entries.flatten().filter_map(number).collect();
+    all.sort_unstable();
+    all
+}
