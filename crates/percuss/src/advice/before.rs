@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use super::case::{Beams, Case, Meeting, Struck, rigid_blow};
-use super::duration::{Lasting, Modes};
+use super::duration::{From, Lasting, Modes};
+use super::expected::{Expected, Trials};
 use super::formulas::{pulse_frequency, reduced_mass};
-use super::structure::BeamPlace;
+use super::structure::{BeamPlace, gravity, gravity_varies};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict, end_on, shear};
 use crate::contact::effective_mass::EffectiveMass;
@@ -33,19 +34,25 @@ pub fn findings(
     settings: &Settings,
     case: &Case<'_>,
     mass: Option<EffectiveMass>,
-    modes: &Modes<'_>,
+    (modes, trials): (&Modes<'_>, &Trials<'_>),
 ) -> Vec<Advice> {
     let desk = Desk { model, settings, case };
     let lasting = modes.lasting(case);
     let held = mass.is_some_and(|mass| mass.on_mesh.is_infinite())
         || lasting.as_ref().is_some_and(Lasting::is_held);
+    let expected = if held {
+        None
+    } else {
+        trials.expected(case, lasting.as_ref(), desk.is_certain(lasting.as_ref()))
+    };
+    let expected = expected.as_ref();
     let found = match &case.meeting {
         // What gives way to no blow has no waves either.
         Meeting::Struck(struck) if held => desk.held(struck, mass),
         Meeting::Beams(_) if held => vec![mass.and_then(|mass| desk.effective_mass(mass))],
-        Meeting::Struck(struck) => desk.struck(struck, mass, lasting.as_ref()),
-        Meeting::Bodies(_) => vec![lasting.map(|lasting| desk.duration(&lasting))],
-        Meeting::Beams(beams) => desk.beams(beams, mass, lasting.as_ref()),
+        Meeting::Struck(struck) => desk.struck(struck, mass, expected),
+        Meeting::Bodies(_) => vec![expected.map(|expected| desk.duration(expected))],
+        Meeting::Beams(beams) => desk.beams(beams, mass, expected),
     };
     found.into_iter().flatten().collect()
 }
@@ -58,6 +65,32 @@ pub(super) struct Desk<'a> {
 }
 
 impl Desk<'_> {
+    /// Whether an estimate holds without a trial, and if not, why.
+    fn is_certain(&self, lasting: Option<&Lasting>) -> Result<(), String> {
+        let because = |what: &str| Err(what.to_owned());
+        let (_, loads) = gravity(self.model);
+        if loads || gravity_varies(self.model) {
+            return because("other loads act as well");
+        }
+        if self.model.contacts.len() > 1 {
+            return because("other contacts may act meanwhile");
+        }
+        let Some(lasting) = lasting else {
+            return because("nothing that hand calculation knows brings it about");
+        };
+        if lasting.from == From::Comes {
+            return because("it is not known in what motion the beam comes");
+        }
+        if let Some(limit) = self.bends_beyond(lasting) {
+            return Err(format!(
+                "the struck point goes {} far, where its stiffness changes beyond some {}",
+                quantity(lasting.deflection, "m"),
+                quantity(limit, "m")
+            ));
+        }
+        Ok(())
+    }
+
     pub fn finding(
         &self,
         topic: Topic,
@@ -74,13 +107,14 @@ impl Desk<'_> {
         &self,
         struck: &Struck<'_>,
         mass: Option<EffectiveMass>,
-        lasting: Option<&Lasting>,
+        expected: Option<&Expected<'_>>,
     ) -> Vec<Option<Advice>> {
-        let contact = lasting.map(|lasting| lasting.duration);
+        let contact = expected.and_then(Expected::duration);
+        let lasting = expected.and_then(|expected| expected.lasting);
         let across = struck.across();
         vec![
             self.touch(struck, contact),
-            lasting.map(|lasting| self.duration(lasting)),
+            expected.map(|expected| self.duration(expected)),
             contact.filter(|_| across > 0.5).map(|contact| self.bending(struck, contact)),
             self.transit(&struck.place, across < 0.99),
             mass.and_then(|mass| self.effective_mass(mass)),
@@ -109,7 +143,7 @@ impl Desk<'_> {
         &self,
         beams: &Beams<'_>,
         mass: Option<EffectiveMass>,
-        lasting: Option<&Lasting>,
+        expected: Option<&Expected<'_>>,
     ) -> Vec<Option<Advice>> {
         let tangent = beams.place.tangent();
         let lengthwise = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > 0.1);
@@ -118,10 +152,11 @@ impl Desk<'_> {
             mass.and_then(|mass| self.effective_mass(mass)),
         ];
         if beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > END_ON) {
-            all.extend(end_on::on_wall(self, beams));
+            all.extend(end_on::on_wall(self, beams, expected.and_then(Expected::duration)));
         } else {
-            all.push(lasting.map(|lasting| self.duration(lasting)));
-            all.push(lasting.and_then(|lasting| self.recording(lasting.duration)));
+            all.push(expected.map(|expected| self.duration(expected)));
+            let contact = expected.and_then(Expected::duration);
+            all.push(contact.and_then(|contact| self.recording(contact)));
         }
         all
     }
