@@ -116,7 +116,7 @@ impl Desk<'_> {
             self.touch(struck, contact),
             expected.map(|expected| self.duration(expected)),
             contact.filter(|_| across > 0.5).map(|contact| self.bending(struck, contact)),
-            self.transit(&struck.place, across < 0.99),
+            self.transit(&struck.place, across < 0.99, contact),
             mass.and_then(|mass| self.effective_mass(mass)),
             self.stiffness(struck),
             contact.filter(|_| across > 0.5).map(|contact| self.span(struck, contact)),
@@ -148,7 +148,7 @@ impl Desk<'_> {
         let tangent = beams.place.tangent();
         let lengthwise = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > 0.1);
         let mut all = vec![
-            self.transit(&beams.place, lengthwise),
+            self.transit(&beams.place, lengthwise, expected.and_then(Expected::duration)),
             mass.and_then(|mass| self.effective_mass(mass)),
         ];
         if beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > END_ON) {
@@ -213,13 +213,22 @@ impl Desk<'_> {
         self.finding(Topic::BendingWave, [wave, element], "m", verdict, text)
     }
 
-    /// `lengthwise` says whether the blow has a part along the beam.
-    fn transit(&self, place: &BeamPlace<'_>, lengthwise: bool) -> Option<Advice> {
+    /// `lengthwise` says whether the blow has a part along the beam, `contact` how long it lasts, if that is known.
+    fn transit(
+        &self,
+        place: &BeamPlace<'_>,
+        lengthwise: bool,
+        contact: Option<f64>,
+    ) -> Option<Advice> {
         let step = self.settings.step;
         let transit = place.shortest_transit();
         let ratio = step / transit;
         let rigid = matches!(self.case.law, TouchLaw::Rigid(_));
+        let gentle = contact.is_some_and(|contact| contact >= STEPS[0] * step);
         let (verdict, rest) = match (ratio <= 1.0, lengthwise, rigid) {
+            (false, true, false) if gentle => {
+                (Verdict::Fine, "the waves of weight in so long a contact are longer".to_owned())
+            }
             (true, ..) => (Verdict::Fine, "the step follows such waves".to_owned()),
             (false, false, false) => {
                 (Verdict::Fine, "they matter little in a soft blow across the beam".to_owned())
@@ -317,7 +326,16 @@ impl Desk<'_> {
         let back = section.return_time(free, contact);
         let (time, lasts) = (quantity(back, "s"), quantity(contact, "s"));
         let needed = quantity(least, "m");
-        let (verdict, text) = if free >= least {
+        let (verdict, text) = if free == 0.0 {
+            let text = "the struck point is an end, or held: what holds the beam takes part in the contact throughout";
+            (Verdict::Fine, text.to_owned())
+        } else if free >= least && !struck.place.is_uniform() {
+            let text = format!(
+                "bending waves come back from the nearest end or support after {time}, when the contact of {lasts} is over; where the \
+                 beam curves or changes its section, waves come back before"
+            );
+            (Verdict::Fine, text)
+        } else if free >= least {
             let text = format!(
                 "bending waves come back from the nearest end or support after {time}, when the \
                  contact of {lasts} is over: as on a beam without end"

@@ -82,7 +82,9 @@ impl<'m> Trials<'m> {
         let guess = lasting.map(|lasting| lasting.duration);
         let found = match (self.trial(case, guess), guess) {
             // A trial that ended too early says less than an estimate that holds.
-            (Some(Stays::AtLeast(time)), Some(guess)) if certain.is_ok() && time < guess => {
+            (Some(Stays::AtLeast(time)), Some(guess))
+                if certain.is_ok() && time < guess && guess < self.settings.end =>
+            {
                 Stays::About(guess)
             }
             (Some(found), _) => found,

@@ -26,7 +26,10 @@ impl Desk<'_> {
         let (about, contact) = match &expected.stays {
             Stays::About(time) => ("lasts about", *time),
             Stays::AtLeast(time) => ("lasts at least", *time),
-            Stays::Untouched => return self.no_duration("a short trial of the model sees no contact before the run ends"),
+            Stays::Untouched => {
+                return self
+                    .no_duration("a short trial of the model sees no contact before the run ends");
+            }
             Stays::Unknown(why) => {
                 let text = format!("how long the contact lasts is not estimated: {why}");
                 return self.no_duration(&text);
