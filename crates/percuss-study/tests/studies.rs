@@ -472,28 +472,3 @@ fn shares_are_of_the_completed_runs_and_the_three_counts_are_told() {
         percuss_study::analysis::Population::of(&study, &table, "end").expect("a result");
     assert_eq!((population.with_value(), population.completed, population.runs), (touched, 8, 8));
 }
-
-/// Points whose runs did not touch are no random loss: with more than a fifth of them there are no indices, and the count is told.
-#[test]
-fn indices_of_too_few_points_are_refused() {
-    use percuss_study::analysis::{NoIndices, sobol_indices_of};
-    let base = BASE.replace("mass = 10\n", "mass = 10\nstandoff = 0\n");
-    // In 5 ms at 1 to 3 m/s all reach the beam from 1 mm, and few from 12 mm.
-    let of = |farthest: &str| {
-        let far = SAMPLED
-            .replace("path = \"projectile.p.mass\"", "path = \"projectile.p.standoff\"")
-            .replace(
-                "{ kind = \"normal\", mean = \"10 kg\", deviation = \"2 kg\", truncated = [\"5 kg\", \"15 kg\"] }",
-                &format!("{{ kind = \"uniform\", from = \"0 mm\", to = \"{farthest}\" }}"),
-            )
-            .replace("runs = 600", "runs = 8\nsobol_indices = true");
-        let study =
-            Study::from_toml(&format!("scenario = \'\'\'{base}\'\'\'\n{far}"), "study.toml");
-        let study = study.unwrap_or_else(|faults| panic!("{faults}"));
-        let table = study.run_shard(0).table;
-        sobol_indices_of(&study, &table, "force")
-    };
-    assert!(of("1 mm").is_ok_and(|found| found.points == 8));
-    let Err(NoIndices::TooFew { points, of: all }) = of("30 mm") else { panic!("refused") };
-    assert!(all == 8 && points < 7, "{points} of {all}");
-}
