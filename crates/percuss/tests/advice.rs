@@ -426,3 +426,26 @@ fn a_disc_gets_the_same_advice_as_a_guided_mass() {
     let [told, found] = durations(&b, &Settings::new(8e-3, 2e-5));
     assert!((told / found - 1.0).abs() < 0.03, "{told} {found}");
 }
+
+/// A mass in the middle ties two spans of one beam there: that is neither an end nor a support.
+#[test]
+fn a_mass_at_the_struck_point_is_no_support() {
+    let of = |mass_there: bool| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        if mass_there {
+            let name = "load".to_owned();
+            b.point_mass(PointMass {
+                name,
+                at: at("mid", beam, 0.5),
+                mass: 5.0,
+                rotary_inertia: 0.0,
+            });
+        }
+        b.projectile(mass(at("mid", beam, 0.5), 1.0, 1e6, [0.0, -0.1]));
+        let advice = advise(&freeze(&b), &Settings::new(0.02, 1e-5));
+        advice.iter().find(|a| a.topic == Topic::Span).map_or(f64::NAN, |a| a.value)
+    };
+    assert!((of(true) - 1.0).abs() < 1e-9 && (of(false) - 1.0).abs() < 1e-9, "{}", of(true));
+}

@@ -390,3 +390,22 @@ fn the_largest_deflection_of_a_later_contact_is_not_met() {
         assert!(c.difference_percent.abs() < 4.0 || c.holds_if.contains("not met"), "{c:#?}");
     }
 }
+
+/// A bar that turns meets a wall with one corner, and that is no case of the whole section.
+#[test]
+fn a_bar_that_turns_does_not_meet_the_wall_with_its_whole_section() {
+    for (spin, met) in [(0.0, true), (5.0, false)] {
+        let mut b = ModelBuilder::new();
+        let beam = steel(&mut b, 1.0, 20);
+        let about = [0.5, 0.0];
+        b.initial_motion(InitialMotion { velocity: [-1.0, 0.0], spin, about });
+        let shape = ObstacleShape::HalfPlane { point: [-1e-3, 0.0], normal: [1.0, 0.0] };
+        let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+        b.contact(Contact::new("wall", [Party::Beam(beam), Party::Obstacle(wall)], law));
+        let all = compared(&b, &Settings::new(0.02, 1e-5));
+        let force = row(&all, "elastic bar on a rigid wall", "force");
+        assert_eq!(!force.holds_if.contains("not met"), met, "{force:#?}");
+        fits(&all, 1.0);
+    }
+}

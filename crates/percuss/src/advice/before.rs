@@ -327,7 +327,7 @@ impl Desk<'_> {
         let (time, lasts) = (quantity(back, "s"), quantity(contact, "s"));
         let needed = quantity(least, "m");
         let (verdict, text) = if free == 0.0 {
-            let text = "the struck point is an end, or held: what holds the beam takes part in the contact throughout";
+            let text = "the struck point is an end of the beam, or tied to something: ends and ties take part in the contact throughout";
             (Verdict::Fine, text.to_owned())
         } else if free >= least && !struck.place.is_uniform() {
             let text = format!(

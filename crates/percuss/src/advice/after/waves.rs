@@ -111,7 +111,9 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
     let (Some(last), true) = (desk.intervals().last(), fits) else { return Vec::new() };
     let section = place.section();
     let length = place.beam.length;
-    let one = desk.intervals().len() == 1;
+    // A bar that turns meets the wall with one corner.
+    let turns = desk.model.initial_motion_of(place.index).spin != 0.0;
+    let one = desk.intervals().len() == 1 && !turns;
     let Some((blow, source)) = bar_blow(desk, &section, length) else { return Vec::new() };
     let strain = blow.force / section.axial;
     let pull = dot(gravity(desk.model).0, tangent).abs();
