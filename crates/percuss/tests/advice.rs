@@ -90,6 +90,135 @@ fn contacts_last_as_long_as_the_modes_say() {
     assert!((0.5..2.0).contains(&(told / found)), "{told} {found}");
 }
 
+/// Where modes say something else: ends that cannot slide stiffen a beam that bends far, a shallow arch snaps through, stops close.
+#[test]
+fn contacts_that_no_modes_describe_last_as_long_as_a_trial_says() {
+    let near = |b: &ModelBuilder, settings: &Settings| {
+        let [told, found] = durations(b, settings);
+        assert!((told / found - 1.0).abs() < 0.1, "{told} s told, {found} s found");
+        // That the modes say something else is said.
+        let advice = advise(&freeze(b), settings);
+        let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
+        assert!(text.is_some_and(|t| t.contains("short trial")), "{text:?}");
+    };
+    let mut b = ModelBuilder::new();
+    let thin = bar(&mut b, 2.0, 20, [0.1, 0.01]);
+    hold(&mut b, thin, &SupportKind::Pin, &[0.0, 1.0]);
+    b.projectile(mass(at("mid", thin, 0.5), 20.0, 1e6, [0.0, -5.0]));
+    let settings = Settings::new(0.2, 1e-4);
+    near(&b, &settings);
+
+    let mut b = ModelBuilder::new();
+    let pipe = bar(&mut b, 6.0, 24, [0.1, 0.1]);
+    hold(&mut b, pipe, &SupportKind::Clamp, &[0.0, 1.0]);
+    for at_end in [0.333, 0.667] {
+        let name = format!("stop {at_end}");
+        let kind = SupportKind::Stop {
+            direction: [0.0, -1.0],
+            gap: 1e-3,
+            stiffness: 1e8,
+            two_sided: false,
+        };
+        b.support(Support::new(name.clone(), at(&name, pipe, at_end), kind));
+    }
+    b.projectile(mass(at("mid", pipe, 0.5), 400.0, 2e6, [0.0, -2.0]));
+    near(&b, &Settings::new(0.3, 1e-4));
+}
+
+/// A mass that rests on a beam does not leave it: no duration is made up.
+#[test]
+fn a_contact_that_does_not_end_lasts_at_least_as_long_as_it_was_tried() {
+    let mut b = ModelBuilder::new();
+    let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+    hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+    let acceleration = [0.0, -9.81];
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration }));
+    b.projectile(mass(at("mid", beam, 0.5), 20.0, 1e5, [0.0, -1e-3]));
+    let settings = Settings { start: Start::Static, ..Settings::new(0.5, 2e-4) };
+    let model = freeze(&b);
+    let advice = advise(&model, &settings);
+    let found = advice.iter().find(|a| a.topic == Topic::ContactDuration);
+    let text = found.map(|a| &a.text);
+    assert!(text.is_some_and(|t| t.contains("at least")), "{text:?}");
+    let summary = run(&model, &settings);
+    let ContactRecord::Smooth { intervals, .. } = &summary.contacts[0].record else { return };
+    let lasts = intervals[0].end.min(settings.end) - intervals[0].start;
+    let told = found.map_or(f64::NAN, |a| a.value);
+    assert!(intervals[0].end.is_nan() || told <= lasts, "{told} {lasts}");
+}
+
+/// Too many elements for a trial, and too far bent for modes: nothing is estimated, and why.
+#[test]
+fn what_is_neither_linear_nor_tried_is_not_estimated() {
+    let of = |speed: f64| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 2900, [0.1, 0.01]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", beam, 0.5), 20.0, 1e6, [0.0, -speed]));
+        let advice = advise(&freeze(&b), &Settings::new(0.2, 1e-4));
+        let found = advice.into_iter().find(|a| a.topic == Topic::ContactDuration);
+        found.map_or(String::new(), |a| a.text)
+    };
+    let far = of(5.0);
+    assert!(far.contains("not estimated: the struck point goes"), "{far}");
+    let near = of(1e-3);
+    assert!(near.contains("lasts about"), "{near}");
+}
+
+/// A soft end-on contact is carried by waves that the step follows; a hard one is not.
+#[test]
+fn waves_along_a_beam_are_told_where_the_contact_is_short() {
+    let of = |stiffness: f64| {
+        let mut b = ModelBuilder::new();
+        let strut = bar(&mut b, 2.0, 100, [0.05, 0.05]);
+        hold(&mut b, strut, &SupportKind::Clamp, &[0.0]);
+        b.projectile(mass(at("end", strut, 1.0), 5.0, stiffness, [-0.1, 0.0]));
+        verdict(&advise(&freeze(&b), &Settings::new(0.05, 1e-5)), Topic::WaveTransit)
+    };
+    assert_eq!(of(1e6), Some(Verdict::Fine));
+    assert_eq!(of(5e9), Some(Verdict::Note));
+}
+
+/// A section cannot have more inertia than its area has at half its depth, `A h^2/4`.
+#[test]
+fn an_inertia_beyond_what_the_depth_holds_is_told() {
+    for (inertia, told) in [(4e-4 * 1e-4 * 0.99, None), (4e-4 * 1e-4 * 1.1, Some(Verdict::Warning))]
+    {
+        let mut b = ModelBuilder::new();
+        let section = Section { depth: Some(0.02), ..Section::new("given", 4e-4, inertia) };
+        let beam = of_section(&mut b, 1.0, 10, section);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0]);
+        let advice = advise(&freeze(&b), &Settings::new(0.01, 1e-5));
+        assert_eq!(verdict(&advice, Topic::Slip), told, "{advice:#?}");
+    }
+}
+
+/// A bar's flat end presses with two corners, however fine its mesh is, and both count in what is told of it.
+#[test]
+fn a_flat_end_presses_with_both_corners_on_any_mesh() {
+    for elements in [10, 50, 150] {
+        let mut b = ModelBuilder::new();
+        let flying = bar(&mut b, 1.0, elements, [0.05, 0.05]);
+        let shape = ObstacleShape::HalfPlane { point: [-1e-3, 0.0], normal: [1.0, 0.0] };
+        let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+        b.contact(Contact::new("wall", [Party::Beam(flying), Party::Obstacle(wall)], law));
+        // Slow enough that nothing beside the end comes near the wall.
+        b.initial_motion(InitialMotion { velocity: [-0.2, 0.0], ..InitialMotion::default() });
+        let settings = Settings::new(0.03, 2e-5);
+        let [told, found] = durations(&b, &settings);
+        // A rigid bar on 2 k.
+        let rigid = std::f64::consts::PI * (7850.0 * 0.0025 / 2e6_f64).sqrt();
+        assert!((told / rigid - 1.0).abs() < 0.02, "{elements}: {told} told, {rigid}");
+        assert!((found / rigid - 1.0).abs() < 0.02, "{elements}: {found} found, {rigid}");
+        let advice = advise(&freeze(&b), &settings);
+        let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
+        assert!(text.is_some_and(|t| t.contains("2 corners") && t.contains("k/2")), "{text:?}");
+        // It moves as one piece, and no wave brings its force to EA v/c.
+        assert_eq!(verdict(&advice, Topic::ForceRise), None);
+    }
+}
+
 /// 50 x 200 mm under a short blow: 8 % of force by shear. A slender bar, and a stocky one behind a soft contact, do not care.
 #[test]
 fn shear_is_told_where_it_matters() {
@@ -296,4 +425,27 @@ fn a_disc_gets_the_same_advice_as_a_guided_mass() {
     b.contact(Contact::new("blow", [Party::Disc(ball), Party::Beam(beam)], law));
     let [told, found] = durations(&b, &Settings::new(8e-3, 2e-5));
     assert!((told / found - 1.0).abs() < 0.03, "{told} {found}");
+}
+
+/// A mass in the middle ties two spans of one beam there: that is neither an end nor a support.
+#[test]
+fn a_mass_at_the_struck_point_is_no_support() {
+    let of = |mass_there: bool| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        if mass_there {
+            let name = "load".to_owned();
+            b.point_mass(PointMass {
+                name,
+                at: at("mid", beam, 0.5),
+                mass: 5.0,
+                rotary_inertia: 0.0,
+            });
+        }
+        b.projectile(mass(at("mid", beam, 0.5), 1.0, 1e6, [0.0, -0.1]));
+        let advice = advise(&freeze(&b), &Settings::new(0.02, 1e-5));
+        advice.iter().find(|a| a.topic == Topic::Span).map_or(f64::NAN, |a| a.value)
+    };
+    assert!((of(true) - 1.0).abs() < 1e-9 && (of(false) - 1.0).abs() < 1e-9, "{}", of(true));
 }

@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use super::case::{Beams, Case, Meeting, Struck, rigid_blow};
-use super::duration::{Lasting, Modes};
+use super::duration::{From, Lasting, Modes};
+use super::expected::{Expected, Trials};
 use super::formulas::{pulse_frequency, reduced_mass};
-use super::structure::BeamPlace;
+use super::structure::{BeamPlace, gravity, gravity_varies};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict, end_on, shear};
 use crate::contact::effective_mass::EffectiveMass;
@@ -33,19 +34,25 @@ pub fn findings(
     settings: &Settings,
     case: &Case<'_>,
     mass: Option<EffectiveMass>,
-    modes: &Modes<'_>,
+    (modes, trials): (&Modes<'_>, &Trials<'_>),
 ) -> Vec<Advice> {
     let desk = Desk { model, settings, case };
     let lasting = modes.lasting(case);
     let held = mass.is_some_and(|mass| mass.on_mesh.is_infinite())
         || lasting.as_ref().is_some_and(Lasting::is_held);
+    let expected = if held {
+        None
+    } else {
+        trials.expected(case, lasting.as_ref(), desk.is_certain(lasting.as_ref()))
+    };
+    let expected = expected.as_ref();
     let found = match &case.meeting {
         // What gives way to no blow has no waves either.
         Meeting::Struck(struck) if held => desk.held(struck, mass),
         Meeting::Beams(_) if held => vec![mass.and_then(|mass| desk.effective_mass(mass))],
-        Meeting::Struck(struck) => desk.struck(struck, mass, lasting.as_ref()),
-        Meeting::Bodies(_) => vec![lasting.map(|lasting| desk.duration(&lasting))],
-        Meeting::Beams(beams) => desk.beams(beams, mass, lasting.as_ref()),
+        Meeting::Struck(struck) => desk.struck(struck, mass, expected),
+        Meeting::Bodies(_) => vec![expected.map(|expected| desk.duration(expected))],
+        Meeting::Beams(beams) => desk.beams(beams, mass, expected),
     };
     found.into_iter().flatten().collect()
 }
@@ -58,6 +65,32 @@ pub(super) struct Desk<'a> {
 }
 
 impl Desk<'_> {
+    /// Whether an estimate holds without a trial, and if not, why.
+    fn is_certain(&self, lasting: Option<&Lasting>) -> Result<(), String> {
+        let because = |what: &str| Err(what.to_owned());
+        let (_, loads) = gravity(self.model);
+        if loads || gravity_varies(self.model) {
+            return because("other loads act as well");
+        }
+        if self.model.contacts.len() > 1 {
+            return because("other contacts may act meanwhile");
+        }
+        let Some(lasting) = lasting else {
+            return because("nothing that hand calculation knows brings it about");
+        };
+        if lasting.from == From::Comes {
+            return because("it is not known in what motion the beam comes");
+        }
+        if let Some(limit) = self.bends_beyond(lasting) {
+            return Err(format!(
+                "the struck point goes {} far, where its stiffness changes beyond some {}",
+                quantity(lasting.deflection, "m"),
+                quantity(limit, "m")
+            ));
+        }
+        Ok(())
+    }
+
     pub fn finding(
         &self,
         topic: Topic,
@@ -74,15 +107,16 @@ impl Desk<'_> {
         &self,
         struck: &Struck<'_>,
         mass: Option<EffectiveMass>,
-        lasting: Option<&Lasting>,
+        expected: Option<&Expected<'_>>,
     ) -> Vec<Option<Advice>> {
-        let contact = lasting.map(|lasting| lasting.duration);
+        let contact = expected.and_then(Expected::duration);
+        let lasting = expected.and_then(|expected| expected.lasting);
         let across = struck.across();
         vec![
             self.touch(struck, contact),
-            lasting.map(|lasting| self.duration(lasting)),
+            expected.map(|expected| self.duration(expected)),
             contact.filter(|_| across > 0.5).map(|contact| self.bending(struck, contact)),
-            self.transit(&struck.place, across < 0.99),
+            self.transit(&struck.place, across < 0.99, contact),
             mass.and_then(|mass| self.effective_mass(mass)),
             self.stiffness(struck),
             contact.filter(|_| across > 0.5).map(|contact| self.span(struck, contact)),
@@ -109,19 +143,20 @@ impl Desk<'_> {
         &self,
         beams: &Beams<'_>,
         mass: Option<EffectiveMass>,
-        lasting: Option<&Lasting>,
+        expected: Option<&Expected<'_>>,
     ) -> Vec<Option<Advice>> {
         let tangent = beams.place.tangent();
         let lengthwise = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > 0.1);
         let mut all = vec![
-            self.transit(&beams.place, lengthwise),
+            self.transit(&beams.place, lengthwise, expected.and_then(Expected::duration)),
             mass.and_then(|mass| self.effective_mass(mass)),
         ];
         if beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > END_ON) {
-            all.extend(end_on::on_wall(self, beams));
+            all.extend(end_on::on_wall(self, beams, expected.and_then(Expected::duration)));
         } else {
-            all.push(lasting.map(|lasting| self.duration(lasting)));
-            all.push(lasting.and_then(|lasting| self.recording(lasting.duration)));
+            all.push(expected.map(|expected| self.duration(expected)));
+            let contact = expected.and_then(Expected::duration);
+            all.push(contact.and_then(|contact| self.recording(contact)));
         }
         all
     }
@@ -178,13 +213,22 @@ impl Desk<'_> {
         self.finding(Topic::BendingWave, [wave, element], "m", verdict, text)
     }
 
-    /// `lengthwise` says whether the blow has a part along the beam.
-    fn transit(&self, place: &BeamPlace<'_>, lengthwise: bool) -> Option<Advice> {
+    /// `lengthwise` says whether the blow has a part along the beam, `contact` how long it lasts, if that is known.
+    fn transit(
+        &self,
+        place: &BeamPlace<'_>,
+        lengthwise: bool,
+        contact: Option<f64>,
+    ) -> Option<Advice> {
         let step = self.settings.step;
         let transit = place.shortest_transit();
         let ratio = step / transit;
         let rigid = matches!(self.case.law, TouchLaw::Rigid(_));
+        let gentle = contact.is_some_and(|contact| contact >= STEPS[0] * step);
         let (verdict, rest) = match (ratio <= 1.0, lengthwise, rigid) {
+            (false, true, false) if gentle => {
+                (Verdict::Fine, "the waves of weight in so long a contact are longer".to_owned())
+            }
             (true, ..) => (Verdict::Fine, "the step follows such waves".to_owned()),
             (false, false, false) => {
                 (Verdict::Fine, "they matter little in a soft blow across the beam".to_owned())
@@ -282,7 +326,16 @@ impl Desk<'_> {
         let back = section.return_time(free, contact);
         let (time, lasts) = (quantity(back, "s"), quantity(contact, "s"));
         let needed = quantity(least, "m");
-        let (verdict, text) = if free >= least {
+        let (verdict, text) = if free == 0.0 {
+            let text = "the struck point is an end of the beam, or tied to something: ends and ties take part in the contact throughout";
+            (Verdict::Fine, text.to_owned())
+        } else if free >= least && !struck.place.is_uniform() {
+            let text = format!(
+                "bending waves come back from the nearest end or support after {time}, when the contact of {lasts} is over; where the \
+                 beam curves or changes its section, waves come back before"
+            );
+            (Verdict::Fine, text)
+        } else if free >= least {
             let text = format!(
                 "bending waves come back from the nearest end or support after {time}, when the \
                  contact of {lasts} is over: as on a beam without end"

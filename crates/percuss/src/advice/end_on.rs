@@ -8,8 +8,11 @@ use super::formulas::BarOnWall;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
+use crate::contact::configuration::Configuration;
+use crate::contact::pair::{Memory, Pair};
+use crate::contact::touch::Reach;
 use crate::math::vec2::dot;
-use crate::model::TouchLaw;
+use crate::model::{Model, TouchLaw};
 
 /// Elements, or steps, in which the force of a bar rises: those that follow it, and those that make it too large by half.
 const RISES: [f64; 2] = [1.0, 0.3];
@@ -17,8 +20,8 @@ const STEPS: [f64; 2] = [4.0, 1.0];
 /// A blow with this share of its direction along a straight beam is end on.
 const END_ON: f64 = 0.99;
 
-/// A beam that meets a wall end on: how long it stays, and whether the mesh and the step follow its force.
-pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Option<Advice>> {
+/// A beam that meets a wall end on: how long it stays (as a trial expects it, where there is one), and whether the mesh and the step follow its force.
+pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec<Option<Advice>> {
     let (place, settings) = (&beams.place, desk.settings);
     let speed = beams.wall.map_or(0.0, |normal| -dot(normal, beams.velocity));
     if speed <= 0.0 || !place.is_uniform() {
@@ -29,11 +32,14 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Option<Advice>> {
     let TouchLaw::Smooth(law) = desk.case.law else {
         return vec![Some(stays(desk, wave.duration)), strut_under(desk, place, wave.force)];
     };
-    let found = section.bar_on_wall(length, speed, |p, rate| force(law, p, rate));
+    let points = points_of_end(desk.model, desk.case.index);
+    let found = section.bar_on_wall(length, speed, |p, rate| points * force(law, p, rate));
     let duration = match found {
         Some(BarOnWall::Waves(blow)) => Some(blow.duration),
         Some(BarOnWall::OnePiece) => {
-            rigid_blow(desk.case.law, section.mass * length, speed, 0.0).map(|blow| blow.duration)
+            // Each point has its share of the mass.
+            let mass = section.mass * length / points;
+            rigid_blow(desk.case.law, mass, speed, 0.0).map(|blow| blow.duration)
         }
         None => None,
     };
@@ -41,7 +47,10 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Option<Advice>> {
         Some(BarOnWall::Waves(blow)) => blow.force,
         _ => 0.0,
     };
-    let rise = section.rise_time(speed, |p| force(law, p, 0.0)).map(|rise| {
+    let duration = expected.or(duration);
+    // What takes longer than the contact never rises so far: the bar moves as one piece.
+    let rise = section.rise_time(speed, |p| points * force(law, p, 0.0));
+    let rise = rise.filter(|rise| duration.is_none_or(|lasts| *rise < lasts)).map(|rise| {
         let transit = place.element_length() / section.bar_speed();
         let (in_elements, in_steps) = (rise / transit, rise / settings.step);
         let verdict = graded(in_elements, RISES).max(graded(in_steps, STEPS));
@@ -66,14 +75,41 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Option<Advice>> {
     vec![duration.map(|duration| stays(desk, duration)), rise, strut_under(desk, place, peak)]
 }
 
+/// Points of a bar that meet a wall at once, each under the law of the contact: the corners of a flat end.
+pub fn points_of_end(model: &Model, contact: usize) -> f64 {
+    let rest = vec![[0.0; 4]; model.node_count()];
+    let gap = |pair: &Pair| {
+        let at = Configuration::of(&rest);
+        let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
+        touch.map_or(f64::INFINITY, |touch| touch.gap)
+    };
+    let gaps: Vec<f64> =
+        model.pairs[model.contacts[contact].pairs.clone()].iter().map(gap).collect();
+    let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+    let size = model.beams.iter().map(|beam| beam.length).fold(0.0, f64::max);
+    gaps.iter().filter(|gap| **gap - least <= 1e-9 * size).count().max(1) as f64
+}
+
 fn stays(desk: &Desk<'_>, duration: f64) -> Advice {
     let steps = duration / desk.settings.step;
     let verdict = graded(steps, [20.0, 8.0]);
     let mut text = format!(
-        "the bar stays on the wall for {}, {} steps",
+        "the bar stays on the wall for about {}, {} steps",
         quantity(duration, "s"),
         digits(steps)
     );
+    let points = match desk.case.law {
+        TouchLaw::Smooth(_) => points_of_end(desk.model, desk.case.index),
+        TouchLaw::Rigid(_) => 1.0,
+    };
+    if points > 1.0 {
+        text += &format!(
+            " (its flat end presses with {} corners, each under the law of the contact: for a stiffness k of the whole end, give \
+             each {})",
+            digits(points),
+            format_args!("k/{}", digits(points))
+        );
+    }
     if verdict != Verdict::Fine {
         text +=
             &format!(": set time.step to {} or less", quantity(round_down(duration / 20.0), "s"));

@@ -86,11 +86,12 @@ fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<First<'a>> {
 
 /// Velocities of all nodes at the start.
 fn velocities(model: &Model) -> Vec<[f64; 4]> {
-    let motion = &model.initial_motion;
     let beams = model.beam_node_count();
     let each = model.nodes.iter().enumerate();
     each.map(|(i, node)| match i.checked_sub(beams) {
         None => {
+            let own = model.own_motions.iter().rev().find(|(range, _)| range.contains(&i));
+            let motion = own.map_or(&model.initial_motion, |(_, motion)| motion);
             let away = sub(node.position, motion.about);
             let v = add(motion.velocity, scale(motion.spin, rot90(away)));
             let g = scale(motion.spin, rot90(node.tangent));

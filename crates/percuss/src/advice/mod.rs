@@ -8,6 +8,7 @@ mod before;
 mod case;
 mod duration;
 mod end_on;
+mod expected;
 mod first_touch;
 pub mod formulas;
 mod resolution;
@@ -163,6 +164,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     }
     let masses = model.effective_masses();
     let modes = duration::Modes::new(model);
+    let trials = expected::Trials::new(model, settings);
     let cases = (0..model.contacts.len()).filter_map(|k| case::read(model, k, None));
     let mut factored = None;
     let mut all = slips::findings(model, settings);
@@ -173,7 +175,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
             Some(k) => masses.get(k).copied(),
             None => first_touch::effective_mass(model, case.index, &mut factored),
         };
-        all.extend(before::findings(model, settings, &case, mass, &modes));
+        all.extend(before::findings(model, settings, &case, mass, (&modes, &trials)));
     }
     all
 }

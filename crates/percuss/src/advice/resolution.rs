@@ -3,6 +3,7 @@
 use super::before::{Desk, STEPS, graded};
 use super::case::Meeting;
 use super::duration::{From, Lasting};
+use super::expected::{Expected, Stays};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
 use crate::model::frozen::ConnectorLaw;
@@ -19,58 +20,88 @@ const SMALL: f64 = 0.3;
 const SMALL_SLIDING: f64 = 0.05;
 
 impl Desk<'_> {
-    pub fn duration(&self, lasting: &Lasting) -> Advice {
-        let (contact, step) = (lasting.duration, self.settings.step);
-        let steps = contact / step;
-        let who = match lasting.from {
-            From::Comes => "a beam that comes in its lowest motion stays for about",
-            _ => "the contact lasts about",
-        };
-        let mut text = format!("{who} {}, {} steps", quantity(contact, "s"), digits(steps));
-        if let Some(limit) = self.bends_beyond(lasting) {
-            text += &format!(
-                " by the modes of the structure at rest, were it linear; but the struck point goes {} far, where its stiffness \
-                 changes beyond some {}: the true contact may well be several times shorter or longer",
-                quantity(lasting.deflection, "m"),
-                quantity(limit, "m")
-            );
-        }
-        let off = lasting.off(step);
-        let verdict = match off {
-            _ if steps < 2.0 => Verdict::Warning,
-            Some(off) if off < OFF[0] && steps < RESOLVED => Verdict::Note,
-            Some(off) => graded(-off, OFF.map(|x| -x)),
-            None => graded(steps, STEPS),
-        };
-        if verdict != Verdict::Fine {
-            let mut better = step.min(contact);
-            for _ in 0..40 {
-                better = round_down(0.5 * better);
-                if contact / better >= STEPS[1]
-                    && lasting.off(better).is_none_or(|off| off < OFF[0])
-                {
-                    break;
-                }
+    /// How long the contact lasts, and whether steps resolve it.
+    pub fn duration(&self, expected: &Expected<'_>) -> Advice {
+        let step = self.settings.step;
+        let (about, contact) = match &expected.stays {
+            Stays::About(time) => ("lasts about", *time),
+            Stays::AtLeast(time) => ("lasts at least", *time),
+            Stays::Untouched => {
+                return self
+                    .no_duration("a short trial of the model sees no contact before the run ends");
             }
-            let better = quantity(better, "s");
-            text += &match off.filter(|_| steps >= 2.0) {
-                Some(off) if off < OFF[0] => format!(
-                    ": its peak force is within a per cent, its duration and velocities are hardly resolved; set time.step to \
-                     {better}"
-                ),
-                Some(off) => format!(
-                    ": expect its peak force to be off by some {} %; set time.step to {better}",
-                    digits((100.0 * off).round().max(1.0))
-                ),
-                None => format!(": the run does not see its course; set time.step to {better}"),
-            };
+            Stays::Unknown(why) => {
+                let text = format!("how long the contact lasts is not estimated: {why}");
+                return self.no_duration(&text);
+            }
+        };
+        let steps = contact / step;
+        let mut text =
+            format!("the contact {about} {}, {} steps", quantity(contact, "s"), digits(steps));
+        match (&expected.stays, expected.otherwise) {
+            (Stays::AtLeast(_), _) => text += ", after which a short trial of the model ended",
+            (_, Some(modes)) => {
+                text += &format!(
+                    " by a short trial of the model (a linear structure with its modes at rest: {})",
+                    quantity(modes, "s")
+                );
+            }
+            _ => (),
+        }
+        let off = expected.lasting.and_then(|lasting| lasting.off(step));
+        let verdict = self.resolved(steps, off);
+        if verdict != Verdict::Fine {
+            text += &self.finer(expected.lasting, contact, off);
         }
         self.finding(Topic::ContactDuration, [contact, step], "s", verdict, text)
     }
 
+    fn no_duration(&self, text: &str) -> Advice {
+        let values = [f64::NAN, self.settings.step];
+        self.finding(Topic::ContactDuration, values, "s", Verdict::Fine, text.to_owned())
+    }
+
+    fn resolved(&self, steps: f64, off: Option<f64>) -> Verdict {
+        match off {
+            _ if steps < 2.0 => Verdict::Warning,
+            Some(off) if off < OFF[0] && steps < RESOLVED => Verdict::Note,
+            Some(off) => graded(-off, OFF.map(|x| -x)),
+            None => graded(steps, STEPS),
+        }
+    }
+
+    /// What too few steps do to a contact, and how many would do.
+    fn finer(&self, lasting: Option<&Lasting>, contact: f64, off: Option<f64>) -> String {
+        let step = self.settings.step;
+        let mut better = step.min(contact);
+        for _ in 0..40 {
+            better = round_down(0.5 * better);
+            let off = lasting.and_then(|lasting| lasting.off(better));
+            let enough = if lasting.is_some() { STEPS[1] } else { STEPS[0] };
+            if contact / better >= enough && off.is_none_or(|off| off < OFF[0]) {
+                break;
+            }
+        }
+        let better = quantity(better, "s");
+        match off.filter(|_| contact / step >= 2.0) {
+            Some(off) if off < OFF[0] => format!(
+                ": its peak force is within a per cent, its duration and velocities are hardly resolved; set time.step to \
+                 {better}"
+            ),
+            Some(off) => format!(
+                ": expect its peak force to be off by some {} %; set time.step to {better}",
+                digits((100.0 * off).round().max(1.0))
+            ),
+            None if contact / step >= 2.0 => {
+                format!(": the run hardly sees its course; set time.step to {better}")
+            }
+            None => format!(": the run does not see its course; set time.step to {better}"),
+        }
+    }
+
     /// The deflection up to which the struck beam is linear, where the contact bends it farther: a third of the radius of gyration
     /// where ends cannot slide or the beam is curved, a twentieth of its length else. Stops that close count as a change, too.
-    fn bends_beyond(&self, lasting: &Lasting) -> Option<f64> {
+    pub fn bends_beyond(&self, lasting: &Lasting) -> Option<f64> {
         let Meeting::Struck(struck) = &self.case.meeting else { return None };
         let (place, section) = (&struck.place, struck.place.section());
         let stiffens = place.is_held_lengthwise() || !place.is_uniform();

@@ -142,7 +142,9 @@ impl<'a> BeamPlace<'a> {
         let ends = [0.0, self.beam.length];
         let masses = self.model.masses.iter().map(|m| &m.point);
         let masses = masses.filter(|p| p.beam == self.index).map(|p| p.s).filter(own);
-        let others = self.ties().chain(masses).chain(ends);
+        let held = self.model.holds.iter().filter_map(|hold| self.station(hold.node));
+        let tied = self.tied_points().filter(|p| !self.is_seam(p)).map(|p| p.s);
+        let others = held.chain(tied).chain(masses).chain(ends);
         others.map(|s| (s - self.s).abs()).fold(f64::INFINITY, f64::min)
     }
 
@@ -160,6 +162,20 @@ impl<'a> BeamPlace<'a> {
         let connectors = model.connectors.iter().flat_map(|c| coordinate_points(&c.coordinate));
         let index = self.index;
         constraints.chain(connectors).filter(move |p| p.beam == index)
+    }
+
+    /// Whether nothing but spans of the beam itself, in one line, are tied at a point: where a mass or a load stands inside it.
+    fn is_seam(&self, point: &MaterialPoint) -> bool {
+        let here = |p: &MaterialPoint| {
+            p.beam == self.index && (p.s - point.s).abs() <= SAME * self.beam.length
+        };
+        let inner = |points: &[MaterialPoint]| points.len() > 1 && points.iter().all(here);
+        let mut tied = self.model.constraints.iter().map(|c| c.points());
+        let mut springs =
+            self.model.connectors.iter().flat_map(|c| coordinate_points(&c.coordinate));
+        self.is_uniform()
+            && tied.all(|points| !points.iter().any(here) || inner(points))
+            && !springs.any(here)
     }
 
     /// Arc length of a node, if it is one of this beam.

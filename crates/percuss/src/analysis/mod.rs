@@ -16,6 +16,7 @@ mod modes;
 mod monitor;
 mod multiple_impacts;
 mod path;
+mod preview;
 mod section_forces;
 mod simulation;
 mod spectrum;
@@ -32,6 +33,7 @@ pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buck
 pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
 pub use path::{Path, PathPoint, equilibrium_path};
+pub(crate) use preview::{Preview, preview};
 pub use simulation::{Simulation, simulate};
 pub use start::{massless, reference_state};
 pub use static_contacts::StaticContact;

@@ -13,6 +13,11 @@ use crate::math::vec2::add;
 /// Radius of the corners of a flat end against beams, as a share of half the depth there. Two sharp corners that face each other, as
 /// those of bars that meet end on do, would not know on which side to pass; arcs of circles always have a normal.
 const CORNERS: f64 = 0.1;
+/// Circles nearer to an end than half a depth take this share of the way to it as their radius: they touch the faces, but not what the
+/// end meets before its corners do. Else a flat end would press the harder on a wall, the more elements there are within half a depth.
+/// Between beams they still touch with it and share the blow: bars that meet end on under a rigid law lose 4e-10 of their energy
+/// in the impact with the corners alone, and less than 1e-10 so.
+const INSIDE: f64 = 0.5;
 /// Places along a beam that differ by less than this share of its length are one.
 const SAME: f64 = 1e-9;
 
@@ -21,6 +26,8 @@ pub(super) struct Outline<'a> {
     model: &'a Model,
     beam: usize,
     ends: [AxisEnd; 2],
+    /// Largest radius of a circle towards an end, as a share of the way to it.
+    inside: f64,
 }
 
 /// A circle that goes with a section: what of a beam touches something.
@@ -55,7 +62,8 @@ impl<'a> Outline<'a> {
         let depths =
             [axis.first().map(|e| e.half_depths[0]), axis.last().map(|e| e.half_depths[1])];
         let ends = axis.ends(depths.map(|depth| share * depth.unwrap_or(0.0)));
-        Self { model, beam, ends }
+        let inside = if corners > 0.0 { 1.0 } else { INSIDE };
+        Self { model, beam, ends, inside }
     }
 
     /// What of it is touched.
@@ -63,8 +71,8 @@ impl<'a> Outline<'a> {
         Target::Axis { beam: self.beam, skip, ends: self.ends }
     }
 
-    /// What of it touches: circles from face to face, evenly in each element, and at both ends smaller ones that stay within the outline,
-    /// the corners last.
+    /// What of it touches: circles from face to face, evenly in each element; towards both ends smaller ones that stay within the outline,
+    /// and the corners themselves.
     pub fn sources(&self, points: usize) -> Vec<Source> {
         let data = &self.model.beams[self.beam];
         let [first, last] = &self.ends;
@@ -80,7 +88,8 @@ impl<'a> Outline<'a> {
                     continue;
                 }
                 let half_depth = element.half_depth(share);
-                let radius = half_depth.min(s).min(data.length - s);
+                let to_end = s.min(data.length - s);
+                let radius = half_depth.min(self.inside * to_end);
                 self.add(s, [half_depth - radius, radius], false, &mut out);
             }
         }

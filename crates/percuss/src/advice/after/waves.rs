@@ -2,13 +2,11 @@
 
 use super::super::Comparison;
 use super::super::case::{Beams, Struck, force, linear_stiffness, rigid_blow};
+use super::super::end_on::points_of_end;
 use super::super::formulas::{BarBlow, BarOnWall, UniformBeam, pulse_frequency};
 use super::super::structure::gravity;
 use super::super::words::digits;
 use super::{Assumptions, Desk, Formula, Quantity, against};
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Memory, Pair};
-use crate::contact::touch::Reach;
 use crate::math::vec2::{dot, norm};
 use crate::model::TouchLaw;
 use crate::summary::ContactRecord;
@@ -113,7 +111,9 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
     let (Some(last), true) = (desk.intervals().last(), fits) else { return Vec::new() };
     let section = place.section();
     let length = place.beam.length;
-    let one = desk.intervals().len() == 1;
+    // A bar that turns meets the wall with one corner.
+    let turns = desk.model.initial_motion_of(place.index).spin != 0.0;
+    let one = desk.intervals().len() == 1 && !turns;
     let Some((blow, source)) = bar_blow(desk, &section, length) else { return Vec::new() };
     let strain = blow.force / section.axial;
     let pull = dot(gravity(desk.model).0, tangent).abs();
@@ -155,24 +155,6 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
     desk.rows(&formula, quantities)
 }
 
-/// Points of the bar that meet the wall at once, each under the law of the contact: the corners of a flat end.
-fn points_of_end(desk: &Desk<'_>) -> f64 {
-    let model = desk.model;
-    let Some(data) = model.contacts.iter().find(|c| c.name == desk.contact.name) else {
-        return 1.0;
-    };
-    let rest = vec![[0.0; 4]; model.node_count()];
-    let gap = |pair: &Pair| {
-        let at = Configuration::of(&rest);
-        let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
-        touch.map_or(f64::INFINITY, |touch| touch.gap)
-    };
-    let gaps: Vec<f64> = model.pairs[data.pairs.clone()].iter().map(gap).collect();
-    let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
-    let size = model.beams.iter().map(|beam| beam.length).fold(0.0, f64::max);
-    gaps.iter().filter(|gap| **gap - least <= 1e-9 * size).count().max(1) as f64
-}
-
 /// The blow of the bar under the law of the contact, and where it comes from.
 fn bar_blow(
     desk: &Desk<'_>,
@@ -183,7 +165,7 @@ fn bar_blow(
         let source = "Saint-Venant: one wave runs up and down the bar";
         return Some((section.bar_blow(length, desk.speed), source));
     };
-    let points = points_of_end(desk);
+    let points = points_of_end(desk.model, desk.index);
     match section.bar_on_wall(length, desk.speed, |p, rate| points * force(law, p, rate))? {
         BarOnWall::Waves(blow) => {
             Some((blow, "waves of a bar whose end presses on the wall by the law of the contact"))
