@@ -87,6 +87,8 @@ impl<'m> Trials<'m> {
             {
                 Stays::About(guess)
             }
+            // A run that ends before it is longer another time.
+            (Some(Stays::Untouched), Some(guess)) if certain.is_ok() => Stays::About(guess),
             (Some(found), _) => found,
             (None, _) => {
                 let stays = match (guess, certain) {
