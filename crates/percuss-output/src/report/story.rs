@@ -63,10 +63,14 @@ fn contacts(summary: &Value) -> String {
     let main = &touched[0];
     let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
     let mut out = vec![strike(main, projectiles), largest(main), ending(main)];
-    match touched.len() - 1 {
-        0 => {}
-        1 => out.push(format!("Contact {} closed as well.", touched[1].name)),
-        more => out.push(format!("{more} more contacts closed.")),
+    let others: Vec<&str> = touched[1..].iter().map(|t| t.name).collect();
+    match others.as_slice() {
+        [] => {}
+        [one] => out.push(format!("Contact {one} closed as well.")),
+        [some @ .., last] if some.len() < 3 => {
+            out.push(format!("Contacts {} and {last} closed as well.", some.join(", ")));
+        }
+        more => out.push(format!("{} other contacts closed as well.", more.len())),
     }
     out.retain(|sentence| !sentence.is_empty());
     out.join(" ")
@@ -147,7 +151,10 @@ fn ending(main: &Touched<'_>) -> String {
             ));
         }
         let (v, t) = (quantity(Some(velocity.abs()), "m/s"), quantity(time.as_f64(), "s"));
-        Some(format!("They last parted at {t}, at {v}."))
+        Some(match times_closed(main.contact) {
+            1 => format!("They parted at {t}, moving apart at {v}."),
+            _ => format!("They last parted at {t}, moving apart at {v}."),
+        })
     };
     let after = |i: &&Value| {
         let end = i["end"].as_f64().unwrap_or(f64::NEG_INFINITY);
@@ -158,6 +165,26 @@ fn ending(main: &Touched<'_>) -> String {
         None => struck.and_then(|impact| parted(impact, &impact["time"])),
     };
     told.unwrap_or_default()
+}
+
+/// Impacts and intervals of a contact.
+fn times_closed(contact: &Value) -> usize {
+    let impacts = contact["impact_count"].as_u64().unwrap_or(0) as usize;
+    impacts + list(contact, "intervals").len()
+}
+
+/// When the last contact of all opened; none where one is still closed or none ever was.
+fn last_parting(summary: &Value) -> Option<f64> {
+    let contacts = summary["contact"].as_object()?;
+    let of_one = |contact: &Value| {
+        let ends = list(contact, "intervals").iter().map(|i| i["end"].as_f64().unwrap_or(f64::NAN));
+        let impacts = list(contact, "impacts").iter().filter_map(|i| i["time"].as_f64());
+        ends.chain(impacts)
+            .reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+    };
+    let last = contacts.values().filter_map(of_one);
+    last.reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+        .filter(|time| time.is_finite())
 }
 
 /// The largest displacement of a recorded point.
@@ -182,6 +209,7 @@ fn deflection(summary: &Value) -> Option<String> {
 /// The largest moment, and the largest stress where one is known.
 fn sections(summary: &Value) -> Option<String> {
     let beams = summary["section_forces"].as_object()?;
+    let parting = last_parting(summary);
     let largest = |quantity: &str| {
         beams
             .iter()
@@ -192,7 +220,10 @@ fn sections(summary: &Value) -> Option<String> {
     };
     let place = |(name, one, value): (&String, &Value, f64), unit: &str| {
         let (s, time) = (quantity(one["s"].as_f64(), "m"), quantity(one["time"].as_f64(), "s"));
-        format!("{} in {name} at s = {s}, {time}", quantity(Some(value.abs()), unit))
+        // What rings after the blow is worth saying.
+        let after = parting.zip(one["time"].as_f64()).is_some_and(|(end, time)| time > end);
+        let after = if after { ", after the contact" } else { "" };
+        format!("{} in {name} at s = {s}, {time}{after}", quantity(Some(value.abs()), unit))
     };
     // A moment is told beside the energy in play: what is nothing but round-off of it is none.
     let floor = 1e-12 * summary["energy"]["scale"].as_f64().unwrap_or(0.0);
@@ -214,8 +245,10 @@ fn balance(summary: &Value) -> String {
     let energy = &summary["energy"];
     let scale = quantity(energy["scale"].as_f64(), "J");
     let mut out = match energy["residual_max"].as_f64() {
-        Some(r) if r < 1e-8 => format!("The energy balance closes to {} of {scale}.", number(r)),
-        Some(r) => format!("The energy balance is off by {} of {scale}.", number(r)),
+        Some(r) if r < 1e-8 => {
+            format!("The energy balance closes to {}, relative to {scale}.", number(r))
+        }
+        Some(r) => format!("The energy balance is off by {}, relative to {scale}.", number(r)),
         None => String::new(),
     };
     if let Some(status @ ("failed" | "interrupted")) = summary["status"].as_str() {
@@ -273,8 +306,8 @@ mod tests {
         assert_eq!(
             plain(&summary),
             "car struck left@0.5m at 8.333 m/s, 10 ms after the start. The contact force reached 176.6 kN at 111.2 ms. \
-             They last parted at 222.3 ms, at 8.326 m/s. The largest displacement is -20 mm along e2, of mid at 300 ms. \
-             The largest moment 63 kN m in left at s = 0 m, 100 ms. The energy balance closes to 9e-15 of 52.93 kJ."
+             They last parted at 222.3 ms, moving apart at 8.326 m/s. The largest displacement is -20 mm along e2, of mid at 300 ms. \
+             The largest moment 63 kN m in left at s = 0 m, 100 ms. The energy balance closes to 9e-15, relative to 52.93 kJ."
         );
     }
 
@@ -299,9 +332,27 @@ mod tests {
         );
         assert!(text.contains("left no velocity of separation"), "{text}");
         assert!(
-            text.contains("The run failed at 500 ms. The energy balance is off by 1e-3 of 1 J."),
+            text.contains(
+                "The run failed at 500 ms. The energy balance is off by 1e-3, relative to 1 J."
+            ),
             "{text}"
         );
+        let two = |name: &str| {
+            json!({ "between": ["a", name], "peak_force": { "value": 1.0, "time": 0.1 },
+            "intervals": [{ "start": 0.1, "end": 0.2, "separation_velocity": 1.0 }] })
+        };
+        let moment =
+            json!({ "b": { "moment": { "max": { "value": 5.0, "s": 1.0, "time": 0.3 } } } });
+        let several = |names: &[&str]| {
+            let contacts: Map<String, Value> =
+                names.iter().map(|n| ((*n).into(), two(n))).collect();
+            plain(&json!({ "contact": contacts, "energy": {}, "section_forces": moment }))
+        };
+        let text = several(&["x"]);
+        assert!(text.contains("They parted at 200 ms, moving apart at 1 m/s."), "{text}");
+        assert!(text.contains("s = 1 m, 300 ms, after the contact."), "{text}");
+        assert!(several(&["x", "y", "z"]).contains("Contacts y and z closed as well."));
+        assert!(several(&["v", "w", "x", "y", "z"]).contains("4 other contacts closed as well."));
         let resting = json!([{ "start": 0.2, "end": null }]);
         let text = plain(&run(vec![impact(0.1, 7.0, 4.0)], resting));
         assert!(text.contains("still in contact at the end"), "{text}");
