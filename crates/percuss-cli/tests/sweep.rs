@@ -171,3 +171,40 @@ fn a_kept_run_is_the_one_of_the_table_and_the_page_leads_to_it() {
         assert!(desk.path(&format!("s/kept/{run}/report.html")).is_file());
     }
 }
+
+#[cfg(unix)]
+fn program(desk: &Desk, name: &str, text: &str) -> String {
+    use std::os::unix::fs::PermissionsExt as _;
+    desk.put(name, text);
+    let path = desk.path(name);
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).expect("a program");
+    path.to_string_lossy().into_owned()
+}
+
+#[cfg(unix)]
+#[test]
+fn a_cluster_that_leaves_no_results_is_no_success() {
+    let desk = desk();
+    let python = program(&desk, "idle", "#!/bin/sh\nexit 0\n");
+    let mut command =
+        desk.command(&["sweep", "study.toml", "--scheduler", "tcp://nowhere:1", "--out", "c"]);
+    let done = command.env("PERCUSS_PYTHON", python).output().expect("percuss");
+    let told = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert_eq!(done.status.code(), Some(1), "{told}");
+    assert!(told.contains("its results are not there"), "{told}");
+}
+
+#[test]
+fn modules_of_the_working_directory_are_not_run() {
+    let desk = desk();
+    for name in ["percuss.py", "distributed.py", "runpy.py"] {
+        desk.put(name, "open('hijacked', 'w').close()\n");
+    }
+    let mut command =
+        desk.command(&["sweep", "study.toml", "--scheduler", "tcp://127.0.0.1:1", "--out", "c"]);
+    // An interpreter of its own: what is installed for the user does not matter.
+    let done = command.env("PYTHONNOUSERSITE", "1").stdin(Stdio::null()).output();
+    let done = done.expect("percuss");
+    assert_ne!(done.status.code(), Some(0));
+    assert!(!desk.path("hijacked").exists(), "a file of the working directory was run");
+}

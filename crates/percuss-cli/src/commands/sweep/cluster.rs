@@ -5,12 +5,20 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
+use percuss_study::{Folder, Study};
+
 use crate::outcome::{Failure, Status};
 
 /// Names another interpreter than `python3`.
 const INTERPRETER: &str = "PERCUSS_PYTHON";
+/// Python looks for modules in the working directory first, where someone else's files may lie: not here. (`-P` does the same, from
+/// Python 3.11 on.)
+const AWAY: &str = "import sys; sys.path[:] = [p for p in sys.path if p not in ('', '.')]\n";
 /// What such a sweep needs.
 const PROBE: &str = "import percuss, distributed";
+/// `python3 -m percuss`, which takes the arguments that follow.
+const MODULE: &str =
+    "import runpy; runpy.run_module('percuss', run_name='__main__', alter_sys=True)";
 
 /// Runs a study, or what is left of it, on a Dask cluster: `python3 -m percuss sweep`.
 ///
@@ -20,24 +28,49 @@ pub fn sweep(study: &Path, scheduler: &str, out: &Path, quiet: bool) -> Result<S
     let python = env::var_os(INTERPRETER).unwrap_or_else(|| OsString::from("python3"));
     let name = python.to_string_lossy().into_owned();
     probe(&python, &name)?;
-    let mut command = Command::new(&python);
-    command.args(["-m", "percuss", "sweep"]).arg(study);
+    let mut command = python_away(&python, MODULE);
+    command.arg("sweep").arg(study);
     command.args(["--scheduler", scheduler]).arg("--out").arg(out);
     if quiet {
         command.arg("--quiet");
     }
     let ended = command.status().map_err(|error| missing(&name, &error.to_string()))?;
     Ok(match ended.code() {
-        Some(0) => Status::Done,
+        Some(0) => {
+            refuse_missing(study, out)?;
+            Status::Done
+        }
         Some(2) => Status::Input,
         Some(130) | None => Status::Interrupted,
         Some(_) => Status::System,
     })
 }
 
+/// Python with a program, which finds no modules in the working directory, nor do the processes it starts.
+fn python_away(python: &OsString, program: &str) -> Command {
+    let mut command = Command::new(python);
+    command.env("PYTHONSAFEPATH", "1").arg("-c").arg(format!("{AWAY}{program}"));
+    command
+}
+
+/// What ended as if it were done has left a whole table, where that can be looked at.
+fn refuse_missing(study: &Path, out: &Path) -> Result<(), Failure> {
+    if out.to_string_lossy().contains("://") {
+        return Ok(());
+    }
+    let study = Study::load(study)?;
+    let table = Folder::open(out, &study).and_then(|folder| folder.results(&study));
+    match table {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Failure::System(format!(
+            "the sweep ended as if it were done, but its results are not there: {error}"
+        ))),
+    }
+}
+
 /// Whether Python has what it takes.
 fn probe(python: &OsString, name: &str) -> Result<(), Failure> {
-    let tried = Command::new(python).args(["-c", PROBE]).output();
+    let tried = python_away(python, PROBE).output();
     let tried = tried.map_err(|error| missing(name, &error.to_string()))?;
     if tried.status.success() {
         return Ok(());
