@@ -339,3 +339,23 @@ fn a_run_that_gives_up_leaves_the_complete_one_before_it() {
     assert_eq!(desk.summary("out")["status"], "completed");
     assert_eq!(desk.summary("out.incomplete")["status"], "failed");
 }
+
+#[test]
+fn energy_out_of_nothing_ends_the_run_in_words() {
+    let desk = Desk::empty();
+    desk.put("beam.toml", include_str!("../../../scenarios/flying-beam.toml"));
+    let run = |scheme: &str, out: &str| {
+        let scheme = format!("integrator.scheme={scheme}");
+        let step = "time.step=0.4 s";
+        desk.percuss(&["run", "beam.toml", "--set", &scheme, "--set", step, "--out", out])
+    };
+    let grown = run("midpoint", "m");
+    grown.ends_with(3);
+    for words in ["energy grew out of nothing", "does not conserve energy", "energy-momentum"] {
+        assert!(grown.stderr.contains(words), "{}", grown.stderr);
+    }
+    assert!(!grown.stderr.contains("NaN"), "{}", grown.stderr);
+    // What conserves energy takes the same step to the end.
+    run("energy-momentum", "e").ends_with(0);
+    assert!(desk.summary("e")["energy"]["residual_max"].as_f64().expect("a number") < 1e-10);
+}

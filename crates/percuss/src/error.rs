@@ -17,6 +17,7 @@ enum ErrorKind {
     NothingHolds { body: String },
     Overlap { what: String },
     Singular { time: f64, place: String },
+    Grown { time: f64, made: f64, came: f64 },
     Recorder(crate::record::RecorderError),
 }
 
@@ -56,6 +57,11 @@ impl Error {
         Self { kind: ErrorKind::Singular { time, place } }
     }
 
+    /// A scheme that does not conserve energy has made more of it than any result can have: `made` \[J\] beyond what `came` in \[J\].
+    pub(crate) fn grown(time: f64, made: f64, came: f64) -> Self {
+        Self { kind: ErrorKind::Grown { time, made, came } }
+    }
+
     /// The recorder failed.
     pub(crate) fn recorder(source: crate::record::RecorderError) -> Self {
         Self { kind: ErrorKind::Recorder(source) }
@@ -75,6 +81,11 @@ impl Error {
     /// Whether the tangent was singular.
     pub fn is_singular(&self) -> bool {
         matches!(self.kind, ErrorKind::Singular { .. })
+    }
+
+    /// Whether energy grew out of nothing.
+    pub fn is_growth(&self) -> bool {
+        matches!(self.kind, ErrorKind::Grown { .. })
     }
 
     /// Whether the recorder failed (for instance because the disk is full).
@@ -116,6 +127,12 @@ impl fmt::Display for Error {
             ErrorKind::Singular { time, place } => {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")
             }
+            ErrorKind::Grown { time, made, came } => write!(
+                f,
+                "energy grew out of nothing: at t = {time:.6e} s there are {made:.4e} J more than the {came:.4e} J that were there at the \
+                 start or were put in (the run ends at ten times as much): the scheme of this run does not conserve energy; \
+                 take integrator.scheme = \"energy-momentum\" or a smaller time.step"
+            ),
             ErrorKind::Recorder(source) => write!(f, "the results could not be written: {source}"),
         }
     }

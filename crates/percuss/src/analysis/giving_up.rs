@@ -36,7 +36,11 @@ impl Simulation<'_> {
                     String::new()
                 };
                 let at = place(node) + &collapsed;
-                let what = format!("scaled residual {residual:.3e}, largest at {at}");
+                let what = if residual.is_finite() {
+                    format!("scaled residual {residual:.3e}, largest at {at}")
+                } else {
+                    format!("forces grow beyond all numbers, first at {at}")
+                };
                 Error::no_convergence(time, step, what)
             }
             Failure::Impact => {

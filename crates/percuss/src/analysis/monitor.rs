@@ -97,6 +97,8 @@ pub struct Monitor {
     impulsive: bool,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
+    /// Largest sum of the energy at the start and the works so far, all by their magnitudes \[J\].
+    pub energy_came: f64,
     /// Largest residual of linear momentum \[kg m/s\].
     pub linear_residual: f64,
     /// Largest residual of angular momentum \[kg m^2/s\].
@@ -124,6 +126,7 @@ impl Monitor {
             lines: Lines::at_rest(model, state, pressed),
             impulsive: false,
             energy_residual: 0.0,
+            energy_came: 0.0,
             linear_residual: 0.0,
             angular_residual: 0.0,
             curvature_drift: 0.0,
@@ -223,6 +226,8 @@ impl Monitor {
     /// Takes the measures of a new state into the largest residuals.
     pub fn audit(&mut self, books: &Books, m: &Measures) {
         let linear = books.linear_residual(m);
+        let came = books.energy_initial.abs() + books.work_loads.abs() + books.work_supports.abs();
+        self.energy_came = self.energy_came.max(came);
         self.energy_residual = larger(self.energy_residual, books.energy_residual(m));
         self.linear_residual = larger(self.linear_residual, linear[0].hypot(linear[1]));
         self.angular_residual = larger(self.angular_residual, books.angular_residual(m));

@@ -33,6 +33,8 @@ use crate::summary::*;
 const SMALLEST_SHARE: f64 = 1e-4;
 /// Parts of a step, impacts and cuts included, before the analysis gives up: more would not end.
 const MOST_PARTS: usize = 20_000;
+/// Energy out of nothing at which a run ends, beside what was there at the start or was put in.
+const MOST_MADE: f64 = 10.0;
 
 /// A transient analysis in progress.
 ///
@@ -292,7 +294,20 @@ impl<'m> Simulation<'m> {
         // Never back, not even by the last bit, behind an impact at the end of the step.
         let time = grid.min(self.settings.end) + self.state.offset;
         self.state.time = if self.state.offset > 0.0 { time.max(self.state.time) } else { time };
+        self.refuse_growth()?;
         Ok(recorder.progress(self.state.time))
+    }
+
+    /// Ends a run whose scheme makes energy out of nothing. What conserves it never comes near: its residual is round-off beside the
+    /// largest energy so far.
+    fn refuse_growth(&self) -> Result<(), Error> {
+        let books = &self.state.books;
+        let (made, came) = (books.energy_residual(&self.measures), self.monitor.energy_came);
+        let grown = made > MOST_MADE * came && made > 0.5 * books.energy_scale;
+        if grown || made == f64::INFINITY {
+            return Err(Error::grown(self.state.time, made, came));
+        }
+        Ok(())
     }
 
     /// Measures the new state; follows every accepted step.
