@@ -19,6 +19,7 @@ mod path;
 pub mod report;
 mod shapes;
 mod summary;
+pub mod vtkhdf;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
 pub use directory::{Extent, Results, RunDirectory, RunUpdate};

@@ -1,0 +1,45 @@
+//! `percuss export`.
+
+use std::path::Path;
+
+use percuss_output::{Extent, Results, RunDirectory, RunUpdate, fields, vtkhdf};
+
+use super::report::refuse_what_is_no_run;
+use crate::arguments::{Export, ExportFormat};
+use crate::outcome::{Failure, Status};
+use crate::terminal;
+
+/// Directory within that of the run.
+const INSIDE: &str = "paraview";
+
+/// Writes the shapes of a finished run for another program.
+pub fn run(arguments: &Export) -> Result<Status, Failure> {
+    let ExportFormat::Vtkhdf = arguments.format;
+    let dir = &arguments.dir;
+    refuse_what_is_no_run(dir)?;
+    let Some(fields) = fields::read(dir)? else {
+        return Err(Failure::Input(format!(
+            "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
+            dir.display()
+        )));
+    };
+    let (place, names) = match &arguments.out {
+        Some(out) => {
+            let directory = RunDirectory::create_for(Results::Export, out)?;
+            let names = vtkhdf::write(directory.path(), &fields)?;
+            (directory.commit_as(Extent::Complete)?, names)
+        }
+        None => {
+            let update = RunUpdate::open(dir)?;
+            let names = vtkhdf::write(update.path().join(INSIDE), &fields)?;
+            update.commit()?;
+            (dir.join(INSIDE), names)
+        }
+    };
+    terminal::tell(&told(&place, &names, fields.frames.len()));
+    Ok(Status::Done)
+}
+
+fn told(place: &Path, names: &[&str], frames: usize) -> String {
+    format!("{}: {} with {frames} instants, for ParaView", place.display(), names.join(", "))
+}
