@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use percuss_output::{Extent, Results, RunDirectory, RunUpdate, fields, vtkhdf};
+use percuss_output::{RunUpdate, fields, vtkhdf};
 
 use super::report::refuse_what_is_no_run;
 use crate::arguments::{Export, ExportFormat};
@@ -25,9 +25,8 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
     };
     let (place, names) = match &arguments.out {
         Some(out) => {
-            let directory = RunDirectory::create_for(Results::Export, out)?;
-            let names = vtkhdf::write(directory.path(), &fields)?;
-            (directory.commit_as(Extent::Complete)?, names)
+            let names = vtkhdf::export(out, &fields)?;
+            (out.clone(), names)
         }
         None => {
             let update = RunUpdate::open(dir)?;

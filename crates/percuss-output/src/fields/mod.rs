@@ -6,6 +6,7 @@
 mod file;
 mod scene;
 mod store;
+mod thin;
 
 pub use file::{read, write};
 pub use scene::scene_value;

@@ -98,6 +98,14 @@ impl FrameStore {
         }
     }
 
+    /// The same with at most so many frames of either kind, whatever the memory; none at 0.
+    pub fn at_most(mut self, frames: usize) -> Self {
+        self.keeps = frames > 0;
+        self.calm.most = frames;
+        self.touching.most = frames;
+        self
+    }
+
     /// Whether the frame of a row is to be kept, as [`percuss::Recorder::wants_frame`] asks.
     pub fn wants(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
         if !self.keeps {

@@ -14,8 +14,9 @@ mod poly;
 use std::fs;
 use std::path::Path;
 
+use crate::directory::{Extent, Results, RunDirectory};
 use crate::error::Error;
-use crate::fields::Fields;
+use crate::fields::{DIRECTORY as FIELDS, Fields};
 use placed::Placed;
 
 /// Writes the files into a directory, which is made if it is not there; their names, of what the run has.
@@ -24,7 +25,7 @@ use placed::Placed;
 /// If nothing was kept of the run, what was kept does not fit its scene, or a file cannot be written.
 pub fn write(dir: impl AsRef<Path>, fields: &Fields) -> Result<Vec<&'static str>, Error> {
     let dir = dir.as_ref();
-    let unfit = |reason: String| Error::content(dir, reason);
+    let unfit = |reason: String| Error::content(FIELDS, reason);
     let placed = Placed::new(fields).map_err(unfit)?;
     fs::create_dir_all(dir).map_err(|e| Error::io(dir, "create", e))?;
     let series = [
@@ -41,4 +42,15 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields) -> Result<Vec<&'static str>
         written.push(name);
     }
     Ok(written)
+}
+
+/// Writes the files into a directory of their own: all or none, in place of an earlier export and of nothing else.
+///
+/// # Errors
+/// As [`write`], or if something else stands in the directory.
+pub fn export(target: impl AsRef<Path>, fields: &Fields) -> Result<Vec<&'static str>, Error> {
+    let directory = RunDirectory::create_for(Results::Export, target)?;
+    let names = write(directory.path(), fields)?;
+    directory.commit_as(Extent::Complete)?;
+    Ok(names)
 }
