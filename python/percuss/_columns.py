@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, ValuesView
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -25,8 +26,10 @@ class Columns(Generic[Kind]):
         @property
         def __class__(self) -> type:
             # `pandas.DataFrame(result)` takes columns by their names from what says it is a dict, and from nothing else. To be
-            # one in truth would cost more: pyarrow takes real dicts before tables, and would lose the units.
-            return dict
+            # one in truth, or to say so to everybody, would cost more: pyarrow takes dicts before tables, and would lose the
+            # units, and IPython would print every number.
+            asks = str(sys._getframe(1).f_globals.get("__name__", ""))
+            return dict if asks.partition(".")[0] == "pandas" else type(self)
 
     def __getitem__(self, name: str) -> NDArray[Kind]:
         try:

@@ -26,6 +26,13 @@ def pyplot() -> Any:
     return plt
 
 
+def equal_axes(ax: Any) -> None:
+    """Axes of places."""
+    ax.set_aspect("equal", adjustable="datalim")
+    ax.set_xlabel("position along e1 [m]")
+    ax.set_ylabel("position along e2 [m]")
+
+
 class Plots:
     """Figures of a result; each takes ``ax`` to draw on and returns it."""
 

@@ -16,6 +16,7 @@ from . import _arrow, _percuss
 from ._columns import Columns
 from ._fields import Fields
 from ._structure import Shapes
+from ._words import engineering
 
 if TYPE_CHECKING:
     import pandas
@@ -179,23 +180,22 @@ class Result(Columns[np.float64]):
         if "error" in run:
             yield "error", run["error"]
         energy, momentum = run["energy"], run["momentum"]
-        yield "energy", f"{_number(energy['initial'])} J to {_number(energy['final'])} J"
+        yield "energy", f"{engineering(energy['initial'], 'J')} to {engineering(energy['final'], 'J')}"
         yield (
-            "books, residuals (relative)",
-            f"energy {_number(energy['residual_max'])}, linear momentum {_number(momentum['linear_residual_max'])}, "
-            f"angular {_number(momentum['angular_residual_max'])}",
+            "balance, residuals (relative)",
+            f"energy {energy['residual_max']:.1e}, linear momentum {momentum['linear_residual_max']:.1e}, "
+            f"angular {momentum['angular_residual_max']:.1e}",
         )
         for name, contact in run["contact"].items():
             if "peak_force" in contact and contact["peak_force"]["value"] is not None:
                 peak = contact["peak_force"]
-                yield f"contact {name}", f"peak force {_number(peak['value'])} N at {_number(peak['time'])} s"
+                yield f"contact {name}", f"peak force {engineering(peak['value'], 'N')} at {engineering(peak['time'], 's')}"
             elif "impact_count" in contact:
                 yield f"contact {name}", f"{contact['impact_count']} impacts"
         for name, point in run["point"].items():
-            peaks = [point["displacement_max"][f"component_{i}"]["value"] for i in (1, 2)]
-            yield f"point {name}", f"largest displacements {_number(peaks[0])} m, {_number(peaks[1])} m"
+            peaks = [point["displacement_max"][f"component_{i}"]["value"] or 0.0 for i in (1, 2)]
+            # Beside the larger one, round-off is nothing.
+            told = [engineering(peak if abs(peak) > 1e-9 * max(map(abs, peaks)) else 0.0, "m") for peak in peaks]
+            yield f"point {name}", f"largest displacements {told[0]} along e1, {told[1]} along e2"
         yield "history", f"{len(self)} rows, {len(self.columns)} columns"
 
-
-def _number(value: float | None) -> str:
-    return "-" if value is None else f"{value:.6g}"
