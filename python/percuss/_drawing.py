@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -40,17 +41,20 @@ class Drawing:
         self.unit = SYMBOL * self.size
         self._own: list[Any] = []
         self._top = self._largest() if colour != "none" else 0.0
-        room = 0.1 * self.size
+        margin = 0.1 * self.size
         ax.set_aspect("equal", adjustable="box")
-        ax.set_xlim(self.low[0] - room, self.high[0] + room)
-        ax.set_ylim(self.low[1] - room, self.high[1] + room)
+        ax.set_xlim(self.low[0] - margin, self.high[0] + margin)
+        ax.set_ylim(self.low[1] - margin, self.high[1] + margin)
         ax.set_xlabel("position along e1 [m]")
         ax.set_ylabel("position along e2 [m]")
         if colour != "none":
             self._legend()
 
-    def draw(self, t: float, forces: bool = True, loads: bool = True, ghost: bool = True) -> list[Any]:
-        """The scene at a time; impulses are shown in the frames in which they act."""
+    def draw(self, t: float, hide: Collection[str] = ()) -> list[Any]:
+        """The scene at a time; impulses are shown in the frames in which they act. Of ``forces``, ``loads``, ``ghost`` any may be
+        hidden."""
+        if unknown := set(hide) - {"forces", "loads", "ghost"}:
+            raise ValueError(f"hide={sorted(unknown)}: expected some of forces, loads, ghost")
         for artist in self._own:
             artist.remove()
         self._own = []
@@ -59,7 +63,7 @@ class Drawing:
         self.t = t
         symbols = Symbols(self)
         symbols.obstacles()
-        if ghost:
+        if "ghost" not in hide:
             self._ghost()
         symbols.supports()
         symbols.springs()
@@ -69,9 +73,9 @@ class Drawing:
         symbols.joints_and_masses()
         symbols.bodies()
         if len(self.fields):
-            if loads:
+            if "loads" not in hide:
                 symbols.loads()
-            if forces:
+            if "forces" not in hide:
                 self._forces()
         note = f", displacements \u00d7 {self.scale:g}" if self.scale != 1.0 else ""
         self.ax.set_title(f"t = {engineering(t, 's')}{note}")
@@ -87,7 +91,8 @@ class Drawing:
         from matplotlib.patches import Polygon
 
         edge_colour = "none" if edge is None else COLOURS[edge]
-        patch = Polygon(np.asarray(points, float), closed=True, facecolor=COLOURS.get(fill, fill), edgecolor=edge_colour, linewidth=width, **style)
+        corners, colour = np.asarray(points, float), COLOURS.get(fill, fill)
+        patch = Polygon(corners, closed=True, facecolor=colour, edgecolor=edge_colour, linewidth=width, **style)
         self._own.append(self.ax.add_patch(patch))
 
     def circle(self, centre: Any, radius: float, fill: str, edge: str = "outline", width: float = 1.0) -> None:
@@ -210,13 +215,13 @@ def bounds(fields: Fields, scale: float = 1.0) -> tuple[Floats, Floats]:
     if not np.isfinite(low).all():
         return np.array([-1.0, -1.0]), np.array([1.0, 1.0])
     _grow_by_guided(fields, low, high)
-    # A straight structure keeps room for what is drawn beside it.
+    # A straight structure keeps a margin for what is drawn beside it.
     short = np.maximum(0.18 * float(max(high - low)) - (high - low), 0.0) / 2
     return low - short, high + short
 
 
 def _grow_by_guided(fields: Fields, low: Floats, high: Floats) -> None:
-    """Room for guided projectiles, whose blocks and springs have the size of symbols."""
+    """A margin for guided projectiles, whose blocks and springs have the size of symbols."""
     bodies = fields.scene["bodies"]
     unit, still = SYMBOL * float(max(high - low)), np.zeros((fields.nodes, 4))
     for k, body in enumerate(bodies):

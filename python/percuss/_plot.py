@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -45,12 +46,11 @@ class Plots:
         ax: Axes | None = None,
         scale: float = 1.0,
         colour: str = "none",
-        forces: bool = True,
-        loads: bool = True,
-        ghost: bool = True,
+        hide: Collection[str] = (),
     ) -> Axes:
         """The scene at a time, that of the largest contact force by default: beams to scale, supports, bodies, loads, contact
-        forces. ``colour`` is ``stress``, ``moment``, ``axial`` or ``shear``; displacements are drawn times ``scale``."""
+        forces. ``colour`` is ``stress``, ``moment``, ``axial`` or ``shear``; displacements are drawn times ``scale``; ``hide`` takes
+        away some of ``forces``, ``loads`` and ``ghost``, the reference configuration."""
         from ._drawing import Drawing
 
         fields = self._result.fields
@@ -59,7 +59,7 @@ class Plots:
             peak = fields.largest[1]
             t = float(fields.time[0]) if peak is None else peak
         ax = ax or pyplot().subplots(figsize=_figure_size(fields))[1]
-        Drawing(fields, ax, scale, colour).draw(t, forces, loads, ghost)
+        Drawing(fields, ax, scale, colour).draw(t, hide)
         return ax
 
     def columns(self, *names: str, ax: Axes | None = None) -> Axes:
@@ -145,7 +145,11 @@ class Plots:
         times = np.linspace(start, end, max(int(frames), 1))
         figure, ax = plt.subplots(figsize=_figure_size(fields))
         drawing = Drawing(fields, ax, scale, colour)
-        animation = FuncAnimation(figure, lambda k: drawing.draw(float(times[k])), frames=len(times), interval=interval, init_func=lambda: [])
+
+        def show(k: int) -> list[Any]:
+            return drawing.draw(float(times[k]))
+
+        animation = FuncAnimation(figure, show, frames=len(times), interval=interval, init_func=lambda: [])
         if path is not None:
             suffix = os.fspath(path).lower().rsplit(".", 1)[-1]
             animation.save(os.fspath(path), writer="pillow" if suffix in ("gif", "apng", "webp") else None)

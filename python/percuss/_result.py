@@ -150,11 +150,11 @@ class Result(Columns[np.float64]):
         return _arrow.table(self).schema.__arrow_c_schema__()
 
     def __repr__(self) -> str:
-        books = self.summary["energy"]["residual_max"]
+        residual = self.summary["energy"]["residual_max"]
         title = self.summary["title"]
         return (
             f"<percuss.Result {title + ': ' if title else ''}{self.status}, {len(self)} rows, "
-            f"{len(self.columns)} columns, energy residual {books:.1e}>"
+            f"{len(self.columns)} columns, energy residual {residual:.1e}>"
         )
 
     def _repr_html_(self) -> str:

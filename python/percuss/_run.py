@@ -26,8 +26,9 @@ def run(
     ``**{"projectile.mass.velocity": [0, 30]}`` or ``projectile__mass__velocity=[0, 30]``.
 
     ``progress`` shows a bar: in terminals and notebooks by default, once a run takes a second; a function is called with the
-    time reached and that of the end [s]. ``out`` is a directory for the files that ``percuss run`` writes, ``report`` adds ``report.html``. ``shapes`` is the largest number of frames of the scene kept of either kind, those in which something
-    touches and the others; by default ``record.shapes`` of the scenario says how much memory they get. 0 keeps none.
+    time reached and that of the end [s]. ``out`` is a directory for the files that ``percuss run`` writes, ``report`` adds
+    ``report.html``. ``shapes`` is the largest number of frames of the scene kept of either kind, those in which something touches
+    and the others; by default ``record.shapes`` of the scenario says how much memory they get. 0 keeps none.
 
     A run that the solver gives up is a result whose ``status`` is ``"failed"``; it holds everything up to the last step. Ctrl-C
     raises ``KeyboardInterrupt``; with ``out`` what there is has been written then.

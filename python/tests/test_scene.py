@@ -103,6 +103,8 @@ def test_labels_are_words_with_units(elastic):
 
 
 def test_a_scale_that_would_lie_is_refused():
+    with pytest.raises(ValueError, match="ghost"):
+        percuss.run(SCENARIOS / "crossing-beams.toml", shapes=20).plot(hide=["beams"])
     with pytest.raises(ValueError, match="overlap"):
         percuss.run(SCENARIOS / "crossing-beams.toml", shapes=20).plot(scale=5.0)
 

@@ -169,10 +169,10 @@ impl<'a> Placed<'a> {
 
     fn measure(&mut self) {
         let mut bounds = self.bounds;
-        let mut grow = |place: [f64; 2], room: f64| {
+        let mut grow = |place: [f64; 2], margin: f64| {
             for i in 0..2 {
-                bounds[0][i] = bounds[0][i].min(place[i] - room);
-                bounds[1][i] = bounds[1][i].max(place[i] + room);
+                bounds[0][i] = bounds[0][i].min(place[i] - margin);
+                bounds[1][i] = bounds[1][i].max(place[i] + margin);
             }
         };
         let moved = |at: [f64; 2], frame: &StoredFrame, node: usize| {
@@ -183,8 +183,8 @@ impl<'a> Placed<'a> {
                 for k in 0..beam.s.len() {
                     let at = [beam.position[0][k], beam.position[1][k]];
                     let depth = beam.half_depth[k];
-                    let room = if depth.is_finite() { depth } else { 0.0 };
-                    grow(moved(at, frame, beam.first + k), room);
+                    let margin = if depth.is_finite() { depth } else { 0.0 };
+                    grow(moved(at, frame, beam.first + k), margin);
                 }
             }
             for (k, body) in self.list("bodies").iter().enumerate() {
