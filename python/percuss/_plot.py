@@ -141,6 +141,7 @@ class Plots:
 
         fields = self._result.fields
         fields._require()
+        writer = None if path is None else _writer(os.fspath(path))
         start, end = span or (float(fields.time[0]), float(fields.time[-1]))
         times = np.linspace(start, end, max(int(frames), 1))
         figure, ax = plt.subplots(figsize=_figure_size(fields))
@@ -151,10 +152,20 @@ class Plots:
 
         animation = FuncAnimation(figure, show, frames=len(times), interval=interval, init_func=lambda: [])
         if path is not None:
-            suffix = os.fspath(path).lower().rsplit(".", 1)[-1]
-            animation.save(os.fspath(path), writer="pillow" if suffix in ("gif", "apng", "webp") else None)
+            animation.save(os.fspath(path), writer=writer)
         plt.close(figure)  # else a notebook shows its first frame besides
         return animation
+
+
+def _writer(path: str) -> str:
+    """What writes a film: Pillow, or ffmpeg where the format needs it."""
+    from matplotlib.animation import writers
+
+    if path.lower().endswith((".gif", ".apng", ".webp")):
+        return "pillow"
+    if not writers.is_available("ffmpeg"):
+        raise ValueError(f"{path}: this format needs the program ffmpeg, which is not there; .gif, .apng and .webp do without")
+    return "ffmpeg"
 
 
 def _figure_size(fields: Any) -> tuple[float, float]:

@@ -126,12 +126,11 @@ class Result(Columns[np.float64]):
         return self.plot.animation(path=path, **options)
 
     def export(self, directory: str | os.PathLike[str], format: str = "vtkhdf") -> list[str]:
-        """Writes how the scene moved for ParaView (``vtkhdf``) into a directory of its own; the names of the files."""
-        if format != "vtkhdf":
-            raise ValueError(f"format={format!r}: expected vtkhdf")
+        """Writes how the scene moved for ParaView into a directory of its own; the names of the files to open. ``vtkhdf`` is for
+        ParaView 5.12 and later, ``pvd``, a file an instant, for all."""
         if self._native["fields"] is None:
             self.fields  # says why there are none
-        return list(_percuss.export_vtkhdf(self._native["fields"], directory))
+        return _percuss.export(self._native["fields"], directory, format)
 
     def to_pandas(self) -> pandas.DataFrame:
         """The history as a table of pandas, one row a recorded step; ``attrs`` holds units and descriptions."""

@@ -172,6 +172,13 @@ def test_an_animation_is_drawn(elastic, tmp_path):
     assert all(np.any(a != b) for a, b in zip(pictures, pictures[1:]))
 
 
+def test_a_film_that_needs_ffmpeg_says_so(elastic, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(ValueError, match="ffmpeg.*gif"):
+        percuss.run(elastic).animate(tmp_path / "hit.mp4", frames=2)
+    assert not list(tmp_path.iterdir())
+
+
 def test_without_matplotlib_a_word_says_what_to_install(elastic):
     code = "import sys; sys.modules['matplotlib'] = None; sys.modules['matplotlib.pyplot'] = None; import percuss\n"
     code += f"try: percuss.run({str(SCENARIOS / 'paper' / 'elastic-clamped.toml')!r}).plot.energy()\n"

@@ -1,5 +1,7 @@
 """What `percuss export` writes, read back by VTK's own reader."""
 
+from xml.etree import ElementTree
+
 import numpy as np
 import percuss
 import pytest
@@ -146,6 +148,39 @@ def test_every_frame_and_every_contact_is_there(elastic, tmp_path):
             assert contacts.points[0, :2] == pytest.approx(here[0].position, rel=1e-6)
     row = np.abs(result.time - fields.time[frame]).argmin()
     assert result["contact.mass.force"][row] == pytest.approx(np.linalg.norm(here[0].force) if here else 0.0, rel=0.05, abs=1.0)
+
+
+def test_lists_of_files_say_the_same(tmp_path):
+    scenario = percuss.load(SCENARIOS / "disc-chain.toml")
+    result = percuss.run(scenario, shapes=10)
+    names = result.export(tmp_path / "one")
+    assert [n.removesuffix(".pvd") for n in result.export(tmp_path / "many", format="pvd")] == [n.removesuffix(".vtkhdf") for n in names]
+    for name in names:
+        series = Reader(tmp_path / "one" / name)
+        sets = ElementTree.parse(tmp_path / "many" / name.replace(".vtkhdf", ".pvd")).getroot().findall("Collection/DataSet")
+        assert [float(s.get("timestep")) for s in sets] == series.times.tolist()
+        for t, entry in zip(series.times, sets):
+            reader = vtk.vtkXMLPolyDataReader()
+            reader.SetFileName(str(tmp_path / "many" / entry.get("file")))
+            reader.Update()
+            one, other = series.at(t).data, reader.GetOutput()
+            assert one.GetNumberOfPoints() == other.GetNumberOfPoints()
+            assert [k.GetNumberOfCells() for k in (one.GetVerts(), one.GetLines(), one.GetPolys())] == [
+                k.GetNumberOfCells() for k in (other.GetVerts(), other.GetLines(), other.GetPolys())
+            ]
+            if not one.GetNumberOfPoints():
+                continue
+            assert np.array_equal(series.points, vtk_to_numpy(other.GetPoints().GetData()))
+            assert one.GetPointData().GetNumberOfArrays() == other.GetPointData().GetNumberOfArrays()
+            for k in range(one.GetPointData().GetNumberOfArrays()):
+                array = one.GetPointData().GetArray(k)
+                assert np.array_equal(vtk_to_numpy(array), vtk_to_numpy(other.GetPointData().GetArray(array.GetName())))
+            for kind in ("GetLines", "GetPolys"):
+                ids = [vtk_to_numpy(getattr(d, kind)().GetConnectivityArray()) for d in (one, other)]
+                assert np.array_equal(*ids)
+        kind = name.removesuffix(".vtkhdf")
+        field = other.GetFieldData().GetAbstractArray({"beams": "beam", "bodies": "body", "contacts": "contact"}[kind] + "_names")
+        assert [field.GetValue(k) for k in range(field.GetNumberOfValues())] == [x["name"] for x in result.fields.scene[kind]]
 
 
 @pytest.mark.parametrize("name", ["disc-chain", "gapped-pipe", "tapping-cantilever", "oblique-throw", "crossing-beams"])

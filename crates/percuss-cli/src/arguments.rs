@@ -97,7 +97,7 @@ force or impulse). All numbers are SI.
 
 Examples:
   percuss export runs/plank
-  percuss export runs/plank --format vtkhdf --out plank-paraview";
+  percuss export runs/plank --format pvd --out plank-paraview";
 
 const COMPLETIONS: &str = "\
 Examples:
@@ -419,8 +419,10 @@ pub struct Export {
 /// Format of an export.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum ExportFormat {
-    /// Poly data over time in HDF5, for ParaView 5.12 or later
+    /// Poly data over time in HDF5, one file for each kind of things, for ParaView 5.12 or later
     Vtkhdf,
+    /// The same as lists of VTP files, one file an instant, for any ParaView
+    Pvd,
 }
 
 /// Arguments of `verify`.

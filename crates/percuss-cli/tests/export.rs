@@ -26,6 +26,22 @@ fn a_run_gets_files_that_belong_to_it() {
 }
 
 #[test]
+fn a_list_of_files_has_one_for_each_instant() {
+    let desk = Desk::new();
+    let set = ["--set", "time.end=0.02 s", "--no-report", "-q"];
+    desk.percuss(&[&["run", "elastic.toml", "--out", "hit"][..], &set].concat()).ends_with(0);
+    desk.percuss(&["export", "hit", "--format", "pvd"]).ends_with(0).tells("beams.pvd");
+    let list = std::fs::read_to_string(desk.path("hit/paraview/beams.pvd")).unwrap();
+    let files = common::names(&desk.path("hit/paraview/beams"));
+    assert_eq!(list.matches("<DataSet ").count(), files.len());
+    assert!(files.iter().all(|file| list.contains(&format!("\"beams/{file}\""))));
+    // Another format takes the place of the first one and leaves nothing of it.
+    desk.percuss(&["export", "hit", "--out", "files", "--format", "pvd"]).ends_with(0);
+    desk.percuss(&["export", "hit", "--out", "files"]).ends_with(0);
+    assert_eq!(common::names(&desk.path("files")), NAMES);
+}
+
+#[test]
 fn another_directory_keeps_what_is_not_an_export() {
     let desk = Desk::new();
     desk.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);

@@ -15,11 +15,11 @@ mod files;
 mod history;
 mod impacts;
 mod modes;
+pub mod paraview;
 mod path;
 pub mod report;
 mod shapes;
 mod summary;
-pub mod vtkhdf;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
 pub use directory::{Extent, Results, RunDirectory, RunUpdate};

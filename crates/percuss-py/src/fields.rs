@@ -2,7 +2,8 @@
 
 use numpy::{Element, IntoPyArray, PyArrayMethods, PyReadonlyArrayDyn};
 use percuss_output::fields::{Fields, StoredFrame};
-use percuss_output::{report, vtkhdf};
+use percuss_output::paraview::{self, Format};
+use percuss_output::report;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -116,13 +117,19 @@ pub fn story(summary: &str) -> PyResult<String> {
     Ok(report::story(&summary))
 }
 
-/// Writes the frames for ParaView; the names of the files.
+/// Writes the frames for ParaView; the names of the files to open.
 #[pyfunction]
-pub fn export_vtkhdf(
+pub fn export(
     py: Python<'_>,
     fields: &Bound<'_, PyDict>,
     directory: PathBuf,
-) -> PyResult<Vec<&'static str>> {
+    format: &str,
+) -> PyResult<Vec<String>> {
+    let Some(format) = Format::ALL.into_iter().find(|f| f.name() == format) else {
+        let names = Format::ALL.map(Format::name).join(" or ");
+        return Err(PyValueError::new_err(format!("format={format:?}: expected {names}")));
+    };
     let fields = from_python(fields)?;
-    py.detach(|| vtkhdf::export(&directory, &fields)).map_err(|error| output_error(&error))
+    py.detach(|| paraview::export(&directory, &fields, format))
+        .map_err(|error| output_error(&error))
 }

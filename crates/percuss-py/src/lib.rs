@@ -23,7 +23,7 @@ mod _percuss {
     #[pymodule_export]
     use super::edit::{remove, set};
     #[pymodule_export]
-    use super::fields::{export_vtkhdf, scene_page, story};
+    use super::fields::{export, scene_page, story};
     #[pymodule_export]
     use super::open::open;
     #[pymodule_export]

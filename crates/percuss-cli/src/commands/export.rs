@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use percuss_output::{RunUpdate, fields, vtkhdf};
+use percuss_output::paraview::{self, Format};
+use percuss_output::{RunUpdate, fields};
 
 use super::report::refuse_what_is_no_run;
 use crate::arguments::{Export, ExportFormat};
@@ -14,7 +15,10 @@ const INSIDE: &str = "paraview";
 
 /// Writes the shapes of a finished run for another program.
 pub fn run(arguments: &Export) -> Result<Status, Failure> {
-    let ExportFormat::Vtkhdf = arguments.format;
+    let format = match arguments.format {
+        ExportFormat::Vtkhdf => Format::Vtkhdf,
+        ExportFormat::Pvd => Format::Pvd,
+    };
     let dir = &arguments.dir;
     refuse_what_is_no_run(dir)?;
     let Some(fields) = fields::read(dir)? else {
@@ -25,12 +29,12 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
     };
     let (place, names) = match &arguments.out {
         Some(out) => {
-            let names = vtkhdf::export(out, &fields)?;
+            let names = paraview::export(out, &fields, format)?;
             (out.clone(), names)
         }
         None => {
             let update = RunUpdate::open(dir)?;
-            let names = vtkhdf::write(update.path().join(INSIDE), &fields)?;
+            let names = paraview::write(update.path().join(INSIDE), &fields, format)?;
             update.commit()?;
             (dir.join(INSIDE), names)
         }
@@ -39,6 +43,6 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-fn told(place: &Path, names: &[&str], frames: usize) -> String {
+fn told(place: &Path, names: &[String], frames: usize) -> String {
     format!("{}: {} with {frames} instants, for ParaView", place.display(), names.join(", "))
 }
