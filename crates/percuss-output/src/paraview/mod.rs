@@ -44,6 +44,9 @@ impl Format {
     }
 }
 
+/// What makes the poly data of a kind of things, if a run has any.
+type Kind = fn(&Placed<'_>) -> Option<PolySeries>;
+
 /// Writes the files into a directory, which is made if it is not there; names of those to open, of what the run has.
 ///
 /// # Errors
@@ -52,7 +55,7 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields, format: Format) -> Result<V
     let dir = dir.as_ref();
     let placed = Placed::new(fields).map_err(|reason| Error::content(FIELDS, reason))?;
     fs::create_dir_all(dir).map_err(|e| Error::io(dir, "create", e))?;
-    let kinds: [(&str, fn(&Placed<'_>) -> Option<PolySeries>); 4] = [
+    let kinds: [(&str, Kind); 4] = [
         ("beams", beams::series),
         ("bodies", bodies::series),
         ("obstacles", obstacles::series),
@@ -84,7 +87,7 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields, format: Format) -> Result<V
 /// Writes the files into a directory of their own: all or none, in place of an earlier export and of nothing else.
 ///
 /// # Errors
-/// As [`write`], or if something else stands in the directory.
+/// As [`write()`], or if something else stands in the directory.
 pub fn export(
     target: impl AsRef<Path>,
     fields: &Fields,
