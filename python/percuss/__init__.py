@@ -6,7 +6,8 @@
     scenario["projectile.mass.velocity"] = [0, "30 m/s"]
     result = percuss.run(scenario)
     result["contact.mass.force"].max()
-    result.plot.energy()
+    result.plot()
+    percuss.open("runs/plank").plot.energy()
 
 Names and units are those of the scenario file; a bare number is SI.
 """
@@ -17,7 +18,7 @@ from ._errors import AnalysisError, Fault, ScenarioError, StudyError
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
-from ._run import run
+from ._run import open, run
 from ._scenario import Advice, Potential, Scenario, load
 from ._sensitivity import Sensitivity, sensitivity
 from ._study import Sweep
@@ -42,6 +43,7 @@ __all__ = [
     "converge",
     "load",
     "modes",
+    "open",
     "run",
     "sensitivity",
     "static",

@@ -48,7 +48,7 @@ class Modes:
 
     def plot(self, number: int = 1, ax: Axes | None = None, amplitude: float = 0.1) -> Axes:
         """A mode, counted from 1; ``amplitude`` is its largest displacement as a share of the structure's size."""
-        from ._plot import pyplot
+        from ._plot import equal_axes, pyplot
 
         ax = ax or pyplot().subplots()[1]
         beams, shape = Beams(self._native["beams"]), self.shapes[number - 1]
@@ -61,7 +61,7 @@ class Modes:
             ax.plot(*curve.T, color="0.7", linewidth=1)
         for curve in beams.curves(base + amplitude * size / largest * shape).values():
             ax.plot(*curve.T, linewidth=2)
-        ax.set_aspect("equal", adjustable="datalim")
+        equal_axes(ax)
         ax.set_title(f"mode {number}: {self.frequencies[number - 1]:.6g} Hz")
         return ax
 
@@ -106,7 +106,7 @@ class Equilibrium:
 
     def plot(self, ax: Axes | None = None, scale: float = 1.0) -> Axes:
         """The structure in equilibrium over its reference, displacements times ``scale``."""
-        from ._plot import pyplot
+        from ._plot import equal_axes, pyplot
 
         ax = ax or pyplot().subplots()[1]
         beams = Beams(self._native["beams"])
@@ -114,7 +114,7 @@ class Equilibrium:
             ax.plot(*curve.T, color="0.7", linewidth=1)
         for curve in beams.curves(scale * self.displacement).values():
             ax.plot(*curve.T, linewidth=2)
-        ax.set_aspect("equal", adjustable="datalim")
+        equal_axes(ax)
         return ax
 
     def __repr__(self) -> str:

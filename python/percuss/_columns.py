@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
-from typing import Any, Generic, TypeVar
+import sys
+from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, ValuesView
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import pandas
 
 Kind = TypeVar("Kind", bound=np.generic)
 """What a column's entries are."""
@@ -16,6 +20,16 @@ class Columns(Generic[Kind]):
     """A mapping of columns, which a subclass keeps in ``_columns``."""
 
     _columns: Mapping[str, Any]
+
+    if not TYPE_CHECKING:
+
+        @property
+        def __class__(self) -> type:
+            # `pandas.DataFrame(result)` takes columns by their names from what says it is a dict, and from nothing else. To be
+            # one in truth, or to say so to everybody, would cost more: pyarrow takes dicts before tables, and would lose the
+            # units, and IPython would print every number.
+            asks = str(sys._getframe(1).f_globals.get("__name__", ""))
+            return dict if asks.partition(".")[0] == "pandas" else type(self)
 
     def __getitem__(self, name: str) -> NDArray[Kind]:
         try:
@@ -29,9 +43,33 @@ class Columns(Generic[Kind]):
     def __iter__(self) -> Iterator[str]:
         return iter(self._columns)
 
-    def keys(self) -> tuple[str, ...]:
-        """The same as :attr:`columns`: this is a mapping of columns."""
-        return tuple(self._columns)
+    def keys(self) -> KeysView[str]:
+        """Names of the columns: this is a mapping."""
+        return self._columns.keys()
+
+    def values(self) -> ValuesView[NDArray[Kind]]:
+        """The columns."""
+        return self._columns.values()
+
+    def items(self) -> ItemsView[str, NDArray[Kind]]:
+        """Names and columns."""
+        return self._columns.items()
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """A column, or something else where there is none."""
+        return self._columns.get(name, default)
+
+    def _to_pandas(self, units: dict[str, str], descriptions: dict[str, str]) -> pandas.DataFrame:
+        """A table of copies, with units and descriptions as attributes."""
+        try:
+            import pandas
+        except ImportError as error:
+            from ._errors import MissingError
+
+            raise MissingError.of("pandas", "a table for pandas", "tables") from error
+        table = pandas.DataFrame({name: np.array(values) for name, values in self.items()})
+        table.attrs.update(units=units, descriptions=descriptions)
+        return table
 
 
 def nearest(name: str, names: Iterable[str]) -> str:

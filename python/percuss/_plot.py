@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Collection
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._errors import MissingError
+from ._words import unit_words, words
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
@@ -24,28 +27,66 @@ def pyplot() -> Any:
     return plt
 
 
+def equal_axes(ax: Any) -> None:
+    """Axes of places."""
+    ax.set_aspect("equal", adjustable="datalim")
+    ax.set_xlabel("position along e1 [m]")
+    ax.set_ylabel("position along e2 [m]")
+
+
 class Plots:
     """Figures of a result; each takes ``ax`` to draw on and returns it."""
 
     def __init__(self, result: Result) -> None:
         self._result = result
 
+    def __call__(
+        self,
+        t: float | None = None,
+        ax: Axes | None = None,
+        scale: float = 1.0,
+        colour: str = "none",
+        hide: Collection[str] = (),
+    ) -> Axes:
+        """The scene at a time, that of the largest contact force by default: beams to scale, supports, bodies, loads, contact
+        forces. ``colour`` is ``stress``, ``moment``, ``axial`` or ``shear``; displacements are drawn times ``scale``; ``hide`` takes
+        away some of ``forces``, ``loads`` and ``ghost``, the reference configuration."""
+        from ._drawing import Drawing
+
+        fields = self._result.fields
+        fields._require()
+        if t is None:
+            peak = fields.largest[1]
+            t = float(fields.time[0]) if peak is None else peak
+        ax = ax or pyplot().subplots(figsize=_figure_size(fields))[1]
+        Drawing(fields, ax, scale, colour).draw(t, hide)
+        return ax
+
     def columns(self, *names: str, ax: Axes | None = None) -> Axes:
-        """Columns of one unit over time."""
+        """Columns over time, told in words."""
         ax = ax or pyplot().subplots()[1]
-        units = {self._result.units[name] for name in names if name in self._result}
+        told = {name: words(name) for name in names}
+        quantities = {word.quantity for word in told.values()}
+        units = {unit_words(self._result.units[name]) for name in names if name in self._result}
         for name in names:
-            ax.plot(self._result.time, self._result[name], label=name, linewidth=1.2)
+            label = told[name].of if len(quantities) == 1 and told[name].of else told[name].label
+            ax.plot(self._result.time, self._result[name], label=label, linewidth=1.2)
         ax.set_xlabel("time [s]")
-        ax.set_ylabel(" or ".join(f"[{unit}]" for unit in sorted(units)))
+        ax.set_ylabel(f"{' or '.join(sorted(quantities))} [{' or '.join(sorted(units))}]")
         ax.grid(alpha=0.3)
         ax.legend(frameon=False)
         return ax
 
+    def _seen(self, names: list[str], always: str = "") -> list[str]:
+        """Columns that are more than round-off beside the largest of them; one at least."""
+        sizes = [float(np.nanmax(np.abs(self._result[name]), initial=0.0)) for name in names]
+        most = max(sizes, default=0.0)
+        return [n for n, size in zip(names, sizes) if n == always or size > 1e-9 * most] or names[:1]
+
     def energy(self, ax: Axes | None = None) -> Axes:
         """Energies over time: kinetic, strain, contact, total."""
         names = ["energy.kinetic", "energy.strain", "energy.contact", "energy.springs", "energy.total"]
-        return self.columns(*(n for n in names if n == "energy.total" or np.any(self._result[n])), ax=ax)
+        return self.columns(*self._seen(names, "energy.total"), ax=ax)
 
     def momentum(self, ax: Axes | None = None) -> Axes:
         """Components of linear momentum over time."""
@@ -61,7 +102,7 @@ class Plots:
         for name in (name for name in contacts if name.endswith(".impulse")):
             struck = np.flatnonzero(self._result[name])
             ax.vlines(self._result.time[struck], 0.0, self._result[name][struck])
-            ax.plot(self._result.time[struck], self._result[name][struck], "o", markersize=4, label=name)
+            ax.plot(self._result.time[struck], self._result[name][struck], "o", markersize=4, label=words(name).of)
         if not contacts:
             ax.text(0.5, 0.5, "nothing can touch", ha="center", transform=ax.transAxes)
         else:
@@ -75,63 +116,61 @@ class Plots:
     def displacement(self, ax: Axes | None = None) -> Axes:
         """Displacements of the recorded points over time."""
         names = [n for n in self._result.columns if n.startswith("point.") and ".displacement_" in n]
-        return self.columns(*(n for n in names if np.any(self._result[n])) or names[:1], ax=ax)
+        return self.columns(*self._seen(names), ax=ax)
 
     def beam(self, t: float | None = None, ax: Axes | None = None, scale: float = 1.0) -> Axes:
-        """The structure at the kept shape nearest to a time, the end by default, over its reference; displacements times
-        ``scale``."""
-        shapes = self._result.shapes
-        k = shapes.index(self._result.time[-1] if t is None else t)
-        ax = ax or pyplot().subplots()[1]
-        for curve in shapes.beams.curves(0.0 * shapes.displacement[k]).values():
-            ax.plot(*curve.T, color="0.7", linewidth=1)
-        for name, curve in shapes.beams.curves(scale * shapes.displacement[k]).items():
-            ax.plot(*curve.T, linewidth=2, label=name)
-        for position in self._projectiles():
-            row = int(np.abs(self._result.time - shapes.times[k]).argmin())
-            ax.plot(*position[row], "ko", markersize=6)
-        ax.set_aspect("equal", adjustable="datalim")
-        ax.set_title(f"t = {shapes.times[k]:.6g} s")
-        ax.set_xlabel("[m]")
-        ax.set_ylabel("[m]")
-        return ax
+        """The scene at a time, the end by default."""
+        return self(float(self._result.time[-1]) if t is None else t, ax=ax, scale=scale)
 
-    def animation(self, frames: int = 100, scale: float = 1.0, interval: int = 40) -> FuncAnimation:
-        """The structure in motion, displacements times ``scale``; in a notebook ``HTML(animation.to_jshtml())`` plays it,
-        ``animation.save("hit.gif")`` keeps it."""
+    def animation(
+        self,
+        frames: int = 150,
+        scale: float = 1.0,
+        interval: int = 40,
+        path: str | os.PathLike[str] | None = None,
+        span: tuple[float, float] | None = None,
+        colour: str = "none",
+    ) -> FuncAnimation:
+        """The scene in motion, evenly in time over ``span`` (the whole run by default); ``path`` keeps it as a film
+        (``hit.gif``, ``hit.mp4``), ``interval`` is the time from frame to frame [ms]. In a notebook the result itself shows a
+        player; ``HTML(animation.to_jshtml())`` shows this one."""
         plt = pyplot()
         from matplotlib.animation import FuncAnimation
 
-        shapes = self._result.shapes
-        shapes.index(0.0)
-        shown = np.unique(np.linspace(0, len(shapes) - 1, min(frames, len(shapes))).round().astype(int))
-        curves = [shapes.beams.curves(scale * shapes.displacement[k]) for k in shown]
-        rows = np.searchsorted(self._result.time, shapes.times[shown]).clip(max=len(self._result) - 1)
-        bodies = self._projectiles()
-        figure, ax = plt.subplots()
-        for curve in shapes.beams.curves(0.0 * shapes.displacement[0]).values():
-            ax.plot(*curve.T, color="0.7", linewidth=1)
-        lines = {name: ax.plot(*curve.T, linewidth=2)[0] for name, curve in curves[0].items()}
-        dots = [ax.plot(*position[rows[0]], "ko", markersize=6)[0] for position in bodies]
-        every = np.concatenate([c for frame in curves for c in frame.values()] + [p[rows] for p in bodies])
-        low, high = every.min(axis=0), every.max(axis=0)
-        room = 0.05 * max(*(high - low), 1e-9)
-        ax.set(xlim=(low[0] - room, high[0] + room), ylim=(low[1] - room, high[1] + room), xlabel="[m]", ylabel="[m]")
+        from ._drawing import Drawing
 
-        def draw(frame: int) -> list[Any]:
-            for name, curve in curves[frame].items():
-                lines[name].set_data(*curve.T)
-            for dot, position in zip(dots, bodies):
-                dot.set_data(*position[rows[frame]][:, None])
-            ax.set_title(f"t = {shapes.times[shown[frame]]:.6g} s")
-            return [*lines.values(), *dots]
+        fields = self._result.fields
+        fields._require()
+        writer = None if path is None else _writer(os.fspath(path))
+        start, end = span or (float(fields.time[0]), float(fields.time[-1]))
+        times = np.linspace(start, end, max(int(frames), 1))
+        figure, ax = plt.subplots(figsize=_figure_size(fields))
+        drawing = Drawing(fields, ax, scale, colour)
 
-        animation = FuncAnimation(figure, draw, frames=len(shown), interval=interval)
+        def show(k: int) -> list[Any]:
+            return drawing.draw(float(times[k]))
+
+        animation = FuncAnimation(figure, show, frames=len(times), interval=interval, init_func=lambda: [])
+        if path is not None:
+            animation.save(os.fspath(path), writer=writer)
         plt.close(figure)  # else a notebook shows its first frame besides
         return animation
 
-    def _projectiles(self) -> list[Any]:
-        """Positions of the projectiles over the rows, each (n_row, 2)."""
-        result = self._result
-        names = [n[: -len("position_1")] for n in result.columns if n.endswith(".position_1")]
-        return [np.stack([result[f"{n}position_1"], result[f"{n}position_2"]], axis=1) for n in names]
+
+def _writer(path: str) -> str:
+    """What writes a film: Pillow, or ffmpeg where the format needs it."""
+    from matplotlib.animation import writers
+
+    if path.lower().endswith((".gif", ".apng", ".webp")):
+        return "pillow"
+    if not writers.is_available("ffmpeg"):
+        raise ValueError(f"{path}: this format needs the program ffmpeg, which is not there; .gif, .apng and .webp do without")
+    return "ffmpeg"
+
+
+def _figure_size(fields: Any) -> tuple[float, float]:
+    """Inches, as high as the scene needs."""
+    from ._drawing import bounds
+
+    low, high = bounds(fields)
+    return 8.0, float(np.clip(8.0 * (high[1] - low[1]) / (high[0] - low[0]) + 1.2, 2.6, 8.0))

@@ -12,7 +12,7 @@ _PATIENCE = 1.0
 
 
 class Progress:
-    """A bar that appears once something takes a while: tqdm's if it is there, else one line of text."""
+    """A bar that appears once something takes a while, one line: tqdm's in a terminal if it is there, else plain text."""
 
     def __init__(self, wanted: bool | None, total: float = 1.0, unit: str = "", name: str = "percuss") -> None:
         self.total = total
@@ -50,12 +50,18 @@ class Progress:
 
 
 def _is_watched() -> bool:
-    return sys.stderr.isatty() or "ipykernel" in sys.modules
+    return sys.stderr.isatty() or _in_notebook()
+
+
+def _in_notebook() -> bool:
+    return "ipykernel" in sys.modules
 
 
 def _bar(name: str, unit: str, total: float) -> Any:
+    if _in_notebook():
+        return _Cell(name, unit, total)
     try:
-        from tqdm.auto import tqdm
+        from tqdm import tqdm
     except ImportError:
         return _Line(name, unit, total)
     form = "{desc} {percentage:3.0f} %|{bar}| {n:.4g}/{total:.4g} {unit} [{elapsed}<{remaining}]"
@@ -71,11 +77,38 @@ class _Line:
 
     def update(self, step: float) -> None:
         self._done += step
+        self._write(self._text())
+
+    def _text(self) -> str:
         share = min(self._done / self._total, 1.0)
         spent = time.monotonic() - self._begun
-        left = f"{spent * (1 / share - 1):.0f} s left" if share > 0 else ""
+        left = f"{spent * (1 / share - 1):.0f} s left" if 0 < share < 1 else f"{spent:.1f} s"
         filled = "#" * round(24 * share)
-        print(f"\r{self._name} [{filled:24}] {100 * share:3.0f} % {left:12}", end="", file=sys.stderr, flush=True)
+        return f"{self._name} [{filled:24}] {100 * share:3.0f} % {left:12}"
+
+    def _write(self, text: str) -> None:
+        print(f"\r{text}", end="", file=sys.stderr, flush=True)
 
     def close(self) -> None:
         print(file=sys.stderr)
+
+
+class _Cell(_Line):
+    """A line below the cell of a notebook, replaced in place: what is saved of it is the last one. tqdm's bar for notebooks
+    needs ipywidgets, and without them, or in a saved notebook, leaves a warning or a bar at its start."""
+
+    def __init__(self, name: str, unit: str, total: float) -> None:
+        super().__init__(name, unit, total)
+        self._shown: Any = None
+
+    def _write(self, text: str) -> None:
+        from IPython.display import display
+
+        content = {"text/plain": text.rstrip()}
+        if self._shown is None:
+            self._shown = display(content, raw=True, display_id=True)  # type: ignore[no-untyped-call, unused-ignore]
+        else:
+            self._shown.update(content, raw=True)
+
+    def close(self) -> None:
+        pass

@@ -1,4 +1,4 @@
-"""One run."""
+"""One run: simulated, or read back."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def run(
     progress: bool | Callable[[float, float], object] | None = None,
     out: str | os.PathLike[str] | None = None,
     report: bool = False,
-    shapes: int = 500,
+    shapes: int | None = None,
     **overrides: Any,
 ) -> Result:
     """Simulates a scenario.
@@ -26,13 +26,26 @@ def run(
     ``**{"projectile.mass.velocity": [0, 30]}`` or ``projectile__mass__velocity=[0, 30]``.
 
     ``progress`` shows a bar: in terminals and notebooks by default, once a run takes a second; a function is called with the
-    time reached and that of the end [s]. ``out`` is a directory for the files that ``percuss run`` writes, ``report`` adds ``report.html``. ``shapes`` is the largest number of shapes of the structure kept for ``result.plot.beam`` and ``.animation``.
+    time reached and that of the end [s]. ``out`` is a directory for the files that ``percuss run`` writes, ``report`` adds
+    ``report.html``. ``shapes`` is the largest number of frames of the scene kept of either kind, those in which something touches
+    and the others; by default ``record.shapes`` of the scenario says how much memory they get. 0 keeps none.
 
     A run that the solver gives up is a result whose ``status`` is ``"failed"``; it holds everything up to the last step. Ctrl-C
     raises ``KeyboardInterrupt``; with ``out`` what there is has been written then.
     """
+    if shapes is not None and shapes < 0:
+        raise ValueError(f"shapes={shapes}: expected 0 or a number of frames")
     source = scenario_of(scenario)._source(changes_of(overrides))
     if callable(progress):
         return Result._of(_percuss.run(source, progress, out, report, shapes))
     with Progress(progress, unit="s", name="run") as bar:
         return Result._of(_percuss.run(source, bar.to, out, report, shapes))
+
+
+def open(directory: str | os.PathLike[str]) -> Result:
+    """A finished run, from the directory that ``percuss run`` or ``run(..., out=directory)`` left."""
+    path = os.fspath(directory)
+    if not os.path.isfile(os.path.join(path, "summary.json")):
+        what = "is not the directory of a run (it has no summary.json)" if os.path.isdir(path) else "no such directory"
+        raise FileNotFoundError(f"{path}: {what}; give the directory that `percuss run` has written")
+    return Result._of(_percuss.open(path))

@@ -44,7 +44,7 @@ class Beams:
 
 
 class Shapes:
-    """Shapes of a structure at some times of a run: every so many rows, the first and the last one among them."""
+    """Shapes of a structure at some times of a run: those of its frames, between stations of the scene."""
 
     def __init__(self, beams: Beams, times: Floats, displacement: Floats) -> None:
         self.beams = beams
@@ -52,7 +52,7 @@ class Shapes:
         self.times = times
         """Times [s], shape (n_shape)."""
         self.displacement = displacement
-        """Displacements and slopes (u1, u2, u1', u2') of the nodes, shape (n_shape, n_node, 4)."""
+        """Displacements and slopes (u1, u2, u1', u2') of the stations, in single precision, shape (n_shape, n_station, 4)."""
 
     def __len__(self) -> int:
         return len(self.times)
@@ -60,7 +60,7 @@ class Shapes:
     def index(self, t: float) -> int:
         """Index of the shape nearest to a time."""
         if not len(self.times):
-            raise ValueError("no shapes were kept: run with shapes=500, say")
+            raise ValueError("no shapes were kept of this run: run it with record.shapes (or shapes=) above 0")
         return int(np.abs(self.times - t).argmin())
 
     def at(self, t: float) -> dict[str, Floats]:

@@ -7,13 +7,16 @@ from collections.abc import Mapping
 from functools import cached_property, lru_cache
 from html import escape
 from pathlib import Path
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import numpy as np
 
 from . import _arrow, _percuss, _toml
 from ._columns import Columns, nearest
 from ._scenario import Scenario
+
+if TYPE_CHECKING:
+    import pandas
 
 StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
 """A study, the path of its file, or nested dictionaries with the file's names."""
@@ -100,6 +103,10 @@ class Sweep(Columns[Any]):
         """Runs that did not complete, and why."""
         ends = zip(self["run"].tolist(), self["status"].tolist(), self["reason"].tolist())
         return {run: f"{status}: {reason}" for run, status, reason in ends if status != "completed"}
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The table as one of pandas; ``attrs`` holds units and descriptions."""
+        return self._to_pandas(self.units, self.descriptions)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         return _arrow.study_table(self).__arrow_c_stream__(requested_schema)

@@ -15,6 +15,7 @@ import percuss
 import pyarrow
 import pyarrow.parquet
 import pytest
+from PIL import Image, ImageSequence
 
 from conftest import SCENARIOS
 
@@ -144,11 +145,13 @@ def test_ctrl_c_ends_a_run_and_leaves_what_there_is(tmp_path):
 def test_shapes_follow_the_beam(elastic):
     result = percuss.run(elastic, shapes=50)
     shapes = result.shapes
-    assert 25 <= len(shapes) <= 51 and shapes.times[0] == 0.0 and shapes.times[-1] == result.time[-1]
+    # Up to fifty in which something touches, as many others, the last, and those of the largest force and impulse.
+    assert 40 <= len(shapes) <= 103 and shapes.times[0] == 0.0 and shapes.times[-1] == result.time[-1]
     row = len(result) - 1
     curve = shapes.at(result.time[row])["girder"]
     middle = curve[np.abs(curve[:, 0] - 1.5).argmin()]
-    assert middle[1] == pytest.approx(result["point.girder.mid.displacement_2"][row], rel=1e-9)
+    # Frames are of single precision: 6e-8 of each displacement.
+    assert middle[1] == pytest.approx(result["point.girder.mid.displacement_2"][row], rel=1e-6)
     with pytest.raises(ValueError, match="shapes"):
         percuss.run(elastic, shapes=0).plot.beam()
 
@@ -162,8 +165,18 @@ def test_figures_are_drawn(request, scenario, name):
 
 
 def test_an_animation_is_drawn(elastic, tmp_path):
-    percuss.run(elastic).plot.animation(frames=4).save(tmp_path / "hit.gif", writer="pillow")
-    assert (tmp_path / "hit.gif").stat().st_size > 1000
+    percuss.run(elastic).animate(tmp_path / "hit.gif", frames=4)
+    with Image.open(tmp_path / "hit.gif") as film:
+        assert film.n_frames == 4
+        pictures = [np.asarray(frame.convert("RGB")) for frame in ImageSequence.Iterator(film)]
+    assert all(np.any(a != b) for a, b in zip(pictures, pictures[1:]))
+
+
+def test_a_film_that_needs_ffmpeg_says_so(elastic, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(ValueError, match="ffmpeg.*gif"):
+        percuss.run(elastic).animate(tmp_path / "hit.mp4", frames=2)
+    assert not list(tmp_path.iterdir())
 
 
 def test_without_matplotlib_a_word_says_what_to_install(elastic):

@@ -91,6 +91,14 @@ Examples:
   percuss verify
   percuss verify rigid-rod bouncing-ball --all-checks";
 
+const EXPORT: &str = "\
+Open all files together in ParaView, colour beams by stress or moment, and put a Glyph filter on contacts (orientation and scale:
+force or impulse). All numbers are SI.
+
+Examples:
+  percuss export runs/plank
+  percuss export runs/plank --format pvd --out plank-paraview";
+
 const COMPLETIONS: &str = "\
 Examples:
   percuss completions bash > ~/.local/share/bash-completion/completions/percuss
@@ -134,6 +142,9 @@ pub enum Command {
     Schema(Schema),
     /// Rebuild report.html of a finished run, and its figures if asked
     Report(Report),
+    /// Write how a finished run moved for ParaView: beams with depth, forces and stresses, bodies, obstacles, contact forces
+    #[command(after_help = EXPORT)]
+    Export(Export),
     /// Run the verification cases and print what was measured and expected
     #[command(after_help = VERIFY)]
     Verify(Verify),
@@ -398,6 +409,29 @@ pub struct Report {
     /// Open the page in the browser
     #[arg(long)]
     pub open: bool,
+}
+
+/// Arguments of `export`.
+#[derive(Args, Debug)]
+pub struct Export {
+    /// Directory of a finished run
+    #[arg(value_hint = ValueHint::DirPath, value_name = "DIR")]
+    pub dir: PathBuf,
+    /// What to write
+    #[arg(long, value_enum, value_name = "FORMAT", default_value = "vtkhdf")]
+    pub format: ExportFormat,
+    /// Directory of the files; an earlier export in it is replaced [default: paraview/ in DIR]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+}
+
+/// Format of an export.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum ExportFormat {
+    /// Poly data over time in HDF5, one file for each kind of things, for ParaView 5.12 or later
+    Vtkhdf,
+    /// The same as lists of VTP files, one file an instant, for any ParaView
+    Pvd,
 }
 
 /// Arguments of `verify`.

@@ -29,6 +29,7 @@ fn main() -> ExitCode {
         Command::Sensitivity(arguments) => commands::sensitivity::run(&arguments),
         Command::Converge(arguments) => commands::converge::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
+        Command::Export(arguments) => commands::export::run(&arguments),
         Command::Report(arguments) => commands::report::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),
         Command::Completions(arguments) => commands::completions::run(&arguments),

@@ -155,7 +155,8 @@ fn json_is_all_there_is_on_standard_output() {
     let desk = Desk::new();
     let run = desk.percuss(&["run", "elastic.toml", "--json", "--no-report"]);
     run.ends_with(0);
-    assert_eq!(run.stderr, "");
+    // The advisor may have a note; the table stands nowhere.
+    assert!(run.stderr.lines().all(|line| line.starts_with("note: ")), "{}", run.stderr);
     let printed: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON alone");
     assert_eq!(printed, desk.summary("runs/elastic"));
     let plain = desk.percuss(&["run", "elastic.toml", "--no-report"]);

@@ -15,6 +15,7 @@ mod files;
 mod history;
 mod impacts;
 mod modes;
+pub mod paraview;
 mod path;
 pub mod report;
 mod shapes;

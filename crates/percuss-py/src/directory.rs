@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use percuss::RunSummary;
+use percuss_output::fields::{self, Fields};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
     Error, Extent, HistoryFormat, HistoryWriter, RunDirectory, write_envelopes, write_impacts,
@@ -12,6 +13,13 @@ use pyo3::PyResult;
 use serde_json::Value;
 
 use crate::error::output_error;
+
+/// What a run left besides its history.
+pub struct Left<'a> {
+    pub run: &'a RunSummary,
+    pub summary: &'a Value,
+    pub fields: &'a Fields,
+}
 
 /// A directory of results being filled.
 pub struct Directory {
@@ -33,17 +41,16 @@ impl Directory {
     }
 
     /// Completes it and puts it in place.
-    pub fn finish(
-        self,
-        history: HistoryWriter,
-        run: &RunSummary,
-        summary: &Value,
-    ) -> Result<PathBuf, Error> {
+    pub fn finish(self, history: HistoryWriter, left: Left<'_>) -> Result<PathBuf, Error> {
+        let Left { run, summary, fields } = left;
         let dir = self.directory.path();
         history.finish()?;
         write_summary(dir, summary)?;
         write_envelopes(dir, &run.section_forces)?;
         write_impacts(dir, &run.contacts, &run.supports)?;
+        if !fields.frames.is_empty() {
+            fields::write(dir, fields)?;
+        }
         if self.report {
             report::write(dir, &ReportData::read(dir)?)?;
         }

@@ -5,7 +5,9 @@ mod analyses;
 mod directory;
 mod edit;
 mod error;
+mod fields;
 mod given;
+mod open;
 mod ready;
 mod recorder;
 mod run;
@@ -20,6 +22,10 @@ mod _percuss {
     use super::analyses::{modes, statics};
     #[pymodule_export]
     use super::edit::{remove, set};
+    #[pymodule_export]
+    use super::fields::{export, scene_page, story};
+    #[pymodule_export]
+    use super::open::open;
     #[pymodule_export]
     use super::ready::{check, written};
     #[pymodule_export]

@@ -4,21 +4,23 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination, advise, compare, review};
+use percuss_output::fields::FrameStore;
 use percuss_output::{RunInfo, summary_value};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-use crate::directory::Directory;
+use crate::directory::{Directory, Left};
 use crate::error::output_error;
+use crate::fields::to_python;
 use crate::ready::{Ready, Source};
 use crate::recorder::RunRecorder;
-use crate::structure::{array, beams, shaped};
+use crate::structure::array;
 
-/// Runs a scenario: `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `shape_times`, `shapes`,
-/// `beams`, `seconds`.
+/// Runs a scenario: `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `fields` (the scene and how it
+/// moved), `seconds`.
 ///
 /// `progress` is called with the time reached and that of the end, some times a second; `out` is a directory for the files of the run; `shapes` is
-/// the largest number of shapes kept.
+/// the largest number of frames of either kind kept, touching or not; `None` leaves it to `record.shapes`.
 #[pyfunction]
 #[pyo3(signature = (source, progress, out, report, shapes))]
 pub fn run<'py>(
@@ -27,7 +29,7 @@ pub fn run<'py>(
     progress: Option<Py<PyAny>>,
     out: Option<PathBuf>,
     report: bool,
-    shapes: usize,
+    shapes: Option<usize>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let ready = source.ready(py)?;
     let model = &ready.compiled.model;
@@ -38,17 +40,25 @@ pub fn run<'py>(
     let history = directory.as_ref().map(|directory| directory.history(text.clone()));
     let settings = &ready.compiled.settings;
     let extent = (simulation.step_count() / settings.record_every + 2, settings.end);
-    let mut recorder = RunRecorder::new(shapes, history, progress.as_ref(), source.given(), extent);
+    let megabytes = ready.scenario.content().record.shapes;
+    let frames = FrameStore::new(ready.scenario.scene(model), settings.end, megabytes);
+    let frames = match shapes {
+        Some(shapes) => frames.at_most(shapes),
+        None => frames,
+    };
+    let mut recorder = RunRecorder::new(frames, history, progress.as_ref(), source.given(), extent);
     let ended = py.detach(|| simulate(&ready, simulation, &mut recorder));
 
-    let RunRecorder { columns, mut shapes, history, raised, .. } = recorder;
+    let RunRecorder { columns, frames, history, raised, .. } = recorder;
     if let Termination::Failed(error) = &ended.summary.termination
         && error.is_recorder()
     {
         return Err(pyo3::exceptions::PyOSError::new_err(error.to_string()));
     }
+    let fields = frames.finish();
     if let Some((directory, history)) = directory.zip(history) {
-        let finished = py.detach(|| directory.finish(history, &ended.summary, &ended.value));
+        let left = Left { run: &ended.summary, summary: &ended.value, fields: &fields };
+        let finished = py.detach(|| directory.finish(history, left));
         finished.map_err(|error| output_error(&error))?;
     }
     if let Some(error) = raised.or_else(|| source.raised()) {
@@ -65,13 +75,7 @@ pub fn run<'py>(
     result.set_item("columns", PyList::new(py, columns.collect::<Vec<_>>())?)?;
     result.set_item("summary", ended.value.to_string())?;
     result.set_item("scenario", text)?;
-    shapes.close();
-    let (times, values) = (shapes.times, shapes.values);
-    let nodes = values.len().checked_div(4 * times.len()).unwrap_or(0);
-    let shape = [times.len(), nodes, 4];
-    result.set_item("shape_times", array(py, times))?;
-    result.set_item("shapes", shaped(py, values, &shape)?)?;
-    result.set_item("beams", beams(py, model)?)?;
+    result.set_item("fields", to_python(py, &fields)?)?;
     result.set_item("seconds", ended.seconds)?;
     Ok(result)
 }

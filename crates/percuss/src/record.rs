@@ -42,6 +42,8 @@ pub struct Frame<'a> {
     pub time: f64,
     /// Displacements (u1, u2, u1', u2') of beams' nodes, (u1, u2, angle, 0) of bodies; shape (n_node) \[m, 1, rad\].
     pub displacement: &'a [[f64; 4]],
+    /// Velocities of the same; shape (n_node) \[m/s, 1/s, rad/s\].
+    pub velocity: &'a [[f64; 4]],
     /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an
     /// impact; shape (n_elem) \[N, N, N m\].
     pub section_forces: &'a [[[f64; 3]; 2]],

@@ -3,6 +3,7 @@
 pub mod check;
 pub mod completions;
 pub mod converge;
+pub mod export;
 pub mod modes;
 pub mod new;
 pub mod report;

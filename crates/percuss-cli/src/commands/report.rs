@@ -96,7 +96,8 @@ fn rebuild(dir: &Path, arguments: &Report) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-fn refuse_what_is_no_run(dir: &Path) -> Result<(), Failure> {
+/// Refuses a path at which no run stands.
+pub fn refuse_what_is_no_run(dir: &Path) -> Result<(), Failure> {
     let what = if !dir.exists() {
         "no such directory"
     } else if !dir.is_dir() {

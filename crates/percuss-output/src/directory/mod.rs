@@ -26,6 +26,8 @@ pub enum Results {
     Modes,
     /// An equilibrium path.
     Path,
+    /// Files of a run for another program.
+    Export,
 }
 
 impl Results {
@@ -35,6 +37,7 @@ impl Results {
             Self::Run => "run",
             Self::Modes => "modes",
             Self::Path => "path",
+            Self::Export => "export",
         }
     }
 
@@ -44,6 +47,7 @@ impl Results {
             Self::Run => "a run",
             Self::Modes => "the modes of a scenario",
             Self::Path => "an equilibrium path",
+            Self::Export => "files exported for another program",
         }
     }
 }

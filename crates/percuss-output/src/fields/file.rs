@@ -8,7 +8,7 @@ use parquet::basic::{Compression, Encoding, Repetition, Type as PhysicalType};
 use parquet::column::reader::get_typed_column_reader;
 use parquet::data_type::{DoubleType, FloatType};
 use parquet::errors::{ParquetError, Result};
-use parquet::file::metadata::KeyValue;
+use parquet::file::metadata::{ColumnChunkMetaData, KeyValue};
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
@@ -20,16 +20,17 @@ use crate::files;
 
 /// Lists of a frame: name of the column, and the list itself, to be written and to be read.
 type List = (&'static str, fn(&StoredFrame) -> &Vec<f32>, fn(&mut StoredFrame) -> &mut Vec<f32>);
-const LISTS: [List; 4] = [
+const LISTS: [List; 5] = [
     ("displacement", |f| &f.displacement, |f| &mut f.displacement),
     ("section_forces", |f| &f.section_forces, |f| &mut f.section_forces),
     ("contact_forces", |f| &f.contact_forces, |f| &mut f.contact_forces),
+    ("velocity", |f| &f.velocity, |f| &mut f.velocity),
     ("load_factors", |f| &f.load_factors, |f| &mut f.load_factors),
 ];
 
 /// What the columns hold, for those who read the file without this program.
 const ABOUT: &str = "displacement: (u1, u2, u1', u2') of every station of every beam in the order of scene.json, then (u1, u2, angle, 0) of \
-every body; section_forces: (axial, shear, moment) at the start and at the end of every interval between two stations; contact_forces: \
+every body; velocity: the rates of the same; section_forces: (axial, shear, moment) at the start and at the end of every interval between two stations; contact_forces: \
 (contact, x, y, force 1, force 2, 1 where it is an impulse) each, on the second partner; load_factors: one a load. SI units.";
 
 /// Writes `fields/` into the directory of a run.
@@ -46,11 +47,15 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields) -> std::result::Result<(), 
 }
 
 fn write_frames(file: File, fields: &Fields) -> Result<()> {
+    write_lists(file, fields, &LISTS)
+}
+
+fn write_lists(file: File, fields: &Fields, lists: &[List]) -> Result<()> {
     let field = |name: &str, kind: PhysicalType, repetition: Repetition| -> Result<Arc<Type>> {
         Ok(Arc::new(Type::primitive_type_builder(name, kind).with_repetition(repetition).build()?))
     };
     let mut columns = vec![field("time", PhysicalType::DOUBLE, Repetition::REQUIRED)?];
-    for (name, ..) in LISTS {
+    for (name, ..) in lists {
         columns.push(field(name, PhysicalType::FLOAT, Repetition::REPEATED)?);
     }
     let schema = Arc::new(Type::group_type_builder("frames").with_fields(columns).build()?);
@@ -69,7 +74,7 @@ fn write_frames(file: File, fields: &Fields) -> Result<()> {
     let mut column = next(&mut group)?;
     column.typed::<DoubleType>().write_batch(&times, None, None)?;
     column.close()?;
-    for (_, list, _) in LISTS {
+    for (_, list, _) in lists {
         let (mut values, mut defined, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
         for list in fields.frames.iter().map(list) {
             // An empty list is one undefined entry; in a longer one all but the first repeat.
@@ -122,9 +127,13 @@ fn read_frames(file: File) -> Result<Vec<StoredFrame>> {
             .read_records(rows, None, None, &mut times)?;
         let mut read: Vec<StoredFrame> =
             times.into_iter().map(|time| StoredFrame { time, ..StoredFrame::default() }).collect();
-        for (k, (_, _, list)) in LISTS.iter().enumerate() {
+        let columns = group.metadata().columns();
+        for (name, _, list) in LISTS {
+            // Files of earlier versions have no velocities.
+            let named = |c: &ColumnChunkMetaData| c.column_path().string() == name;
+            let Some(column) = columns.iter().position(named) else { continue };
             let (mut values, mut defined, mut repeated) = (Vec::new(), Vec::new(), Vec::new());
-            get_typed_column_reader::<FloatType>(group.get_column_reader(k + 1)?).read_records(
+            get_typed_column_reader::<FloatType>(group.get_column_reader(column)?).read_records(
                 rows,
                 Some(&mut defined),
                 Some(&mut repeated),
@@ -155,6 +164,7 @@ mod tests {
         let frame = |k: usize| StoredFrame {
             time: 0.1 * k as f64,
             displacement: (0..8).map(|i| (i * k) as f32).collect(),
+            velocity: (0..8).map(|i| (i + k) as f32).collect(),
             section_forces: vec![1.5; 6],
             contact_forces: vec![k as f32; 6 * (k % 3)],
             load_factors: Vec::new(),
@@ -166,5 +176,17 @@ mod tests {
         assert_eq!(back.frames, fields.frames);
         assert_eq!(back.scene, fields.scene);
         assert!(read(dir.path().join("elsewhere")).unwrap().is_none());
+    }
+
+    #[test]
+    fn frames_without_velocities_can_still_be_read() {
+        let frame = StoredFrame { time: 0.5, displacement: vec![1.0; 4], ..StoredFrame::default() };
+        let fields = Fields { scene: json!({}), frames: vec![frame] };
+        let earlier: Vec<List> =
+            LISTS.into_iter().filter(|(name, ..)| *name != "velocity").collect();
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("frames.parquet");
+        write_lists(File::create(&path).unwrap(), &fields, &earlier).unwrap();
+        assert_eq!(read_frames(File::open(&path).unwrap()).unwrap(), fields.frames);
     }
 }

@@ -6,6 +6,7 @@
 mod file;
 mod scene;
 mod store;
+mod thin;
 
 pub use file::{read, write};
 pub use scene::scene_value;
@@ -32,6 +33,8 @@ pub struct StoredFrame {
     pub time: f64,
     /// Displacements of the scene's nodes, shape (n_node, 4) \[m, 1; m, rad for bodies\].
     pub displacement: Vec<f32>,
+    /// Velocities of the same, shape (n_node, 4) \[m/s, 1/s; m/s, rad/s for bodies\]; empty in runs that kept none.
+    pub velocity: Vec<f32>,
     /// Axial force, shear force, moment at the start and at the end of every interval between two stations of a beam,
     /// shape (n_interval, 2, 3) \[N, N, N m\].
     pub section_forces: Vec<f32>,

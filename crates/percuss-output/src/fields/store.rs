@@ -82,7 +82,7 @@ impl FrameStore {
                 }
             }
         }
-        let one = 16 * scene.nodes.len() + 24 * intervals.len() + 64;
+        let one = 32 * scene.nodes.len() + 24 * intervals.len() + 64;
         let most = ((0.5e6 * megabytes) as usize / one).clamp(FEWEST, MOST);
         let kind = || Kind::new(most);
         Self {
@@ -96,6 +96,14 @@ impl FrameStore {
             keeps: megabytes > 0.0,
             wanted: Wanted::default(),
         }
+    }
+
+    /// The same with at most so many frames of either kind, whatever the memory; none at 0.
+    pub fn at_most(mut self, frames: usize) -> Self {
+        self.keeps = frames > 0;
+        self.calm.most = frames;
+        self.touching.most = frames;
+        self
     }
 
     /// Whether the frame of a row is to be kept, as [`percuss::Recorder::wants_frame`] asks.
@@ -141,7 +149,9 @@ impl FrameStore {
 
     fn stored(&self, frame: &Frame<'_>) -> StoredFrame {
         let single = |x: f64| x as f32;
-        let nodes = self.scene.nodes.iter().flat_map(|n| frame.displacement[*n]);
+        let of_nodes = |rows: &[[f64; 4]]| -> Vec<f32> {
+            self.scene.nodes.iter().flat_map(|n| rows[*n]).map(single).collect()
+        };
         let forces = self.intervals.iter().flat_map(|[a, b]| {
             let (start, end) = (frame.section_forces[*a][0], frame.section_forces[*b][1]);
             start.into_iter().chain(end)
@@ -152,7 +162,8 @@ impl FrameStore {
         });
         StoredFrame {
             time: frame.time,
-            displacement: nodes.map(single).collect(),
+            displacement: of_nodes(frame.displacement),
+            velocity: of_nodes(frame.velocity),
             section_forces: forces.map(single).collect(),
             contact_forces: contacts.map(single).collect(),
             load_factors: frame.load_factors.iter().copied().map(single).collect(),
@@ -182,6 +193,7 @@ mod tests {
                 store.take(&Frame {
                     time,
                     displacement: &[],
+                    velocity: &[],
                     section_forces: &[],
                     contact_forces: &[],
                     load_factors: &[force(k)],

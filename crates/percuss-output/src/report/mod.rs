@@ -13,6 +13,7 @@ mod figures;
 pub(crate) mod html;
 mod impact;
 mod log;
+mod notebook;
 pub(crate) mod page;
 mod payload;
 pub(crate) mod pictures;
@@ -28,6 +29,7 @@ mod story;
 mod structure;
 mod thin;
 
+pub use notebook::scene_page;
 pub use story::story;
 
 use std::path::Path;

@@ -22,11 +22,20 @@ pub(super) struct Payload {
 
 /// Packs the figures, and how the scenes moved: that of the run first, then those it is compared with.
 pub(super) fn pack(figures: &[Figure], fields: &[(&str, &Fields)]) -> Payload {
+    pack_from(DEFLATED_FROM, figures, fields)
+}
+
+/// The same, deflated from so many bytes on.
+pub(super) fn pack_from(
+    deflated_from: usize,
+    figures: &[Figure],
+    fields: &[(&str, &Fields)],
+) -> Payload {
     let mut columns = Columns::default();
     let scenes: Vec<Value> =
         fields.iter().map(|(name, fields)| scene(&mut columns, name, fields)).collect();
     let figures: Vec<Value> = figures.iter().map(|f| figure(&mut columns, f)).collect();
-    let deflated = columns.bytes.len() >= DEFLATED_FROM;
+    let deflated = columns.bytes.len() >= deflated_from;
     let bytes = if deflated {
         miniz_oxide::deflate::compress_to_vec(&columns.bytes, 6)
     } else {

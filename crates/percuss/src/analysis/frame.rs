@@ -40,6 +40,7 @@ impl Simulation<'_> {
         recorder.frame(&Frame {
             time: self.state.time,
             displacement: &self.state.displacement,
+            velocity: &self.state.velocity,
             section_forces: &frames.section_forces,
             contact_forces: &frames.contact_forces,
             load_factors: &self.forcing.factors,

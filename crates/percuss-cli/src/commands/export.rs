@@ -1,0 +1,48 @@
+//! `percuss export`.
+
+use std::path::Path;
+
+use percuss_output::paraview::{self, Format};
+use percuss_output::{RunUpdate, fields};
+
+use super::report::refuse_what_is_no_run;
+use crate::arguments::{Export, ExportFormat};
+use crate::outcome::{Failure, Status};
+use crate::terminal;
+
+/// Directory within that of the run.
+const INSIDE: &str = "paraview";
+
+/// Writes the shapes of a finished run for another program.
+pub fn run(arguments: &Export) -> Result<Status, Failure> {
+    let format = match arguments.format {
+        ExportFormat::Vtkhdf => Format::Vtkhdf,
+        ExportFormat::Pvd => Format::Pvd,
+    };
+    let dir = &arguments.dir;
+    refuse_what_is_no_run(dir)?;
+    let Some(fields) = fields::read(dir)? else {
+        return Err(Failure::Input(format!(
+            "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
+            dir.display()
+        )));
+    };
+    let (place, names) = match &arguments.out {
+        Some(out) => {
+            let names = paraview::export(out, &fields, format)?;
+            (out.clone(), names)
+        }
+        None => {
+            let update = RunUpdate::open(dir)?;
+            let names = paraview::write(update.path().join(INSIDE), &fields, format)?;
+            update.commit()?;
+            (dir.join(INSIDE), names)
+        }
+    };
+    terminal::tell(&told(&place, &names, fields.frames.len()));
+    Ok(Status::Done)
+}
+
+fn told(place: &Path, names: &[String], frames: usize) -> String {
+    format!("{}: {} with {frames} instants, for ParaView", place.display(), names.join(", "))
+}

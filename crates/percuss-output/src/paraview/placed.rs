@@ -1,0 +1,259 @@
+//! Where things stand in a frame: the scene with its beams as the solver's cubics.
+
+use serde_json::Value;
+
+use crate::fields::{Fields, StoredFrame};
+
+/// A beam of the scene.
+#[derive(Clone, Debug)]
+pub(super) struct Beam {
+    pub name: String,
+    pub s: Vec<f64>,
+    position: [Vec<f64>; 2],
+    tangent: [Vec<f64>; 2],
+    /// Not finite where it is not known.
+    pub half_depth: Vec<f64>,
+    pub area: Vec<f64>,
+    pub inertia: Vec<f64>,
+    /// Number of its first station among all nodes.
+    first: usize,
+    /// Stations at which an interval begins, and the interval's number among those of all beams.
+    pub intervals: Vec<(usize, usize)>,
+}
+
+/// A point of a beam's axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OnAxis {
+    pub place: [f64; 2],
+    /// Displacement from the reference configuration.
+    pub displacement: [f64; 2],
+    /// Unit normal, to the left of the tangent.
+    pub normal: [f64; 2],
+    pub velocity: [f64; 2],
+    /// Angular rate of the tangent.
+    pub spin: f64,
+    /// Normal in the reference configuration.
+    pub rest_normal: [f64; 2],
+}
+
+/// A scene and its frames, known to fit each other.
+#[derive(Debug)]
+pub(super) struct Placed<'a> {
+    pub scene: &'a Value,
+    pub frames: &'a [StoredFrame],
+    pub beams: Vec<Beam>,
+    /// Nodes of all beams; behind them stand the bodies.
+    pub stations: usize,
+    pub intervals: usize,
+    /// Corners of what the beams and discs pass through.
+    pub bounds: [[f64; 2]; 2],
+}
+
+impl<'a> Placed<'a> {
+    /// Reads the scene; says what does not fit.
+    pub fn new(fields: &'a Fields) -> Result<Self, String> {
+        if fields.frames.is_empty() {
+            return Err(
+                "no frames were kept of this run; run it again with record.shapes above 0".into()
+            );
+        }
+        let (mut beams, mut stations, mut intervals) = (Vec::new(), 0, 0);
+        for value in list(&fields.scene, "beams") {
+            let beam = Beam::read(value, stations, &mut intervals)?;
+            stations += beam.s.len();
+            beams.push(beam);
+        }
+        let nodes = stations + list(&fields.scene, "bodies").len();
+        for (k, frame) in fields.frames.iter().enumerate() {
+            let fits = frame.displacement.len() == 4 * nodes
+                && (frame.velocity.is_empty() || frame.velocity.len() == 4 * nodes)
+                && frame.section_forces.len() == 6 * intervals
+                && frame.contact_forces.len().is_multiple_of(6);
+            if !fits {
+                return Err(format!(
+                    "frame {k} does not fit scene.json ({nodes} nodes, {intervals} intervals)"
+                ));
+            }
+        }
+        let bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+        let mut placed = Self {
+            scene: &fields.scene,
+            frames: &fields.frames,
+            beams,
+            stations,
+            intervals,
+            bounds,
+        };
+        placed.measure();
+        Ok(placed)
+    }
+
+    /// Things of a kind in the scene.
+    pub fn list(&self, kind: &str) -> &'a [Value] {
+        list(self.scene, kind)
+    }
+
+    /// Whether velocities were kept.
+    pub fn has_velocities(&self) -> bool {
+        self.frames.iter().all(|frame| !frame.velocity.is_empty())
+    }
+
+    /// Largest extent of what the beams and discs pass through.
+    pub fn size(&self) -> f64 {
+        let [low, high] = self.bounds;
+        (high[0] - low[0]).max(high[1] - low[1]).max(1e-9)
+    }
+
+    /// Displacement and velocity (1, 2, angle) of a body.
+    pub fn body(&self, frame: &StoredFrame, body: usize) -> [[f64; 3]; 2] {
+        let at = 4 * (self.stations + body);
+        [&frame.displacement, &frame.velocity]
+            .map(|rows| std::array::from_fn(|i| rows.get(at + i).map_or(0.0, |v| f64::from(*v))))
+    }
+
+    /// A point of a beam between two stations at a share of the way.
+    pub fn point(&self, beam: &Beam, k: usize, share: f64, frame: &StoredFrame) -> OnAxis {
+        let (x, y) = (share, 1.0 - share);
+        let length = beam.s[k + 1] - beam.s[k];
+        let value = [
+            y * y * (1.0 + 2.0 * x),
+            length * x * y * y,
+            x * x * (1.0 + 2.0 * y),
+            -length * x * x * y,
+        ];
+        let slope = [
+            (6.0 * x * x - 6.0 * x) / length,
+            1.0 - 4.0 * x + 3.0 * x * x,
+            (6.0 * x - 6.0 * x * x) / length,
+            3.0 * x * x - 2.0 * x,
+        ];
+        let node = 4 * (beam.first + k);
+        let sum = |n: [f64; 4], v: [f64; 4]| n[0] * v[0] + n[1] * v[1] + n[2] * v[2] + n[3] * v[3];
+        let of = |rows: &[f32], i: usize| -> [f64; 4] {
+            let at = |j: usize| rows.get(node + j + i).map_or(0.0, |v| f64::from(*v));
+            [at(0), at(2), at(4), at(6)]
+        };
+        let rest = |i: usize| {
+            let (place, tangent) = (&beam.position[i], &beam.tangent[i]);
+            [place[k], tangent[k], place[k + 1], tangent[k + 1]]
+        };
+        let rest_place = [0, 1].map(|i| sum(value, rest(i)));
+        let rest_slope = [0, 1].map(|i| sum(slope, rest(i)));
+        let displacement = [0, 1].map(|i| sum(value, of(&frame.displacement, i)));
+        let turned = [0, 1].map(|i| rest_slope[i] + sum(slope, of(&frame.displacement, i)));
+        let velocity = [0, 1].map(|i| sum(value, of(&frame.velocity, i)));
+        let rate = [0, 1].map(|i| sum(slope, of(&frame.velocity, i)));
+        let stretch = (turned[0] * turned[0] + turned[1] * turned[1]).max(f64::MIN_POSITIVE);
+        OnAxis {
+            place: [0, 1].map(|i| rest_place[i] + displacement[i]),
+            displacement,
+            normal: normal_of(turned),
+            velocity,
+            spin: (turned[0] * rate[1] - turned[1] * rate[0]) / stretch,
+            rest_normal: normal_of(rest_slope),
+        }
+    }
+
+    /// A place on a beam as `scene.json` names it, with the half depth there (zero if unknown).
+    pub fn on(&self, place: &Value, frame: &StoredFrame) -> Option<(OnAxis, f64)> {
+        let beam = self.beams.get(usize::try_from(place["beam"].as_u64()?).ok()?)?;
+        let s = place["s"].as_f64()?;
+        let mut spans = beam.intervals.iter().map(|(k, _)| *k);
+        let k = spans
+            .find(|k| s <= beam.s[k + 1])
+            .or_else(|| beam.intervals.last().map(|(k, _)| *k))?;
+        let share = ((s - beam.s[k]) / (beam.s[k + 1] - beam.s[k])).clamp(0.0, 1.0);
+        let depth = mix(&beam.half_depth, k, share);
+        Some((self.point(beam, k, share, frame), if depth.is_finite() { depth } else { 0.0 }))
+    }
+
+    fn measure(&mut self) {
+        let mut bounds = self.bounds;
+        let mut grow = |place: [f64; 2], margin: f64| {
+            for i in 0..2 {
+                bounds[0][i] = bounds[0][i].min(place[i] - margin);
+                bounds[1][i] = bounds[1][i].max(place[i] + margin);
+            }
+        };
+        let moved = |at: [f64; 2], frame: &StoredFrame, node: usize| {
+            [0, 1].map(|i| at[i] + f64::from(frame.displacement[4 * node + i]))
+        };
+        for frame in self.frames {
+            for beam in &self.beams {
+                for k in 0..beam.s.len() {
+                    let at = [beam.position[0][k], beam.position[1][k]];
+                    let depth = beam.half_depth[k];
+                    let margin = if depth.is_finite() { depth } else { 0.0 };
+                    grow(moved(at, frame, beam.first + k), margin);
+                }
+            }
+            for (k, body) in self.list("bodies").iter().enumerate() {
+                if let Some(radius) = body["radius"].as_f64() {
+                    grow(moved(pair(&body["position"]), frame, self.stations + k), radius);
+                }
+            }
+        }
+        self.bounds = if bounds[0][0].is_finite() { bounds } else { [[-1.0; 2], [1.0; 2]] };
+    }
+}
+
+impl Beam {
+    fn read(value: &Value, first: usize, intervals: &mut usize) -> Result<Self, String> {
+        let name = text(&value["name"]);
+        let column = |key: &str| -> Vec<f64> {
+            let entries = value[key].as_array().map(Vec::as_slice).unwrap_or_default();
+            entries.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect()
+        };
+        let s = column("s");
+        let beam = Self {
+            position: [column("x"), column("y")],
+            tangent: [column("tx"), column("ty")],
+            half_depth: column("half_depth"),
+            area: column("area"),
+            inertia: column("inertia"),
+            first,
+            intervals: Vec::new(),
+            name,
+            s,
+        };
+        let columns = [&beam.position[0], &beam.position[1], &beam.tangent[0], &beam.tangent[1]];
+        let more = [&beam.half_depth, &beam.area, &beam.inertia];
+        if columns.into_iter().chain(more).any(|column| column.len() != beam.s.len()) {
+            return Err(format!(
+                "scene.json: the columns of beam `{}` differ in length",
+                beam.name
+            ));
+        }
+        let begins = (1..beam.s.len()).filter(|k| beam.s[*k] > beam.s[k - 1]).map(|k| k - 1);
+        let numbered = begins.map(|k| {
+            *intervals += 1;
+            (k, *intervals - 1)
+        });
+        let numbered = numbered.collect();
+        Ok(Self { intervals: numbered, ..beam })
+    }
+}
+
+/// A value between two stations.
+pub(super) fn mix(column: &[f64], k: usize, share: f64) -> f64 {
+    column[k] + share * (column[k + 1] - column[k])
+}
+
+/// A text of the scene; empty where there is none.
+pub(super) fn text(value: &Value) -> String {
+    value.as_str().unwrap_or_default().to_owned()
+}
+
+/// Two numbers of the scene; zero where they are missing.
+pub(super) fn pair(value: &Value) -> [f64; 2] {
+    [0, 1].map(|i| value[i].as_f64().unwrap_or(0.0))
+}
+
+fn normal_of(tangent: [f64; 2]) -> [f64; 2] {
+    let size = tangent[0].hypot(tangent[1]).max(f64::MIN_POSITIVE);
+    [-tangent[1] / size, tangent[0] / size]
+}
+
+fn list<'a>(scene: &'a Value, kind: &str) -> &'a [Value] {
+    scene[kind].as_array().map(Vec::as_slice).unwrap_or_default()
+}

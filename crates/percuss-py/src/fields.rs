@@ -1,0 +1,135 @@
+//! The scene of a run and how it moved, as arrays that NumPy owns, and back.
+
+use numpy::{Element, IntoPyArray, PyArrayMethods, PyReadonlyArrayDyn};
+use percuss_output::fields::{Fields, StoredFrame};
+use percuss_output::paraview::{self, Format};
+use percuss_output::report;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+
+use crate::error::output_error;
+
+/// `scene` (JSON), `time`, and lists of the frames: `displacement`, `velocity`, `section_forces`, `load_factors`, and
+/// `contact_forces` of all frames one behind the other with their `contact_counts`.
+pub fn to_python<'py>(py: Python<'py>, fields: &Fields) -> PyResult<Bound<'py, PyDict>> {
+    let frames = &fields.frames;
+    let n = frames.len();
+    let out = PyDict::new(py);
+    out.set_item("scene", fields.scene.to_string())?;
+    let times: Vec<f64> = frames.iter().map(|f| f.time).collect();
+    out.set_item("time", array(py, times, &[n])?)?;
+    let all = |list: fn(&StoredFrame) -> &Vec<f32>| -> Vec<f32> {
+        frames.iter().flat_map(|f| list(f).iter().copied()).collect()
+    };
+    let each = |values: &Vec<f32>, width: usize| values.len() / width / n.max(1);
+    let displacement = all(|f| &f.displacement);
+    let nodes = each(&displacement, 4);
+    out.set_item("displacement", array(py, displacement, &[n, nodes, 4])?)?;
+    let velocity = all(|f| &f.velocity);
+    let nodes = each(&velocity, 4);
+    out.set_item("velocity", array(py, velocity, &[n, nodes, 4])?)?;
+    let forces = all(|f| &f.section_forces);
+    let intervals = each(&forces, 6);
+    out.set_item("section_forces", array(py, forces, &[n, intervals, 2, 3])?)?;
+    let factors = all(|f| &f.load_factors);
+    let loads = each(&factors, 1);
+    out.set_item("load_factors", array(py, factors, &[n, loads])?)?;
+    let contacts = all(|f| &f.contact_forces);
+    let rows = contacts.len() / 6;
+    out.set_item("contact_forces", array(py, contacts, &[rows, 6])?)?;
+    let counts: Vec<i64> = frames.iter().map(|f| (f.contact_forces.len() / 6) as i64).collect();
+    out.set_item("contact_counts", array(py, counts, &[n])?)?;
+    Ok(out)
+}
+
+fn array<'py, T: Element>(
+    py: Python<'py>,
+    values: Vec<T>,
+    shape: &[usize],
+) -> PyResult<Bound<'py, PyAny>> {
+    let array = values.into_pyarray(py);
+    array.readwrite().make_nonwriteable();
+    array.call_method1("reshape", (shape.to_vec(),))
+}
+
+/// The way back.
+fn from_python(fields: &Bound<'_, PyDict>) -> PyResult<Fields> {
+    let item = |key: &str| -> PyResult<Bound<'_, PyAny>> {
+        fields.get_item(key)?.ok_or_else(|| PyValueError::new_err(format!("fields without {key}")))
+    };
+    let text: String = item("scene")?.extract()?;
+    let scene = serde_json::from_str(&text).map_err(|e| PyValueError::new_err(e.to_string()))?;
+    let times = numbers::<f64>(&item("time")?)?;
+    let counts = numbers::<i64>(&item("contact_counts")?)?;
+    let n = times.len();
+    let lists = ["displacement", "velocity", "section_forces", "load_factors"];
+    let lists = lists.map(|key| item(key).and_then(|list| numbers::<f32>(&list)));
+    let [displacement, velocity, section_forces, load_factors] = lists;
+    let contacts = numbers::<f32>(&item("contact_forces")?)?;
+    let all = [displacement?, velocity?, section_forces?, load_factors?];
+    let (mut frames, mut at) = (Vec::with_capacity(n), 0);
+    for (k, time) in times.into_iter().enumerate() {
+        let part = |list: &Vec<f32>| {
+            let width = list.len() / n;
+            list[k * width..(k + 1) * width].to_vec()
+        };
+        let count = 6 * usize::try_from(counts[k]).unwrap_or(0);
+        let contact_forces = contacts.get(at..at + count).unwrap_or_default().to_vec();
+        at += count;
+        let [displacement, velocity, section_forces, load_factors] = all.each_ref().map(part);
+        frames.push(StoredFrame {
+            time,
+            displacement,
+            velocity,
+            section_forces,
+            contact_forces,
+            load_factors,
+        });
+    }
+    Ok(Fields { scene, frames })
+}
+
+fn numbers<T: Element + Copy>(array: &Bound<'_, PyAny>) -> PyResult<Vec<T>> {
+    let array: PyReadonlyArrayDyn<'_, T> = array.extract()?;
+    Ok(array.as_array().iter().copied().collect())
+}
+
+/// The scene in motion as a page of its own with what the summary (JSON) tells; `None` without frames.
+#[pyfunction]
+pub fn scene_page(
+    py: Python<'_>,
+    fields: &Bound<'_, PyDict>,
+    summary: &str,
+) -> PyResult<Option<String>> {
+    let fields = from_python(fields)?;
+    let summary =
+        serde_json::from_str(summary).map_err(|e| PyValueError::new_err(e.to_string()))?;
+    Ok(py.detach(|| report::scene_page(&fields, &summary)))
+}
+
+/// What happened, in a few sentences.
+#[pyfunction]
+pub fn story(summary: &str) -> PyResult<String> {
+    let summary =
+        serde_json::from_str(summary).map_err(|e| PyValueError::new_err(e.to_string()))?;
+    Ok(report::story(&summary))
+}
+
+/// Writes the frames for ParaView; the names of the files to open.
+#[pyfunction]
+pub fn export(
+    py: Python<'_>,
+    fields: &Bound<'_, PyDict>,
+    directory: PathBuf,
+    format: &str,
+) -> PyResult<Vec<String>> {
+    let Some(format) = Format::ALL.into_iter().find(|f| f.name() == format) else {
+        let names = Format::ALL.map(Format::name).join(" or ");
+        return Err(PyValueError::new_err(format!("format={format:?}: expected {names}")));
+    };
+    let fields = from_python(fields)?;
+    py.detach(|| paraview::export(&directory, &fields, format))
+        .map_err(|error| output_error(&error))
+}

@@ -1,0 +1,72 @@
+"""What columns are called on axes and in legends: words, with units."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+_QUANTITIES = {
+    ("contact", "force"): "contact force",
+    ("contact", "impulse"): "impulse",
+    ("contact", "gap"): "gap",
+    ("section", "axial"): "axial force",
+    ("section", "shear"): "shear force",
+    ("section", "moment"): "bending moment",
+    ("support", "force"): "support force",
+    ("support", "moment"): "support moment",
+    ("disc", "angle"): "rotation",
+    ("disc", "spin"): "angular velocity",
+}
+_ENERGIES = {
+    "work_loads": "work of loads",
+    "work_supports": "work of supports",
+    "loss_impacts": "lost in impacts",
+    "loss_damping": "lost to damping",
+    "contact": "contacts",
+}
+
+
+class Words(NamedTuple):
+    """A column in words."""
+
+    quantity: str
+    """What is measured: ``contact force``."""
+    of: str
+    """Of what: ``mass``, ``girder.mid, along e2``."""
+
+    @property
+    def label(self) -> str:
+        """Both."""
+        return f"{self.quantity}: {self.of}" if self.of else self.quantity
+
+
+def words(name: str) -> Words:
+    """A column of the history in words."""
+    kind, _, rest = name.partition(".")
+    thing, _, quantity = rest.rpartition(".")
+    along = ""
+    for number in ("1", "2"):
+        if quantity.endswith(f"_{number}"):
+            quantity, along = quantity[:-2], f"along e{number}"
+    if kind == "energy":
+        return Words("energy", _ENERGIES.get(quantity, quantity.replace("_", " ")))
+    if kind == "momentum" and quantity in ("linear", "angular"):
+        return Words(f"{quantity} momentum", along)
+    if not rest:
+        return Words(kind, "")
+    plain = _QUANTITIES.get((kind, quantity), quantity.replace("_", " "))
+    return Words(plain, ", ".join(part for part in (thing or kind, along) if part))
+
+
+def unit_words(unit: str) -> str:
+    """A unit as it is written: ``N*m`` is N m."""
+    return unit.replace("*", " ").replace("^2", "\u00b2").replace("^3", "\u00b3")
+
+
+def engineering(value: float, unit: str) -> str:
+    """Four digits with a prefix of thousands."""
+    size = abs(value)
+    if size < 1e-12:
+        return f"0 {unit}"
+    prefixes = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
+    by, prefix = next(((by, p) for by, p in prefixes if size >= by), prefixes[-1])
+    return f"{value / by:.4g} {prefix}{unit}"

@@ -1,0 +1,143 @@
+"""The scene in notebooks and figures; results as tables."""
+
+import html
+import re
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas
+import percuss
+import pytest
+import xarray
+from IPython.lib.pretty import pretty
+from matplotlib.patches import Circle
+
+from conftest import SCENARIOS
+
+
+def page_of(result):
+    """The page inside the frame."""
+    return html.unescape(re.search(r'srcdoc="([^"]*)"', result._repr_html_()).group(1))
+
+
+@pytest.mark.parametrize("name", ["paper/elastic-clamped", "disc-chain", "portal-frame", "tapping-cantilever"])
+def test_a_notebook_shows_the_scene_by_itself(name):
+    result = percuss.run(SCENARIOS / f"{name}.toml")
+    shown = result._repr_html_()
+    assert len(shown.encode()) < 1e6, len(shown)
+    page = page_of(result)
+    assert "class Motion" in page and "class Player" in page and result.story.split(".")[0][:20] in html.unescape(page)
+    assert not re.search(r"(src|href)=\"(?!data:)", page) and "https://" not in page
+    assert 'sandbox="allow-scripts allow-downloads"' in shown
+
+
+def test_names_run_no_script(elastic):
+    elastic["title"] = '"></iframe><script>alert(1)</script>'
+    shown = percuss.run(elastic)._repr_html_()
+    assert "<script" not in shown and shown.count("</iframe>") == 1
+    assert "<script>alert" not in page_of(percuss.run(elastic))
+
+
+def test_a_finished_run_opens_as_it_was(elastic, tmp_path):
+    result = percuss.run(elastic, out=tmp_path / "run")
+    again = percuss.open(tmp_path / "run")
+    assert again.summary == result.summary and again.columns == result.columns
+    assert again.units == result.units and again.descriptions == result.descriptions
+    assert all(np.array_equal(again[name], result[name]) for name in result.columns)
+    for key in ("time", "displacement", "velocity", "section_forces", "load_factors"):
+        assert np.array_equal(getattr(again.fields, key), getattr(result.fields, key)), key
+    assert again.fields.scene == result.fields.scene and again._repr_html_() == result._repr_html_()
+    with pytest.raises(FileNotFoundError, match="no such directory"):
+        percuss.open(tmp_path / "elsewhere")
+    with pytest.raises(FileNotFoundError, match="summary.json"):
+        percuss.open(tmp_path)
+
+
+def test_the_scene_is_drawn_to_scale(elastic):
+    result = percuss.run(elastic)
+    ax = result.plot()
+    assert ax.get_aspect() == 1.0 and ax.get_xlabel() == "position along e1 [m]"
+    peak = result.summary["contact"]["mass"]["peak_force"]
+    assert ax.get_title().startswith("t = ")
+    shown = float(ax.get_title().split()[2]) * {"s": 1.0, "ms": 1e-3}[ax.get_title().split()[3].rstrip(",")]
+    assert shown == pytest.approx(peak["time"], rel=1e-2)
+    lines = [line.get_xydata() for line in ax.lines]
+    assert any(np.allclose(line[0], [0, 0]) and np.allclose(line[-1], [3, 0]) and len(line) > 10 for line in lines)
+    # Two clamps: a plate each, through the ends of the beam.
+    plates = [line for line in lines if len(line) == 2 and np.ptp(line[:, 0]) < 1e-9 and np.ptp(line[:, 1]) > 0]
+    assert {round(float(line[0, 0]), 6) for line in plates} >= {0.0, 3.0}
+    plt.close("all")
+
+
+def test_discs_are_discs():
+    result = percuss.run(SCENARIOS / "disc-chain.toml")
+    ax = result.plot(t=float(result.time[-1]))
+    discs = [b for b in result.fields.scene["bodies"] if b["kind"] == "disc"]
+    circles = [patch for patch in ax.patches if isinstance(patch, Circle)]
+    for k, disc in enumerate(discs):
+        at = np.array(disc["position"]) + result.fields.displacement[-1][result.fields.stations + k, :2]
+        own = [c for c in circles if np.allclose(c.center, at, atol=1e-6)]
+        assert own and own[0].radius == disc["radius"]
+    plt.close("all")
+
+
+@pytest.mark.parametrize("path", sorted(SCENARIOS.glob("*.toml")), ids=lambda path: path.stem)
+def test_every_scene_is_drawn(path):
+    result = percuss.run(path, shapes=20)
+    ax = result.plot(colour="moment")
+    assert ax.lines or ax.patches or ax.collections
+    plt.close("all")
+
+
+def test_labels_are_words_with_units(elastic):
+    result = percuss.run(elastic)
+    assert result.plot.force().get_ylabel() == "contact force [N]"
+    ax = result.plot.displacement()
+    assert ax.get_ylabel() == "displacement [m]" and ax.get_xlabel() == "time [s]"
+    assert [t.get_text() for t in ax.get_legend().get_texts()] == ["girder.mid, along e2"]
+    ax = result.plot.energy()
+    assert ax.get_ylabel() == "energy [J]" and "kinetic" in [t.get_text() for t in ax.get_legend().get_texts()]
+    ax = result.plot.momentum()
+    assert ax.get_ylabel() == "linear momentum [N s]" or "linear momentum [kg m/s]" in ax.get_ylabel()
+    plt.close("all")
+
+
+def test_a_scale_that_would_lie_is_refused():
+    with pytest.raises(ValueError, match="ghost"):
+        percuss.run(SCENARIOS / "crossing-beams.toml", shapes=20).plot(hide=["beams"])
+    with pytest.raises(ValueError, match="overlap"):
+        percuss.run(SCENARIOS / "crossing-beams.toml", shapes=20).plot(scale=5.0)
+
+
+def test_a_result_is_a_table(elastic):
+    result = percuss.run(elastic)
+    for table in (pandas.DataFrame(result), result.to_pandas()):
+        assert list(table.columns) == list(result.columns) and len(table) == len(result)
+        assert np.array_equal(table["energy.total"].to_numpy(), result["energy.total"])
+    assert result.to_pandas().attrs["units"]["contact.mass.force"] == "N"
+    assert list(pandas.DataFrame(result, columns=["time", "energy.total"]).columns) == ["time", "energy.total"]
+    # To all others it is no dict: pyarrow would lose the units, IPython would print every number.
+    assert type(result) is percuss.Result and not isinstance(result, dict)
+    assert pretty(result) == repr(result)
+
+
+def test_a_data_set_knows_dimensions_and_units(elastic):
+    result = percuss.run(elastic)
+    data = result.to_xarray()
+    assert isinstance(data, xarray.Dataset)
+    assert data["contact.mass.force"].dims == ("time",) and data["contact.mass.force"].attrs["units"] == "N"
+    assert float(data["contact.mass.force"].sel(time=0.02, method="nearest")) == pytest.approx(
+        result["contact.mass.force"][np.abs(result.time - 0.02).argmin()]
+    )
+    assert data["displacement_2"].dims == ("instant", "station") and data["displacement_2"].attrs["units"] == "m"
+    assert data["moment"].dims == ("instant", "interval", "end") and data["moment"].attrs["units"] == "N m"
+    middle = np.abs(data["s"].values - 1.5).argmin()
+    column = result["point.girder.mid.displacement_2"]
+    assert float(data["displacement_2"][-1, middle]) == pytest.approx(column[-1], rel=1e-6)
+    assert set(data["beam"].values) == {"girder"} and data["body"].values.tolist() == ["mass"]
+
+
+def test_frames_are_on_disk_and_in_the_report(elastic, tmp_path):
+    percuss.run(elastic, out=tmp_path / "run", report=True)
+    assert (tmp_path / "run" / "fields" / "frames.parquet").is_file()
+    assert "What happened" in (tmp_path / "run" / "report.html").read_text()
