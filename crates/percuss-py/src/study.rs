@@ -185,8 +185,10 @@ impl Study {
     /// `report.html` of the results in a directory.
     fn report(&self, py: Python<'_>, directory: PathBuf) -> PyResult<String> {
         let folder = self.folder(&directory)?;
-        py.detach(|| Ok(percuss_study::report(&self.inner, &folder.results(&self.inner)?)))
-            .map_err(refused)
+        py.detach(|| {
+            Ok(percuss_study::report(&self.inner, &folder.results(&self.inner)?, &folder.kept()))
+        })
+        .map_err(refused)
     }
 
     /// Columns of `results.parquet` in a directory: (name, unit, role, what it is, values).

@@ -17,6 +17,8 @@ const STUDY: &str = "study.toml";
 pub const RESULTS: &str = "results.parquet";
 /// The page.
 pub const REPORT: &str = "report.html";
+/// Directory of the runs that were kept whole.
+pub const KEPT: &str = "kept";
 /// Directory of the shards.
 const SHARDS: &str = "shards";
 
@@ -136,6 +138,20 @@ impl Folder {
         let path = self.path.join(RESULTS);
         let bytes = fs::read(&path).map_err(|e| Error::io(&path, "read", e))?;
         parquet::table_from(&bytes, study)
+    }
+
+    /// Numbers of the runs that were kept whole, in their order, and their pages by the path from that of the study.
+    pub fn kept(&self) -> Vec<(u64, String)> {
+        let Ok(entries) = fs::read_dir(self.path.join(KEPT)) else { return Vec::new() };
+        let number = |entry: fs::DirEntry| {
+            let name = entry.file_name().into_string().ok()?;
+            let number = name.strip_prefix("run-")?.parse().ok()?;
+            let page = format!("{KEPT}/{name}/{REPORT}");
+            self.path.join(&page).is_file().then_some((number, page))
+        };
+        let mut all: Vec<(u64, String)> = entries.flatten().filter_map(number).collect();
+        all.sort_unstable();
+        all
     }
 
     /// Writes a file of the directory, whole or not at all.

@@ -86,7 +86,7 @@ pub use converge::{
 };
 pub use distribution::{Distribution, Gauss};
 pub use error::Error;
-pub use folder::{Folder, REPORT, RESULTS};
+pub use folder::{Folder, KEPT, REPORT, RESULTS};
 pub use indices::{INDICES, indices, indices_parquet};
 pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};

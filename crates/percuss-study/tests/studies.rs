@@ -472,3 +472,32 @@ fn shares_are_of_the_completed_runs_and_the_three_counts_are_told() {
         percuss_study::analysis::Population::of(&study, &table, "end").expect("a result");
     assert_eq!((population.with_value(), population.completed, population.runs), (touched, 8, 8));
 }
+
+#[test]
+fn indices_of_too_few_points_are_refused() {
+    use percuss_study::analysis::{NoIndices, sobol_indices_of};
+    use percuss_study::{Table, Values};
+    let arranged = SAMPLED.replace("runs = 600", "runs = 20\nsobol_indices = true");
+    let study = study(&arranged);
+    // 20 points of a run for A, one for B and one a parameter; runs of `lost` points have no value.
+    let table = |lost: u64| {
+        let value = |run: u64| match run / 4 < lost && run % 4 == 1 {
+            true => f64::NAN,
+            false => ((run * 7919) % 101) as f64,
+        };
+        let columns = study.columns();
+        let values = columns.iter().map(|c| match c.name == "force" {
+            true => Values::Number((0..study.run_count()).map(value).collect()),
+            false => Values::Number(Vec::new()),
+        });
+        Table { values: values.collect(), columns: columns.clone() }
+    };
+    assert_eq!(study.run_count(), 80);
+    let points = |lost: u64| sobol_indices_of(&study, &table(lost), "force").map(|i| i.points);
+    assert_eq!(points(0), Ok(20));
+    assert_eq!(points(4), Ok(16), "a fifth is lost");
+    assert_eq!(points(5), Err(NoIndices::TooFew { points: 15, of: 20 }));
+    assert_eq!(points(20), Err(NoIndices::TooFew { points: 0, of: 20 }));
+    let why = NoIndices::TooFew { points: 2, of: 64 }.to_string();
+    assert!(why.contains("only 2 of 64 points"), "{why}");
+}

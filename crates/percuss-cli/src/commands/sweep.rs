@@ -55,8 +55,7 @@ pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     folder.finish(&study)?;
     let table = folder.results(&study)?;
     let whole = kept::keep(&study, &out, &arguments.keep_run)?;
-    let kept = kept::found(&out);
-    let page = percuss_study::report(&study, &table, &kept);
+    let page = percuss_study::report(&study, &table, &folder.kept());
     folder.write(percuss_study::REPORT, page.as_bytes())?;
     let indices = percuss_study::indices(&study, &table);
     if study.has_sobol_indices() {

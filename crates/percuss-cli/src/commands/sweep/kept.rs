@@ -2,14 +2,11 @@
 
 use std::path::Path;
 
-use percuss_study::Study;
+use percuss_study::{KEPT, Study};
 
 use crate::arguments::{History, Run};
 use crate::commands::run;
 use crate::outcome::{Failure, Status};
-
-/// Directory of the kept runs within that of the study.
-const KEPT: &str = "kept";
 
 /// Runs that the study does not have.
 pub fn refuse_missing(study: &Study, runs: &[u64]) -> Result<(), Failure> {
@@ -53,18 +50,4 @@ pub fn keep(study: &Study, out: &Path, runs: &[u64]) -> Result<Status, Failure> 
         }
     }
     Ok(worst)
-}
-
-/// Numbers of the runs that were kept, now or before, and their pages from that of the study.
-pub fn found(out: &Path) -> Vec<(u64, String)> {
-    let Ok(entries) = std::fs::read_dir(out.join(KEPT)) else { return Vec::new() };
-    let number = |entry: std::fs::DirEntry| {
-        let name = entry.file_name().into_string().ok()?;
-        let number = name.strip_prefix("run-")?.parse().ok()?;
-        let page = format!("{KEPT}/{name}/report.html");
-        out.join(&page).is_file().then_some((number, page))
-    };
-    let mut all: Vec<(u64, String)> = entries.flatten().filter_map(number).collect();
-    all.sort_unstable();
-    all
 }
