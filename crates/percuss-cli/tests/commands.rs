@@ -13,7 +13,7 @@ fn a_sound_scenario_is_counted_and_its_effective_mass_told() {
     let elastic = desk.percuss(&["check", "elastic.toml"]);
     let counts = "elastic.toml: sound: 1 beam, 6 elements, 7 nodes, 1 projectile, 1500 steps\n";
     assert_eq!(elastic.ends_with(0).stdout, counts);
-    assert_eq!(elastic.stderr, "");
+    assert!(elastic.stderr.lines().all(|line| line.starts_with("note: ")), "{}", elastic.stderr);
     let rigid = desk.percuss(&["check", "rigid.toml", "--set", "beam.girder.elements=768"]);
     rigid.ends_with(0).tells("effective mass");
     assert!(rigid.stdout.contains("768 elements") && !rigid.stderr.contains("warning"));
