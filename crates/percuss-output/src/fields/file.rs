@@ -1,6 +1,7 @@
 //! Frames on disk.
 
 use std::fs::{self, File};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -111,8 +112,10 @@ pub fn read(dir: impl AsRef<Path>) -> std::result::Result<Option<Fields>, Error>
     let value = serde_json::from_str(&text)
         .map_err(|e| Error::content(&scene, format!("cannot be read: {e}")))?;
     let file = File::open(&path).map_err(|e| Error::io(&path, "read", e))?;
-    let frames =
-        read_frames(file).map_err(|e| Error::content(&path, format!("cannot be read: {e}")))?;
+    // The decoder of the parquet crate indexes past the end of some damaged pages instead of refusing them.
+    let frames = catch_unwind(AssertUnwindSafe(|| read_frames(file)))
+        .map_err(|_| Error::content(&path, "cannot be read: it is damaged"))?
+        .map_err(|e| Error::content(&path, format!("cannot be read: {e}")))?;
     Ok(Some(Fields { scene: value, frames }))
 }
 
