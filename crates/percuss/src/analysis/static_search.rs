@@ -154,7 +154,7 @@ impl<'m> StaticSearch<'m> {
     fn direction(&mut self) -> bool {
         self.assemble::<true>();
         if self.contacts.press_exactly() {
-            return self.press();
+            return self.press().is_some();
         }
         let regular = self.factor_assembled().is_ok();
         if regular {
@@ -178,12 +178,6 @@ impl<'m> StaticSearch<'m> {
         self.work.multiplier.copy_from_slice(&place.multiplier);
         self.contacts.clone_from(&place.contacts);
         self.foresee(true);
-    }
-
-    /// Assembles and factors at the current increment.
-    pub fn factor(&mut self) -> bool {
-        self.assemble::<true>();
-        self.factor_assembled().is_ok()
     }
 
     pub fn factor_assembled(&mut self) -> Result<(), Singular> {

@@ -11,6 +11,7 @@ mod place;
 mod pressing;
 mod results;
 
+pub(super) use pressing::{Programme, Response};
 pub use results::StaticContact;
 
 use crate::contact::axis::longest_arc;

@@ -27,11 +27,13 @@ const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 const ROUND_OFF_OF_FORCES: f64 = 1e-13;
 /// Gaps that a correction may leave, as a share of the largest move: the next is smaller by itself.
 const INEXACT: f64 = 1e-7;
+/// The same of a response to a load.
+const STILL: f64 = 1e-12;
 /// Halvings of the interval in a line search: to round-off.
 const HALVINGS: usize = 52;
 
 /// The rigid contacts about a configuration.
-struct Programme {
+pub struct Programme {
     /// Places of [`StaticContacts`], and what is known of each.
     places: Vec<usize>,
     rows: Vec<Row>,
@@ -62,20 +64,62 @@ struct Linear {
 }
 
 impl StaticSearch<'_> {
-    /// The correction that the assembled tangent and its rigid contacts ask for; `false` where the tangent is singular.
-    pub fn press(&mut self) -> bool {
+    /// The correction that the assembled tangent and its rigid contacts ask for, with the contacts that it leaves closed; nothing
+    /// where the tangent is singular.
+    pub fn press(&mut self) -> Option<Programme> {
         let mut programme = Programme::new(self.model, &self.contacts);
-        let mut linear = Linear {
-            tangent: self.work.tangent.clone(),
-            residual: self.work.residual.clone(),
-            constraints: self.work.multiplier.clone(),
-        };
+        let mut linear = self.linear();
         programme.spread(&programme.multipliers, &mut linear.residual);
-        let Some(found) = programme.solve(self, &linear) else { return false };
+        let found = programme.solve(self, &linear)?;
         self.work.correction.copy_from_slice(&found.correction);
         self.work.multiplier.copy_from_slice(&found.constraints);
         self.contacts.take(&programme);
-        true
+        Some(programme)
+    }
+
+    /// The correction while the contacts that press stay closed and no other closes.
+    pub fn hold_pressed(&mut self) -> Option<Programme> {
+        let mut programme = Programme::new(self.model, &self.contacts);
+        let mut linear = self.linear();
+        programme.spread(&programme.multipliers, &mut linear.residual);
+        let found = programme.solve_held(self, &linear)?;
+        self.work.correction.copy_from_slice(&found.correction);
+        self.work.multiplier.copy_from_slice(&found.constraints);
+        self.contacts.take(&programme);
+        Some(programme)
+    }
+
+    /// Factors the assembled tangent with the rigid contacts closed that press; nothing where it is singular.
+    pub fn factor_pressed(&mut self) -> Option<Programme> {
+        let programme = Programme::new(self.model, &self.contacts);
+        let linear = self.linear();
+        programme.factor(self, &linear)?;
+        Some(programme)
+    }
+
+    fn linear(&self) -> Linear {
+        Linear {
+            tangent: self.work.tangent.clone(),
+            residual: self.work.residual.clone(),
+            constraints: self.work.multiplier.clone(),
+        }
+    }
+}
+
+/// How a structure answers to a load while what is closed stays closed.
+#[derive(Clone, Debug, Default)]
+pub struct Response {
+    /// Displacements, and forces of constraints.
+    pub nodal: Vec<[f64; 4]>,
+    pub constraints: Vec<f64>,
+    /// Forces of rigid contacts, by place.
+    contacts: Vec<(usize, f64)>,
+}
+
+impl Response {
+    /// The response of a structure without rigid contacts that corrections find.
+    pub fn free(nodal: Vec<[f64; 4]>, constraints: Vec<f64>) -> Self {
+        Self { nodal, constraints, contacts: Vec::new() }
     }
 }
 
@@ -86,6 +130,73 @@ impl StaticContacts {
         for (k, i) in programme.places.iter().enumerate() {
             let place = &mut self.places[*i];
             place.change = programme.multipliers[k] - place.multiplier;
+        }
+    }
+
+    /// Begins a correction that changes no force of a rigid contact yet.
+    pub fn keep_forces(&mut self) {
+        self.places.iter_mut().filter(|p| p.is_exact).for_each(|p| p.change = 0.0);
+    }
+
+    /// Which rigid contacts press whose forces corrections find, by place.
+    pub fn pressing(&self) -> Vec<bool> {
+        self.places.iter().map(|p| p.is_exact && p.multiplier > 0.0).collect()
+    }
+
+    /// How fast, in a response, what has begun to press since does so more, or what has let go since moves off; nothing where the
+    /// same contacts press.
+    pub fn onward(&self, since: &[bool], response: &Response) -> Option<f64> {
+        let now = self.pressing();
+        let closed = |i: &usize| now[*i] && !since[*i];
+        let opened = |i: &usize| !now[*i] && since[*i];
+        if (0..now.len()).any(|i| closed(&i)) {
+            let forces = response.contacts.iter().filter(|(i, _)| closed(i));
+            return Some(forces.map(|(_, force)| force).sum());
+        }
+        let moved = |i: usize| self.places[i].row.on(&response.nodal);
+        let mut gone = (0..now.len()).filter(opened).map(moved).peekable();
+        gone.peek()?;
+        Some(gone.sum())
+    }
+
+    /// The open contact that closes first as the load factor changes the way `rise` tells, by the response to it.
+    pub fn next_to_close(&self, response: &Response, rise: f64) -> Option<usize> {
+        let open = |p: &Place| p.is_exact && p.multiplier <= 0.0 && p.gap.is_finite();
+        let closing = |(i, p): (usize, &Place)| {
+            let rate = -rise.signum() * p.row.on(&response.nodal);
+            (rate > 0.0).then_some((i, p.gap.max(0.0) / rate))
+        };
+        let all = self.places.iter().enumerate().filter(|(_, p)| open(p)).filter_map(closing);
+        all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    }
+
+    /// The gap that a correction leads a contact to, and how it changes in a response.
+    pub fn gap_after(
+        &self,
+        place: usize,
+        correction: &[[f64; 4]],
+        response: &Response,
+    ) -> [f64; 2] {
+        let place = &self.places[place];
+        [place.gap + place.row.on(correction), place.row.on(&response.nodal)]
+    }
+
+    /// The open contact that is furthest inside, if any is.
+    pub fn innermost(&self) -> Option<usize> {
+        let inside = |(_, p): &(usize, &Place)| p.is_exact && p.gap < -super::CLOSED * self.size;
+        let all = self.places.iter().enumerate().filter(inside);
+        all.min_by(|a, b| a.1.gap.total_cmp(&b.1.gap)).map(|(i, _)| i)
+    }
+
+    /// What just touches presses from now on.
+    pub fn close(&mut self, place: usize) {
+        self.places[place].multiplier = f64::MIN_POSITIVE;
+    }
+
+    /// Adds a share of the forces of a response to the changes of a correction.
+    pub fn respond(&mut self, response: &Response, share: f64) {
+        for (i, force) in &response.contacts {
+            self.places[*i].change += share * force;
         }
     }
 }
@@ -160,6 +271,49 @@ impl Programme {
             }
         }
         at
+    }
+
+    /// The response to a nodal load of the structure factored last, what is closed in it held closed: multipliers follow until the
+    /// closed gaps do not move.
+    pub fn response(&self, search: &mut StaticSearch, load: &[[f64; 4]]) -> Response {
+        let mut forces = vec![0.0; self.rows.len()];
+        let mut nodal = Vec::new();
+        let mut constraints = Vec::new();
+        for _ in 0..MOST_ROUNDS {
+            nodal = load.to_vec();
+            self.spread(&forces, &mut nodal);
+            constraints = search.work.tangent.solve_linear(search.model, &mut nodal);
+            let mut left = 0.0_f64;
+            for k in (0..self.rows.len()).filter(|k| self.closed[*k]) {
+                let moved = self.rows[k].on(&nodal);
+                forces[k] -= self.stiffness[k] * moved;
+                left = left.max(moved.abs());
+            }
+            if left.is_nan() || left <= STILL * largest(&nodal) {
+                break;
+            }
+        }
+        let contacts = self.places.iter().copied().zip(forces).filter(|(_, f)| *f != 0.0);
+        Response { nodal, constraints, contacts: contacts.collect() }
+    }
+
+    /// The correction on the closed set as it is.
+    fn solve_held(&mut self, search: &mut StaticSearch, linear: &Linear) -> Option<Balanced> {
+        self.factor(search, linear)?;
+        let mut found = self.balance(search, linear);
+        for _ in 0..MOST_ROUNDS {
+            let closed = |(k, f): (usize, f64)| if self.closed[k] { f } else { 0.0 };
+            self.multipliers =
+                self.trial(&found.gaps).into_iter().enumerate().map(closed).collect();
+            let gaps = found.gaps.iter().zip(&self.closed).filter(|(_, c)| **c);
+            let left = gaps.map(|(g, _)| g.abs()).fold(0.0, f64::max);
+            let none = ROUND_OFF * search.contacts.size;
+            if left <= none.max(INEXACT * largest(&found.correction)) {
+                break;
+            }
+            found = self.balance(search, linear);
+        }
+        largest(&found.correction).is_finite().then_some(found)
     }
 
     fn would_flip(&self, trial: &[f64]) -> bool {
