@@ -16,6 +16,7 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
     let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
     json!({
         "stable": found.stable,
+        "sliding": found.sliding,
         "load_steps": found.load_steps,
         "newton_iterations": found.newton_iterations,
         "point": points.collect::<Map<_, _>>(),

@@ -209,7 +209,7 @@ fn a_ball_rests_in_the_middle_of_a_beam_and_its_supports_carry_both() {
             let weight = 3.0 * GRAVITY;
             let contact = &found.contacts[0];
             assert!(
-                (contact.force / weight - 1.0).abs() < 1e-6,
+                (contact.force / weight - 1.0).abs() < 1e-9,
                 "{law:?} {x} {above}: {contact:?}"
             );
             assert!((contact.resultant[1] / weight - 1.0).abs() < 1e-9);

@@ -141,6 +141,36 @@ fn a_free_strip_rests_on_a_floor() {
         assert!((contact.force - WEIGHT * LENGTH).abs() < 1e-9, "{contact:?}");
         assert!((contact.centre - 0.5 * LENGTH).abs() < 1e-6, "{contact:?}");
         assert!(contact.gap.abs() < 1e-13 && found.stable, "{contact:?}");
+        assert_eq!(found.sliding, ["strip"]);
+    }
+}
+
+#[test]
+fn a_bar_stands_on_its_end_until_its_weight_is_beside_it() {
+    for (lean, stands) in [(1e-4, true), (1e-3, true), (0.015, true), (0.03, false)] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let section =
+            Section { depth: Some(0.02), ..Section::new("bar", 2e-4, 0.01 * 8e-6 / 12.0) };
+        let section = b.section(section);
+        b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -GRAVITY] }));
+        let bar = Beam {
+            ends: Ends::Flat,
+            ..beam("bar", [0.0, 0.0105], [lean, 0.5105], 10, material, section)
+        };
+        let bar = b.beam(bar);
+        let ground = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
+        lies_on(&mut b, bar, "ground", ground);
+        b.record_point(at("top", bar, 1.0));
+        let found = equilibrium(&b.build().unwrap()).unwrap_or_else(|e| panic!("{lean}: {e}"));
+        let weight = 7850.0 * 2e-4 * lean.hypot(0.5) * GRAVITY;
+        assert!((found.contacts[0].force / weight - 1.0).abs() < 1e-9, "{:?}", found.contacts);
+        assert_eq!(found.stable, stands, "{lean}");
+        if stands {
+            // Upright, and free to slide.
+            assert!((found.points[0].1[0] + lean).abs() < 1e-6, "{lean}: {:?}", found.points);
+            assert_eq!(found.sliding, ["bar"], "{lean}");
+        }
     }
 }
 
@@ -161,6 +191,7 @@ fn a_free_strip_slides_on_two_stones_to_where_each_carries_half() {
             assert!((up / exact - 1.0).abs() < 1e-5, "{left} {right}: {contact:?}");
         }
         assert_eq!(found.stable, stays, "{left} {right}");
+        assert!(found.sliding.is_empty(), "{left} {right}: a slope either way holds it");
     }
 }
 

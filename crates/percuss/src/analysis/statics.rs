@@ -5,6 +5,7 @@ use super::static_contacts::{StaticContact, takes_part};
 use super::static_search::{StaticSearch, largest};
 use crate::contact::row::Row;
 use crate::error::Error;
+use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model, StrainMeasure, TouchLaw};
 use crate::state::State;
 use crate::step::tangent::inner;
@@ -38,6 +39,8 @@ pub struct Equilibrium {
     pub(crate) held: Vec<Held>,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
+    /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here.
+    pub sliding: Vec<String>,
     /// Load steps taken.
     pub load_steps: usize,
     /// Newton iterations.
@@ -108,7 +111,25 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     } else {
         is_stable(&structure, &found.state.of_structure(&structure), found.held.clone())
     };
+    if search.contacts.holds_beams() {
+        found.sliding = sliding(&structure, &found);
+    }
     Ok(found)
+}
+
+/// Beams that can be shifted with what presses on them staying closed.
+fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
+    let state = found.state.of_structure(structure);
+    let layout = Layout::holding(structure, found.held.clone());
+    let free = free_motions(&layout, &StaticSearch::at(structure, &state)).motions;
+    let shifts = without(&free, |_, component| component >= 2);
+    let slides = |beam: &&BeamData| moves(&shifts, beam);
+    structure.beams.iter().filter(slides).map(|beam| beam.name.clone()).collect()
+}
+
+/// Whether a beam takes part in any of the motions.
+fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
+    motions.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
 }
 
 /// Refuses what is inside something else before any load acts.
@@ -138,6 +159,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
         pressed: search.contacts.forces().map(|(_, force, row)| (*row, force)).collect(),
         held: search.contacts.held(model, &state),
         stable: true,
+        sliding: Vec::new(),
         load_steps,
         newton_iterations: search.iterations,
         state,
@@ -180,27 +202,30 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);
     let layout = Layout::new(model);
     let loose = free_motions(&layout, &StaticSearch::at(model, &rest)).motions;
-    let loose = without(&loose, |node| {
+    let loose = without(&loose, |node, _| {
         model.beams.iter().zip(&touchable).any(|(b, t)| *t && b.nodes.contains(&node))
     });
-    let moves = |beam: &crate::model::frozen::BeamData| {
-        loose.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
-    };
-    let fault = |beam: &crate::model::frozen::BeamData| {
+    let fault = |beam: &BeamData| {
         let found = format!("a mechanism: `{}` can move without being strained", beam.name);
         let expected = "supports and joints that hold every beam";
         Fault::new(format!("beam.{}", beam.name), found, expected)
     };
-    model.beams.iter().filter(|beam| moves(beam)).map(fault).collect()
+    model.beams.iter().filter(|beam| moves(&loose, beam)).map(fault).collect()
 }
 
-/// Those of the motions, or their sums, that leave some nodes at rest.
-fn without(motions: &[Vec<[f64; 4]>], is_still: impl Fn(usize) -> bool) -> Vec<Vec<[f64; 4]>> {
+/// Those of the motions, or their sums, that leave some components of nodes at rest.
+fn without(
+    motions: &[Vec<[f64; 4]>],
+    is_still: impl Fn(usize, usize) -> bool,
+) -> Vec<Vec<[f64; 4]>> {
     const STILL: f64 = 1e-12;
     let n = motions.len();
     let product = |a: &[[f64; 4]], b: &[[f64; 4]]| {
-        let nodes = a.iter().zip(b).enumerate().filter(|(node, _)| is_still(*node));
-        nodes.map(|(_, (a, b))| (0..4).map(|i| a[i] * b[i]).sum::<f64>()).sum::<f64>()
+        let product = |node: usize| {
+            let still = (0..4).filter(|k| is_still(node, *k));
+            still.map(|k| a[node][k] * b[node][k]).sum::<f64>()
+        };
+        (0..a.len()).map(product).sum::<f64>()
     };
     let gram = nalgebra::DMatrix::from_fn(n, n, |i, j| product(&motions[i], &motions[j]));
     let all: f64 = motions.iter().map(|x| inner(x, x)).sum();

@@ -15,6 +15,11 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     let steps = count(found.load_steps, "load step");
     let mut text =
         format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
+    for beam in &found.sliding {
+        text.push_str(&format!(
+            "  `{beam}` can slide along what it lies on: statics knows no friction, and nothing else holds it there\n"
+        ));
+    }
     if !found.stable {
         text.push_str(
             "  unstable: the structure leaves it at the slightest push; `percuss modes --about static` shows how\n",

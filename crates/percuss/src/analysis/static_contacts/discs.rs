@@ -138,6 +138,11 @@ impl StaticContacts {
         self.loose = stops.into_iter().map(|(node, k)| (node, k, spring(k))).collect();
     }
 
+    /// Whether there are beams that neither supports nor joints hold.
+    pub fn holds_beams(&self) -> bool {
+        !self.loose.is_empty()
+    }
+
     pub(super) fn add_springs(&self, tangent: &mut Tangent) {
         for (node, k, spring) in &self.loose {
             tangent.chain_mut().diag[*node][*k][*k] += self.damping * spring;

@@ -47,7 +47,7 @@ const SLOW: f64 = 1e-4;
 /// Forces below this share of the largest.
 const NEXT_TO_NOTHING: f64 = 1e-8;
 /// Change of a multiplier that has settled, relative to the largest: where it follows the gap, and where a correction finds it.
-const SETTLED: f64 = 1e-6;
+const SETTLED: f64 = 1e-10;
 const SETTLED_EXACTLY: f64 = 1e-9;
 /// A disc moves by no more than this share of the structure in a correction, once it touches.
 const STRIDE: f64 = 0.05;
