@@ -51,6 +51,27 @@ pub struct Path {
     pub reached: bool,
 }
 
+/// Receives equilibria along a path, for drawings.
+pub trait PathRecorder {
+    /// Whether the equilibrium at a point reached is wanted; `limit` where the load factor turns there. Limit points come between
+    /// the points before and after them.
+    fn wants(&mut self, limit: bool) -> bool;
+
+    /// Called with an equilibrium that is wanted, and the factor on its loads.
+    fn equilibrium(&mut self, factor: f64, limit: bool, found: &Equilibrium);
+}
+
+/// Wants nothing.
+struct Nothing;
+
+impl PathRecorder for Nothing {
+    fn wants(&mut self, _: bool) -> bool {
+        false
+    }
+
+    fn equilibrium(&mut self, _: f64, _: bool, _: &Equilibrium) {}
+}
+
 /// Follows the equilibrium path of `model` under its loads, all growing with one factor, from rest.
 ///
 /// Prescribed motions take no part. A path of [`PathEnd::Displacement`] ends exactly there, one of [`PathEnd::Factor`] where the
@@ -59,6 +80,18 @@ pub struct Path {
 /// # Errors
 /// No point beyond the first found, or an end that names no recorded point.
 pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, Error> {
+    equilibrium_path_recorded(model, settings, &mut Nothing)
+}
+
+/// The same, with the equilibria on the way for a recorder.
+///
+/// # Errors
+/// As [`equilibrium_path`].
+pub fn equilibrium_path_recorded(
+    model: &Model,
+    settings: &PathSettings,
+    recorder: &mut dyn PathRecorder,
+) -> Result<Path, Error> {
     refuse_overlaps(&StaticSearch::new(model))?;
     let goal = Goal::new(model, &settings.end).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let mut tracer = Tracer::new(model)?;
@@ -69,6 +102,7 @@ pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, 
         end: finish(&mut StaticSearch::new(model), 0),
         reached: false,
     };
+    tracer.show(recorder, false, 0);
     let first = tracer.first_arc(settings.first).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let (mut arc, longest) = (first, first.max(LONGEST_ARC));
     while path.points.len() <= settings.points {
@@ -104,10 +138,14 @@ pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, 
         }
         if course.turned {
             let after = tracer.mark();
-            path.limit_points.extend(tracer.limit_point(&before, arc));
+            if let Some(point) = tracer.limit_point(&before, arc) {
+                tracer.show(recorder, true, path.points.len());
+                path.limit_points.push(point);
+            }
             tracer.back_to(&after);
         }
         path.points.push(tracer.point());
+        tracer.show(recorder, false, path.points.len() - 1);
         let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, 1.5);
         arc = (arc * ease).min(longest);
     }
@@ -212,6 +250,19 @@ impl<'m> Tracer<'m> {
         let d = &self.search.work.increment;
         let displacements = self.search.model.points.iter().map(|p| p.value(d)).collect();
         PathPoint { factor: self.factor, displacements }
+    }
+
+    /// Hands the equilibrium reached after so many steps to a recorder that wants it, and comes back to it.
+    fn show(&mut self, recorder: &mut dyn PathRecorder, limit: bool, steps: usize) {
+        if !recorder.wants(limit) {
+            return;
+        }
+        let here = self.mark();
+        self.search.forcing.set_static(self.search.model, self.factor);
+        self.search.forcing.rest_motions();
+        let found = finish(&mut self.search, steps);
+        recorder.equilibrium(self.factor, limit, &found);
+        self.back_to(&here);
     }
 
     fn mark(&self) -> Mark {
