@@ -3,7 +3,10 @@
 // The scene drawn with a pen: beams to scale, supports, loads and contacts by the usual symbols. Axes are always equal.
 
 const MARGIN = 34; // pixels around the structure
+const ARROW_MARGIN = 52; // where arrows of forces stand around it
 const SYMBOL = 11; // half the size of a symbol [pixels]
+const UNITS = { stress: "Pa", velocity: "m/s", axial: "N", shear: "N", moment: "N m" };
+const DIAGRAMS = { axial: "N", shear: "V", moment: "M" };
 
 // Cividis, a map that reads the same to the colour-blind, at nine places.
 const MAP = [[0, 34, 78], [18, 53, 112], [59, 73, 108], [87, 93, 109], [112, 113, 115], [138, 134, 120], [165, 156, 116], [195, 179, 105], [225, 204, 85], [254, 232, 56]];
@@ -14,14 +17,15 @@ function mapColour(share) {
   return `rgb(${[0, 1, 2].map((i) => Math.round(MAP[k][i] + y * (MAP[k + 1][i] - MAP[k][i]))).join(",")})`;
 }
 
-// What is shown: everything the beams pass through, and bodies as far as they stay near.
-function boundsOf(motion) {
-  let { low, high } = motion.size.box;
+// What is shown: everything the beams pass through, displacements enlarged by a factor, and bodies as far as they stay near.
+function boundsOf(motion, factor = 1) {
+  let { low, high } = motion.size.box(factor);
   if (!(high[0] >= low[0])) [low, high] = [[Infinity, Infinity], [-Infinity, -Infinity]];
   const hasBeams = Number.isFinite(low[0]);
   const size = hasBeams ? Math.max(high[0] - low[0], high[1] - low[1]) : Infinity;
   const reach = hasBeams ? 0.35 * size : Infinity;
-  const out = { low: [...low], high: [...high] };
+  const margin = motion.scene.loads.some((load) => load.kind === "point") ? ARROW_MARGIN : MARGIN;
+  const out = { low: [...low], high: [...high], margin };
   const grow = ([x, y], r) => {
     if (hasBeams && (x < low[0] - reach || x > high[0] + reach || y < low[1] - reach || y > high[1] + reach)) return;
     out.low = [Math.min(out.low[0], x - r), Math.min(out.low[1], y - r)];
@@ -41,7 +45,7 @@ function boundsOf(motion) {
     if (o.kind === "walls") o.ends.flat().forEach((end) => grow(end, o.thickness / 2));
   }
   for (const s of motion.scene.springs) for (const end of s.between) if (end.position) grow(end.position, 0);
-  if (!Number.isFinite(out.low[0])) return { low: [-1, -1], high: [1, 1] };
+  if (!Number.isFinite(out.low[0])) return { low: [-1, -1], high: [1, 1], margin };
   return out;
 }
 
@@ -49,7 +53,8 @@ function boundsOf(motion) {
 function viewOf(bounds, width, height, { zoom = 1, shift = [0, 0] } = {}) {
   const extent = [0, 1].map((i) => Math.max(bounds.high[i] - bounds.low[i], 0));
   const largest = Math.max(extent[0], extent[1], 1e-9);
-  const room = [width - 2 * MARGIN, height - 2 * MARGIN - 18];
+  const margin = bounds.margin ?? MARGIN;
+  const room = [width - 2 * margin, height - 2 * margin - 18];
   const scale = zoom * Math.min(room[0] / Math.max(extent[0], 1e-3 * largest), room[1] / Math.max(extent[1], 1e-3 * largest));
   const middle = [0, 1].map((i) => (bounds.low[i] + bounds.high[i]) / 2);
   const centre = [width / 2 + shift[0], (height - 18) / 2 + shift[1]];
@@ -75,14 +80,25 @@ class Drawing {
     this.motion = motion;
     this.others = others;
     this.palette = palette; // text, soft, beam, ghost, hatch, load, contact, body, page: colours
-    this.bounds = boundsOf(motion);
-    for (const { low, high } of others.map(boundsOf)) {
-      this.bounds.low = this.bounds.low.map((v, i) => Math.min(v, low[i]));
-      this.bounds.high = this.bounds.high.map((v, i) => Math.max(v, high[i]));
-    }
+    this.known = new Map();
+    this.bounds = this.boundsAt(1);
   }
 
-  // Draws time t. Options: exaggeration, colour (none, stress, moment), diagram (none, axial, shear, moment), forces, loads, ghost,
+  // Bounds of all motions with displacements enlarged.
+  boundsAt(factor) {
+    if (!this.known.has(factor)) {
+      const bounds = boundsOf(this.motion, factor);
+      for (const { low, high } of this.others.map((other) => boundsOf(other))) {
+        bounds.low = bounds.low.map((v, i) => Math.min(v, low[i]));
+        bounds.high = bounds.high.map((v, i) => Math.max(v, high[i]));
+      }
+      this.known.set(factor, bounds);
+    }
+    return this.known.get(factor);
+  }
+
+  // Draws time t. Options: exaggeration, colour (none, stress, velocity, moment, axial), diagram (none, axial, shear, moment), forces,
+  // loads, ghost, bodies (with the stops that wait for them), obstacles,
   // flash: impulses up to so long ago are shown [s].
   draw(pen, t, view, options) {
     this.pen = pen;
@@ -91,7 +107,7 @@ class Drawing {
     this.state = this.motion.at(t);
     this.e = options.exaggeration ?? 1;
     pen.begin(this.palette.page);
-    this.motion.scene.obstacles.forEach((o) => this.obstacle(o));
+    if (options.obstacles !== false) this.motion.scene.obstacles.forEach((o) => this.obstacle(o));
     if (options.ghost) this.ghost();
     this.supports();
     this.springs();
@@ -99,7 +115,7 @@ class Drawing {
     if (options.diagram && options.diagram !== "none") this.diagrams(options.diagram);
     this.joints();
     this.masses();
-    this.bodies();
+    if (options.bodies !== false) this.bodies();
     if (options.loads) this.loads();
     this.others.forEach((other, k) => this.other(other, t, runColour(this.palette, k + 1)));
     if (options.forces) this.forces(options.flash ?? 0);
@@ -192,32 +208,30 @@ class Drawing {
   }
 
   colourAt(beam, a, b, by) {
-    const value = (p) => {
-      if (by === "stress") return this.motion.stress(this.state.index, beam, p) ?? 0;
-      return Math.abs(this.motion.section(this.state.index, p)[{ axial: 0, shear: 1, moment: 2 }[by]]);
-    };
+    const value = (p) => this.motion.quantity(by, this.state.index, beam, p);
     return mapColour(Math.max(value(a), value(b)) / (this.colourTop(by) || 1));
   }
 
   // Largest value over the run of what colours stand for.
   colourTop(by) {
-    if (by !== "stress") return this.motion.size.sections[{ axial: 0, shear: 1, moment: 2 }[by]];
-    if (this.stressTop == null) {
-      this.stressTop = 0;
+    if (by in FORCES) return this.motion.size.sections[FORCES[by]];
+    this.tops ??= {};
+    if (this.tops[by] == null) {
+      this.tops[by] = 0;
       const rest = new Float32Array(4 * this.motion.nodes);
       const curves = this.motion.scene.beams.map((_, i) => this.motion.curve(i, rest).flat().filter((p) => p.share === 0 || p.share === 1));
       for (let f = 0; f < this.motion.count; f++) {
         curves.forEach((points, i) => {
-          for (const p of points) this.stressTop = Math.max(this.stressTop, this.motion.stress(f, i, p) ?? 0);
+          for (const p of points) this.tops[by] = Math.max(this.tops[by], this.motion.quantity(by, f, i, p));
         });
       }
     }
-    return this.stressTop;
+    return this.tops[by];
   }
 
   diagrams(which) {
     const { pen, view, palette } = this;
-    const k = { axial: 0, shear: 1, moment: 2 }[which];
+    const k = FORCES[which];
     const top = this.motion.size.sections[k];
     if (!(top > 0)) return;
     this.motion.scene.beams.forEach((_, i) => {
@@ -365,8 +379,10 @@ class Drawing {
     this.arrow(o, [o[0], o[1] - 22], { stroke: palette.soft, width: 1.2 });
     pen.text([o[0] + 20, o[1] - 9], "e1", { fill: palette.soft, size: 10 });
     pen.text([o[0] + 5, o[1] - 24], "e2", { fill: palette.soft, size: 10 });
-    const notes = [`t = ${engineering(t, "s") || "0 s"}`];
+    const notes = [this.motion.label(t)].filter((note) => note);
     if (this.e !== 1) notes.push(`displacements \u00d7 ${this.e}`);
+    else if (this.motion.rests && this.motion.size.displacement > 0 && !this.motion.swing) notes.push("displacements to scale");
+    if (options.diagram in FORCES) notes.push(`${DIAGRAMS[options.diagram]} up to ${engineering(this.colourTop(options.diagram), UNITS[options.diagram])}`);
     pen.text([10, 14], notes.join(",  "), { fill: palette.text, size: 13, halo: palette.page });
     if (this.others.length) {
       [this.motion, ...this.others].forEach((run, k) => {
@@ -378,15 +394,14 @@ class Drawing {
 
   legend(by) {
     const { pen, view, palette } = this;
-    const unit = { stress: "Pa", axial: "N", shear: "N", moment: "N m" }[by];
     const [x, y, width] = [view.width - 212, 10, 200];
     for (let k = 0; k < 32; k++) {
       const a = x + (k * width) / 32;
       pen.path([[a, y], [a + width / 32 + 0.5, y], [a + width / 32 + 0.5, y + 8], [a, y + 8]], { fill: mapColour(k / 31), closed: true });
     }
     pen.text([x, y + 18], "0", { fill: palette.soft, size: 11 });
-    const name = by === "stress" ? "largest stress" : `|${by}|`;
-    pen.text([x + width, y + 18], `${name} ${engineering(this.colourTop(by), unit)}`, { fill: palette.soft, size: 11, align: "right" });
+    const name = { stress: "largest stress", velocity: "speed" }[by] ?? `|${by}|`;
+    pen.text([x + width, y + 18], `${name} ${engineering(this.colourTop(by), UNITS[by])}`, { fill: palette.soft, size: 11, align: "right" });
   }
 }
 

@@ -40,16 +40,31 @@ class Player {
     this.slider = section.querySelector("input[type=range]");
     this.playing = false;
     this.whole = [motion.start, Math.max(motion.end, ...others.map((m) => m.end))];
-    this.impact = contactSpan(motion);
+    this.impact = motion.rests ? null : contactSpan(motion);
     this.span = this.whole;
     this.time = motion.size.peak ?? motion.start;
     this.camera = { zoom: 1, shift: [0, 0] };
     this.listeners = [];
     this.control = (name) => section.querySelector(`[data-scene=${name}]`);
     this.control("impact").hidden = !this.impact;
-    const exaggeration = this.control("exaggeration");
-    exaggeration.parentElement.hidden = !canExaggerate(motion) || !(motion.size.displacement > 0);
+    this.offerExaggerations();
+    if (!motion.hasVelocity) this.control("colour").querySelector("[value=velocity]").remove();
+    if (motion.count < 2) {
+      section.querySelector(".transport").hidden = true;
+      this.control("loop").parentElement.hidden = true;
+    }
     this.wire();
+  }
+
+  // Of a run in which anything but guided projectiles touches none are offered: a few looks cannot vouch for every instant.
+  offerExaggerations() {
+    const select = this.control("exaggeration");
+    const { motion } = this;
+    const factors = motion.rests || canExaggerate(motion) ? exaggerations(motion) : [1];
+    const chosen = motion.rests ? visibleFactor(motion, factors) : 1;
+    const offered = factors.filter((f, k) => k === 0 || f === chosen || k >= factors.length - 5);
+    select.replaceChildren(...offered.map((f) => new Option(f === 1 ? "true" : `\u00d7 ${f}`, String(f), false, f === chosen)));
+    select.parentElement.hidden = factors.length < 2;
   }
 
   onTime(listener) {
@@ -74,34 +89,38 @@ class Player {
     };
   }
 
+  get bounds() {
+    return this.drawing.boundsAt(Number(this.control("exaggeration").value));
+  }
+
   // As high as the scene needs at the width there is, within what leaves room for the rest of the first screen.
   fit() {
-    const { low, high } = this.drawing.bounds;
+    const { low, high, margin } = this.bounds;
     const aspect = (high[1] - low[1]) / Math.max(high[0] - low[0], 1e-9);
-    const wanted = Math.max(0, this.canvas.clientWidth - 2 * MARGIN) * aspect + 2 * MARGIN + 90;
+    const wanted = Math.max(0, this.canvas.clientWidth - 2 * margin) * aspect + 2 * margin + 90;
     this.canvas.style.height = `min(var(--scene-most), ${Math.round(Math.max(260, wanted))}px)`;
   }
 
   draw() {
-    if (!this.drawing) return;
+    if (!this.drawing || !this.canvas.clientWidth) return;
     this.fit();
     const ratio = devicePixelRatio || 1;
     const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
-    if (!width) return;
+    this.shown = [width, height]; // what is printed is as large, though the canvas is hidden then
     if (this.canvas.width !== Math.round(width * ratio) || this.canvas.height !== Math.round(height * ratio)) {
       this.canvas.width = Math.round(width * ratio);
       this.canvas.height = Math.round(height * ratio);
     }
     const context = this.canvas.getContext("2d");
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const view = viewOf(this.drawing.bounds, width, height, this.camera);
+    const view = viewOf(this.bounds, width, height, this.camera);
     this.drawing.draw(new CanvasPen(context, width, height), this.time, view, this.options());
   }
 
   svg() {
-    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight];
+    const [width, height] = this.shown;
     const pen = new SvgPen(width, height);
-    this.drawing.draw(pen, this.time, viewOf(this.drawing.bounds, width, height, this.camera), this.options());
+    this.drawing.draw(pen, this.time, viewOf(this.bounds, width, height, this.camera), this.options());
     return pen.finish();
   }
 
@@ -109,8 +128,8 @@ class Player {
     this.time = Math.min(this.whole[1], Math.max(this.whole[0], time));
     const [from, to] = this.span;
     this.slider.value = String(Math.round(10000 * Math.min(1, Math.max(0, (this.time - from) / (to - from || 1)))));
-    this.slider.setAttribute("aria-valuetext", engineering(this.time, "s"));
-    this.control("time").textContent = engineering(this.time, "s");
+    this.slider.setAttribute("aria-valuetext", this.motion.told(this.time));
+    this.control("time").textContent = this.motion.told(this.time);
     this.draw();
     if (!quiet) this.listeners.forEach((listener) => listener(this.time));
   }

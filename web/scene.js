@@ -4,6 +4,7 @@
 // Beams are the solver's own curves: Hermite cubics through the stations.
 
 const PIECES = 400; // chords of all beams together, about
+const FORCES = { axial: 0, shear: 1, moment: 2 };
 
 class Motion {
   // `scene` is scene.json; `frames` has time (n), displacement (n x nodes x 4), sections (n x intervals x 6), loads (n x loads),
@@ -38,6 +39,20 @@ class Motion {
 
   get end() {
     return this.count ? this.frames.time[this.count - 1] : 0;
+  }
+
+  // A time in words, and what a drawing says of it.
+  told(t) {
+    return engineering(t, "s") || "0 s";
+  }
+
+  label(t) {
+    return `t = ${this.told(t)}`;
+  }
+
+  // Whether velocities were kept.
+  get hasVelocity() {
+    return this.count > 0 && (this.frames.velocity?.length ?? 0) >= 4 * this.nodes * this.count;
   }
 
   // The last frame not after t.
@@ -177,6 +192,25 @@ class Motion {
     return Math.abs(axial) / mix(b.area) + (Math.abs(moment) * point.half_depth) / mix(b.inertia);
   }
 
+  // Size of the velocity at a point of a curve [m/s], the rate of the same cubic.
+  speed(index, beam, point) {
+    const b = this.scene.beams[beam];
+    const at = 4 * (index * this.nodes + this.beams[beam].first + point.k);
+    const all = this.frames.velocity;
+    const length = b.s[point.k + 1] - b.s[point.k];
+    const [x, y] = [point.share, 1 - point.share];
+    const h = [y * y * (1 + 2 * x), length * x * y * y, x * x * (1 + 2 * y), -length * x * x * y];
+    const along = (i) => h[0] * all[at + i] + h[1] * all[at + 2 + i] + h[2] * all[at + 4 + i] + h[3] * all[at + 6 + i];
+    return Math.hypot(along(0), along(1));
+  }
+
+  // What colours stand for at a point of a curve: largest stress of the fibres, speed, or the size of a section force.
+  quantity(by, index, beam, point) {
+    if (by === "stress") return this.stress(index, beam, point) ?? 0;
+    if (by === "velocity") return this.hasVelocity ? this.speed(index, beam, point) : 0;
+    return Math.abs(this.section(index, point)[FORCES[by]]);
+  }
+
   // Extremes over all frames, found once: bounds of the beams and of all, largest displacement and forces.
   measure() {
     const none = () => ({ low: [Infinity, Infinity], high: [-Infinity, -Infinity] });
@@ -184,24 +218,34 @@ class Motion {
       box.low = [Math.min(box.low[0], x - r), Math.min(box.low[1], y - r)];
       box.high = [Math.max(box.high[0], x + r), Math.max(box.high[1], y + r)];
     };
-    const box = none();
     const rest = none();
     let displacement = 0;
     const n = 4 * this.nodes;
     const stride = Math.max(1, Math.floor((this.count * this.nodes) / 2e5));
+    const stations = []; // each where it rests, with the bounds of its displacements
     this.scene.beams.forEach((b, i) => {
       for (let k = 0; k < b.s.length; k++) {
         const r = b.half_depth[k] ?? 0;
-        grow(box, [b.x[k], b.y[k]], r);
         grow(rest, [b.x[k], b.y[k]], r);
         const node = 4 * (this.beams[i].first + k);
+        const moved = none();
+        grow(moved, [0, 0]);
         for (let f = 0; f < this.count; f += f + stride < this.count || f === this.count - 1 ? stride : this.count - 1 - f) {
           const [u1, u2] = [this.frames.displacement[f * n + node], this.frames.displacement[f * n + node + 1]];
           displacement = Math.max(displacement, Math.hypot(u1, u2));
-          grow(box, [b.x[k] + u1, b.y[k] + u2], r);
+          grow(moved, [u1, u2]);
         }
+        stations.push({ place: [b.x[k], b.y[k]], r, moved });
       }
     });
+    // All that the beams pass through with displacements enlarged.
+    const box = (factor = 1) => {
+      const out = none();
+      for (const { place, r, moved } of stations) {
+        for (const u of [moved.low, moved.high]) grow(out, [place[0] + factor * u[0], place[1] + factor * u[1]], r);
+      }
+      return out;
+    };
     const arrows = { force: 0, impulse: 0 }; // of one pair
     const resultants = { force: [0, null], impulse: [0, null] }; // of a contact: largest, and when
     for (let f = 0; f < this.count; f++) {
@@ -222,7 +266,9 @@ class Motion {
     for (let i = 0; i < this.frames.sections.length; i++) {
       sections[i % 3] = Math.max(sections[i % 3], Math.abs(this.frames.sections[i]));
     }
-    return { box, rest, displacement, ...arrows, peak, sections };
+    let loads = 1; // largest factor
+    for (const factor of this.frames.loads) loads = Math.max(loads, Math.abs(factor));
+    return { box, rest, displacement, ...arrows, peak, sections, loads };
   }
 }
 
@@ -233,7 +279,7 @@ function engineering(value, unit) {
   const steps = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
   if (size < 1e-12) return `0 ${unit}`;
   const [by, prefix] = steps.find(([by]) => size >= by) ?? steps[steps.length - 1];
-  return `${Number((value / by).toPrecision(4))} ${prefix}${unit}`;
+  return `${Number((value / by).toPrecision(5))} ${prefix}${unit}`;
 }
 
 if (typeof module !== "undefined") module.exports = { Motion, engineering };

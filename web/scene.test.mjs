@@ -6,9 +6,9 @@ import { test } from "node:test";
 import vm from "node:vm";
 
 // The page runs them as one script.
-const parts = ["pens.js", "scene.js", "drawing.js", "symbols.js", "player.js"];
+const parts = ["pens.js", "figures.js", "scene.js", "clearance.js", "drawing.js", "symbols.js", "player.js", "shapes.js", "chart.js"];
 const text = parts.map((name) => readFileSync(new URL(name, import.meta.url), "utf8")).join("\n");
-const names = "{ SvgPen, escapeXml, Motion, engineering, Drawing, boundsOf, viewOf, canExaggerate, mapColour, contactSpan }";
+const names = "{ SvgPen, escapeXml, Motion, engineering, Drawing, boundsOf, viewOf, canExaggerate, mapColour, contactSpan, exaggerations, visibleFactor, ShapeMotion, PathMotion, RestingMotion, roundTicks, crossings }";
 const page = vm.runInNewContext(`${text}\n;(${names})`, { Float32Array, Math, Number, Map, Set });
 
 const nothing = { bodies: [], obstacles: [], supports: [], joints: [], springs: [], masses: [], loads: [], contacts: [] };
@@ -102,8 +102,92 @@ test("a picture for paper has what the canvas shows, and names cannot break out 
   assert.equal(page.escapeXml("<script>&\"'"), "&lt;script&gt;&amp;&quot;&#39;");
 });
 
+// A beam whose right end goes down by 40 mm, 100 mm above a floor; 4 mm deep, so that its axis may go down by 98 mm.
+const floor = { name: "floor", body: null, kind: "half-plane", point: [0, -0.1], normal: [0, 1] };
+function sagging(scene = {}) {
+  const displacement = new Float32Array(8);
+  displacement[5] = -0.04;
+  const frames = {
+    time: Float64Array.of(0), displacement, sections: new Float32Array(6), contacts: new Float32Array(0), contact_count: Float32Array.of(0),
+    loads: new Float32Array(0), velocity: new Float32Array(0),
+  };
+  return [{ beams: [beam({ half_depth: [0.002, 0.002] })], ...nothing, ...scene }, frames];
+}
+
+test("displacements are enlarged only as far as bodies stay apart", () => {
+  const free = new page.RestingMotion(...sagging());
+  assert.deepEqual([...page.exaggerations(free)], [1, 2, 5, 10, 20]);
+  assert.equal(page.visibleFactor(free, page.exaggerations(free)), 5, "a tenth of two metres");
+  // 80 mm leave the floor 18 mm below, 200 mm would not.
+  const above = new page.RestingMotion(...sagging({ obstacles: [floor] }));
+  assert.deepEqual([...page.exaggerations(above)], [1, 2]);
+  const wall = { name: "wall", body: null, kind: "walls", ends: [[[1.9, -0.3], [2.5, -0.3]]], thickness: 0.01 };
+  assert.deepEqual([...page.exaggerations(new page.RestingMotion(...sagging({ obstacles: [wall] })))], [1, 2, 5]);
+  const stop = { name: "stop", kind: "stop", at: { beam: 0, s: 2 }, direction: [0, -1], gap: 0.05, two_sided: false, until: null };
+  assert.deepEqual([...page.exaggerations(new page.RestingMotion(...sagging({ supports: [stop] })))], [1]);
+  const ball = { name: "ball", position: [2, -0.2], kind: "disc", radius: 0.05 };
+  const [scene, frames] = sagging({ bodies: [ball] });
+  const beside = new page.RestingMotion(scene, { ...frames, displacement: Float32Array.of(...frames.displacement, 0, 0, 0, 0) });
+  assert.deepEqual([...page.exaggerations(beside)], [1, 2], "the ball begins 150 mm below");
+});
+
+test("displacements are enlarged only as far as beams do not come to cross", () => {
+  const [scene, frames] = sagging();
+  const other = beam({ name: "other", half_depth: [null, null], x: [1, 3], y: [-0.3, -0.3] });
+  const two = { ...scene, beams: [beam({ half_depth: [null, null] }), other] };
+  const more = { ...frames, displacement: Float32Array.of(...frames.displacement, ...new Array(8).fill(0)), sections: new Float32Array(12) };
+  assert.deepEqual([...page.exaggerations(new page.RestingMotion(two, more))], [1, 2, 5]);
+  const segment = (a, b) => [a, b, 0];
+  const corner = [segment([0, 0], [1, 0]), segment([1, 0], [1, 1])];
+  assert.equal(page.crossings(corner, corner), 0, "neighbours meet");
+  assert.equal(page.crossings(corner, [segment([0.5, -1], [0.5, 1])]), 1);
+});
+
+test("a shape swings about its configuration, no farther than there is room", () => {
+  const [scene, one] = sagging();
+  const frames = { ...one, time: Float64Array.of(0, 0), displacement: Float32Array.of(...one.displacement, 0, 0, 0, 0, 0, 1, 0, 0), sections: new Float32Array(12), contact_count: Float32Array.of(0, 0) };
+  const swing = new page.ShapeMotion(scene, frames, 1, 0);
+  const tip = (m, t) => m.on({ beam: 0, s: 2 }, m.at(t).u).place[1];
+  assert.ok(Math.abs(tip(swing, 0) + 0.04) < 1e-7 && Math.abs(tip(swing, 0.25) - 0.1604) < 1e-6 && Math.abs(tip(swing, 0.75) + 0.2404) < 1e-6);
+  // A tenth of the size, 2.004 m with the depth. Without a configuration about the reference; all that it passes through is in view.
+  const { low, high } = page.boundsOf(new page.ShapeMotion(scene, frames, 1, null));
+  assert.ok(Math.abs(low[1] + 0.2024) < 1e-6 && Math.abs(high[1] - 0.2024) < 1e-6, `${low} ${high}`);
+  // 58 mm of room to the floor, less half a thousandth of the size.
+  const above = new page.ShapeMotion({ ...scene, obstacles: [floor] }, frames, 1, 0);
+  assert.ok(above.obstacles && above.amplitude < 0.058 && above.amplitude > 0.05, `${above.amplitude}`);
+  // Where next to nothing would be seen an obstacle that nothing presses on is left out.
+  const near = new page.ShapeMotion({ ...scene, obstacles: [{ ...floor, point: [0, -0.045] }] }, frames, 1, 0);
+  assert.ok(!near.obstacles && Math.abs(near.amplitude - 0.2004) < 1e-6);
+});
+
+test("a place on a path is told by its load factor", () => {
+  const [scene, one] = sagging();
+  const frames = { ...one, displacement: Float32Array.of(...new Array(8).fill(0), ...one.displacement), sections: new Float32Array(12), contact_count: Float32Array.of(0, 0) };
+  const path = new page.PathMotion(scene, frames, [0, 0.16]);
+  assert.equal(path.label(1), "load factor 0.16");
+  assert.equal(path.told(0.25), "load factor 0.04");
+  assert.ok(Math.abs(path.on({ beam: 0, s: 2 }, path.at(0.5).u).place[1] + 0.02) < 1e-7);
+  assert.deepEqual([...page.roundTicks(-0.5, 1, 6)].map((v) => Number(v.toFixed(9))), [-0.5, 0, 0.5, 1]);
+});
+
+test("velocities are the rates of the same cubic, and colours stand for their size", () => {
+  const velocity = new Float32Array(16);
+  velocity.set([3, 4, 0, 0, 3, 4, 0, 0], 0);
+  velocity[8 + 5] = 2; // the right end rises at 2 m/s, flat at both ends
+  const m = motion({}, { velocity });
+  const at = (index, k, share) => m.speed(index, 0, { k, share });
+  assert.ok(Math.abs(at(0, 0, 0.3) - 5) < 1e-12);
+  assert.ok(Math.abs(at(1, 0, 0.5) - 1) < 1e-6 && Math.abs(at(1, 0, 0.25) - 2 * 0.0625 * 2.5) < 1e-6);
+  const drawing = new page.Drawing(m, new Proxy({}, { get: () => "#000000" }));
+  assert.equal(drawing.colourTop("velocity"), 5);
+  const pen = new page.SvgPen(600, 400);
+  drawing.draw(pen, 0, page.viewOf(drawing.bounds, 600, 400), { colour: "velocity" });
+  assert.match(pen.finish(), /speed 5 m\/s/);
+  assert.equal(motion().hasVelocity, false);
+});
+
 test("numbers carry prefixes of thousands", () => {
   assert.equal(page.engineering(0.0123, "m"), "12.3 mm");
-  assert.equal(page.engineering(-176632, "N"), "-176.6 kN");
+  assert.equal(page.engineering(-176632, "N"), "-176.63 kN");
   assert.equal(page.engineering(0, "s"), "0 s");
 });

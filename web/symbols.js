@@ -6,6 +6,7 @@ Object.assign(Drawing.prototype, {
   supports() {
     for (const support of this.motion.scene.supports) {
       if (support.until != null && this.state.time > support.until) continue;
+      if (support.kind === "stop" && this.options.bodies === false) continue;
       const at = this.motion.on(support.at, this.state.u, this.e);
       const rest = this.motion.on(support.at, new Float32Array(4 * this.motion.nodes));
       const draw = { clamp: "clamp", pin: "pin", roller: "roller", guide: "clamp", elastic: "elastic", stop: "stop" }[support.kind];
@@ -36,9 +37,10 @@ Object.assign(Drawing.prototype, {
     return [base(1), base(-1)];
   },
 
-  pin(support, at) {
+  // The support stands as it was built, however the beam turns in it.
+  pin(support, at, rest) {
     const p = this.view.to(at.place);
-    const down = Math.abs(at.tangent[1]) > 0.8 ? [-Math.sign(at.normal[0] || 1), 0] : [0, 1];
+    const down = Math.abs(rest.tangent[1]) > 0.8 ? [-Math.sign(rest.normal[0] || 1), 0] : [0, 1];
     const [a, b] = this.triangle(p, down, SYMBOL);
     this.hatch(a, b, down, 6);
   },
@@ -98,7 +100,7 @@ Object.assign(Drawing.prototype, {
       distributed: top("distributed", (l) => l.force.map((f) => Math.hypot(...f))),
     };
     scene.loads.forEach((load, k) => {
-      const factor = frames.loads[this.state.index * count + k] ?? 0;
+      const factor = (frames.loads[this.state.index * count + k] ?? 0) / this.motion.size.loads;
       if (load.kind === "gravity") this.gravity(load, factor);
       if (factor === 0) return;
       if (load.kind === "point") this.pointLoad(load, factor, most.point);

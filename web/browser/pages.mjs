@@ -1,5 +1,5 @@
 // Report pages in a real browser, from files and without a network: PAGES is a directory with a page of each scenario,
-// SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it. See scripts/check-browser.
+// STILL one of results of `static`, `static --path` and `modes`, SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it. See scripts/check-browser.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync } from "node:fs";
@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON } = process.env;
+const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON, STILL } = process.env;
 const { chromium } = createRequire(import.meta.url)(PLAYWRIGHT);
 const quiet = ["--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const root = process.getuid?.() === 0;
@@ -22,7 +22,7 @@ after(() => browser.close());
 
 const open = (name, width, height) => openFile(join(PAGES, name, "report.html"), width, height);
 
-async function openFile(file, width, height) {
+async function openFile(file, width, height, ready = () => document.querySelector("[data-scene=time]")?.textContent) {
   const context = await browser.newContext({ viewport: { width, height }, offline: true, acceptDownloads: true });
   const page = await context.newPage();
   const errors = [];
@@ -30,7 +30,7 @@ async function openFile(file, width, height) {
   page.on("pageerror", (error) => errors.push(String(error)));
   page.on("request", (request) => request.url().startsWith("http") && errors.push(request.url()));
   await page.goto(pathToFileURL(file).href);
-  await page.waitForFunction(() => document.querySelector("[data-scene=time]")?.textContent);
+  await page.waitForFunction(ready);
   return { page, errors, close: () => context.close() };
 }
 
@@ -82,7 +82,7 @@ for (const name of readdirSync(PAGES)) {
       assert.equal(await page.getAttribute("[data-scene=impact]", "aria-pressed"), "true");
       await page.click("[data-scene=impact]");
     }
-    for (const colour of ["stress", "moment"]) {
+    for (const colour of ["stress", "velocity", "moment"]) {
       await page.selectOption("[data-scene=colour]", colour);
       assert.ok((await inked(page)) > 300);
     }
@@ -208,6 +208,73 @@ test("runs over each other play together", async () => {
   await scrub(page, 0.7);
   const curves = await page.evaluate(() => document.querySelector('figure[data-figure] .u-legend').textContent);
   assert.ok(curves.includes("gapped-pipe") && curves.includes("finer"), curves);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+const still = (name, width, height) => openFile(join(STILL, name), width, height, () => document.documentElement.dataset.open);
+
+// The pixels of a canvas, as one number each picture has of its own.
+const print = (page, selector) => page.evaluate((selector) => document.querySelector(selector).toDataURL(), selector);
+
+test("a static page draws the loaded structure enlarged, and its buckling mode swings", async () => {
+  const { page, errors, close } = await still("static/static.html", 1400, 900);
+  assert.ok((await inked(page)) > 300);
+  assert.equal(await page.isVisible("[data-scene=play]"), false, "nothing to play");
+  assert.match(await page.inputValue("[data-scene=exaggeration]"), /^[125]0*$/);
+  const svg = await downloaded(page, () => page.click("[data-scene=svg]"));
+  assert.match(svg.text, /displacements \u00d7 [125]0/);
+  await page.selectOption("[data-scene=exaggeration]", "1");
+  assert.match((await downloaded(page, () => page.click("[data-scene=svg]"))).text, /displacements to scale/);
+  await page.selectOption("[data-scene=diagram]", "moment");
+  assert.match((await downloaded(page, () => page.click("[data-scene=svg]"))).text, /M up to 61\.189 kN m/);
+  const panel = "#panels canvas";
+  await page.locator(panel).scrollIntoViewIfNeeded();
+  const before = await print(page, panel);
+  await page.waitForTimeout(300);
+  assert.notEqual(await print(page, panel), before, "it swings");
+  await page.click("[data-panels=play]");
+  const paused = await print(page, panel);
+  await page.waitForTimeout(200);
+  assert.equal(await print(page, panel), paused);
+  await page.screenshot({ path: join(SHOTS, "static.png"), fullPage: true });
+  await page.emulateMedia({ media: "print" });
+  await page.waitForSelector(".paper svg", { state: "attached" });
+  assert.equal(await page.locator(".paper svg").count(), 2, "drawings for paper");
+  assert.ok(!(await page.content()).includes("NaN"));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("a page of modes swings them, a period each, and fits a telephone", async () => {
+  const { page, errors, close } = await still("modes/modes.html", 400, 800);
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 400);
+  assert.equal(await page.locator("#panels figure").count(), 10);
+  const before = await print(page, "#panels canvas");
+  await page.waitForTimeout(300);
+  assert.notEqual(await print(page, "#panels canvas"), before);
+  await page.click("#theme");
+  await page.screenshot({ path: join(SHOTS, "modes-400.png"), fullPage: true });
+  await page.emulateMedia({ media: "print" });
+  await page.waitForSelector(".paper svg", { state: "attached" });
+  assert.equal(await page.locator(".paper svg").count(), 10);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test("a path is followed with its load factor, and a click into the curve takes the structure there", async () => {
+  const { page, errors, close } = await still("path/path.html", 1400, 900);
+  assert.equal(await time(page), "load factor 1");
+  const titles = await page.locator("#panels h3").allTextContents();
+  assert.ok(titles.some((t) => t.startsWith("limit point at the load factor")) && titles.some((t) => t.startsWith("end, at")), titles.join());
+  const chart = await print(page, "#chart canvas");
+  await scrub(page, 0.3);
+  assert.match(await time(page), /^load factor 0\.\d+$/);
+  assert.notEqual(await print(page, "#chart canvas"), chart, "the mark moves along the curve");
+  const box = await page.locator("#chart canvas").boundingBox();
+  await page.mouse.click(box.x + 0.97 * box.width, box.y + 0.65 * box.height);
+  assert.equal(await time(page), "load factor 0");
+  await page.screenshot({ path: join(SHOTS, "path.png"), fullPage: true });
   assert.deepEqual(errors, []);
   await close();
 });

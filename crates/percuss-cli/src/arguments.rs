@@ -286,11 +286,12 @@ pub struct Static {
     /// Print the result as JSON and nothing else
     #[arg(long)]
     pub json: bool,
-    /// Follow the equilibrium path by arc length; writes path.csv and a picture
+    /// Follow the equilibrium path by arc length; writes its page, path.csv and a picture
     #[arg(long)]
     pub path: bool,
-    /// Directory of the path; an earlier one in it is replaced [default: runs/ and the name of FILE with -path]
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath, requires = "path")]
+    /// Directory of the results; earlier ones of the kind in it are replaced [default: runs/ and the name of FILE with -static,
+    /// or -path]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
 }
 

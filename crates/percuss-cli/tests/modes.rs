@@ -62,6 +62,12 @@ fn a_cantilever_has_the_frequencies_of_the_textbook() {
     assert_eq!(shapes.lines().count(), 1 + 3 * 9, "modes times nodes");
     let page = std::fs::read_to_string(desk.path("runs/arm-modes/modes.html")).expect("a file");
     assert!(page.contains("A plank") && page.contains("<svg") && !page.contains("{{"));
+    let (_, index) = page.split_once("id=\"percuss-index\">").expect("what is drawn");
+    let index: Value = self::value(index.split_once("</script>").expect("its end").0);
+    assert_eq!(index["scenes"][0]["scene"]["supports"][0]["kind"], "clamp");
+    let panels = index["details"]["panels"].as_array().expect("a panel each mode");
+    assert_eq!(panels.len(), 3);
+    assert_eq!((&panels[2]["shape"], &panels[2]["about"]), (&3.into(), &0.into()));
 }
 
 #[test]

@@ -50,7 +50,9 @@ fn a_cantilever_sags_by_the_hand_formula() {
     let dir = tempfile::tempdir().unwrap();
     let file = dir.path().join("arm.toml");
     std::fs::write(&file, format!("{CANTILEVER}{CLAMP}")).unwrap();
-    let (status, stdout, stderr) = percuss(&file, &["--json"]);
+    let out = dir.path().join("out");
+    let out = out.to_str().unwrap();
+    let (status, stdout, stderr) = percuss(&file, &["--json", "--out", out]);
     assert_eq!(status, Some(0), "{stderr}");
     let found: serde_json::Value = serde_json::from_str(&stdout).unwrap();
     let sag = found["point"]["arm.end"]["displacement"][1].as_f64().unwrap();
@@ -66,7 +68,7 @@ fn a_cantilever_sags_by_the_hand_formula() {
     assert!((wall["force_2"].as_f64().unwrap() - 100.0).abs() < 1e-6, "{wall}");
     assert!((wall["moment"].as_f64().unwrap() - 200.0).abs() < 0.2, "{wall}");
     assert!(found["linear_buckling"].is_array());
-    let (status, stdout, stderr) = percuss(&file, &[]);
+    let (status, stdout, stderr) = percuss(&file, &["--out", out]);
     assert_eq!(status, Some(0), "{stderr}");
     assert!(stdout.contains("wall: force") && stdout.contains("100 N"), "{stdout}");
     assert!(!stdout.contains("fibre stress"), "{stdout}");
@@ -84,6 +86,42 @@ fn a_column_buckles_at_eulers_load() {
     assert!((factor / euler - 1.0).abs() < 1e-2, "{factor} {euler}");
     let text = desk.percuss(&["static", "column.toml"]);
     assert!(text.stdout.contains("linear buckling at"), "{}", text.stdout);
+    text.tells("runs/column-static");
+    assert_eq!(names(&desk.path("runs/column-static")), ["static.html", "static.json"]);
+    let kept = std::fs::read_to_string(desk.path("runs/column-static/static.json")).unwrap();
+    assert_eq!(kept, found.stdout);
+}
+
+/// What a page draws.
+fn index(page: &std::path::Path) -> serde_json::Value {
+    let text = std::fs::read_to_string(page).unwrap();
+    assert!(!text.contains("{{"), "a hole was left open");
+    let (_, rest) = text.split_once("id=\"percuss-index\">").unwrap();
+    serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
+}
+
+#[test]
+fn the_page_of_an_equilibrium_has_supports_loads_forces_and_the_buckling_mode() {
+    let desk = Desk::empty();
+    let column = CANTILEVER.replace("[0, \"-100 N\"]", "[\"-1 kN\", 0]");
+    desk.put("column.toml", format!("title = \"</script><b>\"\n{column}{CLAMP}"));
+    desk.percuss(&["static", "column.toml", "--out", "s"]).ends_with(0);
+    let page = index(&desk.path("s/static.html"));
+    let scene = &page["scenes"][0];
+    assert_eq!(scene["scene"]["supports"][0]["kind"], "clamp");
+    assert_eq!(scene["scene"]["loads"][0]["force"][0], -1000.0);
+    let column = |name: &str| {
+        let k = scene["frames"][name].as_u64().unwrap() as usize;
+        page["columns"][k][1].as_u64().unwrap()
+    };
+    // The equilibrium and the mode, nine nodes, eight elements, one load.
+    assert_eq!((column("time"), column("displacement")), (2, 2 * 9 * 4));
+    assert_eq!((column("sections"), column("loads"), column("velocity")), (2 * 8 * 6, 2, 0));
+    let details = &page["details"];
+    assert_eq!((&details["kind"], &details["panels"][0]["shape"]), (&"static".into(), &1.into()));
+    assert!(details["panels"][0]["about"].is_null(), "about the reference configuration");
+    let text = std::fs::read_to_string(desk.path("s/static.html")).unwrap();
+    assert!(text.contains("stable equilibrium") && !text.contains("</script><b>"));
 }
 
 const CLAMP: &str = "\n[support.wall]\nat = \"arm.start\"\nkind = \"clamp\"\n";
@@ -137,8 +175,22 @@ fn beyond_a_limit_point_the_path_is_told_of_and_followed() {
     assert!(text.stdout.contains("limit point at the load factor 0.16"), "{}", text.stdout);
     assert_eq!(
         names(&desk.path("runs/arch-path")),
-        ["path.csv", "path.json", "path.png", "path.svg"]
+        ["path.csv", "path.html", "path.json", "path.png", "path.svg"]
     );
+    let page = index(&desk.path("runs/arch-path/path.html"));
+    let (details, frames) = (&page["details"], &page["scenes"][0]["frames"]);
+    let titles: Vec<&str> =
+        details["panels"].as_array().unwrap().iter().filter_map(|p| p["title"].as_str()).collect();
+    assert!(titles[0].starts_with("limit point at the load factor 0.16"), "{titles:?}");
+    assert!(titles.contains(&"end, at the load factor 1"), "{titles:?}");
+    assert_eq!(details["kind"], "path");
+    let limit = details["chart"]["limits"][0].as_u64().unwrap() as usize;
+    assert_eq!(details["panels"][0]["frame"], limit);
+    let kept = details["chart"]["kept"].as_array().unwrap();
+    assert!(kept[limit].as_f64().unwrap() > kept[limit - 1].as_f64().unwrap());
+    // Configurations, and the buckling mode behind them.
+    let time = &page["columns"][frames["time"].as_u64().unwrap() as usize];
+    assert_eq!(time[1].as_u64().unwrap() as usize, kept.len() + 1);
     let csv = std::fs::read_to_string(desk.path("runs/arch-path/path.csv")).unwrap();
     let header = "factor,point.arch.mid.displacement_1,point.arch.mid.displacement_2";
     assert_eq!(csv.lines().next(), Some(header));
@@ -163,7 +215,8 @@ fn a_path_that_ends_too_soon_is_written_and_fails() {
         .ends_with(3)
         .tells("before the end asked for");
     assert!(desk.path("p/path.csv").is_file());
-    desk.percuss(&["static", "arch.toml", "--out", "q"]).ends_with(2).tells("--path");
+    desk.percuss(&["static", "arch.toml", "--out", "q"]).ends_with(3).tells("--path");
+    assert!(!desk.path("q").exists(), "nothing is written");
 }
 
 #[test]

@@ -1,10 +1,41 @@
-//! A static equilibrium as JSON.
+//! A static equilibrium on disk: numbers and a page.
 
+use std::path::Path;
+
+use percuss::scene::Scene;
 use percuss::{
     Equilibrium, FollowerStability, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange,
     StaticContact,
 };
 use serde_json::{Map, Value, json};
+
+use crate::error::Error;
+use crate::files;
+use crate::report::still;
+
+/// An equilibrium and what it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub struct EquilibriumInfo<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// What stands in the model.
+    pub scene: &'a Scene,
+    /// The equilibrium.
+    pub found: &'a Equilibrium,
+    /// Its linear buckling.
+    pub linear: &'a LinearBuckling,
+}
+
+/// Writes `static.json` and `static.html` into `dir`.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn write_equilibrium(dir: impl AsRef<Path>, info: &EquilibriumInfo<'_>) -> Result<(), Error> {
+    let dir = dir.as_ref();
+    files::write(&dir.join("static.html"), still::equilibrium_page(info).as_bytes())?;
+    let value = equilibrium_value(info.found, info.linear);
+    files::write(&dir.join("static.json"), format!("{value:#}\n").as_bytes())
+}
 
 /// Everything about an equilibrium; what has no value is `null`.
 pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value {

@@ -24,7 +24,7 @@ mod summary;
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
 pub use directory::{Extent, Results, RunDirectory, RunUpdate};
 pub use envelopes::{BeamEnvelope, read_envelopes, write_envelopes};
-pub use equilibrium::equilibrium_value;
+pub use equilibrium::{EquilibriumInfo, equilibrium_value, write_equilibrium};
 pub use error::Error;
 pub use history::{
     Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,
@@ -32,7 +32,7 @@ pub use history::{
 };
 pub use impacts::write_impacts;
 pub use modes::{ModesInfo, modes_value, write_modes};
-pub use path::{path_value, write_path};
+pub use path::{PathInfo, PathShapes, path_value, write_path};
 pub use summary::{
     Picked, RunInfo, SummaryPath, pick, pick_derivatives, provenance, read_summary, summary_paths,
     summary_value, write_summary,

@@ -3,18 +3,17 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use percuss::{Mode, ModeKind, Model};
+use percuss::scene::Scene;
+use percuss::{Frame, Mode, ModeKind, Model};
 use serde_json::{Value, json};
 
 use crate::csv_text;
 use crate::error::Error;
 use crate::files;
-use crate::report::html::{escape, table};
-use crate::report::quantity::{number, quantity};
-use crate::report::{page, pictures};
+use crate::report::quantity::number;
+use crate::report::{pictures, still};
 use crate::shapes::{self, Panel};
 
-const TEMPLATE: &str = include_str!("../../../web/modes.html");
 /// Modes drawn.
 const DRAWN: usize = 60;
 
@@ -69,19 +68,26 @@ pub fn modes_value(info: &ModesInfo<'_>) -> Value {
     })
 }
 
-/// Writes `modes.json`, `shapes.csv`, `modes.svg`, `modes.png` and `modes.html` into `dir`.
+/// Writes `modes.json`, `shapes.csv`, `modes.svg`, `modes.png` and `modes.html` into `dir`. The page draws them in the scene, about
+/// the configuration of a frame.
 ///
 /// # Errors
 /// If a file cannot be written or the picture not drawn.
-pub fn write_modes(dir: impl AsRef<Path>, info: &ModesInfo<'_>) -> Result<(), Error> {
+pub fn write_modes(
+    dir: impl AsRef<Path>,
+    info: &ModesInfo<'_>,
+    (scene, about): (&Scene, &Frame<'_>),
+) -> Result<(), Error> {
     let dir = dir.as_ref();
     files::write(&dir.join("shapes.csv"), shapes_csv(info).as_bytes())?;
     let panels: Vec<Panel<'_>> = info.modes.iter().take(DRAWN).enumerate().map(panel).collect();
     if !panels.is_empty() {
-        let scene = shapes::sheet(info.model, info.displacement, &panels);
-        let svg = pictures::inline_svg(&scene);
-        files::write(&dir.join("modes.html"), html(info, &svg).as_bytes())?;
-        pictures::draw(dir, "modes", scene)?;
+        let sheet = shapes::sheet(info.model, info.displacement, &panels);
+        let titles: Vec<String> = panels.iter().map(|panel| panel.title.clone()).collect();
+        let svg = pictures::inline_svg(&sheet);
+        let page = still::modes_page(info, (scene, about), &titles, &svg);
+        files::write(&dir.join("modes.html"), page.as_bytes())?;
+        pictures::draw(dir, "modes", sheet)?;
     }
     files::write(&dir.join("modes.json"), format!("{:#}\n", modes_value(info)).as_bytes())
 }
@@ -116,46 +122,4 @@ fn shapes_csv(info: &ModesInfo<'_>) -> String {
         }
     }
     text
-}
-
-fn html(info: &ModesInfo<'_>, svg: &str) -> String {
-    let title = if info.title.is_empty() { "Natural modes" } else { info.title };
-    let row = |(k, mode): (usize, &Mode)| {
-        let kind = mode.kind();
-        let frequency = mode.frequency();
-        let period = quantity(
-            matches!(kind, ModeKind::Vibration | ModeKind::Flutter).then_some(1.0 / frequency),
-            "s",
-        );
-        let note = match kind {
-            ModeKind::Vibration => String::new(),
-            ModeKind::RigidBody => "motion of a rigid body, or of a mechanism".to_owned(),
-            ModeKind::Unstable => {
-                let growth = quantity(Some(1.0 / mode.growth()), "s");
-                format!("the equilibrium is unstable: the motion grows e-fold in {growth}")
-            }
-            ModeKind::Flutter => {
-                let growth = quantity(Some(1.0 / mode.growth()), "s");
-                format!(
-                    "flutter: the equilibrium is unstable, the oscillation grows e-fold in {growth}"
-                )
-            }
-        };
-        vec![(k + 1).to_string(), quantity(Some(frequency), "Hz"), period, note]
-    };
-    let rows: Vec<Vec<String>> = info.modes.iter().enumerate().map(row).collect();
-    let about = match info.about {
-        "static" => "about static equilibrium under the loads that act at time zero",
-        _ => "about the reference configuration, free of stress",
-    };
-    page::fill_holes(TEMPLATE, |hole| match hole {
-        "head" => page::HEAD.to_owned(),
-        "title" => escape(title),
-        "style" => page::STYLE.to_owned(),
-        "about" => escape(about),
-        "table" => table("Natural modes", &["mode", "frequency", "period", ""], &rows),
-        "svg" => svg.to_owned(),
-        "version" => env!("CARGO_PKG_VERSION").to_owned(),
-        _ => String::new(),
-    })
 }

@@ -1,20 +1,115 @@
-//! An equilibrium path on disk: its points, its limit points, a picture.
+//! An equilibrium path on disk: its points, its limit points, a picture, a page.
 
 use std::fmt::Write as _;
 use std::path::Path as FilePath;
 
-use percuss::{Path, PathPoint};
+use percuss::scene::Scene;
+use percuss::{Equilibrium, LinearBuckling, Path, PathPoint, PathRecorder};
 use serde_json::{Map, Value, json};
 
 use crate::csv_text;
 use crate::error::Error;
+use crate::fields::{Places, StoredFrame};
 use crate::files;
 use crate::report::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table, largest};
 use crate::report::pictures;
 use crate::report::quantity::Scale;
+use crate::report::still::{PathPage, path_page};
 
 /// Curves in the picture.
-const DRAWN: usize = 6;
+const DRAWN: usize = 4;
+/// Equilibria kept for drawings: points of the path at most, limit points at most.
+const MOST: usize = 240;
+const MOST_LIMITS: usize = 60;
+
+/// A path and what it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub struct PathInfo<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// What stands in the model.
+    pub scene: &'a Scene,
+    /// The path.
+    pub path: &'a Path,
+    /// Linear buckling of the equilibrium at its end.
+    pub linear: &'a LinearBuckling,
+}
+
+/// An equilibrium kept along a path.
+#[derive(Clone, Debug)]
+pub(crate) struct Along {
+    /// Number among the points offered.
+    number: usize,
+    pub factor: f64,
+    /// Whether the load turns there.
+    pub limit: bool,
+    /// Of the recorded points.
+    pub displacements: Vec<[f64; 2]>,
+    pub frame: StoredFrame,
+}
+
+/// Keeps equilibria of a path for its page: all while they are few, then every second, every fourth, ..., and the limit points.
+#[derive(Clone, Debug)]
+pub struct PathShapes {
+    places: Places,
+    stride: usize,
+    offered: usize,
+    limits: usize,
+    kept: Vec<Along>,
+}
+
+impl PathShapes {
+    /// Nothing kept yet.
+    pub fn new(scene: &Scene) -> Self {
+        Self { places: Places::of(scene), stride: 1, offered: 0, limits: 0, kept: Vec::new() }
+    }
+
+    fn keep(&mut self, factor: f64, limit: bool, found: &Equilibrium) {
+        self.kept.push(Along {
+            number: self.offered - 1,
+            factor,
+            limit,
+            displacements: found.points.iter().map(|(_, u)| *u).collect(),
+            frame: self.places.still(&found.frame()),
+        });
+    }
+
+    /// What was kept, and the end of the path.
+    fn finish(mut self, path: &Path) -> Vec<Along> {
+        let factor = path.points.last().map_or(0.0, |point| point.factor);
+        self.offered += 1;
+        self.keep(factor, false, &path.end);
+        // A path that breaks off has offered its end as a point.
+        if let [.., before, end] = self.kept.as_slice()
+            && before.factor == end.factor
+            && before.displacements == end.displacements
+            && !before.limit
+        {
+            self.kept.remove(self.kept.len() - 2);
+        }
+        self.kept
+    }
+}
+
+impl PathRecorder for PathShapes {
+    fn wants(&mut self, limit: bool) -> bool {
+        if limit {
+            self.limits += 1;
+            return self.limits <= MOST_LIMITS;
+        }
+        self.offered += 1;
+        (self.offered - 1).is_multiple_of(self.stride)
+    }
+
+    fn equilibrium(&mut self, factor: f64, limit: bool, found: &Equilibrium) {
+        self.keep(factor, limit, found);
+        if self.kept.iter().filter(|one| !one.limit).count() > MOST {
+            self.stride *= 2;
+            let stride = self.stride;
+            self.kept.retain(|one| one.limit || one.number.is_multiple_of(stride));
+        }
+    }
+}
 
 /// Whether the end asked for was reached, number of points, last factor, limit points.
 pub fn path_value(path: &Path) -> Value {
@@ -31,14 +126,22 @@ pub fn path_value(path: &Path) -> Value {
     })
 }
 
-/// Writes `path.csv`, `path.svg` and `path.png` (where points are recorded), and `path.json` with `value`, into `dir`.
+/// Writes `path.csv`, `path.html`, `path.svg` and `path.png` (where points are recorded), and `path.json` with `value`, into `dir`.
+/// The page draws the equilibria kept in `shapes`.
 ///
 /// # Errors
 /// If a file cannot be written or the picture not drawn.
-pub fn write_path(dir: impl AsRef<FilePath>, path: &Path, value: &Value) -> Result<(), Error> {
+pub fn write_path(
+    dir: impl AsRef<FilePath>,
+    info: &PathInfo<'_>,
+    shapes: PathShapes,
+    value: &Value,
+) -> Result<(), Error> {
     let dir = dir.as_ref();
-    files::write(&dir.join("path.csv"), csv(path).as_bytes())?;
-    let figure = figure(path);
+    files::write(&dir.join("path.csv"), csv(info.path).as_bytes())?;
+    let page = PathPage { info, along: shapes.finish(info.path) };
+    files::write(&dir.join("path.html"), path_page(&page).as_bytes())?;
+    let figure = figure(info.path);
     if !figure.tables.is_empty() {
         pictures::draw(dir, "path", pictures::single(&figure, (0.0, 0.0)))?;
     }
@@ -65,8 +168,8 @@ fn csv(path: &Path) -> String {
     text
 }
 
-/// The load factor over the largest displacements.
-fn figure(path: &Path) -> Figure {
+/// Recorded points and components that move the most, in their order.
+pub(crate) fn drawn_displacements(path: &Path) -> Vec<(usize, usize)> {
     let column = |(point, component): (usize, usize)| -> Vec<f64> {
         path.points.iter().map(|p| p.displacements[point][component]).collect()
     };
@@ -77,6 +180,16 @@ fn figure(path: &Path) -> Figure {
     all.retain(|c| largest(&column(*c)) > 1e-9 * size);
     all.truncate(DRAWN);
     all.sort_unstable();
+    all
+}
+
+/// The load factor over the largest displacements.
+fn figure(path: &Path) -> Figure {
+    let column = |(point, component): (usize, usize)| -> Vec<f64> {
+        path.points.iter().map(|p| p.displacements[point][component]).collect()
+    };
+    let all = drawn_displacements(path);
+    let size = all.iter().map(|c| largest(&column(*c))).fold(0.0, f64::max);
     let scale = Scale::new(size, "m");
     let factors: Vec<f64> = path.points.iter().map(|p| p.factor).collect();
     let axis = Axis { label: "displacement".to_owned(), unit: scale.unit.clone() };

@@ -164,6 +164,13 @@ fn a_strip_lies_down_on_a_floor_as_the_heavy_elastica_does() {
     let floor = reaction(&found, "floor")[1];
     assert!((clamp + contact.force - WEIGHT * LENGTH).abs() < 1e-9, "{contact:?}");
     assert!((floor - contact.force).abs() < 1e-9, "{floor} {contact:?}");
+    // The arrows of drawings are these forces, each where the strip lies on the floor.
+    let arrows = &found.frame().contact_forces;
+    let sum = arrows.iter().fold([0.0; 2], |sum, f| [sum[0] + f.force[0], sum[1] + f.force[1]]);
+    let push = contact.resultant.map(|r| -r); // that is on the first partner, arrows are on the second
+    assert!((0..2).all(|i| (sum[i] - push[i]).abs() < 1e-9), "{sum:?} {push:?}");
+    let face = -height - 1e-3;
+    assert!(arrows.iter().all(|f| (f.position[1] - face).abs() < 1e-9 && !f.impulsive));
 }
 
 #[test]
@@ -363,6 +370,50 @@ fn a_toggle_snaps_through_in_few_points() {
             "{up} {down} for {most}"
         );
     }
+}
+
+/// Equilibria offered along a path: factor, whether the load turns there, displacement of the recorded point.
+#[derive(Default)]
+struct Offered(Vec<(f64, bool, [f64; 2])>);
+
+impl PathRecorder for Offered {
+    fn wants(&mut self, _: bool) -> bool {
+        true
+    }
+
+    fn equilibrium(&mut self, factor: f64, limit: bool, found: &Equilibrium) {
+        // The load as it is drawn, and the forces that carry it.
+        assert!((found.frame().load_factors[0] - factor).abs() <= 1e-12 * factor.abs());
+        let thrust = found.element_forces[0][0][0];
+        assert!(factor == 0.0 || thrust.abs() > factor.abs(), "{thrust} at {factor}");
+        self.0.push((factor, limit, found.points[0].1));
+    }
+}
+
+#[test]
+fn the_equilibria_of_a_path_are_offered_without_changing_it() {
+    let rise = 0.05;
+    let model = toggle(rise, 1e-4);
+    let end = PathEnd::Displacement { point: "top".into(), component: 2, value: -2.5 * rise };
+    let settings = PathSettings { first: 1e-3 * 1e5 * rise.powi(3), points: 2000, end };
+    let plain = equilibrium_path(&model, &settings).unwrap();
+    let mut offered = Offered::default();
+    let path = equilibrium_path_recorded(&model, &settings, &mut offered).unwrap();
+    assert_eq!(path.points.len(), plain.points.len());
+    for (a, b) in path.points.iter().zip(&plain.points) {
+        assert!((a.factor - b.factor).abs() < 1e-6 * path.limit_points[0].factor);
+    }
+    // All points but the end, which the path has itself; limit points between those beside them.
+    let told = |limit: bool| -> Vec<(f64, [f64; 2])> {
+        offered.0.iter().filter(|o| o.1 == limit).map(|o| (o.0, o.2)).collect()
+    };
+    let points = |of: &[PathPoint]| -> Vec<(f64, [f64; 2])> {
+        of.iter().map(|p| (p.factor, p.displacements[0])).collect()
+    };
+    assert_eq!(told(false), points(&path.points[..path.points.len() - 1]));
+    assert_eq!(told(true), points(&path.limit_points));
+    let down: Vec<f64> = offered.0.iter().map(|o| o.2[1]).collect();
+    assert!(down.windows(2).all(|w| w[1] <= w[0] + 1e-12), "the top goes down all the way");
 }
 
 /// What a clamp and a roller hold at the end of a beam, the roller with a motion.

@@ -45,6 +45,12 @@ fn a_cantilever_bends_as_bisshopp_and_drucker_found() {
             let root = found.section_forces[0].moment.largest();
             assert!((root.value - load * (1.0 - u)).abs() < 2e-3 * load, "{root:?}");
             assert_eq!(root.s, 0.0);
+            // Drawings show the same forces, those of the tip at the end of the last element.
+            let (first, last) = (found.element_forces[0][0], found.element_forces[63][1]);
+            assert_eq!(first[2], root.value);
+            assert!(
+                last[2].abs() < 1e-6 * load && (last[0].hypot(last[1]) / load - 1.0).abs() < 1e-3
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `percuss modes`.
 
 use percuss::{
-    Equilibrium, Mode, ModeKind, Start, equilibrium, modes_about, modes_about_equilibrium,
+    Equilibrium, Frame, Mode, ModeKind, Start, equilibrium, modes_about, modes_about_equilibrium,
     reference_state,
 };
 use percuss_output::{ModesInfo, Results, RunDirectory, modes_value, write_modes};
@@ -25,18 +25,18 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     let count = arguments.count as usize;
     let found = match about {
         About::Reference => reference_state(model)
-            .map(|state| (modes_about(model, &state, count), state, false))
+            .map(|state| (modes_about(model, &state, count), state, None))
             .map_err(|_| "the reference configuration cannot be set up".to_owned()),
         About::Static => {
             ready.refuse_mechanism(&arguments.set)?;
             let with_modes = |found: Equilibrium| {
-                let pressed = found.contacts.iter().any(|c| c.force > 0.0);
-                (modes_about_equilibrium(model, &found, count), found.state, pressed)
+                let modes = modes_about_equilibrium(model, &found, count);
+                (modes, found.state.clone(), Some(found))
             };
             equilibrium(model).map(with_modes).map_err(|error| error.to_string())
         }
     };
-    let (modes, state, pressed) = match found {
+    let (modes, state, loaded) = match found {
         Ok(found) => found,
         Err(text) => return Ok(gave_up(&text)),
     };
@@ -52,12 +52,22 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     };
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-modes"));
     let directory = RunDirectory::create_for(Results::Modes, &out)?;
-    write_modes(directory.path(), &info)?;
+    let unloaded = Frame {
+        time: 0.0,
+        displacement: &state.displacement,
+        velocity: &[],
+        section_forces: &[],
+        contact_forces: &[],
+        load_factors: &[],
+    };
+    let frame = loaded.as_ref().map_or(unloaded, Equilibrium::frame);
+    write_modes(directory.path(), &info, (&ready.scenario.scene(model), &frame))?;
     directory.commit()?;
     if arguments.json {
         terminal::print(&format!("{:#}\n", modes_value(&info)))?;
     } else {
-        terminal::print(&table(about, pressed, &modes))?;
+        let presses = |found: &Equilibrium| found.contacts.iter().any(|c| c.force > 0.0);
+        terminal::print(&table(about, loaded.as_ref().is_some_and(presses), &modes))?;
         terminal::tell(&format!("results  {}", out.display()));
     }
     let unstable = modes.iter().filter(|m| m.growth() > 0.0).count();

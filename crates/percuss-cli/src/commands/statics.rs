@@ -2,8 +2,15 @@
 
 mod print;
 
-use percuss::{Error, LinearBuckling, Path, buckling_in_contact, equilibrium, equilibrium_path};
-use percuss_output::{Results, RunDirectory, equilibrium_value, path_value, write_path};
+use std::path::PathBuf;
+
+use percuss::{
+    Error, LinearBuckling, Path, buckling_in_contact, equilibrium, equilibrium_path_recorded,
+};
+use percuss_output::{
+    EquilibriumInfo, PathInfo, PathShapes, Results, RunDirectory, equilibrium_value, path_value,
+    write_equilibrium, write_path,
+};
 use serde_json::Value;
 
 use crate::arguments::Static;
@@ -26,12 +33,28 @@ pub fn run(arguments: &Static) -> Result<Status, Failure> {
         Err(error) => return Ok(gave_up(&error)),
     };
     let linear = buckling_in_contact(model, &found, 1);
+    let info = EquilibriumInfo {
+        title: &ready.compiled.title,
+        scene: &ready.scenario.scene(model),
+        found: &found,
+        linear: &linear,
+    };
+    let out = out(arguments, "-static");
+    let directory = RunDirectory::create_for(Results::Static, &out)?;
+    write_equilibrium(directory.path(), &info)?;
+    directory.commit()?;
     if arguments.json {
         terminal::print(&format!("{:#}\n", equilibrium_value(&found, &linear)))?;
     } else {
         terminal::print(&print::table(&found, &linear))?;
+        terminal::tell(&format!("results  {}", out.display()));
     }
     Ok(Status::Done)
+}
+
+/// Where the results go.
+fn out(arguments: &Static, suffix: &str) -> PathBuf {
+    arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, suffix))
 }
 
 /// Why load steps found nothing; the core says why, here is what to do about it.
@@ -48,7 +71,10 @@ fn gave_up(error: &Error) -> Status {
 /// Follows the equilibrium path; what was found is written even if its end was not reached.
 fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     let compiled = &ready.compiled;
-    let path = match equilibrium_path(&compiled.model, &compiled.path) {
+    let scene = ready.scenario.scene(&compiled.model);
+    let mut shapes = PathShapes::new(&scene);
+    let found = equilibrium_path_recorded(&compiled.model, &compiled.path, &mut shapes);
+    let path = match found {
         Ok(path) => path,
         Err(error) => {
             terminal::error(&error.to_string());
@@ -58,9 +84,10 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     };
     let linear = buckling_in_contact(&compiled.model, &path.end, 1);
     let value = as_json(&path, &linear);
-    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-path"));
+    let out = out(arguments, "-path");
     let directory = RunDirectory::create_for(Results::Path, &out)?;
-    write_path(directory.path(), &path, &value)?;
+    let info = PathInfo { title: &compiled.title, scene: &scene, path: &path, linear: &linear };
+    write_path(directory.path(), &info, shapes, &value)?;
     directory.commit()?;
     if arguments.json {
         terminal::print(&format!("{value:#}\n"))?;

@@ -24,6 +24,8 @@ pub enum Results {
     Run,
     /// Natural modes.
     Modes,
+    /// A static equilibrium.
+    Static,
     /// An equilibrium path.
     Path,
     /// Files of a run for another program.
@@ -36,6 +38,7 @@ impl Results {
         match self {
             Self::Run => "run",
             Self::Modes => "modes",
+            Self::Static => "static",
             Self::Path => "path",
             Self::Export => "export",
         }
@@ -46,6 +49,7 @@ impl Results {
         match self {
             Self::Run => "a run",
             Self::Modes => "the modes of a scenario",
+            Self::Static => "a static equilibrium",
             Self::Path => "an equilibrium path",
             Self::Export => "files exported for another program",
         }

@@ -4,11 +4,13 @@
 //! something touches apart from those in which nothing does, each kind thinned by half whenever it has grown too many.
 
 mod file;
+mod places;
 mod scene;
 mod store;
 mod thin;
 
 pub use file::{read, write};
+pub(crate) use places::Places;
 pub use scene::scene_value;
 pub use store::FrameStore;
 

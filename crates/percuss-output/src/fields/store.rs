@@ -3,6 +3,7 @@
 use percuss::Frame;
 use percuss::scene::Scene;
 
+use super::places::Places;
 use super::{Fields, StoredFrame, scene_value};
 
 /// Frames of a kind at least and at most, whatever the budget.
@@ -46,8 +47,7 @@ impl Kind {
 #[derive(Clone, Debug)]
 pub struct FrameStore {
     scene: Scene,
-    /// Elements whose start and end bound each interval between stations.
-    intervals: Vec<[usize; 2]>,
+    places: Places,
     calm: Kind,
     touching: Kind,
     /// Frames of the largest force and the largest impulse.
@@ -72,22 +72,12 @@ struct Wanted {
 impl FrameStore {
     /// Nothing kept yet, of a run up to `end` \[s\], within about so many megabytes of memory; nothing ever at 0.
     pub fn new(scene: Scene, end: f64, megabytes: f64) -> Self {
-        let mut intervals = Vec::new();
-        for beam in &scene.beams {
-            for pair in beam.stations.windows(2) {
-                // Between the end of a span and the next one lies nothing.
-                if !pair[0].ends_span {
-                    let last = pair[1].element - usize::from(!pair[1].ends_span);
-                    intervals.push([pair[0].element, last]);
-                }
-            }
-        }
-        let one = 32 * scene.nodes.len() + 24 * intervals.len() + 64;
-        let most = ((0.5e6 * megabytes) as usize / one).clamp(FEWEST, MOST);
+        let places = Places::of(&scene);
+        let most = ((0.5e6 * megabytes) as usize / places.bytes()).clamp(FEWEST, MOST);
         let kind = || Kind::new(most);
         Self {
             scene,
-            intervals,
+            places,
             calm: kind(),
             touching: kind(),
             peaks: [None, None],
@@ -127,7 +117,7 @@ impl FrameStore {
 
     /// Keeps the frame of which [`FrameStore::wants`] has just said so.
     pub fn take(&mut self, frame: &Frame<'_>) {
-        let stored = self.stored(frame);
+        let stored = self.places.stored(frame);
         let wanted = self.wanted;
         if frame.time >= self.end * (1.0 - 1e-9) {
             self.last = Some(stored.clone());
@@ -145,29 +135,6 @@ impl FrameStore {
     fn count(&mut self) {
         let kind = if self.wanted.touching { &mut self.touching } else { &mut self.calm };
         kind.offered += 1;
-    }
-
-    fn stored(&self, frame: &Frame<'_>) -> StoredFrame {
-        let single = |x: f64| x as f32;
-        let of_nodes = |rows: &[[f64; 4]]| -> Vec<f32> {
-            self.scene.nodes.iter().flat_map(|n| rows[*n]).map(single).collect()
-        };
-        let forces = self.intervals.iter().flat_map(|[a, b]| {
-            let (start, end) = (frame.section_forces[*a][0], frame.section_forces[*b][1]);
-            start.into_iter().chain(end)
-        });
-        let contacts = frame.contact_forces.iter().flat_map(|c| {
-            let ([x, y], [f, g]) = (c.position, c.force);
-            [c.contact as f64, x, y, f, g, f64::from(u8::from(c.impulsive))]
-        });
-        StoredFrame {
-            time: frame.time,
-            displacement: of_nodes(frame.displacement),
-            velocity: of_nodes(frame.velocity),
-            section_forces: forces.map(single).collect(),
-            contact_forces: contacts.map(single).collect(),
-            load_factors: frame.load_factors.iter().copied().map(single).collect(),
-        }
     }
 
     /// All that was kept, in the order of time.

@@ -25,6 +25,7 @@ mod results;
 mod scene;
 pub mod sheet;
 pub mod side_by_side;
+pub(crate) mod still;
 mod story;
 mod structure;
 mod thin;

@@ -60,12 +60,14 @@ fn scene(columns: &mut Columns, name: &str, fields: &Fields) -> Value {
         all(|f| &f.section_forces),
         all(|f| &f.contact_forces),
         all(|f| &f.load_factors),
+        all(|f| &f.velocity),
     ];
     let counts = frames.iter().map(|f| (f.contact_forces.len() / 6) as f32);
     json!({
         "name": name,
         "scene": fields.scene,
         "frames": {
+            "velocity": lists[4],
             "time": columns.push(frames.iter().map(|f| f.time), f64::to_le_bytes),
             "displacement": lists[0],
             "sections": lists[1],

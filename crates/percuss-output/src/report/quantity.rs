@@ -97,6 +97,11 @@ fn digits(value: f64, significant: i32) -> String {
         let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{exponent}", trim(digits));
     }
+    let value = if exponent < f64::from(significant) {
+        value
+    } else {
+        format!("{value:.*e}", significant as usize - 1).parse().unwrap_or(value)
+    };
     let decimals = (f64::from(significant - 1) - exponent).max(0.0) as usize;
     trim(&format!("{value:.decimals$}")).to_owned()
 }
@@ -141,6 +146,7 @@ mod tests {
         assert_eq!(quantity(Some(0.0664362), "s"), "66.436 ms");
         assert_eq!(quantity(Some(-19.10077444), "m/s"), "-19.101 m/s");
         assert_eq!(quantity(Some(10_000.0), "kg*m/s"), "10000 kg m/s");
+        assert_eq!(quantity(Some(163_849.3), "1"), "163850");
         assert_eq!(quantity(Some(2.13e-12), "1"), "2.13e-12");
         assert_eq!(quantity(Some(0.0), "m"), "0 m");
         assert_eq!(quantity(None, "m"), "\u{2013}");

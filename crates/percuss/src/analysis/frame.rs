@@ -28,13 +28,8 @@ impl Simulation<'_> {
         }
         let mut frames = std::mem::take(&mut self.frames);
         frames.section_forces.clear();
-        for element in 0..self.model.element_count() {
-            let (line, inner) = self.monitor.lines().of(element);
-            frames.section_forces.push([(0.0, true), (1.0, false)].map(|(xi, ahead)| {
-                let at = line.at(xi, inner, ahead);
-                [at.axial, at.shear, at.moment]
-            }));
-        }
+        let ends = self.monitor.lines().ends(self.model.element_count());
+        frames.section_forces.extend(ends);
         frames.contact_forces.clear();
         self.contact_forces_of(frames.part, &mut frames.contact_forces);
         recorder.frame(&Frame {

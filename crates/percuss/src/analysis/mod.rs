@@ -32,7 +32,7 @@ pub use batch::{Detail, simulate_batch};
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
 pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
-pub use path::{Path, PathPoint, equilibrium_path};
+pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path_recorded};
 pub(crate) use preview::{Preview, preview};
 pub use simulation::{Simulation, simulate};
 pub use start::{massless, reference_state};

@@ -365,8 +365,11 @@ impl<'m> StaticSearch<'m> {
         state
     }
 
-    /// Section forces of largest magnitude in the state reached.
-    pub fn section_forces(&mut self, state: &State) -> Vec<SectionForceSummary> {
+    /// Section forces in the state reached: those of largest magnitude, and those at the ends of every element.
+    pub fn section_forces(
+        &mut self,
+        state: &State,
+    ) -> (Vec<SectionForceSummary>, Vec<[[f64; 3]; 2]>) {
         self.assemble::<false>();
         let Workspace { increment, beams, .. } = &self.work;
         let acting =
@@ -375,7 +378,7 @@ impl<'m> StaticSearch<'m> {
         let pressed = self.contacts.forces().map(|(_, force, row)| ([row; 2], [force, 0.0]));
         lines.set(self.model, &acting, pressed);
         section_forces::update(self.model, &lines, state, &mut forces);
-        forces
+        (forces, lines.ends(self.model.element_count()).collect())
     }
 
     /// Force and moment of each support on the structure; the residual must be that of the state reached.

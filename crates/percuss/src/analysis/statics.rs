@@ -7,6 +7,7 @@ use crate::contact::row::Row;
 use crate::error::Error;
 use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model, StrainMeasure, TouchLaw};
+use crate::record::{Frame, FrameForce};
 use crate::state::State;
 use crate::step::tangent::inner;
 use crate::summary::SectionForceSummary;
@@ -29,6 +30,12 @@ pub struct Equilibrium {
     pub points: Vec<(String, [f64; 2])>,
     /// Section forces of largest magnitude, one entry a beam.
     pub section_forces: Vec<SectionForceSummary>,
+    /// Axial force, shear force and moment at the start and the end of every element; shape (n_elem) \[N, N, N m\].
+    pub element_forces: Vec<[[f64; 3]; 2]>,
+    /// Forces of everything that presses, on the second of its partners.
+    pub contact_forces: Vec<FrameForce>,
+    /// Factors of the loads, in the model's order.
+    pub load_factors: Vec<f64>,
     /// Forces (1, 2) and moment of each support on the structure \[N, N m\], with their names.
     pub reactions: Vec<(String, [f64; 3])>,
     /// Contacts that take part, in the model's order.
@@ -45,6 +52,20 @@ pub struct Equilibrium {
     pub load_steps: usize,
     /// Newton iterations.
     pub newton_iterations: usize,
+}
+
+impl Equilibrium {
+    /// The equilibrium as a frame, for drawings.
+    pub fn frame(&self) -> Frame<'_> {
+        Frame {
+            time: 0.0,
+            displacement: &self.state.displacement,
+            velocity: &self.state.velocity,
+            section_forces: &self.element_forces,
+            contact_forces: &self.contact_forces,
+            load_factors: &self.load_factors,
+        }
+    }
 }
 
 /// Static equilibrium of `model` under the loads that act at time zero, with the contacts a transient knows.
@@ -151,9 +172,13 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let model = search.model;
     let at = |p: &crate::model::frozen::MaterialPoint| p.value(&state.displacement);
     let names = model.support_names().map(str::to_owned);
+    let (section_forces, element_forces) = search.section_forces(&state);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
-        section_forces: search.section_forces(&state),
+        section_forces,
+        element_forces,
+        contact_forces: search.contacts.frame_forces(model, &state),
+        load_factors: search.forcing.factors.clone(),
         reactions: names.zip(search.reactions(&state)).collect(),
         contacts: search.contacts.results(model),
         pressed: search.contacts.forces().map(|(_, force, row)| (*row, force)).collect(),
@@ -169,7 +194,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
 /// Why no equilibrium follows the last one found.
 fn lost(search: &mut StaticSearch, share: f64) -> Error {
     let state = search.state();
-    let forces = search.section_forces(&state);
+    let (forces, _) = search.section_forces(&state);
     for (beam, found) in search.model.beams.iter().zip(&forces) {
         for span in &search.model.spans[beam.spans.clone()] {
             let law = &span.table(0).rows[1].section;

@@ -115,6 +115,17 @@ impl Lines {
         (&self.lines[element], &self.inner[from..from + count])
     }
 
+    /// Axial force, shear force and moment at the start and the end of each of so many elements.
+    pub fn ends(&self, elements: usize) -> impl Iterator<Item = [[f64; 3]; 2]> {
+        (0..elements).map(|element| {
+            let (line, inner) = self.of(element);
+            [(0.0, true), (1.0, false)].map(|(xi, ahead)| {
+                let at = line.at(xi, inner, ahead);
+                [at.axial, at.shear, at.moment]
+            })
+        })
+    }
+
     /// Loads by element.
     fn distribute(&mut self, model: &Model, acting: &Acting) {
         let spread_out = |kind: &LoadAction| {

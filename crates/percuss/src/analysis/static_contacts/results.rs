@@ -8,8 +8,9 @@ use crate::contact::pair::Memory;
 use crate::contact::row::Row;
 use crate::contact::touch::Reach;
 use crate::contact::turning::Turning;
-use crate::math::vec2::cross;
+use crate::math::vec2::{add, cross, scale};
 use crate::model::{Model, TouchLaw};
+use crate::record::FrameForce;
 use crate::state::State;
 
 /// A contact of an equilibrium: the sum over the places where it is closed.
@@ -36,6 +37,24 @@ impl StaticContacts {
     /// Forces of the pairs, with the forms they act along.
     pub fn forces(&self) -> impl Iterator<Item = (usize, f64, &Row)> {
         self.places.iter().filter(|p| p.force != 0.0).map(|p| (p.pair, p.force, &p.row))
+    }
+
+    /// Forces of the pairs in a state, where they act.
+    pub fn frame_forces(&self, model: &Model, state: &State) -> Vec<FrameForce> {
+        let at = Configuration { arcs: &self.arcs, ..Configuration::of(&state.displacement) };
+        let one = |place: &Place| {
+            let pair = &model.pairs[place.pair];
+            let memory = Memory { near: place.seen.near, ..place.accepted };
+            let touch = pair.touch(model, &at, &memory, Reach::All)?;
+            let sign = if pair.source_party == 1 { 1.0 } else { -1.0 };
+            Some(FrameForce {
+                contact: pair.contact,
+                position: add(touch.foot_place, scale(touch.radius, touch.normal)),
+                force: scale(sign * place.force, touch.normal),
+                impulsive: false,
+            })
+        };
+        self.places.iter().filter(|p| p.force != 0.0).filter_map(one).collect()
     }
 
     /// Contacts of beams that press in a state, as they stay closed in small motions; without those of discs.

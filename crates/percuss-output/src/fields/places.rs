@@ -1,0 +1,87 @@
+//! Frames of the whole model as those of the scene's nodes and intervals.
+
+use percuss::Frame;
+use percuss::scene::Scene;
+
+use super::StoredFrame;
+
+/// What of a model a scene is drawn from.
+#[derive(Clone, Debug)]
+pub(crate) struct Places {
+    /// Nodes of the scene.
+    nodes: Vec<usize>,
+    /// Elements whose start and end bound each interval between stations.
+    intervals: Vec<[usize; 2]>,
+    /// Loads of the scene.
+    loads: usize,
+}
+
+impl Places {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let mut intervals = Vec::new();
+        for beam in &scene.beams {
+            for pair in beam.stations.windows(2) {
+                // Between the end of a span and the next one lies nothing.
+                if !pair[0].ends_span {
+                    let last = pair[1].element - usize::from(!pair[1].ends_span);
+                    intervals.push([pair[0].element, last]);
+                }
+            }
+        }
+        Self { nodes: scene.nodes.clone(), intervals, loads: scene.loads.len() }
+    }
+
+    /// Memory that a frame takes \[bytes\], about.
+    pub(super) fn bytes(&self) -> usize {
+        32 * self.nodes.len() + 24 * self.intervals.len() + 64
+    }
+
+    /// A frame as it is kept.
+    pub(super) fn stored(&self, frame: &Frame<'_>) -> StoredFrame {
+        StoredFrame { velocity: self.of_nodes(frame.velocity), ..self.still(frame) }
+    }
+
+    /// The same of a structure at rest. Section forces that are not given are none.
+    pub(crate) fn still(&self, frame: &Frame<'_>) -> StoredFrame {
+        let at = |element: usize, end: usize| {
+            frame.section_forces.get(element).map_or([0.0; 3], |ends| ends[end])
+        };
+        let forces = self.intervals.iter().flat_map(|[a, b]| [at(*a, 0), at(*b, 1)]).flatten();
+        let contacts = frame.contact_forces.iter().flat_map(|c| {
+            let ([x, y], [f, g]) = (c.position, c.force);
+            [c.contact as f64, x, y, f, g, f64::from(u8::from(c.impulsive))]
+        });
+        StoredFrame {
+            time: frame.time,
+            displacement: self.of_nodes(frame.displacement),
+            velocity: Vec::new(),
+            section_forces: forces.map(single).collect(),
+            contact_forces: contacts.map(single).collect(),
+            load_factors: (0..self.loads)
+                .map(|k| frame.load_factors.get(k).copied().map_or(0.0, single))
+                .collect(),
+        }
+    }
+
+    /// A shape without forces, of `shape` (n_node or fewer: those beyond rest), by the size of its largest displacement.
+    pub(crate) fn shape(&self, shape: &[[f64; 4]]) -> StoredFrame {
+        let size = shape.iter().map(|u| u[0].hypot(u[1])).fold(0.0, f64::max);
+        let size = if size > 0.0 { size } else { 1.0 };
+        let scaled: Vec<[f64; 4]> = shape.iter().map(|u| u.map(|u| u / size)).collect();
+        StoredFrame {
+            displacement: self.of_nodes(&scaled),
+            section_forces: vec![0.0; 6 * self.intervals.len()],
+            load_factors: vec![0.0; self.loads],
+            ..StoredFrame::default()
+        }
+    }
+
+    fn of_nodes(&self, rows: &[[f64; 4]]) -> Vec<f32> {
+        let row = |n: &usize| rows.get(*n).copied().unwrap_or([0.0; 4]);
+        self.nodes.iter().flat_map(row).map(single).collect()
+    }
+}
+
+fn single(x: f64) -> f32 {
+    x as f32
+}

@@ -1,0 +1,185 @@
+//! The page of a static equilibrium.
+
+use percuss::{
+    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, SectionRange, StaticContact,
+};
+use serde_json::json;
+
+use super::{Page, largest_displacement, swinging};
+use crate::equilibrium::EquilibriumInfo;
+use crate::fields::{Fields, Places, scene_value};
+use crate::report::figure::largest;
+use crate::report::html::{escape, table};
+use crate::report::quantity::{number, quantity, without_round_off};
+use crate::report::scene;
+
+/// The page of an equilibrium.
+pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
+    let places = Places::of(info.scene);
+    let mut frames = vec![places.still(&info.found.frame())];
+    let moved = largest_displacement(info.scene, &frames[0]);
+    let mut panels = Vec::new();
+    if let Some(mode) = info.linear.modes.first() {
+        panels.push(swinging(&buckling_title(mode.factor), frames.len(), None));
+        frames.push(places.shape(&mode.shape));
+    }
+    let found = info.found;
+    let page = Page {
+        title: if info.title.is_empty() { "Static equilibrium" } else { info.title },
+        status: "Static equilibrium under the loads that act at time zero; what is on its way takes no part.".to_owned(),
+        alarming: false,
+        scene: scene::section(&escape(&story(found, info.linear, moved))),
+        fields: Fields { scene: scene_value(info.scene), frames },
+        details: json!({ "kind": "static", "panels": panels }),
+        tables: tables(found),
+        fallback: "<p class=\"warning\">The drawing needs JavaScript; the numbers are in static.json beside this page.</p>".to_owned(),
+    };
+    page.render()
+}
+
+pub(super) fn buckling_title(factor: f64) -> String {
+    format!("linear buckling at {} times the loads", number(factor))
+}
+
+/// What the equilibrium is, in a few sentences.
+fn story(
+    found: &Equilibrium,
+    linear: &LinearBuckling,
+    moved: Option<(f64, String, f64)>,
+) -> String {
+    let mut out = vec![match found.stable {
+        true => "The structure rests in a stable equilibrium.".to_owned(),
+        false => {
+            "The equilibrium is unstable: the structure leaves it at the slightest push.".to_owned()
+        }
+    }];
+    if let Some((moved, beam, s)) = moved {
+        let (moved, s) = (quantity(Some(moved), "m"), quantity(Some(s), "m"));
+        out.push(format!("The largest displacement is {moved}, of {beam} at {s} along it."));
+    }
+    out.extend(largest_section(found, |b| &b.moment, "bending moment", "N*m"));
+    out.extend(largest_section(found, |b| &b.stress, "fibre stress", "Pa"));
+    let press: Vec<&StaticContact> = found.contacts.iter().filter(|c| c.force > 0.0).collect();
+    match press.as_slice() {
+        [] => {}
+        [one] => out.push(format!(
+            "Contact {} presses with {}.",
+            one.name,
+            quantity(Some(one.force), "N")
+        )),
+        many => {
+            let force = many.iter().map(|c| c.force).fold(0.0, f64::max);
+            out.push(format!(
+                "{} contacts press, with up to {}.",
+                many.len(),
+                quantity(Some(force), "N")
+            ));
+        }
+    }
+    if let Some(mode) = linear.modes.first() {
+        out.push(format!(
+            "Linear theory lets it buckle at {} times the loads.",
+            number(mode.factor)
+        ));
+    } else if let Some(reason) =
+        linear.outcome.reason().filter(|_| linear.outcome != BucklingOutcome::Unloaded)
+    {
+        out.push(format!("There is {reason}."));
+    }
+    match linear.stability {
+        Some(FollowerStability::Flutter { factor, frequency }) => out.push(format!(
+            "It flutters from {} times the loads on, at {}.",
+            number(factor),
+            quantity(Some(frequency), "Hz")
+        )),
+        Some(FollowerStability::Divergence { factor }) => {
+            out.push(format!("It diverges from {} times the loads on.", number(factor)));
+        }
+        _ => {}
+    }
+    out.join(" ")
+}
+
+fn largest_section(
+    found: &Equilibrium,
+    of: impl Fn(&percuss::SectionForceSummary) -> &SectionRange,
+    what: &str,
+    unit: &str,
+) -> Option<String> {
+    let all = found.section_forces.iter().map(|b| (&b.name, of(b).largest()));
+    let known = all.filter(|(_, peak)| peak.value.is_finite() && peak.value != 0.0);
+    let (name, peak) = known.max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
+    let (value, s) = (quantity(Some(peak.value), unit), quantity(Some(peak.s), "m"));
+    Some(format!("The largest {what} is {value}, in {name} at {s}."))
+}
+
+/// Displacements, reactions, contacts, section forces.
+pub(super) fn tables(found: &Equilibrium) -> String {
+    let moved = largest(found.points.iter().flat_map(|(_, u)| u));
+    let told = |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
+    let points: Vec<Vec<String>> = (found.points.iter())
+        .map(|(name, u)| vec![name.clone(), told(u[0], moved, "m"), told(u[1], moved, "m")])
+        .collect();
+    let size = largest(found.reactions.iter().flat_map(|(_, r)| &r[..2]));
+    let turning = largest(found.reactions.iter().map(|(_, r)| &r[2])).max(size);
+    let reactions: Vec<Vec<String>> = (found.reactions.iter())
+        .map(|(name, r)| {
+            vec![
+                name.clone(),
+                told(r[0], size, "N"),
+                told(r[1], size, "N"),
+                told(r[2], turning, "N*m"),
+            ]
+        })
+        .collect();
+    let sections: Vec<Vec<String>> = found.section_forces.iter().flat_map(section_rows).collect();
+    let all = [
+        ("Displacements of recorded points", &["point", "along e1", "along e2"][..], points),
+        (
+            "Reactions, on the structure",
+            &["support", "force 1", "force 2", "moment"][..],
+            reactions,
+        ),
+        (
+            "Contacts",
+            &["contact", "between", "force", "gap", "where along the beam"][..],
+            contacts(found),
+        ),
+        ("Section forces", &["", "smallest", "at", "largest", "at"][..], sections),
+    ];
+    let filled = all.into_iter().filter(|(.., rows)| !rows.is_empty());
+    filled.map(|(caption, header, rows)| table(caption, header, &rows)).collect()
+}
+
+fn contacts(found: &Equilibrium) -> Vec<Vec<String>> {
+    let row = |c: &StaticContact| {
+        let place = match c.s {
+            [from, to] if from < to => {
+                format!("{} to {}", quantity(Some(from), "m"), quantity(Some(to), "m"))
+            }
+            [from, _] => quantity(Some(from), "m"),
+        };
+        let force = quantity(Some(c.force), "N");
+        vec![c.name.clone(), c.between.join(", "), force, quantity(Some(c.gap), "m"), place]
+    };
+    found.contacts.iter().map(row).collect()
+}
+
+fn section_rows(beam: &percuss::SectionForceSummary) -> Vec<Vec<String>> {
+    let all = [
+        ("moment", &beam.moment, "N*m"),
+        ("axial force", &beam.axial, "N"),
+        ("shear force", &beam.shear, "N"),
+        ("fibre stress", &beam.stress, "Pa"),
+    ];
+    let largest_force = beam.axial.largest().value.abs().max(beam.shear.largest().value.abs());
+    let known = all.into_iter().filter(|(_, range, _)| !range.max.value.is_nan());
+    let row = |(what, range, unit): (&str, &SectionRange, &str)| {
+        let scale = if unit == "N" { largest_force } else { range.largest().value.abs() };
+        let value = |v: f64| quantity(Some(without_round_off(v, scale)), unit);
+        let at = |s: f64| quantity(Some(s), "m");
+        let name = format!("{}, {what}", beam.name);
+        vec![name, value(range.min.value), at(range.min.s), value(range.max.value), at(range.max.s)]
+    };
+    known.map(row).collect()
+}

@@ -1,0 +1,68 @@
+//! The page of natural modes.
+
+use percuss::scene::Scene;
+use percuss::{Frame, ModeKind};
+use serde_json::json;
+
+use super::{Page, swinging};
+use crate::fields::{Fields, Places, scene_value};
+use crate::modes::ModesInfo;
+use crate::report::html::{escape, table};
+use crate::report::quantity::quantity;
+
+/// The page of modes, the first so many of them drawn with their titles about a configuration; `svg` is shown without scripts.
+pub(crate) fn render(
+    info: &ModesInfo<'_>,
+    (scene, about): (&Scene, &Frame<'_>),
+    titles: &[String],
+    svg: &str,
+) -> String {
+    let places = Places::of(scene);
+    let shapes = info.modes.iter().take(titles.len()).map(|mode| places.shape(&mode.shape));
+    let frames = std::iter::once(places.still(about)).chain(shapes).collect();
+    let panels = titles.iter().enumerate().map(|(k, title)| swinging(title, k + 1, Some(0)));
+    let taken = match info.about {
+        "static" => "about static equilibrium under the loads that act at time zero",
+        _ => "about the reference configuration, free of stress",
+    };
+    let note = "Each shape swings about the configuration it is taken about, all in the same time whatever their frequencies, by a tenth of the \
+         structure's size at most and never so far that bodies would overlap. Nodal values of unit modal mass are in shapes.csv.";
+    let page = Page {
+        title: if info.title.is_empty() { "Natural modes" } else { info.title },
+        status: format!(
+            "Natural modes {taken}; projectiles, discs and stops with a gap take no part."
+        ),
+        alarming: false,
+        scene: format!("<p class=\"note\">{}</p>\n", escape(note)),
+        fields: Fields { scene: scene_value(scene), frames },
+        details: json!({ "kind": "modes", "panels": panels.collect::<Vec<_>>() }),
+        tables: table("Natural modes", &["mode", "frequency", "period", ""], &rows(info)),
+        fallback: format!("<div class=\"sheet\">{svg}</div>"),
+    };
+    page.render()
+}
+
+fn rows(info: &ModesInfo<'_>) -> Vec<Vec<String>> {
+    let row = |(k, mode): (usize, &percuss::Mode)| {
+        let kind = mode.kind();
+        let frequency = mode.frequency();
+        let period = quantity(
+            matches!(kind, ModeKind::Vibration | ModeKind::Flutter).then_some(1.0 / frequency),
+            "s",
+        );
+        let growth = || quantity(Some(1.0 / mode.growth()), "s");
+        let note = match kind {
+            ModeKind::Vibration => String::new(),
+            ModeKind::RigidBody => "motion of a rigid body, or of a mechanism".to_owned(),
+            ModeKind::Unstable => {
+                format!("the equilibrium is unstable: the motion grows e-fold in {}", growth())
+            }
+            ModeKind::Flutter => format!(
+                "flutter: the equilibrium is unstable, the oscillation grows e-fold in {}",
+                growth()
+            ),
+        };
+        vec![(k + 1).to_string(), quantity(Some(frequency), "Hz"), period, note]
+    };
+    info.modes.iter().enumerate().map(row).collect()
+}

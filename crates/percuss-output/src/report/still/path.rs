@@ -1,0 +1,149 @@
+//! The page of an equilibrium path: the load over the displacements, beside the structure as it moves along.
+
+use percuss::{Path, PathPoint};
+use serde_json::{Value, json};
+
+use super::equilibrium::{buckling_title, tables};
+use super::{Page, swinging};
+use crate::fields::{Fields, Places, scene_value};
+use crate::path::{Along, PathInfo, drawn_displacements};
+use crate::report::figure::largest;
+use crate::report::html::{escape, table};
+use crate::report::quantity::{Scale, number, quantity, without_round_off};
+use crate::report::scene;
+
+/// Limit points drawn as pictures and listed.
+const DRAWN: usize = 24;
+
+/// A path and the equilibria kept along it.
+pub(crate) struct PathPage<'a> {
+    pub info: &'a PathInfo<'a>,
+    pub along: Vec<Along>,
+}
+
+/// The page.
+pub(crate) fn render(page: &PathPage<'_>) -> String {
+    let PathPage { info, along } = page;
+    let path = info.path;
+    let places = Places::of(info.scene);
+    let mut frames: Vec<_> = along.iter().map(|one| one.frame.clone()).collect();
+    for (k, frame) in frames.iter_mut().enumerate() {
+        frame.time = k as f64;
+    }
+    let limits = along.iter().enumerate().filter(|(_, one)| one.limit).take(DRAWN);
+    let still = |(k, one): (usize, &Along)| json!({ "frame": k, "title": format!("limit point at the load factor {}", number(one.factor)) });
+    let mut panels: Vec<Value> = limits.map(still).collect();
+    if let Some(last) = along.last() {
+        let title = format!("end, at the load factor {}", number(last.factor));
+        panels.push(json!({ "frame": along.len() - 1, "title": title }));
+    }
+    if let Some(mode) = info.linear.modes.first() {
+        panels.push(swinging(&buckling_title(mode.factor), frames.len(), None));
+        frames.push(places.shape(&mode.shape));
+    }
+    let factor = path.points.last().map_or(0.0, |p| p.factor);
+    let status = match path.reached {
+        true => format!("Equilibrium path, to the load factor {}.", number(factor)),
+        false => format!(
+            "Equilibrium path; it ends at the load factor {}, before the end asked for.",
+            number(factor)
+        ),
+    };
+    let page = Page {
+        title: if info.title.is_empty() { "Equilibrium path" } else { info.title },
+        status,
+        alarming: !path.reached,
+        scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)))),
+        fields: Fields { scene: scene_value(info.scene), frames },
+        details: json!({ "kind": "path", "panels": panels, "chart": chart(path, along) }),
+        tables: format!("{}{}", limit_points(path), tables(&path.end)),
+        fallback: "<p class=\"warning\">The drawings need JavaScript; the path is in path.csv and path.svg beside this page.</p>".to_owned(),
+    };
+    page.render()
+}
+
+/// Place of the curve.
+const CHART: &str = "<figure class=\"chart\" id=\"chart\"><figcaption><h3>Load factor over displacements</h3><span>\
+<button type=\"button\" class=\"save\" data-chart=\"svg\" aria-label=\"Save the curve as SVG\">SVG</button></span>\
+<p>Click to take the structure there; every point is in path.csv.</p></figcaption><canvas></canvas></figure>\n";
+
+fn story(path: &Path) -> String {
+    let names = |point: &PathPoint| {
+        let moved = |(name, u): (&String, &[f64; 2])| {
+            format!("{name} moved by {}", quantity(Some(u[0].hypot(u[1])), "m"))
+        };
+        path.names
+            .iter()
+            .zip(&point.displacements)
+            .max_by(|a, b| size(a.1).total_cmp(&size(b.1)))
+            .map(moved)
+    };
+    let at = |point: &PathPoint| match names(point) {
+        Some(moved) => format!("{} ({moved})", number(point.factor)),
+        None => number(point.factor),
+    };
+    match path.limit_points.as_slice() {
+        [] => "The load grows all along the path: it has no limit point.".to_owned(),
+        [one] => format!("The load turns at the factor {}.", at(one)),
+        [first, rest @ ..] => format!(
+            "The load turns {} times, first at the factor {}, last at {}.",
+            rest.len() + 1,
+            at(first),
+            at(&rest[rest.len() - 1])
+        ),
+    }
+}
+
+fn size(u: &[f64; 2]) -> f64 {
+    u[0].hypot(u[1])
+}
+
+/// Curves of the largest displacements, with their values at the configurations kept.
+fn chart(path: &Path, along: &[Along]) -> Value {
+    let drawn = drawn_displacements(path);
+    let column = |(point, component): (usize, usize)| -> Vec<f64> {
+        path.points.iter().map(|p| p.displacements[point][component]).collect()
+    };
+    let scale = Scale::new(drawn.iter().map(|c| largest(&column(*c))).fold(0.0, f64::max), "m");
+    let curve = |(k, c): (usize, &(usize, usize))| {
+        let kept = along.iter().map(|one| one.displacements[c.0][c.1] * scale.factor);
+        json!({
+            "label": format!("{}, along e{}", path.names[c.0], c.1 + 1),
+            "style": 1 + k,
+            "x": column(*c).into_iter().map(|u| u * scale.factor).collect::<Vec<_>>(),
+            "kept": kept.collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "unit": scale.unit,
+        "factors": path.points.iter().map(|p| p.factor).collect::<Vec<_>>(),
+        "kept": along.iter().map(|one| one.factor).collect::<Vec<_>>(),
+        "limits": along.iter().enumerate().filter(|(_, one)| one.limit).map(|(k, _)| k).collect::<Vec<_>>(),
+        "curves": drawn.iter().enumerate().map(curve).collect::<Vec<_>>(),
+    })
+}
+
+/// A row each limit point.
+fn limit_points(path: &Path) -> String {
+    if path.limit_points.is_empty() {
+        return String::new();
+    }
+    let mut header = vec!["load factor".to_owned()];
+    for name in &path.names {
+        header.extend((1..=2).map(|i| format!("{name}, along e{i}")));
+    }
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let moved = largest(path.limit_points.iter().flat_map(|p| p.displacements.as_flattened()));
+    let row = |point: &PathPoint| {
+        let told = |u: &f64| quantity(Some(without_round_off(*u, moved)), "m");
+        let mut row = vec![number(point.factor)];
+        row.extend(point.displacements.as_flattened().iter().map(told));
+        row
+    };
+    let rows: Vec<Vec<String>> = path.limit_points.iter().take(DRAWN).map(row).collect();
+    let shown = match path.limit_points.len() {
+        n if n > DRAWN => format!("Limit points, the first {DRAWN} of {n}"),
+        _ => "Limit points".to_owned(),
+    };
+    table(&shown, &header, &rows)
+}

@@ -1,0 +1,231 @@
+//! From one point of an equilibrium path to the next.
+//!
+//! Across the path, on a plane through the point that the response to the loads leads to; by the load where contacts press, which hold
+//! a structure so that an arc is no measure; up to the next contact where that closes in between, for what closes may turn the path
+//! back on any plane. From there it goes on as the contact presses more.
+
+use super::PathPoint;
+use super::tracer::{MOST_ITERATIONS, Mark, SETTLED, Tracer};
+use crate::analysis::static_contacts::Pressing;
+use crate::analysis::static_search::largest;
+
+/// Looks for a limit point: to round-off.
+const BISECTIONS: usize = 40;
+/// Contacts that are tried as the next to close.
+const MOST_TOUCHES: usize = 5;
+/// Least cosine between the ways of two points an arc longer than the first apart; less and the path turns unseen between them.
+const LEAST_COSINE: f64 = 0.9;
+/// Least cosine between a plane's normal and the path that is sought on it: what closes may turn it.
+const LEAST_ACROSS: f64 = 0.05;
+/// Most by which a rise of the load factor is longer than that before, or than the first, where contacts press.
+const LONGEST_RISE: f64 = 1.5;
+/// Most that the load factor's slope at either end of such an arc exceeds the mean: beyond three it may turn twice between
+/// (Fritsch, Carlson 1980).
+const STEEPEST: f64 = 3.0;
+
+/// Where an arc begins, and what its end is held against.
+struct Departure {
+    start: Mark,
+    /// Rigid contacts that press there.
+    pressed: Vec<bool>,
+    /// The arc, the least that is gone unless something closes or opens, and the largest change of the load factor.
+    arc: f64,
+    least: f64,
+    most: f64,
+}
+
+/// How the load factor went along an arc.
+pub(super) struct Course {
+    /// Whether it turned: an odd number of times.
+    pub turned: bool,
+    /// Whether the arc tells it well enough for it not to have turned twice unseen.
+    pub resolved: bool,
+}
+
+impl Tracer<'_> {
+    /// Advances by an arc; returns the corrections it took, or nothing if it found no point.
+    pub(super) fn advance(&mut self, arc: f64) -> Option<usize> {
+        self.search.contacts.begin(Pressing::Exactly);
+        if !self.prepare() {
+            return None;
+        }
+        let pressed = self.search.contacts.pressing();
+        let first = self.way.as_flattened().iter().all(|c| *c == 0.0);
+        self.rising = first || self.leads_up();
+        let start = self.mark();
+        let length = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
+        self.slope = 1.0 / length;
+        // Held by contacts a structure hardly moves, and an arc is no measure of how far its load goes.
+        let presses = pressed.contains(&true);
+        let shorter = (arc / self.first_arc).min(1.0);
+        let longest = LONGEST_RISE * self.changed.abs().max(self.first) * shorter;
+        let most = if presses { longest } else { f64::INFINITY };
+        let share = (arc / length).min(most);
+        let rise = if self.rising { share } else { -share };
+        let from = Departure { start, pressed, arc, least: 0.2 * share * length, most };
+        if self.search.contacts.is_empty() {
+            return self.by_plane(&from, rise);
+        }
+        if presses {
+            return self.by_load(&from, rise).or_else(|| self.by_plane(&from, rise));
+        }
+        // What closes may turn the load; where nothing does, a change of the load leads back where the path came from.
+        let found = self.by_plane(&from, rise);
+        let found = found.or_else(|| self.by_touching(&from, rise));
+        let found = found.or_else(|| self.by_closing(&from, rise));
+        found.or_else(|| self.by_closing(&from, -rise))
+    }
+
+    /// Notes the way from a departure to the point found; whether it is one of the same branch: a point far behind or beyond the arc is
+    /// not, but that what closes may well stop the way.
+    fn arrive(&mut self, from: &Departure, by_load: bool) -> bool {
+        let (end, start) = (&self.search.work.increment, &from.start.reached.increment);
+        let moved = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| a[i] - b[i]);
+        self.way = end.iter().zip(start).map(moved).collect();
+        self.pressed.clone_from(&from.pressed);
+        self.changed = self.factor - from.start.factor;
+        self.given = by_load;
+        let gone = self.inner(&self.way, &self.way).sqrt();
+        let stopped = by_load || self.search.contacts.pressing() != self.pressed;
+        (stopped || gone > from.least)
+            && gone < 5.0 * from.arc
+            && self.changed.abs() <= 1.01 * from.most
+    }
+
+    /// Advances by a rise of the load factor: where a contact closes the path may turn back on every plane.
+    fn by_load(&mut self, from: &Departure, rise: f64) -> Option<usize> {
+        self.back_to(&from.start);
+        let target = self.factor + rise;
+        let found = self.iterate(|tracer, _| Some(target - tracer.factor))?;
+        self.arrive(from, true).then_some(found)
+    }
+
+    /// Advances to where the next contact closes, as far as a load that changes the way `rise` tells leads there.
+    fn by_touching(&mut self, from: &Departure, rise: f64) -> Option<usize> {
+        self.back_to(&from.start);
+        let regular = self.prepare();
+        let mut sought =
+            self.search.contacts.next_to_close(&self.response, rise).filter(|_| regular)?;
+        for _ in 0..MOST_TOUCHES {
+            self.back_to(&from.start);
+            let corrections = self.touch(sought)?;
+            let Some(other) = self.search.contacts.innermost() else {
+                self.search.contacts.close(sought);
+                return self.arrive(from, false).then_some(corrections);
+            };
+            sought = other;
+        }
+        None
+    }
+
+    /// Goes to where an open contact just touches, the load factor free; what presses stays closed.
+    fn touch(&mut self, place: usize) -> Option<usize> {
+        for iteration in 1..=MOST_ITERATIONS {
+            let load = self.assemble();
+            let closed = self.search.hold_pressed()?;
+            if !self.respond(&load, Some(&closed)) {
+                return None;
+            }
+            let search = &self.search;
+            let [gap, rate] =
+                search.contacts.gap_after(place, &search.work.correction, &self.response);
+            self.load(-gap / rate);
+            if !self.search.correct() {
+                return None;
+            }
+            let work = &self.search.work;
+            let reach = largest(&work.increment);
+            if largest(&work.correction) <= SETTLED * reach {
+                self.assemble();
+                self.search.contacts.accept();
+                return Some(iteration);
+            }
+        }
+        None
+    }
+
+    /// The same where that closes a contact: without it this may well be the way that the path came.
+    fn by_closing(&mut self, from: &Departure, rise: f64) -> Option<usize> {
+        let found = self.by_load(from, rise);
+        found.filter(|_| self.search.contacts.pressing() != from.pressed)
+    }
+
+    /// Advances across the path: to the plane through the point that the response to a rise of the load factor leads to.
+    fn by_plane(&mut self, from: &Departure, rise: f64) -> Option<usize> {
+        self.back_to(&from.start);
+        self.prepare();
+        self.search.work.correction.fill([0.0; 4]);
+        self.search.contacts.keep_forces();
+        self.load(rise);
+        let plane = self.search.work.correction.clone();
+        let long = self.inner(&plane, &plane).sqrt();
+        if !self.search.correct() {
+            return None;
+        }
+        let found = self.iterate(|tracer, correction| {
+            let response = &tracer.response.nodal;
+            let across = tracer.inner(&plane, response);
+            let straight = LEAST_ACROSS * long * tracer.inner(response, response).sqrt();
+            // What runs along the plane never meets it, and what closes on the way to it may turn the path back from it.
+            let back = across * rise < 0.0 && tracer.search.contacts.pressing() != from.pressed;
+            (across.abs() > straight && !back).then(|| -tracer.inner(&plane, correction) / across)
+        })?;
+        self.arrive(from, false).then_some(found)
+    }
+
+    /// Whether the path goes on from the current point as the load factor rises: as it did where that was given, as contacts that
+    /// have come to press since where the last way began press more, and as it came otherwise.
+    pub(super) fn leads_up(&self) -> bool {
+        if self.given {
+            return self.changed > 0.0;
+        }
+        let pressing = self.search.contacts.onward(&self.pressed, &self.response);
+        pressing.unwrap_or_else(|| self.inner(&self.way, &self.response.nodal)) > 0.0
+    }
+
+    /// How the load factor went on the way from a point to the current one.
+    pub(super) fn course(&mut self, before: &Mark) -> Course {
+        let then = if self.rising { self.slope } else { -self.slope };
+        let gone = self.inner(&self.way, &self.way).sqrt();
+        let old = self.inner(&before.way, &before.way).sqrt();
+        let along = self.inner(&before.way, &self.way);
+        let Some(rises) = self.rises() else { return Course { turned: false, resolved: true } };
+        let length = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
+        let now = if rises { 1.0 / length } else { -1.0 / length };
+        let mean = (self.factor - before.factor) / gone;
+        let turned = then * now < 0.0;
+        let straight = old == 0.0 || along >= LEAST_COSINE * gone * old;
+        let even = |slope: f64| slope / mean >= 0.0 && slope / mean <= STEEPEST;
+        Course { turned, resolved: straight && (turned || (even(then) && even(now))) }
+    }
+
+    /// Whether the load factor grows along the path at the current point.
+    fn rises(&mut self) -> Option<bool> {
+        self.prepare().then(|| self.leads_up())
+    }
+
+    /// Goes to the limit point within an arc from a place before it, by bisection: of the points looked at the one of the most load, or
+    /// the least.
+    pub(super) fn limit_point(&mut self, before: &Mark, arc: f64) -> Option<PathPoint> {
+        let (mut low, mut high) = (0.0, arc);
+        let rising = self.rising;
+        let mut found: Option<Mark> = None;
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            self.back_to(before);
+            // An arc that leads nowhere is too long.
+            let there = self.advance(middle).is_some();
+            let mark = there.then(|| self.mark());
+            let beyond = !there || self.rises()? != rising;
+            if beyond {
+                high = middle
+            } else {
+                low = middle
+            }
+            let further = |m: &Mark| found.as_ref().is_none_or(|f| (m.factor > f.factor) == rising);
+            found = mark.filter(further).or(found);
+        }
+        self.back_to(&found?);
+        Some(self.point())
+    }
+}

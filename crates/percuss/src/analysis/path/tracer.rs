@@ -1,0 +1,251 @@
+//! A place on an equilibrium path: its corrections, and the response to the loads there.
+
+use super::{Goal, PathPoint, PathRecorder};
+use crate::analysis::static_contacts::{Pressing, Programme, Response};
+use crate::analysis::static_search::{Reached, StaticSearch, largest};
+use crate::analysis::statics::finish;
+use crate::error::Error;
+use crate::model::Model;
+
+/// Corrections of a point; more and the arc is halved. Contacts close and open one after the other.
+pub(super) const MOST_ITERATIONS: usize = 16;
+const MOST_WITH_CONTACTS: usize = 60;
+/// Last correction of a point relative to its displacements; the next would be its square.
+pub(super) const SETTLED: f64 = 1e-9;
+/// Share of the loads by which discs settle on what holds them.
+const LITTLE: f64 = 1e-4;
+
+/// A place on the path.
+#[derive(Clone)]
+pub(super) struct Mark {
+    pub factor: f64,
+    pub reached: Reached,
+    /// The last way along the path, and the rigid contacts that pressed where it began.
+    pub way: Vec<[f64; 4]>,
+    pub pressed: Vec<bool>,
+    /// Whether the load factor grew where the last way began.
+    pub rising: bool,
+    /// How far the last way changed the load factor, and whether it was given by that.
+    pub changed: f64,
+    pub given: bool,
+}
+
+pub(super) struct Tracer<'m> {
+    pub search: StaticSearch<'m>,
+    pub factor: f64,
+    /// Rate of the load factor along the path where the last arc began.
+    pub slope: f64,
+    /// Load factor of the first arc, and that arc.
+    pub first: f64,
+    pub first_arc: f64,
+    pub changed: f64,
+    pub given: bool,
+    pub way: Vec<[f64; 4]>,
+    pub pressed: Vec<bool>,
+    pub rising: bool,
+    /// Response to the loads.
+    pub response: Response,
+}
+
+impl<'m> Tracer<'m> {
+    pub(super) fn new(model: &'m Model) -> Result<Self, Error> {
+        let mut search = StaticSearch::new(model);
+        search.hold_loose_beams();
+        search.foresee(true);
+        // Springs may be stressed before any load acts.
+        let stressed = model.connectors.iter().zip(&search.base.coordinates);
+        if stressed.clone().any(|(c, q)| c.potential(*q) > 0.0) {
+            search.solve(0.0);
+        }
+        // Discs lie on what holds them before the path is followed: nothing answers to their weight till then.
+        if search.contacts.has_discs() && !search.solve(LITTLE) {
+            let lost = search.contacts.lost(model).map(str::to_owned);
+            return Err(lost.map_or(Error::no_equilibrium(0.0), Error::nothing_holds));
+        }
+        let zero = vec![[0.0; 4]; model.node_count()];
+        let factor = if search.contacts.has_discs() { LITTLE } else { 0.0 };
+        let pressed = search.contacts.pressing();
+        Ok(Self {
+            search,
+            factor,
+            slope: 0.0,
+            first: 0.0,
+            first_arc: 0.0,
+            changed: 0.0,
+            given: false,
+            way: zero.clone(),
+            pressed,
+            rising: true,
+            response: Response::free(zero, Vec::new()),
+        })
+    }
+
+    pub(super) fn point(&self) -> PathPoint {
+        let d = &self.search.work.increment;
+        let displacements = self.search.model.points.iter().map(|p| p.value(d)).collect();
+        PathPoint { factor: self.factor, displacements }
+    }
+
+    /// Hands the equilibrium reached after so many steps to a recorder that wants it, and comes back to it.
+    pub(super) fn show(&mut self, recorder: &mut dyn PathRecorder, limit: bool, steps: usize) {
+        if !recorder.wants(limit) {
+            return;
+        }
+        let here = self.mark();
+        self.search.forcing.set_static(self.search.model, self.factor);
+        self.search.forcing.rest_motions();
+        let found = finish(&mut self.search, steps);
+        recorder.equilibrium(self.factor, limit, &found);
+        self.back_to(&here);
+    }
+
+    pub(super) fn mark(&self) -> Mark {
+        Mark {
+            factor: self.factor,
+            reached: self.search.reached(),
+            way: self.way.clone(),
+            pressed: self.pressed.clone(),
+            rising: self.rising,
+            changed: self.changed,
+            given: self.given,
+        }
+    }
+
+    pub(super) fn back_to(&mut self, mark: &Mark) {
+        self.factor = mark.factor;
+        self.search.go_back(&mark.reached);
+        self.way.clone_from(&mark.way);
+        self.pressed.clone_from(&mark.pressed);
+        (self.rising, self.changed, self.given) = (mark.rising, mark.changed, mark.given);
+    }
+
+    /// Assembles at the current point; the load that a unit of the factor adds.
+    pub(super) fn assemble(&mut self) -> Vec<[f64; 4]> {
+        let model = self.search.model;
+        self.search.forcing.set_static(model, self.factor + 1.0);
+        self.search.forcing.rest_motions();
+        self.search.assemble::<false>();
+        let loaded = self.search.work.residual.clone();
+        self.search.forcing.set_static(model, self.factor);
+        self.search.forcing.rest_motions();
+        self.search.assemble::<true>();
+        let added = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| a[i] - b[i]);
+        self.search.work.residual.iter().zip(&loaded).map(added).collect()
+    }
+
+    /// Factors at the current point, with the contacts closed that press, and finds the response to the loads.
+    pub(super) fn prepare(&mut self) -> bool {
+        let load = self.assemble();
+        if self.search.contacts.press_exactly() {
+            return self
+                .search
+                .factor_pressed()
+                .is_some_and(|closed| self.respond(&load, Some(&closed)));
+        }
+        self.search.factor_assembled().is_ok() && self.respond(&load, None)
+    }
+
+    /// The correction at the current point under the loads as they are, and the response to the loads beside it.
+    pub(super) fn direction(&mut self) -> bool {
+        let load = self.assemble();
+        if self.search.contacts.press_exactly() {
+            return self.search.press().is_some_and(|closed| self.respond(&load, Some(&closed)));
+        }
+        let regular = self.search.factor_assembled().is_ok() && self.respond(&load, None);
+        if regular {
+            self.search.correction();
+        }
+        regular
+    }
+
+    /// The response to a load of what was factored last; whether there is one.
+    pub(super) fn respond(&mut self, load: &[[f64; 4]], closed: Option<&Programme>) -> bool {
+        self.response = if let Some(closed) = closed {
+            closed.response(&mut self.search, load)
+        } else {
+            let mut nodal = load.to_vec();
+            let constraints = self.search.work.tangent.solve_linear(self.search.model, &mut nodal);
+            Response::free(nodal, constraints)
+        };
+        self.response.nodal.as_flattened().iter().all(|c| c.is_finite())
+    }
+
+    /// Inner product of ways: displacements over the size of the structure, slopes as they are, in the mean.
+    pub(super) fn inner(&self, a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
+        let size = self.search.size();
+        let one = |(a, b): (&[f64; 4], &[f64; 4])| {
+            (a[0] * b[0] + a[1] * b[1]) / (size * size) + a[2] * b[2] + a[3] * b[3]
+        };
+        a.iter().zip(b).map(one).sum::<f64>() / a.len() as f64
+    }
+
+    /// The arc that leads to a load factor by the linear response: of the structure without its contacts, unless they alone hold it.
+    pub(super) fn first_arc(&mut self, factor: f64) -> Option<f64> {
+        self.first = factor;
+        self.search.contacts.begin(Pressing::Exactly);
+        let load = self.assemble();
+        let free = self.search.factor_assembled().is_ok() && self.respond(&load, None);
+        let regular = free || self.prepare();
+        let arc = factor * self.inner(&self.response.nodal, &self.response.nodal).sqrt();
+        self.first_arc = arc;
+        (regular && arc > 0.0).then_some(arc)
+    }
+
+    /// Moves by `share` of the response to the loads.
+    pub(super) fn load(&mut self, share: f64) {
+        self.factor += share;
+        let work = &mut self.search.work;
+        for (c, x) in work.correction.iter_mut().zip(&self.response.nodal) {
+            (0..4).for_each(|i| c[i] += share * x[i]);
+        }
+        for (m, x) in work.multiplier.iter_mut().zip(&self.response.constraints) {
+            *m += share * x;
+        }
+        self.search.contacts.respond(&self.response, share);
+    }
+
+    /// Corrections, each with the change of the load factor that `control` asks for; nothing where it knows none.
+    pub(super) fn iterate(
+        &mut self,
+        control: impl Fn(&Self, &[[f64; 4]]) -> Option<f64>,
+    ) -> Option<usize> {
+        let alone = self.search.contacts.is_empty();
+        for iteration in 1..=if alone { MOST_ITERATIONS } else { MOST_WITH_CONTACTS } {
+            if !self.direction() {
+                return None;
+            }
+            let share = control(self, &self.search.work.correction)?;
+            self.load(share);
+            if !self.search.correct() {
+                return None;
+            }
+            let work = &self.search.work;
+            let reach = largest(&work.increment);
+            let small = largest(&work.correction) <= SETTLED * reach;
+            if small && self.search.contacts.settled() {
+                self.search.contacts.accept();
+                return Some(iteration);
+            }
+        }
+        None
+    }
+
+    /// Goes to where the goal is met exactly, from a point before it.
+    pub(super) fn hit(&mut self, goal: &Goal) -> bool {
+        match goal {
+            Goal::Factor(factor) => {
+                let miss = *factor;
+                self.iterate(|tracer, _| Some(miss - tracer.factor)).is_some()
+            }
+            Goal::Displacement { point, component, value } => {
+                let p = &self.search.model.points[*point];
+                self.iterate(|tracer, correction| {
+                    let now = p.value(&tracer.search.work.increment)[*component]
+                        + p.value(correction)[*component];
+                    Some((value - now) / p.value(&tracer.response.nodal)[*component])
+                })
+                .is_some()
+            }
+        }
+    }
+}
