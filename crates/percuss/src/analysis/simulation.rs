@@ -398,6 +398,7 @@ impl<'m> Simulation<'m> {
         let books = &self.state.books;
         let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
         let effective = self.model.effective_masses();
+        let [energy_scale, linear_scale, angular_scale] = books.audit_scales();
         RunSummary {
             termination,
             time: self.state.time,
@@ -415,14 +416,14 @@ impl<'m> Simulation<'m> {
                 work_supports: books.work_supports,
                 loss_impacts: books.loss_impacts,
                 loss_damping: books.loss_damping,
-                scale: books.energy_scale,
-                residual_max: relative(self.monitor.energy_residual, books.energy_scale),
+                scale: energy_scale,
+                residual_max: relative(self.monitor.energy_residual, energy_scale),
             },
             momentum: MomentumSummary {
-                linear_scale: books.linear_scale,
-                linear_residual_max: relative(self.monitor.linear_residual, books.linear_scale),
-                angular_scale: books.angular_scale,
-                angular_residual_max: relative(self.monitor.angular_residual, books.angular_scale),
+                linear_scale,
+                linear_residual_max: relative(self.monitor.linear_residual, linear_scale),
+                angular_scale,
+                angular_residual_max: relative(self.monitor.angular_residual, angular_scale),
             },
             audit: AuditSummary {
                 curvature_drift_max: self.monitor.curvature_drift,

@@ -41,6 +41,10 @@ pub struct Books<S> {
     pub loss_damping: S,
     pub impulse_damping: [S; 2],
     pub angular_impulse_damping: S,
+    /// Magnitudes of works, impulses and angular impulses, step by step \[J, N s, N m s\].
+    pub passed: [S; 3],
+    /// Sums up to the last step: work, impulses, angular impulses.
+    before: [S; 7],
     pub energy_residual: S,
     pub linear_residual: S,
     pub angular_residual: S,
@@ -68,6 +72,8 @@ impl<S: Number> Books<S> {
             loss_damping: zero,
             impulse_damping: [zero; 2],
             angular_impulse_damping: zero,
+            passed: [zero; 3],
+            before: [zero; 7],
             energy_residual: zero,
             linear_residual: zero,
             angular_residual: zero,
@@ -99,7 +105,26 @@ impl<S: Number> Books<S> {
         all.extend([i1, i2, &mut self.angular_impulse, &mut self.loss_impacts]);
         all.extend([&mut self.energy_residual, &mut self.linear_residual]);
         all.push(&mut self.angular_residual);
+        all.extend(&mut self.passed);
+        all.extend(&mut self.before);
         all
+    }
+
+    /// What residuals are relative to, as of a single run.
+    pub fn audit_scales(&self, negligible: &[S; 3]) -> [S; 3] {
+        let scales = [self.energy_scale, self.linear_scale, self.angular_scale];
+        array(|i| scales[i].max(self.passed[i]).max(negligible[i]))
+    }
+
+    #[inline(always)]
+    fn pass(&mut self) {
+        let ([i1, i2], [l1, l2]) = (self.impulse, self.impulse_loads);
+        let angular = [self.angular_impulse, self.angular_impulse_loads];
+        let now = [self.work_loads, i1, i2, l1, l2, angular[0], angular[1]];
+        let [work, i1, i2, l1, l2, a1, a2] = array(|k| (now[k] - self.before[k]).abs());
+        self.before = now;
+        let passed = [work, i1 + i2 + l1 + l2, a1 + a2];
+        self.passed = array(|k| self.passed[k] + passed[k]);
     }
 
     #[inline(always)]
@@ -206,6 +231,7 @@ impl<S: Number> Books<S> {
     pub fn close(&mut self, engine: &Engine<S>) {
         self.now = engine.measure();
         self.rescale();
+        self.pass();
         let (start, now) = (&self.start, &self.now);
         let energy = now.energy - start.energy + self.loss_impacts - self.work_loads;
         let energy = energy + self.loss_damping;
@@ -256,7 +282,6 @@ impl<S: Number> Engine<S> {
                 let (mut pa, mut pb) = ([zero; 4], [zero; 4]);
                 table.add_inertia(va, vb, &mut pa, &mut pb);
                 linear_size += (pa[0] + pb[0]).abs() + (pa[1] + pb[1]).abs();
-                let before = angular;
                 for (node, p, v) in [(a, &pa, va), (a + 1, &pb, vb)] {
                     let (frame, u) = (&self.numbers.nodes[node], &self.displacement[node]);
                     twice += dot4(p, v);
@@ -264,6 +289,9 @@ impl<S: Number> Engine<S> {
                     let at = |i: usize| frame[i] + u[i];
                     angular +=
                         cross([at(0), at(1)], [p[0], p[1]]) + cross([at(2), at(3)], [p[2], p[3]]);
+                    let size = |a: S, b: S| a.abs() + b.abs();
+                    angular_size += size(at(0), at(1)) * size(p[0], p[1])
+                        + size(at(2), at(3)) * size(p[2], p[3]);
                 }
                 for j in 0..GAUSS {
                     let (row, at) = (&table.rows[j], &self.start[element][j]);
@@ -276,8 +304,8 @@ impl<S: Number> Engine<S> {
                         .add_product(law.axial * at.membrane, at.membrane)
                         .add_product(law.bending * bending, bending);
                     angular += turning;
+                    angular_size += turning.abs();
                 }
-                angular_size += (angular - before).abs();
                 if let Some(samples) = &table.membrane {
                     let u = &self.displacement;
                     let values = ElementValues::new(&u[a], &u[a + 1]);
@@ -295,8 +323,13 @@ impl<S: Number> Engine<S> {
             let momentum = guide.mass * state.velocity;
             let linear = array(|i| guide.direction[i] * momentum);
             m.energy += momentum * state.velocity * 0.5 + guide.energy(-state.gap);
+            let way = state.way;
+            let x: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
+            m.linear = add(m.linear, linear);
+            m.linear_size += hypot(linear);
             // Along its line of flight the way changes nothing.
-            m.add_momentum(linear, cross(guide.position, linear));
+            m.angular += cross(guide.position, linear);
+            m.angular_size += (x[0].abs() + x[1].abs()) * (linear[0].abs() + linear[1].abs());
         }
         m
     }
@@ -355,15 +388,5 @@ impl<S: Number> Engine<S> {
                 element += 1;
             }
         }
-    }
-}
-
-impl<S: Number> Measures<S> {
-    #[inline(always)]
-    fn add_momentum(&mut self, linear: [S; 2], angular: S) {
-        self.linear = add(self.linear, linear);
-        self.linear_size += hypot(linear);
-        self.angular += angular;
-        self.angular_size += angular.abs();
     }
 }

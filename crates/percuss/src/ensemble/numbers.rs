@@ -24,6 +24,8 @@ pub struct Numbers<S> {
     pub points: Vec<PointNumbers<S>>,
     /// Energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\] that are round-off.
     pub round_off: [S; 3],
+    /// The same below which no residual counts.
+    pub negligible: [S; 3],
     /// Mass of all there is \[kg\].
     pub total_mass: S,
     /// Size of the structure \[m\].
@@ -129,6 +131,7 @@ impl<S: Copy> Numbers<S> {
                 .map(|p| PointNumbers { node: p.node, shape: p.shape.map(&mut *f) })
                 .collect(),
             round_off: self.round_off.map(&mut *f),
+            negligible: self.negligible.map(&mut *f),
             total_mass: f(self.total_mass),
             size: f(self.size),
         }

@@ -70,6 +70,8 @@ impl<S: Number> Telling<'_, S> {
             let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
             error(if value == 0.0 { 0.0 } else { value / scale })
         };
+        let [energy_scale, linear_scale, angular_scale] =
+            books.audit_scales(&self.engine.numbers.negligible);
         RunSummary {
             termination,
             time: read(self.log.time),
@@ -87,14 +89,14 @@ impl<S: Number> Telling<'_, S> {
                 work_supports: 0.0,
                 loss_impacts: read(books.loss_impacts),
                 loss_damping: read(books.loss_damping),
-                scale: read(books.energy_scale),
-                residual_max: relative(books.energy_residual, books.energy_scale),
+                scale: read(energy_scale),
+                residual_max: relative(books.energy_residual, energy_scale),
             },
             momentum: MomentumSummary {
-                linear_scale: read(books.linear_scale),
-                linear_residual_max: relative(books.linear_residual, books.linear_scale),
-                angular_scale: read(books.angular_scale),
-                angular_residual_max: relative(books.angular_residual, books.angular_scale),
+                linear_scale: read(linear_scale),
+                linear_residual_max: relative(books.linear_residual, linear_scale),
+                angular_scale: read(angular_scale),
+                angular_residual_max: relative(books.angular_residual, angular_scale),
             },
             audit: AuditSummary { curvature_drift_max: error(0.0), membrane_drift_max: error(0.0) },
             projectiles: self.projectiles(read),

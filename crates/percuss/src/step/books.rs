@@ -30,6 +30,7 @@ pub fn book(
 ) {
     let done = external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
     state.reacting.begin();
+    let so_far = state.books.set_aside();
     let before = supports_so_far(state);
     let books = &mut state.books;
     books.work_loads += done.work;
@@ -52,6 +53,7 @@ pub fn book(
     } else {
         state.instant = None;
     }
+    state.books.put_on(so_far);
 }
 
 /// Impulse and angular impulse of all supports and guides so far.
