@@ -28,6 +28,13 @@ function withUnit(value, unit, scale = 0) {
   return significant(told, 5) + (unit ? (unit.startsWith("10") ? " \u00b7 " : " ") + unit : "");
 }
 
+// Five digits, and more where so little is shown that these would not tell its places apart.
+function digitsIn({ min, max }) {
+  const size = Math.max(Math.abs(min), Math.abs(max));
+  const share = (max - min) / size;
+  return share > 0 && Number.isFinite(share) ? Math.min(12, 5 + Math.max(0, Math.floor(-Math.log10(share)))) : 5;
+}
+
 function largestOf(columns) {
   let most = 0;
   for (const column of columns) for (const v of column) if (v != null && Math.abs(v) > most) most = Math.abs(v);
@@ -77,7 +84,7 @@ function bands(u, spans) {
 function bandValue(figure, spans, x) {
   const span = x == null ? null : spans.find(([from, to]) => from <= x && x <= to);
   if (!span) return "";
-  return `${withUnit(span[2], figure.y.unit)}, ${significant(span[0], 7)} to ${withUnit(span[1], figure.x.unit)}`;
+  return `${withUnit(span[2], figure.y.unit)}, ${significant(span[0], 5)} to ${withUnit(span[1], figure.x.unit)}`;
 }
 
 // Abscissa and ordinates as uPlot takes them. Areas lie on each other; their own values stay in `own`.
@@ -242,7 +249,7 @@ function options(figure, width, onZoom) {
     width,
     height: heightOf(figure),
     series: [
-      { label: figure.own ? figure.x.caption.replace(/ \[.*/, "") : "time", value: (u, v) => (v == null ? "" : `${significant(v, 7)} ${figure.x.unit}`) },
+      { label: figure.own ? figure.x.caption.replace(/ \[.*/, "") : "time", value: (u, v) => (v == null ? "" : `${significant(v, digitsIn(u.scales.x))} ${figure.x.unit}`) },
       ...series.map((s, k) => {
         const options = seriesOptions(figure, s);
         // The lowest area is filled down to zero, the others to the one below.

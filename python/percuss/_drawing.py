@@ -24,6 +24,7 @@ SYMBOL = 0.025
 _FORCES = {"axial": 0, "shear": 1, "moment": 2}
 _LEGENDS = {
     "stress": ("largest stress", "Pa"), "axial": ("axial force", "N"), "shear": ("shear force", "N"), "moment": ("moment", "N m"),
+    "velocity": ("speed", "m/s"),
 }  # fmt: skip
 
 
@@ -32,7 +33,7 @@ class Drawing:
 
     def __init__(self, fields: Fields, ax: Axes, scale: float = 1.0, colour: str = "none") -> None:
         if colour != "none" and colour not in _LEGENDS:
-            raise ValueError(f"colour={colour!r}: expected none, stress, moment, axial or shear")
+            raise ValueError(f"colour={colour!r}: expected none, stress, velocity, moment, axial or shear")
         if scale != 1.0 and not _can_exaggerate(fields):
             raise ValueError(f"scale={scale}: enlarged displacements would show bodies that overlap and do not; leave it at 1")
         self.fields, self.ax, self.scale, self.colour = fields, ax, scale, colour
@@ -151,18 +152,20 @@ class Drawing:
     def _values(self, frame: int, beam: SceneBeam, curve: Curve) -> Floats:
         if self.colour == "stress":
             return self.fields.stress(frame, beam, curve)
+        if self.colour == "velocity":
+            return self.fields.speed(frame, beam, curve)
         return np.abs(self.fields.section(frame, curve)[:, _FORCES[self.colour]])
 
     def _largest(self) -> float:
         """Largest value over the run of what colours stand for, at the ends of the intervals."""
         self.fields._require()
-        if self.colour != "stress":
+        if self.colour in _FORCES:
             return float(np.abs(self.fields.section_forces[..., _FORCES[self.colour]]).max(initial=0.0))
         still, top = np.zeros((self.fields.nodes, 4)), 0.0
         for beam in self.fields.beams:
             for curve in beam.curves(still, pieces=1):
                 for frame in range(len(self.fields)):
-                    values = self.fields.stress(frame, beam, curve)
+                    values = self._values(frame, beam, curve)
                     top = max(top, float(np.nanmax(values)) if np.isfinite(values).any() else 0.0)
         return top
 

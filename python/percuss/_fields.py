@@ -203,6 +203,14 @@ class Fields:
         inertia = (1 - share) * beam.inertia[k] + share * beam.inertia[k + 1]
         return np.asarray(np.abs(forces[:, 0]) / area + np.abs(forces[:, 2]) * curve.half_depth / inertia)
 
+    def speed(self, frame: int, beam: SceneBeam, curve: Curve) -> Floats:
+        """Size of the velocity [m/s] at the points of a curve, the rate of the same cubics."""
+        if not len(self.velocity) or not self.velocity.shape[1]:
+            return np.zeros(len(curve.shares))
+        moved, _ = beam.evaluate(curve.stations, curve.shares, self.velocity[frame].astype(float))
+        rest, _ = beam.evaluate(curve.stations, curve.shares, np.zeros((self.nodes, 4)))
+        return np.asarray(np.linalg.norm(moved - rest, axis=1))
+
     def centre_lines(self) -> Beams:
         """The beams for :class:`percuss.Result.shapes`."""
         native = {}

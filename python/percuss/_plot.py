@@ -49,8 +49,8 @@ class Plots:
         hide: Collection[str] = (),
     ) -> Axes:
         """The scene at a time, that of the largest contact force by default: beams to scale, supports, bodies, loads, contact
-        forces. ``colour`` is ``stress``, ``moment``, ``axial`` or ``shear``; displacements are drawn times ``scale``; ``hide`` takes
-        away some of ``forces``, ``loads`` and ``ghost``, the reference configuration."""
+        forces. ``colour`` is ``stress``, ``velocity``, ``moment``, ``axial`` or ``shear``; displacements are drawn times ``scale``;
+        ``hide`` takes away some of ``forces``, ``loads`` and ``ghost``, the reference configuration."""
         from ._drawing import Drawing
 
         fields = self._result.fields

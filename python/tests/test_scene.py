@@ -89,6 +89,18 @@ def test_every_scene_is_drawn(path):
     plt.close("all")
 
 
+def test_colours_stand_for_the_speed_of_the_beam(elastic):
+    result = percuss.run(elastic)
+    fields, (beam,) = result.fields, result.fields.beams
+    frame = len(fields) // 2
+    (curve,) = beam.curves(np.zeros((fields.nodes, 4)), pieces=1)
+    expected = np.linalg.norm(fields.velocity[frame][beam.first : beam.first + len(beam.s), :2], axis=1)
+    assert np.allclose(fields.speed(frame, beam, curve), expected, rtol=1e-6, atol=1e-9) and expected.max() > 0.1
+    figure = result.plot(colour="velocity").figure
+    assert [ax.get_ylabel() for ax in figure.axes][-1] == "speed [m/s]"
+    plt.close("all")
+
+
 def test_labels_are_words_with_units(elastic):
     result = percuss.run(elastic)
     assert result.plot.force().get_ylabel() == "contact force [N]"

@@ -4,7 +4,7 @@ mod common;
 
 use common::Desk;
 
-const NAMES: [&str; 3] = ["beams.vtkhdf", "bodies.vtkhdf", "contacts.vtkhdf"];
+const NAMES: [&str; 4] = ["beams.vtkhdf", "bodies.vtkhdf", "contacts.vtkhdf", "supports.vtkhdf"];
 
 #[test]
 fn a_run_gets_files_that_belong_to_it() {

@@ -1,7 +1,7 @@
 //! A run for ParaView: poly data over all frames that were kept.
 //!
 //! Kinds of things stand in files of their own, since what a kind carries differs: beams with section forces and stresses at
-//! points of their surface, bodies and obstacles as areas, contact forces as points with vectors. Names stay text inside the
+//! points of their surface, bodies and obstacles as areas, supports as lines, contact forces as points with vectors. Names stay text inside the
 //! files; no name of a user becomes a name of a file.
 
 mod beams;
@@ -10,6 +10,7 @@ mod contacts;
 mod obstacles;
 mod placed;
 mod poly;
+mod supports;
 mod vtp;
 
 use std::fs;
@@ -55,10 +56,11 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields, format: Format) -> Result<V
     let dir = dir.as_ref();
     let placed = Placed::new(fields).map_err(|reason| Error::content(FIELDS, reason))?;
     fs::create_dir_all(dir).map_err(|e| Error::io(dir, "create", e))?;
-    let kinds: [(&str, Kind); 4] = [
+    let kinds: [(&str, Kind); 5] = [
         ("beams", beams::series),
         ("bodies", bodies::series),
         ("obstacles", obstacles::series),
+        ("supports", supports::series),
         ("contacts", contacts::series),
     ];
     let mut written = Vec::new();

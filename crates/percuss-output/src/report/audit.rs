@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::html::table;
-use super::quantity::{number, quantity};
+use super::quantity::{number, quantity, without_round_off};
 
 /// A residual below this, relative to the largest amount in play, counts as closed.
 const CLOSED: f64 = 1e-10;
@@ -25,7 +25,7 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
         let value = residual(of, key);
         rows.push([
             label.to_owned(),
-            quantity(value, "1"),
+            quantity(value.map(|v| without_round_off(v, 1.0)), "1"),
             verdict(value, of, scheme, midpoint_force),
         ]);
     }

@@ -26,16 +26,19 @@ pub(crate) fn rows(columns: &[&[f64]], n_rows: usize, bins: usize) -> Vec<usize>
 
 /// Where `values` is smallest and where largest, NaN left aside.
 fn extremes(values: &[f64]) -> [usize; 2] {
-    let (mut low, mut high) = (0, 0);
-    for (row, &value) in values.iter().enumerate() {
-        if value < values[low] || values[low].is_nan() {
-            low = row;
-        }
-        if value > values[high] || values[high].is_nan() {
-            high = row;
+    let first = values.iter().position(|v| !v.is_nan()).unwrap_or(0);
+    let (mut at, mut low, mut high) = ([first; 2], values[first], values[first]);
+    // Few values are extremes: one look tells most of them apart. Comparisons with NaN are false.
+    for (row, &value) in values.iter().enumerate().skip(first) {
+        if value < low || value > high {
+            if value < low {
+                (low, at[0]) = (value, row);
+            } else {
+                (high, at[1]) = (value, row);
+            }
         }
     }
-    [low, high]
+    at
 }
 
 #[cfg(test)]
@@ -60,6 +63,13 @@ mod tests {
         for row in [0, 12_345, 12_347, 99_999] {
             assert!(kept.contains(&row), "row {row} is lost");
         }
+    }
+
+    #[test]
+    fn what_is_no_number_is_no_extreme() {
+        assert_eq!(extremes(&[f64::NAN, 2.0, f64::NAN, -1.0, 5.0, 5.0, -1.0]), [3, 4]);
+        assert_eq!(extremes(&[f64::NAN; 3]), [0, 0]);
+        assert_eq!(extremes(&[3.0]), [0, 0]);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 
 use super::figure::largest;
 use super::html::{Cell, Row, escape, table_of_rows};
-use super::quantity::{Scale, fine_number, number, quantity};
+use super::quantity::{Scale, fine_number, number, quantity, without_round_off};
 
 /// Rows shown; all of them are in `impacts.csv`.
 const LISTED: usize = 40;
@@ -82,21 +82,25 @@ fn sorting(rows: usize) -> String {
 /// The row of an entry, and below it, folded, those of the touches it consists of.
 fn rows_of(number: usize, entry: &Entry, columns: &[Column]) -> Vec<Row> {
     let impulse = entry.value["impulse"].as_f64().unwrap_or(0.0).abs();
-    let cells = |entry: &Entry, first: Cell| {
-        std::iter::once(first).chain(columns.iter().map(|column| column.cell(entry))).collect()
+    let cells = |entry: &Entry, first: Cell, folded: bool| {
+        let all = columns.iter().map(|column| column.cell(entry, folded));
+        std::iter::once(first).chain(all).collect()
     };
     let attributes = format!("data-time=\"{:e}\" data-impulse=\"{impulse:e}\"", entry.start);
     if entry.touches.is_empty() {
-        return vec![Row { cells: cells(entry, Cell::Text(number.to_string())), attributes }];
+        return vec![Row {
+            cells: cells(entry, Cell::Text(number.to_string()), false),
+            attributes,
+        }];
     }
     let fold = format!(
         "<button type=\"button\" class=\"fold\" aria-expanded=\"false\" aria-label=\"Show the touches of row {number}\">{number}</button>"
     );
-    let mut rows = vec![Row { cells: cells(entry, Cell::Markup(fold)), attributes }];
+    let mut rows = vec![Row { cells: cells(entry, Cell::Markup(fold), false), attributes }];
     for (k, touch) in entry.touches.iter().take(LISTED).enumerate() {
         let attributes = "class=\"touch\" hidden".to_owned();
         rows.push(Row {
-            cells: cells(touch, Cell::Text(format!("{number}.{}", k + 1))),
+            cells: cells(touch, Cell::Text(format!("{number}.{}", k + 1)), true),
             attributes,
         });
     }
@@ -222,13 +226,17 @@ enum Content {
     Number {
         value: fn(&Entry) -> Option<f64>,
         factor: f64,
+        /// Beside which a number is round-off.
+        size: f64,
+        /// Whether five digits would not tell the rows apart.
+        fine: bool,
     },
-    Other(fn(&Entry) -> Cell),
+    Other(Box<dyn Fn(&Entry) -> Cell>),
 }
 
 impl Column {
-    fn other(header: &str, cell: fn(&Entry) -> Cell) -> Self {
-        Self { header: header.to_owned(), content: Content::Other(cell) }
+    fn other(header: &str, cell: impl Fn(&Entry) -> Cell + 'static) -> Self {
+        Self { header: header.to_owned(), content: Content::Other(Box::new(cell)) }
     }
 
     /// Numbers with the unit in the header; nothing where no row has one.
@@ -242,16 +250,20 @@ impl Column {
         let scale = Scale::new(largest(&values), unit);
         let unit = if scale.unit.is_empty() { String::new() } else { format!(" [{}]", scale.unit) };
         let header = format!("{header}{unit}").replace(' ', "\u{a0}");
-        let content = Content::Number { value, factor: scale.factor };
+        let close =
+            |pair: &[f64]| pair[0] != pair[1] && significant(pair[0]) == significant(pair[1]);
+        let fine = values.windows(2).any(close);
+        let content = Content::Number { value, factor: scale.factor, size: largest(&values), fine };
         (!values.is_empty()).then_some(Self { header, content })
     }
 
-    fn cell(&self, entry: &Entry) -> Cell {
+    fn cell(&self, entry: &Entry, folded: bool) -> Cell {
         match &self.content {
-            Content::Number { value, factor } => {
-                // Instants may lie close together.
-                let text = if self.header.starts_with("time") { fine_number } else { significant };
-                let shown = value(entry).map(|v| text(v * factor));
+            Content::Number { value, factor, size, fine } => {
+                // Instants may lie close together, those of chatter do.
+                let instants = self.header.starts_with("time") && (*fine || folded);
+                let text = if instants { fine_number } else { significant };
+                let shown = value(entry).map(|v| text(without_round_off(v, *size) * factor));
                 Cell::Text(shown.unwrap_or("\u{2013}".to_owned()))
             }
             Content::Other(cell) => cell(entry),
@@ -271,6 +283,9 @@ fn columns(entries: &[Entry], several: bool) -> Vec<Column> {
     let any = |has: &dyn Fn(&Value) -> bool| entries.iter().any(|e| has(&e.value));
     let elsewhere = |v: &Value| v["place"]["s"].is_null() && v["place"]["position"][0].is_number();
     let slides = |v: &Value| v["tangential_impulse"].as_f64().is_some_and(|t| t != 0.0);
+    let energies: Vec<f64> =
+        entries.iter().flat_map(|e| parts(e).into_iter().map(|(_, v, _)| v)).collect();
+    let most = largest(&energies);
     let numbers = |header: &str, unit: &str, value| Column::number(entries, header, unit, value);
     let all = [
         several.then(|| Column::other("contact", contact)),
@@ -285,7 +300,8 @@ fn columns(entries: &[Entry], several: bool) -> Vec<Column> {
         numbers("approach", "m/s", |e| e.value["approach_velocity"].as_f64()),
         numbers("separation", "m/s", |e| e.value["separation_velocity"].as_f64()),
         Some(Column::other("restitution", restitution)),
-        any(&|v| v["energy"].is_object()).then(|| Column::other("energy passed on", energy)),
+        any(&|v| v["energy"].is_object())
+            .then(|| Column::other("energy passed on", move |e| energy(e, most))),
     ];
     all.into_iter().flatten().collect()
 }
@@ -349,12 +365,15 @@ fn parts(entry: &Entry) -> Vec<(&str, f64, &'static str)> {
     positive.collect()
 }
 
-/// A bar of the shares, and the shares worth naming in numbers.
-fn energy(entry: &Entry) -> Cell {
+/// A bar of the shares, and the shares worth naming in numbers; beside `most`, the largest of the log, the least are none.
+fn energy(entry: &Entry, most: f64) -> Cell {
     let parts = parts(entry);
     let sum: f64 = parts.iter().map(|(_, value, _)| value).sum();
     if !(sum > 0.0 && sum.is_finite()) {
         return Cell::Text("\u{2013}".to_owned());
+    }
+    if without_round_off(sum, most) == 0.0 {
+        return Cell::Text("0\u{a0}J".to_owned());
     }
     let mut pieces = String::new();
     let mut named = Vec::new();
@@ -424,6 +443,21 @@ mod tests {
         let row = page.split("<tr ").find(|row| row.contains("10\u{a0}touches")).unwrap();
         assert!(row.contains("data-impulse=\"5e0\""), "{row}");
         assert!(row.contains("2.5\u{a0}J\u{a0}lost"), "{row}");
+    }
+
+    #[test]
+    fn numbers_have_five_digits_and_round_off_is_nothing() {
+        let impact = |time: f64, impulse: f64| json!({ "time": time, "impulse": impulse, "place": {}, "energy": { "lost": impulse } });
+        let of = |impacts: [Value; 2]| {
+            render(&json!({ "time": 100.0, "contact": { "tap": {
+                "between": ["a", "b"], "impacts": impacts, "impact_count": 2, "intervals": [] } } }))
+        };
+        let page = of([impact(1.2345678, 0.5), impact(9.8765432, 1e-14)]);
+        assert!(page.contains("<td>1.2346</td>") && page.contains("<td>9.8765</td>"), "{page}");
+        assert!(page.contains("<td>0</td>") && page.contains("<td>0\u{a0}J</td>"), "{page}");
+        // Instants that five digits would not tell apart have more.
+        let page = of([impact(1.2345678, 0.5), impact(1.2345687, 0.5)]);
+        assert!(page.contains("<td>1.234568</td>") && page.contains("<td>1.234569</td>"), "{page}");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 
 use super::extremes;
 use super::html::{escape, table};
-use super::quantity::{number, quantity};
+use super::quantity::{number, quantity, without_round_off};
 
 /// Rows shown of a long list.
 const LISTED: usize = 200;
@@ -17,20 +17,21 @@ pub(super) fn render(summary: &Value) -> String {
     let empty = Map::new();
     let contacts = summary["contact"].as_object().unwrap_or(&empty);
     let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
+    let sizes = Sizes::of(summary);
     // A model of many bodies has hundreds of pairs that could have touched.
     let waits = |name: &str, contact: &Value| !projectiles.contains_key(name) && !touched(contact);
     let untouched: Vec<&str> =
         contacts.iter().filter(|(n, c)| waits(n, c)).map(|(name, _)| name.as_str()).collect();
     let crowded = untouched.len() > 1;
     for (name, contact) in contacts.iter().filter(|(n, c)| !crowded || !waits(n, c)) {
-        out.push_str(&contact_table(name, contact, projectiles.get(name)));
+        out.push_str(&contact_table(name, contact, projectiles.get(name), &sizes));
         out.push_str(&mass_warning(contact));
     }
     if crowded {
         out.push_str(&never_closed(&untouched));
     }
     for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
-        out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile)));
+        out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile, &sizes)));
     }
     out.push_str(&points(summary));
     out.push_str(&extremes::render(summary));
@@ -70,7 +71,7 @@ fn never_closed(names: &[&str]) -> String {
     format!("<p class=\"more\">{}</p>\n", escape(&text))
 }
 
-fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> String {
+fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes: &Sizes) -> String {
     let mut rows = Vec::new();
     let mut row = |label: &str, value: String| rows.push(vec![label.to_owned(), value]);
     let peak = &contact["peak_force"];
@@ -101,7 +102,7 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> Str
     }
     let title = match projectile {
         Some(projectile) => {
-            rows.extend(departure(projectile));
+            rows.extend(departure(projectile, sizes));
             format!("Projectile {name}")
         }
         None => {
@@ -112,9 +113,47 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>) -> Str
     table(&title, &[], &rows)
 }
 
-fn departure(projectile: &Value) -> Vec<Vec<String>> {
+/// Sizes of the run beside which what projectiles end with is round-off.
+struct Sizes {
+    velocity: f64,
+    momentum: f64,
+    energy: f64,
+}
+
+impl Sizes {
+    fn of(summary: &Value) -> Self {
+        let empty = Map::new();
+        let all = |kind: &str| summary[kind].as_object().unwrap_or(&empty).values();
+        let size = |values: &[&Value]| {
+            values.iter().filter_map(|v| v.as_f64()).map(f64::abs).fold(0.0, f64::max)
+        };
+        let nothing = &Value::Null;
+        let first = |list: &'static str| {
+            all("contact").map(move |c| c.pointer(list).unwrap_or(nothing)).collect::<Vec<_>>()
+        };
+        let ends = |k: usize| all("projectile").map(move |p| &p["velocity_final"][k]);
+        let approach = [
+            first("/impacts/0/approach_velocity"),
+            first("/intervals/0/approach_velocity"),
+            ends(0).chain(ends(1)).collect(),
+        ];
+        let momentum: Vec<&Value> = all("projectile").map(|p| &p["momentum_transferred"]).collect();
+        let given: Vec<&Value> = all("projectile").map(|p| &p["energy_transferred"]).collect();
+        Self {
+            velocity: size(&approach.concat()),
+            momentum: size(&momentum),
+            energy: size(&given).max(size(&[&summary["energy"]["scale"]])),
+        }
+    }
+}
+
+fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
     let velocity = &projectile["velocity_final"];
-    let component = |k: usize| velocity[k].as_f64().map_or("\u{2013}".to_owned(), number);
+    let component = |k: usize| {
+        let told = velocity[k].as_f64().map(|v| number(without_round_off(v, sizes.velocity)));
+        told.unwrap_or("\u{2013}".to_owned())
+    };
+    let given = |key: &str, size: f64| projectile[key].as_f64().map(|v| without_round_off(v, size));
     let row = |label: &str, value: String| vec![label.to_owned(), value];
     let spin = projectile["spin_final"].as_f64().filter(|spin| *spin != 0.0);
     let spin = spin.map(|spin| row("spin at the end", quantity(Some(spin), "rad/s")));
@@ -122,9 +161,9 @@ fn departure(projectile: &Value) -> Vec<Vec<String>> {
         row("velocity at the end", format!("({}, {}) m/s", component(0), component(1))),
         row(
             "momentum given away, along the initial motion",
-            quantity(projectile["momentum_transferred"].as_f64(), "kg*m/s"),
+            quantity(given("momentum_transferred", sizes.momentum), "kg*m/s"),
         ),
-        row("kinetic energy given away", quantity(projectile["energy_transferred"].as_f64(), "J")),
+        row("kinetic energy given away", quantity(given("energy_transferred", sizes.energy), "J")),
     ];
     rows.extend(spin);
     rows
@@ -157,12 +196,17 @@ fn points(summary: &Value) -> String {
         return String::new();
     };
     let list: Vec<Value> = points.iter().map(|(name, p)| serde_json::json!([name, p])).collect();
+    let peaks = points.values().flat_map(|p| {
+        ["component_1", "component_2"].map(|c| p["displacement_max"][c]["value"].as_f64())
+    });
+    let moved = peaks.flatten().map(f64::abs).fold(0.0, f64::max);
     let header = ["point", "largest displacement 1", "at", "largest displacement 2", "at"];
     listing("Recorded points", &header, &list, list.len(), |_, entry| {
         let mut row = vec![entry[0].as_str().unwrap_or_default().to_owned()];
         for component in ["component_1", "component_2"] {
             let peak = &entry[1]["displacement_max"][component];
-            row.push(quantity(peak["value"].as_f64(), "m"));
+            let value = peak["value"].as_f64().map(|v| without_round_off(v, moved));
+            row.push(quantity(value, "m"));
             let time = quantity(peak["time"].as_f64(), "s");
             let doubtful = peak["resolved"].as_bool() == Some(false);
             row.push(if doubtful { format!("{time}, of step ends: not resolved") } else { time });

@@ -18,6 +18,9 @@ fn number(value: f64) -> String {
 /// Beside what they come from, smaller velocities are none.
 const ROUND_OFF: f64 = 1e-9;
 
+/// Relative amounts below this are none.
+const NOTHING: f64 = 1e-12;
+
 /// What happened in a run, in plain text.
 pub fn story(summary: &Value) -> String {
     let mut out = vec![contacts(summary)];
@@ -245,6 +248,9 @@ fn balance(summary: &Value) -> String {
     let energy = &summary["energy"];
     let scale = quantity(energy["scale"].as_f64(), "J");
     let mut out = match energy["residual_max"].as_f64() {
+        Some(r) if r < NOTHING => {
+            format!("The energy balance closes to round-off, relative to {scale}.")
+        }
         Some(r) if r < 1e-8 => {
             format!("The energy balance closes to {}, relative to {scale}.", number(r))
         }
@@ -307,7 +313,7 @@ mod tests {
             plain(&summary),
             "car struck left@0.5m at 8.333 m/s, 10 ms after the start. The contact force reached 176.6 kN at 111.2 ms. \
              They last parted at 222.3 ms, moving apart at 8.326 m/s. The largest displacement is -20 mm along e2, of mid at 300 ms. \
-             The largest moment 63 kN m in left at s = 0 m, 100 ms. The energy balance closes to 9e-15, relative to 52.93 kJ."
+             The largest moment 63 kN m in left at s = 0 m, 100 ms. The energy balance closes to round-off, relative to 52.93 kJ."
         );
     }
 
