@@ -8,7 +8,8 @@ use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, TextStr};
 use resvg::tiny_skia::{PathSegment, Point, Transform};
 use resvg::usvg::{
-    ClipPath, Color, Fill, FillRule, Group, LineCap, LineJoin, Node, Paint, Path, Stroke, Tree,
+    ClipPath, Color, FillRule, Group, LineCap, LineJoin, Node, Paint, PaintOrder, Path, Stroke,
+    Tree,
 };
 
 use crate::error::Error;
@@ -110,28 +111,40 @@ impl Page {
         if !path.is_visible() {
             return;
         }
-        if let Some((fill, [r, g, b])) = path.fill().and_then(|f| Some((f, colour(f.paint())?))) {
-            self.opacity(opacity * fill.opacity().get());
-            self.content.set_fill_rgb(r, g, b);
-            self.outline(path, Transform::identity());
-            self.fill(fill);
-        }
-        if let Some((stroke, rgb)) = path.stroke().and_then(|s| Some((s, colour(s.paint())?))) {
-            self.opacity(opacity * stroke.opacity().get());
-            self.stroke(stroke, rgb);
-            self.outline(path, Transform::identity());
-            self.content.stroke();
+        if path.paint_order() == PaintOrder::StrokeAndFill {
+            self.stroke(path, opacity); // what surrounds a text lies below it
+            self.fill(path, opacity);
+        } else {
+            self.fill(path, opacity);
+            self.stroke(path, opacity);
         }
     }
 
-    fn fill(&mut self, fill: &Fill) {
+    fn fill(&mut self, path: &Path, opacity: f32) {
+        let Some((fill, [r, g, b])) = path.fill().and_then(|f| Some((f, colour(f.paint())?)))
+        else {
+            return;
+        };
+        self.opacity(opacity * fill.opacity().get());
+        self.content.set_fill_rgb(r, g, b);
+        self.outline(path, Transform::identity());
         match fill.rule() {
             FillRule::NonZero => self.content.fill_nonzero(),
             FillRule::EvenOdd => self.content.fill_even_odd(),
         };
     }
 
-    fn stroke(&mut self, stroke: &Stroke, [r, g, b]: [f32; 3]) {
+    fn stroke(&mut self, path: &Path, opacity: f32) {
+        let Some((stroke, rgb)) = path.stroke().and_then(|s| Some((s, colour(s.paint())?))) else {
+            return;
+        };
+        self.opacity(opacity * stroke.opacity().get());
+        self.pen(stroke, rgb);
+        self.outline(path, Transform::identity());
+        self.content.stroke();
+    }
+
+    fn pen(&mut self, stroke: &Stroke, [r, g, b]: [f32; 3]) {
         let cap = match stroke.linecap() {
             LineCap::Butt => LineCapStyle::ButtCap,
             LineCap::Round => LineCapStyle::RoundCap,
@@ -203,5 +216,55 @@ fn colour(paint: &Paint) -> Option<[f32; 3]> {
             Some([red, green, blue].map(|c| f32::from(*c) / 255.0))
         }
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is drawn on the page of a file.
+    fn operations(svg: &str) -> (String, String) {
+        let file = write(&crate::font::read(svg).unwrap(), 0.75).unwrap();
+        let text = String::from_utf8_lossy(&file).into_owned();
+        let begin = file.windows(7).position(|w| w == b"stream\n").unwrap() + 7;
+        let plain = miniz_oxide::inflate::decompress_to_vec_zlib(&file[begin..]);
+        let plain = plain.unwrap_or_else(|error| error.output);
+        (text, String::from_utf8(plain).unwrap())
+    }
+
+    #[test]
+    fn a_page_has_the_size_of_its_drawing_and_names_who_made_it() {
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"96\" height=\"48\"><path d=\"M0 0L9 9\" stroke=\"#f00\"/></svg>";
+        let (file, page) = operations(svg);
+        assert!(file.contains("/MediaBox [0 0 72 36]"), "{file}");
+        assert!(file.contains(MARK));
+        assert!(page.contains("1 0 0 RG") && page.contains("9 9 l"), "{page}");
+    }
+
+    #[test]
+    fn what_surrounds_a_text_lies_below_it() {
+        let text = |order: &str| {
+            format!(
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"96\" height=\"48\"><text x=\"5\" y=\"20\" fill=\"#000\" \
+                 stroke=\"#fff\" stroke-width=\"3\"{order}>m</text></svg>"
+            )
+        };
+        let drawn = |order: &str| {
+            let (_, page) = operations(&text(order));
+            let at = |operator: &str| page.lines().position(|l| l == operator).unwrap();
+            at("f") < at("S")
+        };
+        assert!(drawn(""));
+        assert!(!drawn(" paint-order=\"stroke\""));
+    }
+
+    #[test]
+    fn opacities_and_clips_are_kept() {
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"96\" height=\"48\"><clipPath id=\"c\"><rect width=\"10\" height=\"10\"/></clipPath>\
+                   <g clip-path=\"url(#c)\" opacity=\"0.5\"><rect width=\"90\" height=\"40\" fill-opacity=\"0.5\"/></g></svg>";
+        let (file, page) = operations(svg);
+        assert!(file.contains("/ca 0.25"), "{file}");
+        assert!(page.lines().any(|line| line == "W"), "{page}");
     }
 }

@@ -15,6 +15,9 @@ use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Plot;
 use crate::terminal;
 
+/// As many files are named when they are written, more are counted.
+const NAMED: usize = 12;
+
 /// Writes figures of a finished run for print.
 pub fn run(arguments: &Plot) -> Result<Status, Failure> {
     let dir = &arguments.dir;
@@ -47,7 +50,16 @@ pub fn run(arguments: &Plot) -> Result<Status, Failure> {
             names.push(path.display().to_string());
         }
     }
-    terminal::tell(&names.join("\n"));
+    match names.len() {
+        n if n > NAMED => {
+            terminal::tell(&format!(
+                "{n} files of {} figures in {}",
+                chosen.len(),
+                arguments.out.display()
+            ));
+        }
+        _ => terminal::tell(&names.join("\n")),
+    }
     Ok(Status::Done)
 }
 
