@@ -33,7 +33,7 @@ class Film {
 
   // What can be shown, and how large it is: even numbers of pixels, which films need.
   about() {
-    const even = (x) => 2 * Math.max(1, Math.round(x / 2));
+    const even = (x) => 2 * Math.max(1, Math.floor(x / 2 + 1e-6));
     return {
       whole: this.whole,
       impact: this.impact,
@@ -71,5 +71,3 @@ function openFilm(scene, frames, colours, look) {
 function drawFilm(t, flash) {
   return film.picture(t, flash);
 }
-
-if (typeof module !== "undefined") module.exports = { openFilm, drawFilm };

@@ -37,7 +37,7 @@ pub struct Animate {
     /// File to write: .gif, .apng or .mp4; with --still .svg, .pdf or .png
     #[arg(long, short, value_hint = ValueHint::FilePath, value_name = "FILE")]
     pub out: PathBuf,
-    /// Width in pixels; the height follows from the scene
+    /// Width in pixels, an even number or one less; the height follows from the scene
     #[arg(long, value_name = "PIXELS", default_value = "800", value_parser = RangedU64ValueParser::<u32>::new().range(160..=7680))]
     pub width: u32,
     /// Frames a second

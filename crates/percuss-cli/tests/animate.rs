@@ -200,6 +200,7 @@ fn what_cannot_be_had_is_told_with_its_cure() {
     refused(&["rigid", "-o", "a.gif", "--from", "1 h"], "the run has shapes from 0 s to");
     refused(&["rigid", "-o", "a.gif", "--from", "2 ms", "--to", "1 ms"], "is not before");
     refused(&["rigid", "-o", "a.gif", "--colour", "stres"], "stress");
+    refused(&["rigid", "-o", "a.gif", "--fps", "60"], "50 or less");
     refused(&["nowhere", "-o", "a.gif"], "no such directory");
     let set = ["--set", "record.shapes=0", "--no-report", "-q", "--out", "bare"];
     desk.percuss(&[&["run", "rigid.toml"][..], &set].concat()).ends_with(0);

@@ -64,7 +64,7 @@ fn state(number: i32) -> String {
 
 struct Page {
     content: Content,
-    /// Number of the graphics state of each opacity [1/1000].
+    /// Number of the graphics state of each opacity \[1/1000\].
     opacities: BTreeMap<u16, i32>,
 }
 

@@ -18,6 +18,8 @@ use crate::terminal;
 
 /// Share of the run for which a still shows an impulse, as the report does.
 const FLASH: f64 = 0.02;
+/// Delays below a fiftieth of a second are taken for a tenth by browsers.
+const GIF_FPS: f64 = 50.0;
 /// Pixels of a still's unit: pictures in pixels are as wide as asked for.
 const SCREEN: f64 = 96.0;
 
@@ -35,6 +37,12 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
     let format = Format::of(out).ok_or_else(|| ending(out, ".gif, .apng or .mp4"))?;
     if format == Format::Mp4 && ffmpeg().is_none() {
         return Err(percuss_pictures::no_ffmpeg().into());
+    }
+    if format == Format::Gif && arguments.fps > GIF_FPS {
+        return Err(Failure::Input(format!(
+            "--fps {}: browsers show a GIF of more than {GIF_FPS} frames a second slowly; give {GIF_FPS} or less, or a name that ends with .apng",
+            arguments.fps
+        )));
     }
     refuse_foreign(out, arguments.force)?;
     let film = open(arguments)?;
