@@ -7,6 +7,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
 use percuss_output::HistoryFormat;
 
+use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
+
 const EXIT_STATUS: &str = "\
 Exit status:
   0    done
@@ -145,6 +147,12 @@ pub enum Command {
     /// Write how a finished run moved for ParaView: beams with depth, forces and stresses, bodies, obstacles, contact forces
     #[command(after_help = EXPORT)]
     Export(Export),
+    /// Make a film of a finished run, or a picture of an instant, without a browser
+    #[command(after_help = ANIMATE)]
+    Animate(Animate),
+    /// Write figures of a finished run for print
+    #[command(after_help = PLOT)]
+    Plot(Plot),
     /// Run the verification cases and print what was measured and expected
     #[command(after_help = VERIFY)]
     Verify(Verify),

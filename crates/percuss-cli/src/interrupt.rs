@@ -1,7 +1,7 @@
 //! Ctrl-C: the first ends the run after its step, the second ends the program.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -56,6 +56,12 @@ pub fn requested() -> bool {
 /// What is to be removed on a second Ctrl-C.
 pub fn protect(directory: &RunDirectory) {
     *lock() = Some([directory.path().to_owned(), directory.lock_file().to_owned()]);
+}
+
+/// The same of a file that is not finished.
+pub fn protect_file(file: &Path) {
+    // Nothing stands where a directory would, and the file goes as the one that keeps others out does.
+    *lock() = Some([file.to_owned(), file.to_owned()]);
 }
 
 /// Puts the results in place; no signal comes in between. Returns where they are.

@@ -8,6 +8,7 @@ mod effective_mass;
 mod interrupt;
 mod number;
 mod outcome;
+mod picture_arguments;
 mod progress;
 mod scenario;
 mod terminal;
@@ -31,6 +32,8 @@ fn main() -> ExitCode {
         Command::Schema(arguments) => commands::schema::run(&arguments),
         Command::Export(arguments) => commands::export::run(&arguments),
         Command::Report(arguments) => commands::report::run(&arguments),
+        Command::Animate(arguments) => commands::animate::run(&arguments),
+        Command::Plot(arguments) => commands::plot::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),
         Command::Completions(arguments) => commands::completions::run(&arguments),
     };

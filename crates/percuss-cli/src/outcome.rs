@@ -105,6 +105,15 @@ impl From<percuss_output::Error> for Failure {
     }
 }
 
+impl From<percuss_pictures::Error> for Failure {
+    fn from(error: percuss_pictures::Error) -> Self {
+        match error {
+            percuss_pictures::Error::Input(text) => Self::Input(text),
+            percuss_pictures::Error::System(text) => Self::System(text),
+        }
+    }
+}
+
 impl From<percuss_study::Error> for Failure {
     fn from(error: percuss_study::Error) -> Self {
         match error.is_unfit() {

@@ -50,6 +50,12 @@ impl Progress {
         Self::new(name.into(), things, true, style_of("{prefix} [{bar:24}] {pos}/{len}  {msg}"))
     }
 
+    /// A bar for so many frames of a film.
+    pub fn of_frames(frames: usize, wanted: bool) -> Self {
+        let template = "film [{bar:24}] {percent:>3} %  {pos}/{len} frames  {eta} left";
+        Self::new(String::new(), frames, wanted, style_of(template))
+    }
+
     /// A bar for so many runs, of which `before` were done earlier.
     pub fn of_runs(runs: u64, before: u64, wanted: bool) -> Self {
         let template =

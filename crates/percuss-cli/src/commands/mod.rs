@@ -1,11 +1,13 @@
 //! The commands, one file each.
 
+pub mod animate;
 pub mod check;
 pub mod completions;
 pub mod converge;
 pub mod export;
 pub mod modes;
 pub mod new;
+pub mod plot;
 pub mod report;
 pub mod run;
 pub mod schema;

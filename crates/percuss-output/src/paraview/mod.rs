@@ -48,6 +48,14 @@ impl Format {
 /// What makes the poly data of a kind of things, if a run has any.
 type Kind = fn(&Placed<'_>) -> Option<PolySeries>;
 
+/// Whether there are frames, and each of them fits the scene.
+///
+/// # Errors
+/// What does not fit.
+pub fn check(fields: &Fields) -> Result<(), Error> {
+    Placed::new(fields).map(drop).map_err(|reason| Error::content(FIELDS, reason))
+}
+
 /// Writes the files into a directory, which is made if it is not there; names of those to open, of what the run has.
 ///
 /// # Errors

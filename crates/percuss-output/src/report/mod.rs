@@ -18,6 +18,7 @@ pub(crate) mod page;
 mod payload;
 pub(crate) mod pictures;
 mod png_file;
+pub mod prints;
 mod provenance;
 pub(crate) mod quantity;
 mod raster;
@@ -31,6 +32,7 @@ mod structure;
 mod thin;
 
 pub use notebook::scene_page;
+pub use scene::{scene_choices, scene_colours, scene_scripts};
 pub use story::story;
 
 use std::path::Path;

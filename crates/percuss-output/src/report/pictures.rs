@@ -114,7 +114,7 @@ pub(crate) fn draw(dir: &Path, stem: &str, scene: Scene) -> Result<(), Error> {
     files::write(&path, &png)
 }
 
-fn has_data(figure: &Figure) -> bool {
+pub(super) fn has_data(figure: &Figure) -> bool {
     let drawn = |t: &&Table| t.series.iter().any(|s| s.shape != Shape::Band);
     figure.tables.iter().filter(drawn).any(|t| !t.x.is_empty())
 }
@@ -162,7 +162,7 @@ fn overview(figures: &[&Figure], span: (f64, f64)) -> Scene {
 }
 
 /// The scene with room at its sides, the upright labels farther from the numbers beside them.
-fn with_room(mut scene: Scene) -> Scene {
+pub(super) fn with_room(mut scene: Scene) -> Scene {
     for element in &mut scene.elements {
         if let Primitive::Text { x, rotate: Some(_), .. } = element {
             *x -= ROOM_LEFT;
@@ -177,14 +177,14 @@ fn with_room(mut scene: Scene) -> Scene {
 }
 
 /// First and last abscissa of all figures, a hair more so that the last tick is there.
-fn span(figures: &[&Figure]) -> (f64, f64) {
+pub(super) fn span(figures: &[&Figure]) -> (f64, f64) {
     let all = figures.iter().flat_map(|f| &f.tables).flat_map(|t| t.x.iter().copied());
     let (low, high) =
         all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     (low, high + 1e-6 * (high - low))
 }
 
-fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
+pub(super) fn layout(figure: &Figure, span: (f64, f64)) -> Layout {
     let mut layout = Layout::auto_from_plots(&plots(figure))
         .with_title(figure.title.clone())
         .with_x_label(figure.x.caption())
@@ -303,7 +303,7 @@ fn dashes_of(figure: &Figure, series: &Series) -> Option<&'static str> {
     (figure.is_dashed(series) && !pattern.is_empty()).then_some(pattern)
 }
 
-fn plots(figure: &Figure) -> Vec<Plot> {
+pub(super) fn plots(figure: &Figure) -> Vec<Plot> {
     let drawn = |t: &&Table| !t.x.is_empty();
     let of_table = |table: &Table| -> Vec<Plot> {
         let area = figure.filled.then(|| area(table)).flatten();

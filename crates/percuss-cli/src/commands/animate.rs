@@ -1,0 +1,188 @@
+//! `percuss animate`.
+
+use std::path::Path;
+
+use percuss_output::fields;
+use percuss_pictures::{
+    Error, Film, Format, Look, Plan, PrintFormat, Told, animate, ffmpeg, is_ours, picture, put,
+    unfinished,
+};
+
+use super::report::refuse_what_is_no_run;
+use crate::interrupt;
+use crate::number::number;
+use crate::outcome::{Failure, Status};
+use crate::picture_arguments::Animate;
+use crate::progress::Progress;
+use crate::terminal;
+
+/// Share of the run for which a still shows an impulse, as the report does.
+const FLASH: f64 = 0.02;
+/// Delays below a fiftieth of a second are taken for a tenth by browsers.
+const GIF_FPS: f64 = 50.0;
+/// Pixels of a still's unit: pictures in pixels are as wide as asked for.
+const SCREEN: f64 = 96.0;
+
+/// Writes a film of a finished run, or a picture of an instant.
+pub fn run(arguments: &Animate) -> Result<Status, Failure> {
+    refuse_what_is_no_run(&arguments.dir)?;
+    match arguments.still {
+        Some(time) => still(arguments, time),
+        None => film(arguments),
+    }
+}
+
+fn film(arguments: &Animate) -> Result<Status, Failure> {
+    let out = &arguments.out;
+    let format = Format::of(out).ok_or_else(|| ending(out, ".gif, .apng or .mp4"))?;
+    if format == Format::Mp4 && ffmpeg().is_none() {
+        return Err(percuss_pictures::no_ffmpeg().into());
+    }
+    if format == Format::Gif && arguments.fps > GIF_FPS {
+        return Err(Failure::Input(format!(
+            "--fps {}: browsers show a GIF of more than {GIF_FPS} frames a second slowly; give {GIF_FPS} or less, or a name that ends with .apng",
+            arguments.fps
+        )));
+    }
+    refuse_foreign(out, arguments.force)?;
+    let film = open(arguments)?;
+    let span = span(arguments, &film)?;
+    let seconds = arguments.duration.unwrap_or(film.seconds);
+    let frames = ((seconds * arguments.fps).round() as usize).max(2);
+    let plan = Plan { format, span, frames, fps: arguments.fps };
+    interrupt::install()?;
+    interrupt::protect_file(&unfinished(out));
+    let progress = Progress::of_frames(frames, !arguments.quiet);
+    let told = animate(&film, &plan, out, &mut |done| {
+        progress.reach(done as u64);
+        !interrupt::requested()
+    });
+    progress.clear();
+    match told? {
+        Told::Stopped => {
+            terminal::tell("interrupted; nothing is written");
+            Ok(Status::Interrupted)
+        }
+        Told::Done => {
+            if !arguments.quiet {
+                let [width, height] = film.size;
+                let what = format!(
+                    "{}: {frames} frames of {width} x {height}, {} s to {} s in {} s",
+                    out.display(),
+                    number(span[0]),
+                    number(span[1]),
+                    number(seconds),
+                );
+                terminal::tell(&what);
+            }
+            Ok(Status::Done)
+        }
+    }
+}
+
+fn still(arguments: &Animate, time: f64) -> Result<Status, Failure> {
+    let out = &arguments.out;
+    let format = still_format(out).ok_or_else(|| ending(out, ".svg, .pdf or .png"))?;
+    refuse_foreign(out, arguments.force)?;
+    let film = open(arguments)?;
+    let [first, last] = film.whole;
+    if !(first..=last).contains(&time) {
+        return Err(outside("--still", time, film.whole));
+    }
+    let svg = film.svg(time, FLASH * (last - first))?;
+    let bytes = match format {
+        // As the scripts wrote it, with text that can be edited.
+        PrintFormat::Svg => percuss_pictures::marked(&svg).into_bytes(),
+        PrintFormat::Pdf => picture(&svg, format, SCREEN)?,
+        PrintFormat::Png => film.png(&svg)?,
+    };
+    put(out, &bytes)?;
+    if !arguments.quiet {
+        terminal::tell(&format!("{}: the scene at {} s", out.display(), number(time)));
+    }
+    Ok(Status::Done)
+}
+
+fn still_format(out: &Path) -> Option<PrintFormat> {
+    match out.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+        "svg" => Some(PrintFormat::Svg),
+        "pdf" => Some(PrintFormat::Pdf),
+        "png" => Some(PrintFormat::Png),
+        _ => None,
+    }
+}
+
+fn open(arguments: &Animate) -> Result<Film, Failure> {
+    let dir = &arguments.dir;
+    let fields = fields::read(dir)?.filter(|fields| !fields.frames.is_empty());
+    let Some(fields) = fields else {
+        return Err(Failure::Input(format!(
+            "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
+            dir.display()
+        )));
+    };
+    let look = Look {
+        width: arguments.width,
+        title: arguments.title.clone(),
+        colour: arguments.colour.clone(),
+        diagram: arguments.diagram.clone(),
+        exaggeration: arguments.exaggeration,
+        dark: arguments.dark,
+    };
+    Film::open(&fields, &look).map_err(|error| match error {
+        Error::Input(text) => Failure::Input(format!("{}: {text}", dir.display())),
+        other => other.into(),
+    })
+}
+
+fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {
+    if arguments.impact {
+        return film.impact.ok_or_else(|| {
+            let reason =
+                "nothing touches in this run, or something does all the time; leave --impact out";
+            Failure::Input(format!("{}: {reason}", arguments.dir.display()))
+        });
+    }
+    let [first, last] = film.whole;
+    let [from, to] = [arguments.from.unwrap_or(first), arguments.to.unwrap_or(last)];
+    for (option, time) in [("--from", from), ("--to", to)] {
+        if !(first..=last).contains(&time) {
+            return Err(outside(option, time, film.whole));
+        }
+    }
+    if from >= to {
+        return Err(Failure::Input(format!(
+            "--from {} s is not before --to {} s",
+            number(from),
+            number(to)
+        )));
+    }
+    Ok([from, to])
+}
+
+fn outside(option: &str, time: f64, [first, last]: [f64; 2]) -> Failure {
+    Failure::Input(format!(
+        "{option} {} s: the run has shapes from {} s to {} s",
+        number(time),
+        number(first),
+        number(last)
+    ))
+}
+
+fn ending(out: &Path, endings: &str) -> Failure {
+    Failure::Input(format!("{}: expected a name that ends with {endings}", out.display()))
+}
+
+/// A file that percuss did not write stays as it is.
+pub fn refuse_foreign(out: &Path, force: bool) -> Result<(), Failure> {
+    if out.is_dir() {
+        return Err(Failure::Input(format!("{}: is a directory; expected a file", out.display())));
+    }
+    if force || !out.exists() || is_ours(out) {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{}: stands there already and percuss did not write it; give another name, or --force to replace it",
+        out.display()
+    )))
+}

@@ -1,0 +1,273 @@
+//! Films: frame after frame of a scene into a file.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, Sender, channel, sync_channel};
+use std::thread;
+
+use crate::apng::Apng;
+use crate::error::Error;
+use crate::film::Film;
+use crate::gif::{Gif, Palette};
+use crate::mark;
+use crate::mp4::{Mp4, ffmpeg};
+use crate::pixels::Pixels;
+
+/// Frames from which the colours of a GIF are chosen.
+const PALETTE_FRAMES: usize = 12;
+/// Impulses are shown for this share of the film's time.
+const FLASH: f64 = 0.02;
+
+/// File format of a film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// 255 colours, shown anywhere.
+    Gif,
+    /// All colours, shown by browsers.
+    Apng,
+    /// For slides; made by ffmpeg.
+    Mp4,
+}
+
+impl Format {
+    /// By the ending of a file's name.
+    pub fn of(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "gif" => Some(Self::Gif),
+            "apng" | "png" => Some(Self::Apng),
+            "mp4" => Some(Self::Mp4),
+            _ => None,
+        }
+    }
+}
+
+/// What is shown, and how fast.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan {
+    /// File format.
+    pub format: Format,
+    /// First and last time of the run \[s\].
+    pub span: [f64; 2],
+    /// Number of frames, at least 2.
+    pub frames: usize,
+    /// Frames a second.
+    pub fps: f64,
+}
+
+impl Plan {
+    /// Times of the frames, evenly spaced.
+    fn times(&self) -> Vec<f64> {
+        let [from, to] = self.span;
+        let last = (self.frames.max(2) - 1) as f64;
+        (0..self.frames.max(2)).map(|k| from + (to - from) * (k as f64 / last)).collect()
+    }
+}
+
+/// How a film ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Told {
+    /// It is there.
+    Done,
+    /// It was not wanted any more; nothing is left.
+    Stopped,
+}
+
+/// Where a film grows until it is finished.
+pub fn unfinished(out: &Path) -> PathBuf {
+    mark::beside(out)
+}
+
+/// Makes a film; `go_on` is told how many frames are done and says whether to go on.
+///
+/// The file is there when all of it is: until then it grows under the name of [`unfinished`].
+///
+/// # Errors
+/// If ffmpeg is wanted and not there, something cannot be drawn, or the system refuses.
+pub fn animate(
+    film: &Film,
+    plan: &Plan,
+    out: &Path,
+    go_on: &mut dyn FnMut(usize) -> bool,
+) -> Result<Told, Error> {
+    let temporary = unfinished(out);
+    let told = record(film, plan, &temporary, go_on).and_then(|told| {
+        if told == Told::Done {
+            fs::rename(&temporary, out).map_err(|e| Error::io(out, "write", &e))?;
+        }
+        Ok(told)
+    });
+    if !matches!(told, Ok(Told::Done)) {
+        let _ = fs::remove_file(&temporary);
+    }
+    told
+}
+
+fn record(
+    film: &Film,
+    plan: &Plan,
+    file: &Path,
+    go_on: &mut dyn FnMut(usize) -> bool,
+) -> Result<Told, Error> {
+    let (times, flash) = (plan.times(), FLASH * (plan.span[1] - plan.span[0]));
+    let mut recorder = match plan.format {
+        Format::Mp4 => {
+            let program = ffmpeg().ok_or_else(no_ffmpeg)?;
+            Recorder::Mp4(Mp4::new(&program, file, film.size, plan.fps)?)
+        }
+        Format::Apng => {
+            let sink = Sink::new(file)?;
+            Recorder::Apng(Apng::new(sink.clone(), film.size, times.len(), plan.fps)?, sink)
+        }
+        Format::Gif => {
+            let sink = Sink::new(file)?;
+            let stride = times.len().div_ceil(PALETTE_FRAMES);
+            let some: Vec<f64> = times.iter().copied().step_by(stride).collect();
+            let mut frames = Vec::new();
+            let told = render(film, &some, flash, &mut |pixels| {
+                frames.push(pixels);
+                Ok(go_on(0))
+            })?;
+            if told == Told::Stopped {
+                return Ok(told);
+            }
+            let lasts = (times.len(), 1.0 / plan.fps);
+            Recorder::Gif(Gif::new(sink.clone(), film.size, Palette::of(&frames), lasts)?, sink)
+        }
+    };
+    let mut done = 0;
+    let told = render(film, &times, flash, &mut |pixels| {
+        recorder.push(pixels)?;
+        done += 1;
+        Ok(go_on(done))
+    })?;
+    if told == Told::Done {
+        recorder.finish().map_err(|e| match e {
+            Error::System(reason) => Error::System(format!("{}: {reason}", file.display())),
+            other => other,
+        })?;
+    }
+    Ok(told)
+}
+
+/// What is to be said where ffmpeg is wanted and not there.
+pub fn no_ffmpeg() -> Error {
+    Error::Input(
+        "MP4 is made by ffmpeg, which is not on the PATH; install it, or give a name that ends with .gif or .apng, which need nothing else"
+            .into(),
+    )
+}
+
+enum Recorder {
+    Gif(Gif<Sink>, Sink),
+    Apng(Apng<Sink>, Sink),
+    Mp4(Mp4),
+}
+
+impl Recorder {
+    fn push(&mut self, pixels: Pixels) -> Result<(), Error> {
+        match self {
+            Self::Gif(gif, _) => gif.push(&pixels),
+            Self::Apng(apng, _) => apng.push(pixels),
+            Self::Mp4(mp4) => mp4.push(&pixels),
+        }
+    }
+
+    fn finish(self) -> Result<(), Error> {
+        let flush = |mut sink: Sink| sink.flush().map_err(Error::drawing);
+        match self {
+            Self::Gif(gif, sink) => gif.finish().and_then(|()| flush(sink)),
+            Self::Apng(apng, sink) => apng.finish().and_then(|()| flush(sink)),
+            Self::Mp4(mp4) => mp4.finish(),
+        }
+    }
+}
+
+/// A file that is flushed, and heard of when that fails, after its encoder has gone.
+#[derive(Clone)]
+struct Sink(Rc<RefCell<BufWriter<File>>>);
+
+impl Sink {
+    fn new(path: &Path) -> Result<Self, Error> {
+        let file = File::create(path).map_err(|e| Error::io(path, "write", &e))?;
+        Ok(Self(Rc::new(RefCell::new(BufWriter::new(file)))))
+    }
+}
+
+impl Write for Sink {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0.borrow_mut().write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.borrow_mut().flush()
+    }
+}
+
+/// Draws the scene at the given times: here as SVG, in other threads as pixels, which are handed over in their order.
+fn render(
+    film: &Film,
+    times: &[f64],
+    flash: f64,
+    take: &mut dyn FnMut(Pixels) -> Result<bool, Error>,
+) -> Result<Told, Error> {
+    let workers = thread::available_parallelism().map_or(1, usize::from).min(8);
+    thread::scope(|scope| {
+        let (jobs, queue) = sync_channel::<(usize, String)>(workers);
+        let queue = Mutex::new(queue);
+        let (finished, results) = channel();
+        // They end when `jobs` is dropped: on return, however that comes.
+        let jobs = jobs;
+        let size = film.size;
+        let queue = std::sync::Arc::new(queue);
+        for _ in 0..workers {
+            let (queue, finished) = (std::sync::Arc::clone(&queue), finished.clone());
+            scope.spawn(move || rasterise(&queue, &finished, size));
+        }
+        drop((queue, finished));
+        let mut waiting = BTreeMap::new();
+        let mut next = 0;
+        let mut hand_over = |result: (usize, Result<Pixels, Error>)| -> Result<bool, Error> {
+            waiting.insert(result.0, result.1);
+            while let Some(pixels) = waiting.remove(&next) {
+                next += 1;
+                if !take(pixels?)? {
+                    return Ok(false);
+                }
+            }
+            Ok(true)
+        };
+        for (k, time) in times.iter().enumerate() {
+            if jobs.send((k, film.svg(*time, flash)?)).is_err() {
+                return Err(Error::drawing("a thread ended"));
+            }
+            while let Ok(result) = results.try_recv() {
+                if !hand_over(result)? {
+                    return Ok(Told::Stopped);
+                }
+            }
+        }
+        drop(jobs);
+        for result in results {
+            if !hand_over(result)? {
+                return Ok(Told::Stopped);
+            }
+        }
+        Ok(Told::Done)
+    })
+}
+
+type Jobs = Mutex<Receiver<(usize, String)>>;
+
+fn rasterise(queue: &Jobs, finished: &Sender<(usize, Result<Pixels, Error>)>, size: [u32; 2]) {
+    let next = || queue.lock().ok()?.recv().ok();
+    while let Some((k, svg)) = next() {
+        if finished.send((k, Pixels::of_svg(&svg, size))).is_err() {
+            return;
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! The scene of a run as SVG at any time, by the scripts of the page.
+
+use percuss_output::fields::{Fields, StoredFrame};
+use percuss_output::report::{scene_colours, scene_scripts};
+use rquickjs::{CatchResultExt, CaughtError, Context, Ctx, Function, Object, Runtime, TypedArray};
+use serde_json::{Map, Value, json};
+
+use crate::apng;
+use crate::error::Error;
+use crate::pixels::Pixels;
+
+/// What draws without a page.
+const FILM: &str = include_str!("../../../web/film.js");
+/// Bytes of the stack that scripts may use.
+const STACK: usize = 1 << 19;
+
+/// How the scene is to be drawn.
+#[derive(Clone, Debug)]
+pub struct Look {
+    /// Width \[pixels\]; the height follows from the scene.
+    pub width: u32,
+    /// A line above the scene; may be empty.
+    pub title: String,
+    /// What colours stand for, as on the page.
+    pub colour: String,
+    /// Diagram along the beams, as on the page.
+    pub diagram: String,
+    /// Displacements are drawn so many times as large.
+    pub exaggeration: f64,
+    /// Light on dark.
+    pub dark: bool,
+}
+
+/// A scene that can be drawn at any time.
+pub struct Film {
+    context: Context,
+    /// Width and height, even numbers \[pixels\].
+    pub size: [u32; 2],
+    /// First and last time \[s\].
+    pub whole: [f64; 2],
+    /// The time in which anything touches, with some room; none where nothing does or that is all the time.
+    pub impact: Option<[f64; 2]>,
+    /// How long the page takes to show all of it \[s\].
+    pub seconds: f64,
+}
+
+impl Film {
+    /// Reads the scene and how it moved.
+    ///
+    /// # Errors
+    /// If frames do not fit the scene, or displacements may not be drawn larger than they are.
+    pub fn open(fields: &Fields, look: &Look) -> Result<Self, Error> {
+        percuss_output::paraview::check(fields).map_err(|e| Error::Input(e.to_string()))?;
+        let runtime = Runtime::new().map_err(Error::drawing)?;
+        runtime.set_max_stack_size(STACK);
+        let context = Context::full(&runtime).map_err(Error::drawing)?;
+        let about = context.with(|ctx| {
+            for script in scene_scripts().chain([FILM]) {
+                ctx.eval::<(), _>(script).catch(&ctx).map_err(fault)?;
+            }
+            open(&ctx, fields, look).catch(&ctx).map_err(fault)
+        })?;
+        let about: Value = serde_json::from_str(&about).map_err(Error::drawing)?;
+        if look.exaggeration != 1.0 && about["exaggerable"] != true {
+            return Err(Error::Input(
+                "displacements drawn larger than they are would let bodies overlap that do not; leave --exaggeration out".into(),
+            ));
+        }
+        let pair = |value: &Value| Some([value[0].as_f64()?, value[1].as_f64()?]);
+        let read = || {
+            let pixels = |k: usize| u32::try_from(about["size"][k].as_u64()?).ok();
+            Some((pair(&about["whole"])?, [pixels(0)?, pixels(1)?], about["seconds"].as_f64()?))
+        };
+        let (whole, size, seconds) = read().ok_or_else(|| Error::drawing("its size is unknown"))?;
+        Ok(Self { context, size, whole, impact: pair(&about["impact"]), seconds })
+    }
+
+    /// The scene at a time as SVG; impulses up to `flash` ago are shown \[s\].
+    ///
+    /// # Errors
+    /// If the scripts fail.
+    pub fn svg(&self, time: f64, flash: f64) -> Result<String, Error> {
+        self.context.with(|ctx| {
+            let draw = || ctx.globals().get::<_, Function>("drawFilm")?.call((time, flash));
+            draw().catch(&ctx).map_err(fault)
+        })
+    }
+}
+
+impl Film {
+    /// A drawing of this film as PNG.
+    ///
+    /// # Errors
+    /// If it cannot be drawn.
+    pub fn png(&self, svg: &str) -> Result<Vec<u8>, Error> {
+        apng::png(&Pixels::of_svg(svg, self.size)?, None)
+    }
+}
+
+/// Hands the run to the scripts; they tell about it in JSON.
+fn open(ctx: &Ctx<'_>, fields: &Fields, look: &Look) -> rquickjs::Result<String> {
+    let all = |list: fn(&StoredFrame) -> &Vec<f32>| {
+        let values: Vec<f32> = fields.frames.iter().flat_map(list).copied().collect();
+        TypedArray::new(ctx.clone(), values)
+    };
+    let counts: Vec<f32> =
+        fields.frames.iter().map(|f| (f.contact_forces.len() / 6) as f32).collect();
+    let time: Vec<f64> = fields.frames.iter().map(|f| f.time).collect();
+    let frames = Object::new(ctx.clone())?;
+    frames.set("time", TypedArray::new(ctx.clone(), time)?)?;
+    frames.set("displacement", all(|f| &f.displacement)?)?;
+    frames.set("velocity", all(|f| &f.velocity)?)?;
+    frames.set("sections", all(|f| &f.section_forces)?)?;
+    frames.set("contacts", all(|f| &f.contact_forces)?)?;
+    frames.set("loads", all(|f| &f.load_factors)?)?;
+    frames.set("contact_count", TypedArray::new(ctx.clone(), counts)?)?;
+    let colours: Map<String, Value> = scene_colours(look.dark)
+        .into_iter()
+        .map(|(name, value)| (name.to_owned(), Value::from(value)))
+        .collect();
+    let look = json!({
+        "width": look.width, "title": look.title, "colour": look.colour, "diagram": look.diagram, "exaggeration": look.exaggeration,
+    });
+    let open: Function = ctx.globals().get("openFilm")?;
+    open.call((
+        fields.scene.to_string(),
+        frames,
+        Value::Object(colours).to_string(),
+        look.to_string(),
+    ))
+}
+
+fn fault(error: CaughtError<'_>) -> Error {
+    Error::drawing(error)
+}

@@ -1,0 +1,92 @@
+//! MP4 by ffmpeg, if it is there: raw frames go into it.
+
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStderr, Command, Stdio};
+use std::thread::JoinHandle;
+
+use crate::error::Error;
+use crate::mark::MARK;
+use crate::pixels::Pixels;
+
+/// Where ffmpeg is, if it is on the path.
+pub fn ffmpeg() -> Option<PathBuf> {
+    let name = format!("ffmpeg{}", std::env::consts::EXE_SUFFIX);
+    let path = std::env::var_os("PATH")?;
+    std::env::split_paths(&path).map(|dir| dir.join(&name)).find(|file| file.is_file())
+}
+
+/// A film that grows by frames.
+pub(crate) struct Mp4 {
+    child: Child,
+    complaints: Option<JoinHandle<String>>,
+}
+
+impl Mp4 {
+    /// Frames of this size, so many a second, into a file.
+    pub fn new(program: &Path, file: &Path, size: [u32; 2], fps: f64) -> Result<Self, Error> {
+        let mut target = std::ffi::OsString::from("file:"); // so that no name is taken for an option or an address
+        target.push(file);
+        let mut command = Command::new(program);
+        command
+            .args(["-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24"])
+            .args(["-video_size", &format!("{}x{}", size[0], size[1])])
+            .args(["-framerate", &fps.to_string(), "-i", "pipe:0", "-an"])
+            // Any player takes four pixels of one colour; the index at the front lets a browser begin at once.
+            .args(["-pix_fmt", "yuv420p", "-movflags", "+faststart"])
+            .args(["-metadata", &format!("comment={MARK}"), "-f", "mp4"])
+            .arg(target)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped());
+        #[cfg(unix)]
+        {
+            // Ctrl-C is this program's to handle.
+            std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        }
+        let mut child = command.spawn().map_err(|e| Error::io(program, "start", &e))?;
+        let complaints = child.stderr.take().map(|stderr| std::thread::spawn(move || text(stderr)));
+        Ok(Self { child, complaints })
+    }
+
+    /// The next frame.
+    pub fn push(&mut self, pixels: &Pixels) -> Result<(), Error> {
+        let written = self.child.stdin.as_mut().map(|stdin| stdin.write_all(&pixels.rgb));
+        match written {
+            Some(Ok(())) => Ok(()),
+            _ => Err(self.complaint()),
+        }
+    }
+
+    /// Ends the file.
+    pub fn finish(mut self) -> Result<(), Error> {
+        drop(self.child.stdin.take());
+        match self.child.wait() {
+            Ok(status) if status.success() => Ok(()),
+            _ => Err(self.complaint()),
+        }
+    }
+
+    fn complaint(&mut self) -> Error {
+        drop(self.child.stdin.take());
+        let status = self.child.wait().map_or_else(|e| e.to_string(), |s| s.to_string());
+        let said = self.complaints.take().and_then(|thread| thread.join().ok()).unwrap_or_default();
+        let said = said.trim().lines().last().unwrap_or("without a word").to_owned();
+        Error::System(format!("ffmpeg gave up ({status}): {said}"))
+    }
+}
+
+impl Drop for Mp4 {
+    fn drop(&mut self) {
+        if !matches!(self.child.try_wait(), Ok(Some(_))) {
+            let _ = self.child.kill();
+            let _ = self.child.wait();
+        }
+    }
+}
+
+fn text(mut stderr: ChildStderr) -> String {
+    let mut bytes = Vec::new();
+    let _ = stderr.read_to_end(&mut bytes);
+    String::from_utf8_lossy(&bytes).into_owned()
+}
