@@ -141,6 +141,12 @@ pub const CASES: &[Case] = &[
         run: statics::lees_frame,
     },
     Case {
+        id: "toggle-on-floor",
+        title: "A toggle snaps through onto a floor and presses on it",
+        source: "closed form, Green strain",
+        run: statics::toggle_on_floor,
+    },
+    Case {
         id: "l-shape",
         title: "A7: two legs with a rigid corner",
         source: "Exudyn, LShapeGeomExactBeam2D",

@@ -237,6 +237,53 @@ pub fn lees_frame() -> Vec<Check> {
     c.into_vec()
 }
 
+/// A shallow toggle of two hinged bars under a unit force on its top, over a floor.
+fn toggle_over(rise: f64, floor: f64) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("stuff", 1e9, 1e3));
+    let section = b.section(Section::new("bar", 1e-4, 1e-5));
+    let left = b.beam(Beam::new("left", &[[-1.0, 0.0], [0.0, rise]], 2, material, section));
+    let right = b.beam(Beam::new("right", &[[0.0, rise], [1.0, 0.0]], 2, material, section));
+    b.support(Support::new("a", at("a", left, 0.0), SupportKind::Pin));
+    b.support(Support::new("b", at("b", right, 1.0), SupportKind::Pin));
+    let between = [at("top", left, 1.0), at("top", right, 0.0)];
+    b.joint(Joint { name: "top".into(), between, kind: JointKind::Hinge });
+    let shape = ObstacleShape::HalfPlane { point: [0.0, floor], normal: [0.0, 1.0] };
+    let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
+    let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
+    b.contact(Contact::new("on_floor", [Party::Beam(left), Party::Obstacle(floor)], law));
+    let top = at("top", left, 1.0);
+    let (force, moment) = ([0.0, -1.0], 0.0);
+    let kind = LoadKind::Point { at: top.clone(), force, moment, follower: false };
+    b.load(Load::new("push", kind));
+    b.record_point(top);
+    b.build().expect("a verification case builds")
+}
+
+/// A toggle that snaps through onto a floor and presses on it: `P = EA (rise^2 - h^2) h / l^3` in Green strain, limit points by it or
+/// where the floor stops the top, whose force is the rest of the load.
+pub fn toggle_on_floor() -> Vec<Check> {
+    let mut c = Checks::new();
+    for (rise, floor) in [(0.05, -0.03), (0.05, -0.02), (0.02, -0.012)] {
+        let load = |h: f64| 1e5 * (rise * rise - h * h) * h / 1.0_f64.hypot(rise).powi(3);
+        let flat = rise / 3.0_f64.sqrt();
+        let (most, least) = (load(flat), load(f64::max(floor, -flat)));
+        let end = PathEnd::Factor(1.5 * most);
+        let settings = PathSettings { first: 0.02 * most, points: 2000, end };
+        let path = equilibrium_path(&toggle_over(rise, floor), &settings).ok();
+        let turns = path.as_ref().map(|p| p.limit_points.as_slice()).unwrap_or_default();
+        let case = format!("rise {rise} m, floor at {floor} m:");
+        for (k, exact) in [most, least].into_iter().enumerate() {
+            let found = or_nan(turns.get(k).map(|p| p.factor));
+            c.relative(format!("{case} limit point {}", k + 1), found, exact, 1e-6);
+        }
+        let pressed = path.and_then(|p| p.end.contacts.first().map(|c| c.force));
+        let rest = 1.5 * most - load(floor);
+        c.relative(format!("{case} force of the floor [N]"), or_nan(pressed), rest, 1e-8);
+    }
+    c.into_vec()
+}
+
 /// A7: a regression figure of Exudyn, `LShapeGeomExactBeam2D` (shear-flexible, coarse: 1 %).
 pub fn l_shape() -> Vec<Check> {
     let mut c = Checks::new();

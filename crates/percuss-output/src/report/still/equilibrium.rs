@@ -151,6 +151,9 @@ pub(super) fn tables(found: &Equilibrium) -> String {
     filled.map(|(caption, header, rows)| table(caption, header, &rows)).collect()
 }
 
+/// Gaps below this are none \[m\].
+const CLOSED: f64 = 1e-12;
+
 fn contacts(found: &Equilibrium) -> Vec<Vec<String>> {
     let row = |c: &StaticContact| {
         let place = match c.s {
@@ -160,7 +163,8 @@ fn contacts(found: &Equilibrium) -> Vec<Vec<String>> {
             [from, _] => quantity(Some(from), "m"),
         };
         let force = quantity(Some(c.force), "N");
-        vec![c.name.clone(), c.between.join(", "), force, quantity(Some(c.gap), "m"), place]
+        let gap = if c.gap.abs() < CLOSED { 0.0 } else { c.gap };
+        vec![c.name.clone(), c.between.join(", "), force, quantity(Some(gap), "m"), place]
     };
     found.contacts.iter().map(row).collect()
 }
