@@ -5,7 +5,8 @@
 const LOOKED_AT = 150; // points of all beams together, about
 const CLEAR = 5e-4; // overlaps below this share of the structure's size are none to the eye
 const LOOK = 0.02; // largest way between two looks, as a share of the size
-const MOST_LOOKS = 200;
+const MOST_LOOKS = 400;
+const ROUND_OFF = 1e-7; // gaps below this share of the size are none: displacements are of single precision
 
 class Clearance {
   // Without `bodies` discs and stops are not looked at, without `obstacles` these.
@@ -49,7 +50,10 @@ class Clearance {
         const { place } = this.motion.body(k, at);
         gaps.push(gapBetween(beam, [[place, place, disc.radius]], this.size));
       }
-      for (const o of this.obstacles) gaps.push(this.gapTo(beam, o, at));
+      for (const o of this.obstacles) {
+        gaps.push(this.gapTo(beam, o, at));
+        if (o.kind === "walls") crossed.push(crossings(beam, this.walls(o, at)));
+      }
     });
     for (const stop of this.stops) {
       const [now, rest] = [u, new Float32Array(u.length)].map((v) => this.motion.on(stop.at, v).place);
@@ -59,18 +63,29 @@ class Clearance {
     return { gaps, crossed };
   }
 
+  // A place of an obstacle, which may move.
+  moved(o, [x, y], at) {
+    if (o.body == null) return [x, y];
+    const { place } = this.motion.body(o.body, at);
+    const { position } = this.motion.scene.bodies[o.body];
+    return [x + place[0] - position[0], y + place[1] - position[1]];
+  }
+
+  walls(o, at) {
+    return o.ends.map(([a, b]) => [this.moved(o, a, at), this.moved(o, b, at), o.thickness / 2]);
+  }
+
   gapTo(beam, o, at) {
-    const move = [0, 1].map((i) => (o.body == null ? 0 : this.motion.body(o.body, at).place[i] - this.motion.scene.bodies[o.body].position[i]));
-    const moved = ([x, y]) => [x + move[0], y + move[1]];
+    const moved = (place) => this.moved(o, place, at);
     if (o.kind === "disc") return gapBetween(beam, [[moved(o.centre), moved(o.centre), o.radius]], this.size);
-    if (o.kind === "walls") return gapBetween(beam, o.ends.map(([a, b]) => [moved(a), moved(b), o.thickness / 2]), this.size);
+    if (o.kind === "walls") return gapBetween(beam, this.walls(o, at), this.size);
     const p = moved(o.point);
     const out = ([x, y]) => (x - p[0]) * o.normal[0] + (y - p[1]) * o.normal[1];
     return Math.min(...beam.map(([a, b, r]) => Math.min(out(a), out(b)) - r));
   }
 
-  // The share of the way from displacements `from` to `to` up to which nothing overlaps that does not at `from`. Nothing moves farther
-  // than the least gap between two looks, so that nothing slips through anything else.
+  // The share of the way from displacements `from` to `to` up to which nothing overlaps that does not at `from`. Between two looks
+  // nothing moves farther than the least gap, what touches hardly at all, so that nothing slips through anything else.
   share(from, to, at = from) {
     const mix = (x) => from.map((v, i) => v + x * (to[i] - v));
     let way = 0;
@@ -78,12 +93,13 @@ class Clearance {
     if (!(way > 0)) return 1;
     const none = CLEAR * this.size;
     const start = this.measure(from, at);
-    const apart = start.gaps.map((gap) => gap > none);
-    const allowed = ({ gaps, crossed }) =>
-      gaps.every((gap, i) => gap >= (apart[i] ? none : Math.min(start.gaps[i], 0) - none)) && crossed.every((n, i) => n <= start.crossed[i]);
+    const apart = start.gaps.map((gap) => gap > ROUND_OFF * this.size);
+    const least = start.gaps.map((gap, i) => (apart[i] ? Math.min(none, 0.1 * gap) : Math.min(gap, 0) - none));
+    const allowed = ({ gaps, crossed }) => gaps.every((gap, i) => gap >= least[i]) && crossed.every((n, i) => n <= start.crossed[i]);
+    const room = (gap, i) => (apart[i] ? gap : start.gaps[i] > -none ? Math.max(gap, none) : LOOK * this.size);
     let [share, now] = [0, start];
     for (let k = 0; k < MOST_LOOKS; k++) {
-      const free = now.gaps.reduce((least, gap, i) => (apart[i] ? Math.min(least, gap) : least), LOOK * this.size);
+      const free = now.gaps.reduce((free, gap, i) => Math.min(free, room(gap, i)), LOOK * this.size);
       const next = Math.min(1, share + (0.9 * free) / way);
       now = this.measure(mix(next), at);
       if (!allowed(now)) return share;

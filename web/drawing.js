@@ -88,7 +88,7 @@ class Drawing {
   boundsAt(factor) {
     if (!this.known.has(factor)) {
       const bounds = boundsOf(this.motion, factor);
-      for (const { low, high } of this.others.map((other) => boundsOf(other))) {
+      for (const { low, high } of this.others.map((other) => boundsOf(other, factor))) {
         bounds.low = bounds.low.map((v, i) => Math.min(v, low[i]));
         bounds.high = bounds.high.map((v, i) => Math.max(v, high[i]));
       }

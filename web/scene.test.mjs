@@ -123,6 +123,9 @@ test("displacements are enlarged only as far as bodies stay apart", () => {
   assert.deepEqual([...page.exaggerations(above)], [1, 2]);
   const wall = { name: "wall", body: null, kind: "walls", ends: [[[1.9, -0.3], [2.5, -0.3]]], thickness: 0.01 };
   assert.deepEqual([...page.exaggerations(new page.RestingMotion(...sagging({ obstacles: [wall] })))], [1, 2, 5]);
+  // Thin and so near that a coarse look would find the beam beyond it.
+  const near = { ...wall, ends: [[[1.9, -0.0422], [2.5, -0.0422]]], thickness: 0 };
+  assert.deepEqual([...page.exaggerations(new page.RestingMotion(...sagging({ obstacles: [near] })))], [1]);
   const stop = { name: "stop", kind: "stop", at: { beam: 0, s: 2 }, direction: [0, -1], gap: 0.05, two_sided: false, until: null };
   assert.deepEqual([...page.exaggerations(new page.RestingMotion(...sagging({ supports: [stop] })))], [1]);
   const ball = { name: "ball", position: [2, -0.2], kind: "disc", radius: 0.05 };

@@ -248,3 +248,25 @@ fn a_link_keeps_pointing_to_the_run() -> Outcome {
     assert_eq!(fs::read_to_string(target.join("summary.json"))?, "new");
     Ok(())
 }
+
+#[test]
+fn what_is_described_early_stands_in_the_manifest_as_anything_else() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let written = |name: &str, early: bool| -> Result<String, Box<dyn Error>> {
+        let target = parent.path().join(name);
+        let mut dir = RunDirectory::create(&target)?;
+        fs::write(dir.path().join("history.csv"), vec![b'7'; 200_000])?;
+        if early {
+            dir.finished("history.csv");
+            dir.finished("history.parquet");
+        }
+        fs::write(dir.path().join("summary.json"), "{}")?;
+        dir.commit()?;
+        Ok(fs::read_to_string(target.join(".percuss.json"))?)
+    };
+    let manifest = written("early", true)?;
+    assert_eq!(manifest, written("late", false)?);
+    assert!(manifest.contains("\"bytes\": 200000") && !manifest.contains("parquet"));
+    // Results described early may be replaced like any others.
+    run(&parent.path().join("early"), "b")
+}

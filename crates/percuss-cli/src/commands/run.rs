@@ -42,9 +42,10 @@ pub fn run(arguments: &Run) -> Result<Status, Failure> {
     interrupt::install()?;
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
     refuse_own_input(&arguments.file, &out)?;
-    let directory = RunDirectory::create(&out)?;
+    let mut directory = RunDirectory::create(&out)?;
     interrupt::protect(&directory);
     let ended = simulate(&ready, arguments, directory.path())?;
+    ["history.parquet", "history.csv"].iter().for_each(|name| directory.finished(name));
     let report = match arguments.no_report {
         true => Ok(()),
         false => write_report(&ready, arguments, directory.path(), &ended),

@@ -24,11 +24,21 @@ pub(crate) struct Manifest {
 }
 
 impl Manifest {
-    /// Of all files in a directory.
-    pub fn of(dir: &Path, results: Results, extent: Extent) -> Result<Self, Error> {
+    /// Of all files in a directory; some may be described already.
+    pub fn of(
+        dir: &Path,
+        results: Results,
+        extent: Extent,
+        known: &Map<String, Value>,
+    ) -> Result<Self, Error> {
         let mut files = Map::new();
         for file in files_in(dir)? {
-            files.insert(name_of(&file), described(&dir.join(&file))?);
+            let name = name_of(&file);
+            let description = match known.get(&name) {
+                Some(description) => description.clone(),
+                None => described(&dir.join(&file))?,
+            };
+            files.insert(name, description);
         }
         let complete = extent == Extent::Complete;
         Ok(Self { kind: results.kind().to_owned(), complete, files })
@@ -118,7 +128,7 @@ fn name_of(file: &Path) -> String {
 }
 
 /// Size and checksum of a file.
-fn described(path: &Path) -> Result<Value, Error> {
+pub(super) fn described(path: &Path) -> Result<Value, Error> {
     let fault = |e: std::io::Error| Error::io(path, "read", e);
     let kind = fs::symlink_metadata(path).map_err(fault)?;
     if !kind.is_file() {

@@ -9,8 +9,11 @@ mod exchange;
 mod lock;
 mod manifest;
 
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::thread::{self, JoinHandle};
+
+use serde_json::{Map, Value};
 
 use crate::error::Error;
 use exchange::Staging;
@@ -75,6 +78,8 @@ pub struct RunDirectory {
     staging: Staging,
     results: Results,
     lock: Lock,
+    /// Files that are described, and put on the disk, while others are written.
+    finished: Vec<(String, JoinHandle<Result<Value, Error>>)>,
 }
 
 impl RunDirectory {
@@ -101,12 +106,27 @@ impl RunDirectory {
         exchange::recover(&target)?;
         refuse_what_is_not_ours(results, given, &target)?;
         let staging = Staging::new(&target)?;
-        Ok(Self { given: given.to_owned(), target, staging, results, lock })
+        let given = given.to_owned();
+        Ok(Self { given, target, staging, results, lock, finished: Vec::new() })
     }
 
     /// Where to write until the commit.
     pub fn path(&self) -> &Path {
         self.staging.path()
+    }
+
+    /// Says that nothing more is written to a large file at the top: it goes to the disk, and its checksum is taken, while
+    /// others are still written. Nothing happens where there is no such file.
+    pub fn finished(&mut self, name: &str) {
+        let path = self.staging.path().join(name);
+        if path.is_file() {
+            let describe = move || {
+                let file = File::open(&path).map_err(|e| Error::io(&path, "read", e))?;
+                file.sync_all().map_err(|e| Error::io(&path, "write", e))?;
+                manifest::described(&path)
+            };
+            self.finished.push((name.to_owned(), thread::spawn(describe)));
+        }
     }
 
     /// The file that keeps other processes out, removed in the end.
@@ -143,7 +163,12 @@ impl RunDirectory {
     }
 
     fn put_in_place(&mut self, extent: Extent) -> Result<PathBuf, Error> {
-        let manifest = Manifest::of(self.staging.path(), self.results, extent)?;
+        let mut known = Map::new();
+        for (name, description) in self.finished.drain(..) {
+            // What could not be described there is described here, or says why not.
+            known.extend(description.join().ok().and_then(Result::ok).map(|found| (name, found)));
+        }
+        let manifest = Manifest::of(self.staging.path(), self.results, extent, &known)?;
         manifest.write(self.staging.path())?;
         let earlier = Manifest::read(&self.target)?;
         let keeps = extent == Extent::Partial && earlier.is_some_and(|m| m.complete);

@@ -214,7 +214,7 @@ mod tests {
         // What has let go is a single place.
         assert!(of(2, 0).iter().any(|p| p[1] < -1e-3));
         assert!(of(2, 1).iter().all(|p| near(p[0], 2.0) && near(p[1], 0.1)));
-        // The foot of the spring stays where it is, its head rises.
+        // The end of the spring on the ground stays where it is, the other rises.
         let (before, after) = (of(3, 0), of(3, 1));
         assert!(near(before[TURNS][1], after[TURNS][1]) && near(after[0][1], 0.1));
         // The upper plate is pushed on from the end of its way, the lower one stays.
