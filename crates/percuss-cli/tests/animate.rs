@@ -221,7 +221,17 @@ fn frames_that_do_not_fit_their_scene_are_refused() {
     value["beams"][0]["x"].as_array_mut().unwrap().pop();
     std::fs::write(&scene, value.to_string()).unwrap();
     desk.percuss(&["animate", "rigid", "-o", "a.gif"]).ends_with(2).tells("rigid");
-    assert!(!desk.path("a.gif").exists());
+    // Arrays fit, but what stands on a beam that is not there cannot be drawn.
+    let mut value: Value = serde_json::from_str(&text).unwrap();
+    value["supports"] =
+        json!([{ "name": "s", "kind": "pin", "at": { "beam": 7, "s": 0.0 }, "until": null }]);
+    std::fs::write(&scene, value.to_string()).unwrap();
+    for file in ["a.gif", "a.apng"] {
+        let made = desk.percuss(&["animate", "rigid", "-o", file]);
+        made.ends_with(2).tells("fields/scene.json is damaged");
+        assert_eq!(made.stderr.lines().count(), 1, "{}", made.stderr);
+    }
+    assert!(desk.names().iter().all(|name| !name.contains("a.")), "{:?}", desk.names());
 }
 
 #[test]

@@ -78,7 +78,7 @@ impl Film {
     /// The scene at a time as SVG; impulses up to `flash` ago are shown \[s\].
     ///
     /// # Errors
-    /// If the scripts fail.
+    /// If the scripts cannot draw it.
     pub fn svg(&self, time: f64, flash: f64) -> Result<String, Error> {
         self.context.with(|ctx| {
             let draw = || ctx.globals().get::<_, Function>("drawFilm")?.call((time, flash));
@@ -130,6 +130,11 @@ fn open(ctx: &Ctx<'_>, fields: &Fields, look: &Look) -> rquickjs::Result<String>
     ))
 }
 
+/// Scripts fail on what they are given alone: a scene that this program did not write.
 fn fault(error: CaughtError<'_>) -> Error {
-    Error::drawing(error)
+    let reason = match &error {
+        CaughtError::Exception(exception) => exception.message().unwrap_or_default(),
+        other => other.to_string(),
+    };
+    Error::Input(format!("fields/scene.json is damaged and cannot be drawn ({reason})"))
 }

@@ -29,8 +29,8 @@ impl Palette {
     /// From some of the frames.
     pub fn of(frames: &[Pixels]) -> Self {
         let mut counts: HashMap<[u8; 3], usize> = HashMap::new();
-        for pixel in frames.iter().flat_map(|f| f.rgb.as_chunks::<3>().0) {
-            *counts.entry(*pixel).or_insert(0) += 1;
+        for row in frames.iter().flat_map(|f| f.rgb.as_chunks::<3>().0.chunk_by(|a, b| a == b)) {
+            *counts.entry(row[0]).or_insert(0) += row.len();
         }
         let mut counts: Vec<([u8; 3], usize)> = counts.into_iter().collect();
         counts.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
@@ -101,8 +101,11 @@ impl<W: Write> Gif<W> {
 
     /// The next frame. One like that before only prolongs it.
     pub fn push(&mut self, pixels: &Pixels) -> Result<(), Error> {
+        // Most pixels are as the one before: the page.
+        let rows = pixels.rgb.as_chunks::<3>().0.chunk_by(|a, b| a == b);
+        let palette = &mut self.palette;
         let indices: Vec<u8> =
-            pixels.rgb.as_chunks::<3>().0.iter().map(|c| self.palette.index(*c)).collect();
+            rows.flat_map(|row| std::iter::repeat_n(palette.index(row[0]), row.len())).collect();
         let lasts = self.ends[self.count] - self.count.checked_sub(1).map_or(0, |k| self.ends[k]);
         self.count += 1;
         let Some([left, top, width, height]) = self.change(&indices) else {
