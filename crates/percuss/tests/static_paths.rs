@@ -14,17 +14,21 @@ fn rigid() -> TouchLaw {
     TouchLaw::Rigid(RigidLaw::frictionless(0.0))
 }
 
-fn floor(b: &mut ModelBuilder, beams: &[BeamId], height: f64, upward: f64) {
-    let shape = ObstacleShape::HalfPlane { point: [0.0, height], normal: [0.0, upward] };
+fn floor(b: &mut ModelBuilder, beams: &[BeamId], height: f64, law: TouchLaw) {
+    let shape = ObstacleShape::HalfPlane { point: [0.0, height], normal: [0.0, 1.0] };
     let obstacle = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
     for (i, beam) in beams.iter().enumerate() {
         let between = [Party::Beam(*beam), Party::Obstacle(obstacle)];
-        b.contact(Contact::new(format!("on_floor{i}"), between, rigid()));
+        b.contact(Contact::new(format!("on_floor{i}"), between, law.clone()));
     }
 }
 
 /// A clamped steel strip of 10 x 2 mm, 2 m long, under a share of its weight, over a floor.
 fn strip(elements: usize, gap: f64, share: f64) -> Model {
+    strip_on(elements, gap, share, rigid())
+}
+
+fn strip_on(elements: usize, gap: f64, share: f64, law: TouchLaw) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("steel", 2.1e11, 7850.0));
     let section = Section { depth: Some(2e-3), ..Section::new("strip", 2e-5, 0.01 * 8e-9 / 12.0) };
@@ -33,7 +37,7 @@ fn strip(elements: usize, gap: f64, share: f64) -> Model {
     let beam = b.beam(beam("strip", [0.0, 0.0], [2.0, 0.0], elements, material, section));
     b.record_point(at("tip", beam, 1.0));
     b.support(Support::new("root", at("root", beam, 0.0), SupportKind::Clamp));
-    floor(&mut b, &[beam], -gap - 1e-3, 1.0);
+    floor(&mut b, &[beam], -gap - 1e-3, law);
     b.build().unwrap()
 }
 
@@ -87,7 +91,7 @@ fn a_strip_lies_down_as_its_load_grows() {
 }
 
 /// A shallow toggle of two bars under a unit force, over a floor.
-fn toggle_over(rise: f64, area: f64, height: f64) -> Model {
+fn toggle_over(rise: f64, area: f64, height: f64, law: TouchLaw) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("stuff", 1e9, 1e3));
     // Stiff enough not to buckle.
@@ -102,8 +106,23 @@ fn toggle_over(rise: f64, area: f64, height: f64) -> Model {
     let force = [0.0, -1.0];
     let at = at("top", left, 1.0);
     b.load(Load::new("push", LoadKind::Point { at, force, moment: 0.0, follower: false }));
-    floor(&mut b, &[left, right], height, 1.0);
+    floor(&mut b, &[left, right], height, law);
     b.build().unwrap()
+}
+
+#[test]
+fn a_strip_lies_down_on_a_compliant_floor() {
+    for (stiffness, factor) in [(1e3, 1.0), (1e4, 2.0), (1e6, 2.0)] {
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
+        let model = |share: f64| strip_on(60, 2e-3, share, law.clone());
+        let settings = PathSettings { first: 0.1, points: 200, end: PathEnd::Factor(factor) };
+        let path = equilibrium_path(&model(1.0), &settings).unwrap();
+        let last = path.points.last();
+        assert!(path.reached && path.limit_points.is_empty(), "{stiffness}: {last:?}");
+        let direct = equilibrium(&model(factor)).unwrap();
+        let [a, b] = [&path.end, &direct].map(|e| (root(e)[1], e.contacts[0].force));
+        assert!((a.0 / b.0 - 1.0).abs() < 1e-7 && (a.1 / b.1 - 1.0).abs() < 1e-7, "{a:?} {b:?}");
+    }
 }
 
 #[test]
@@ -116,7 +135,7 @@ fn a_toggle_snaps_onto_a_floor_and_presses_on_it() {
         let most = load(rise / 3.0_f64.sqrt());
         let end = PathEnd::Factor(1.5 * most);
         let settings = PathSettings { first: 0.02 * most, points: 2000, end };
-        let path = equilibrium_path(&toggle_over(rise, area, at), &settings).unwrap();
+        let path = equilibrium_path(&toggle_over(rise, area, at, rigid()), &settings).unwrap();
         assert!(path.reached, "{rise} {at}: {:?}", path.points.last());
         let turns: Vec<f64> = path.limit_points.iter().map(|p| p.factor).collect();
         // It comes down to its own limit point, or to the floor before that.
@@ -127,6 +146,14 @@ fn a_toggle_snaps_onto_a_floor_and_presses_on_it() {
         let pressed: f64 = path.end.contacts.iter().map(|c| c.force).sum();
         let asked = 1.5 * most - load(at);
         assert!((pressed / asked - 1.0).abs() < 1e-8, "{rise} {at}: {pressed} for {asked}");
+        // On a stiff spring the same, but for how far that gives way.
+        let spring = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e7 }));
+        let path = equilibrium_path(&toggle_over(rise, area, at, spring), &settings).unwrap();
+        assert!(path.reached, "{rise} {at}: {:?}", path.points.last());
+        let down = path.limit_points[1].factor;
+        assert!((down / lowest - 1.0).abs() < 1e-3, "{rise} {at}: {down} for {lowest}");
+        let springs: f64 = path.end.contacts.iter().map(|c| c.force).sum();
+        assert!((springs / asked - 1.0).abs() < 1e-2, "{rise} {at}: {springs} for {asked}");
     }
 }
 
@@ -139,7 +166,7 @@ fn a_strip_pressed_down_by_a_spring_lifts_off() {
     let bar = b.beam(beam("strip", [0.0, 0.0], [1.0, 0.0], 20, material, section));
     b.support(Support::new("root", at("root", bar, 0.0), SupportKind::Clamp));
     b.record_point(at("tip", bar, 1.0));
-    floor(&mut b, &[bar], -1e-3, 1.0);
+    floor(&mut b, &[bar], -1e-3, rigid());
     // Pulls the tip down by 5 N where it lies.
     let between = [Anchor::Point(at("tip", bar, 1.0)), Anchor::Ground([1.0, -1.0])];
     let name = "stay".into();

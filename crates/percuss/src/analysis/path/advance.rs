@@ -121,15 +121,13 @@ impl Tracer<'_> {
     /// Goes to where an open contact just touches, the load factor free; what presses stays closed.
     fn touch(&mut self, place: usize) -> Option<usize> {
         for iteration in 1..=MOST_ITERATIONS {
-            let load = self.assemble();
-            let closed = self.search.hold_pressed()?;
-            if !self.respond(&load, Some(&closed)) {
+            if !self.direction_held() {
                 return None;
             }
             let search = &self.search;
             let [gap, rate] =
                 search.contacts.gap_after(place, &search.work.correction, &self.response);
-            self.load(-gap / rate);
+            self.load((search.contacts.touching(place) - gap) / rate);
             if !self.search.correct() {
                 return None;
             }

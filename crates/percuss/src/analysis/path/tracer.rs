@@ -158,6 +158,15 @@ impl<'m> Tracer<'m> {
         regular
     }
 
+    /// The same while what presses stays closed, and nothing rigid closes.
+    pub(super) fn direction_held(&mut self) -> bool {
+        if !self.search.contacts.press_exactly() {
+            return self.direction();
+        }
+        let load = self.assemble();
+        self.search.hold_pressed().is_some_and(|closed| self.respond(&load, Some(&closed)))
+    }
+
     /// The response to a load of what was factored last; whether there is one.
     pub(super) fn respond(&mut self, load: &[[f64; 4]], closed: Option<&Programme>) -> bool {
         self.response = if let Some(closed) = closed {

@@ -142,6 +142,7 @@ impl StaticContacts {
                 seen: memory,
                 gap: touch.map_or(f64::INFINITY, |t| t.gap),
                 force: 0.0,
+                slope: 0.0,
                 multiplier: 0.0,
                 stiffness: 0.0,
                 stiffnesses: if rigid { contacts.stiffnesses(model, pair) } else { [0.0; 2] },
@@ -258,10 +259,10 @@ impl StaticContacts {
                 most = most.max(place.force);
                 (place.was_closed, place.held) = (place.closed, place.force);
             }
+            place.row = pair.normal_row(&touch, &at);
             if place.force == 0.0 && !place.closed && !exact {
                 continue;
             }
-            place.row = pair.normal_row(&touch, &at);
             place.row.spread(-place.force, residual);
             if TANGENT && (place.force != 0.0 || place.closed) {
                 place.add_tangent(model, pair, (&touch, &at), tangent, pressing);

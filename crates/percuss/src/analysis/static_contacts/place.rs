@@ -25,6 +25,8 @@ pub struct Place {
     pub gap: f64,
     /// Force at the last look \[N\].
     pub force: f64,
+    /// Slope of the force of a compliant pair \[N/m\].
+    pub slope: f64,
     /// Multiplier of a rigid pair \[N\].
     pub multiplier: f64,
     /// Stiffness of a rigid pair \[N/m\]; zero for a compliant one.
@@ -46,6 +48,16 @@ pub struct Place {
 }
 
 impl Place {
+    /// Whether the pair is compliant.
+    pub fn is_compliant(&self) -> bool {
+        self.stiffnesses[0] == 0.0
+    }
+
+    /// Whether it presses, and the load it presses with is followed: of rigid pairs by those whose forces corrections find.
+    pub fn presses(&self) -> bool {
+        if self.is_compliant() { self.force > 0.0 } else { self.is_exact && self.multiplier > 0.0 }
+    }
+
     /// Gap and force where the pair is nearest.
     pub fn look(
         &mut self,
@@ -60,6 +72,7 @@ impl Place {
         match &model.contacts[pair.contact].law {
             TouchLaw::Smooth(law) => {
                 self.force = law.potential.force(-touch.gap);
+                self.slope = law.potential.stiffness(-touch.gap);
                 self.closed = false;
             }
             TouchLaw::Rigid(_) if self.is_exact && pressing != Pressing::Following => {

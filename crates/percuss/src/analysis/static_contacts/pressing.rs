@@ -25,6 +25,8 @@ const ZERO_GAP: f64 = 16.0 * f64::EPSILON;
 const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 /// Forces below this share of the largest come and go by round-off.
 const ROUND_OFF_OF_FORCES: f64 = 1e-13;
+/// How deep a compliant contact that just touches is pressed in, as a share of the positions in play.
+const TOUCHING: f64 = 1e-9;
 /// Gaps that a correction may leave, as a share of the largest move: the next is smaller by itself.
 const INEXACT: f64 = 1e-7;
 /// The same of a response to a load.
@@ -138,36 +140,44 @@ impl StaticContacts {
         self.places.iter_mut().filter(|p| p.is_exact).for_each(|p| p.change = 0.0);
     }
 
-    /// Which rigid contacts press whose forces corrections find, by place.
+    /// Which contacts press, by place; of rigid ones those whose forces corrections find.
     pub fn pressing(&self) -> Vec<bool> {
-        self.places.iter().map(|p| p.is_exact && p.multiplier > 0.0).collect()
+        self.places.iter().map(Place::presses).collect()
     }
 
     /// How fast, in a response, what has begun to press since does so more, or what has let go since moves off; nothing where the
     /// same contacts press.
     pub fn onward(&self, since: &[bool], response: &Response) -> Option<f64> {
         let now = self.pressing();
-        let closed = |i: &usize| now[*i] && !since[*i];
-        let opened = |i: &usize| !now[*i] && since[*i];
-        if (0..now.len()).any(|i| closed(&i)) {
-            let forces = response.contacts.iter().filter(|(i, _)| closed(i));
-            return Some(forces.map(|(_, force)| force).sum());
-        }
         let moved = |i: usize| self.places[i].row.on(&response.nodal);
-        let mut gone = (0..now.len()).filter(opened).map(moved).peekable();
+        let closed = |i: &usize| now[*i] && !since[*i];
+        if (0..now.len()).any(|i| closed(&i)) {
+            let rigid = response.contacts.iter().filter(|(i, _)| closed(i));
+            let rigid: f64 = rigid.map(|(_, force)| force).sum();
+            let compliant = (0..now.len()).filter(|i| closed(i) && self.places[*i].is_compliant());
+            return Some(rigid - compliant.map(|i| self.places[i].slope * moved(i)).sum::<f64>());
+        }
+        let opened = (0..now.len()).filter(|i| !now[*i] && since[*i]);
+        let mut gone = opened.map(moved).peekable();
         gone.peek()?;
         Some(gone.sum())
     }
 
     /// The open contact that closes first as the load factor changes the way `rise` tells, by the response to it.
     pub fn next_to_close(&self, response: &Response, rise: f64) -> Option<usize> {
-        let open = |p: &Place| p.is_exact && p.multiplier <= 0.0 && p.gap.is_finite();
+        let followed = |p: &Place| p.is_exact || p.is_compliant();
+        let open = |p: &Place| followed(p) && !p.presses() && p.gap.is_finite();
         let closing = |(i, p): (usize, &Place)| {
             let rate = -rise.signum() * p.row.on(&response.nodal);
             (rate > 0.0).then_some((i, p.gap.max(0.0) / rate))
         };
         let all = self.places.iter().enumerate().filter(|(_, p)| open(p)).filter_map(closing);
         all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    }
+
+    /// The gap at which a contact counts as just touching: a compliant one presses there a little, and gives way no more.
+    pub fn touching(&self, place: usize) -> f64 {
+        if self.places[place].is_compliant() { -TOUCHING * self.size } else { 0.0 }
     }
 
     /// The gap that a correction leads a contact to, and how it changes in a response.
@@ -190,7 +200,9 @@ impl StaticContacts {
 
     /// What just touches presses from now on.
     pub fn close(&mut self, place: usize) {
-        self.places[place].multiplier = f64::MIN_POSITIVE;
+        if !self.places[place].is_compliant() {
+            self.places[place].multiplier = f64::MIN_POSITIVE;
+        }
     }
 
     /// Adds a share of the forces of a response to the changes of a correction.
