@@ -371,7 +371,7 @@ class Drawing {
     const power = 10 ** Math.floor(Math.log10(target));
     const length = [5, 2, 1].map((m) => m * power).find((l) => l <= target) ?? power;
     const y = view.height - 14;
-    const x = 44;
+    const x = 54;
     pen.path([[x, y - 4], [x, y], [x + length * view.scale, y], [x + length * view.scale, y - 4]], { stroke: palette.soft, width: 1.2 });
     pen.text([x + length * view.scale + 6, y], engineering(length, "m"), { fill: palette.soft, size: 11 });
     const o = [12, view.height - 12];
