@@ -85,7 +85,11 @@ class Reader:
 
 def test_section_forces_and_stresses_are_those_of_a_cantilever(tmp_path):
     result = percuss.run(percuss.Scenario.from_toml(CANTILEVER))
-    assert result.export(tmp_path / "out") == ["beams.vtkhdf"]
+    assert result.export(tmp_path / "out") == ["beams.vtkhdf", "supports.vtkhdf"]
+    # The clamp stands where the beam begins, as lines of its own.
+    clamp = Reader(tmp_path / "out" / "supports.vtkhdf").at(0.0)
+    assert clamp.data.GetNumberOfLines() > 3 and clamp.data.GetNumberOfPolys() == 0
+    assert np.abs(clamp.points[:, 0]).max() < 0.05 and np.ptp(clamp.points[:, 1]) >= 0.04
     beam = Reader(tmp_path / "out" / "beams.vtkhdf").at(0.0)
     x, y = beam.points[:, 0], beam.points[:, 1]
     width, depth, length = 0.02, 0.04, 1.0
@@ -130,7 +134,7 @@ def test_velocities_of_the_surface_are_those_of_a_rigid_motion(tmp_path):
 def test_every_frame_and_every_contact_is_there(elastic, tmp_path):
     result = percuss.run(elastic, out=tmp_path / "run")
     names = percuss.open(tmp_path / "run").export(tmp_path / "out")
-    assert names == ["beams.vtkhdf", "bodies.vtkhdf", "contacts.vtkhdf"]
+    assert names == ["beams.vtkhdf", "bodies.vtkhdf", "supports.vtkhdf", "contacts.vtkhdf"]
     fields = result.fields
     beam, contacts = (Reader(tmp_path / "out" / f"{name}.vtkhdf") for name in ("beams", "contacts"))
     assert np.array_equal(beam.times, fields.time) and np.array_equal(contacts.times, fields.time)
@@ -179,7 +183,7 @@ def test_lists_of_files_say_the_same(tmp_path):
                 ids = [vtk_to_numpy(getattr(d, kind)().GetConnectivityArray()) for d in (one, other)]
                 assert np.array_equal(*ids)
         kind = name.removesuffix(".vtkhdf")
-        field = other.GetFieldData().GetAbstractArray({"beams": "beam", "bodies": "body", "contacts": "contact"}[kind] + "_names")
+        field = other.GetFieldData().GetAbstractArray({"beams": "beam", "bodies": "body", "contacts": "contact", "supports": "support"}[kind] + "_names")
         assert [field.GetValue(k) for k in range(field.GetNumberOfValues())] == [x["name"] for x in result.fields.scene[kind]]
 
 

@@ -44,6 +44,7 @@ cases! {
     roll_up = "roll-up",
     buckled_column = "buckled-column",
     lees_frame = "lees-frame",
+    toggle_on_floor = "toggle-on-floor",
     l_shape = "l-shape",
     curved_cantilever = "curved-cantilever",
     load_steps = "load-steps",
