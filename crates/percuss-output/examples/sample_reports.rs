@@ -1,6 +1,6 @@
 //! Reports of made-up runs, to look at: `cargo run --release --example sample_reports DIR`.
 
-#[path = "../tests/synthetic/mod.rs"]
+#[path = "../tests/suite/synthetic/mod.rs"]
 mod synthetic;
 
 use std::path::{Path, PathBuf};

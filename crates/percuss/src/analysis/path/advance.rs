@@ -45,6 +45,7 @@ pub(super) struct Course {
 impl Tracer<'_> {
     /// Advances by an arc; returns the corrections it took, or nothing if it found no point.
     pub(super) fn advance(&mut self, arc: f64) -> Option<usize> {
+        self.arc = arc;
         self.search.contacts.begin(Pressing::Exactly);
         if !self.prepare() {
             return None;

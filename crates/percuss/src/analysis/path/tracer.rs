@@ -10,6 +10,8 @@ use crate::model::Model;
 /// Corrections of a point; more and the arc is halved. Contacts close and open one after the other.
 pub(super) const MOST_ITERATIONS: usize = 16;
 const MOST_WITH_CONTACTS: usize = 60;
+/// A correction longer than so many arcs (or first arcs) leads to no point of the branch.
+const WILDEST: f64 = 20.0;
 /// Last correction of a point relative to its displacements; the next would be its square.
 pub(super) const SETTLED: f64 = 1e-9;
 /// Share of the loads by which discs settle on what holds them.
@@ -38,6 +40,8 @@ pub(super) struct Tracer<'m> {
     /// Load factor of the first arc, and that arc.
     pub first: f64,
     pub first_arc: f64,
+    /// The arc that is tried.
+    pub arc: f64,
     pub changed: f64,
     pub given: bool,
     pub way: Vec<[f64; 4]>,
@@ -71,6 +75,7 @@ impl<'m> Tracer<'m> {
             slope: 0.0,
             first: 0.0,
             first_arc: 0.0,
+            arc: f64::INFINITY,
             changed: 0.0,
             given: false,
             way: zero.clone(),
@@ -225,7 +230,9 @@ impl<'m> Tracer<'m> {
             }
             let share = control(self, &self.search.work.correction)?;
             self.load(share);
-            if !self.search.correct() {
+            let correction = &self.search.work.correction;
+            let moved = self.inner(correction, correction).sqrt();
+            if moved > WILDEST * self.arc.max(self.first_arc) || !self.search.correct() {
                 return None;
             }
             let work = &self.search.work;

@@ -1,0 +1,103 @@
+//! Ctrl-C leaves a readable result.
+#![cfg(unix)]
+
+use crate::common;
+
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use common::{Desk, Outcome};
+
+/// Waits until something is true, for at most a minute; says whether it came true.
+fn wait_for(mut is_true: impl FnMut() -> bool) -> bool {
+    let begun = Instant::now();
+    while !is_true() {
+        if begun.elapsed() > Duration::from_secs(60) {
+            return false;
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    true
+}
+
+/// A run without end, its history begun.
+fn endless(desk: &Desk) -> Child {
+    let set = ["--set", "time.end=1e4", "--set", "record.every=1000"];
+    let arguments = [["run", "elastic.toml"].as_slice(), &set, &["--out", "out"]].concat();
+    begun(desk, &mut desk.command(&arguments))
+}
+
+/// Starts a run to `out` and waits until its history has begun.
+fn begun(desk: &Desk, command: &mut Command) -> Child {
+    let mut child = command.spawn().expect("the command starts");
+    let is_staging = |name: &String| name.starts_with(".out.percuss-staged-");
+    let has_begun = wait_for(|| {
+        let staging = desk.names().into_iter().find(is_staging);
+        staging.is_some_and(|dir| desk.path(&dir).join(".history.parquet.partial").exists())
+    });
+    if !has_begun {
+        let _ = child.kill(); // it would run for ever
+        panic!("waited in vain for a history");
+    }
+    child
+}
+
+fn signal(child: &Child, name: &str) {
+    let sent = Command::new("kill").args([name, &child.id().to_string()]).status();
+    assert!(sent.expect("kill starts").success());
+}
+
+fn end_of(child: Child) -> Outcome {
+    child.wait_with_output().expect("the command ends").into()
+}
+
+#[test]
+fn an_interrupted_run_leaves_a_readable_result() {
+    for name in ["-INT", "-TERM"] {
+        let desk = Desk::new();
+        let child = endless(&desk);
+        signal(&child, name);
+        end_of(child).ends_with(130).tells("interrupted at t = ");
+        let summary = desk.summary("out");
+        assert_eq!(summary["status"], "interrupted");
+        assert!(summary["steps"].as_u64() > Some(0));
+        let history = percuss_output::read_history(desk.path("out")).expect("a history");
+        assert_eq!(summary["rows"].as_u64(), Some(history.rows() as u64));
+        assert!(desk.path("out/report.html").is_file());
+        assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
+    }
+}
+
+/// What `nohup` relies on.
+#[test]
+fn an_ignored_hangup_stays_ignored() {
+    let desk = Desk::new();
+    let program = env!("CARGO_BIN_EXE_percuss");
+    let run = "run elastic.toml --set time.end=1e4 --set record.every=1000 --out out";
+    let mut shell = Command::new("sh");
+    let script = format!("trap '' HUP; exec '{program}' {run} --no-report");
+    shell.args(["-c", &script]).current_dir(desk.path("")).stdout(Stdio::piped());
+    let mut child = begun(&desk, shell.stderr(Stdio::piped()));
+    signal(&child, "-HUP");
+    std::thread::sleep(Duration::from_millis(100));
+    assert!(child.try_wait().expect("a state").is_none(), "ended by a hang-up");
+    signal(&child, "-INT");
+    end_of(child).ends_with(130);
+    assert_eq!(desk.summary("out")["status"], "interrupted");
+}
+
+#[test]
+fn a_second_signal_ends_at_once_and_leaves_no_half_result() {
+    let desk = Desk::new();
+    let child = endless(&desk);
+    signal(&child, "-INT");
+    signal(&child, "-INT");
+    // Whether the second came while the first was being served or after, nothing is half there.
+    assert_eq!(end_of(child).status, Some(130));
+    if desk.path("out").exists() {
+        assert_eq!(desk.summary("out")["status"], "interrupted");
+        percuss_output::read_history(desk.path("out")).expect("a history");
+    }
+    let names = desk.names();
+    assert!(names.iter().all(|name| !name.contains("percuss")), "left behind: {names:?}");
+}

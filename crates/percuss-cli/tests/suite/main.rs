@@ -1,0 +1,16 @@
+//! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
+
+mod animate;
+mod bad_input;
+mod commands;
+mod common;
+mod export;
+mod interrupt;
+mod modes;
+mod plot;
+mod report;
+mod run;
+mod scenes;
+mod slips;
+mod statics;
+mod sweep;

@@ -1,0 +1,161 @@
+//! Scenes of every kind reach every command, from a file or from standard input.
+
+use crate::common;
+
+use std::io::Write;
+use std::process::Stdio;
+
+use common::{Desk, ELASTIC};
+
+/// Three discs in a row and a wall: a cradle that comes back.
+const CRADLE: &str = r#"
+[projectile.a]
+kind = "rigid"
+contact = "surface"
+mass = 1
+radius = 0.03
+position = [0, 0]
+velocity = [1, 0]
+strikes = "b"
+restitution = 1
+[projectile.b]
+kind = "rigid"
+contact = "surface"
+mass = 1
+radius = 0.03
+position = [0.1, 0]
+velocity = [0, 0]
+strikes = "wall"
+restitution = 1
+[obstacle.wall]
+kind = "half-plane"
+point = [0.3, 0]
+normal = [-1, 0]
+[time]
+end = 1
+step = 1e-3
+"#;
+
+fn fed(desk: &Desk, text: &str, arguments: &[&str]) -> common::Outcome {
+    let mut child = desk.command(arguments).stdin(Stdio::piped()).spawn().expect("the command");
+    child.stdin.take().expect("its input").write_all(text.as_bytes()).expect("the scenario");
+    child.wait_with_output().expect("its end").into()
+}
+
+/// The first disc strikes the second, which comes back from the wall and strikes it in turn: it leaves as fast as it came.
+#[test]
+fn a_scene_needs_no_beam() {
+    let desk = Desk::empty();
+    desk.put("cradle.toml", CRADLE);
+    let checked = desk.percuss(&["check", "cradle.toml"]);
+    assert_eq!(checked.status, Some(0), "{}", checked.stderr);
+    assert!(checked.stdout.contains("sound: 0 beams"), "{}", checked.stdout);
+    let run = desk.percuss(&["run", "cradle.toml", "--json"]);
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    let summary: serde_json::Value = serde_json::from_str(&run.stdout).expect("a summary");
+    let velocity = summary["projectile"]["a"]["velocity_final"][0].as_f64().expect("a velocity");
+    assert!((velocity + 1.0).abs() < 1e-9, "{velocity}");
+    assert!(desk.path("runs/cradle/report.html").exists());
+    assert_eq!(desk.percuss(&["report", "runs/cradle"]).status, Some(0));
+    for command in ["static", "modes"] {
+        let refused = desk.percuss(&[command, "cradle.toml"]);
+        assert_eq!(refused.status, Some(2));
+        assert!(refused.stderr.contains("there is no beam"), "{}", refused.stderr);
+    }
+}
+
+#[test]
+fn a_dash_reads_standard_input() {
+    let desk = Desk::empty();
+    let checked = fed(&desk, ELASTIC, &["check", "-"]);
+    assert_eq!(
+        (checked.status, checked.stdout.starts_with("standard input: sound")),
+        (Some(0), true)
+    );
+    let run =
+        fed(&desk, ELASTIC, &["run", "-", "--no-report", "--quiet", "--set", "time.end=0.02"]);
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    assert!(desk.path("runs/stdin/summary.json").exists());
+    assert_eq!(fed(&desk, ELASTIC, &["modes", "-"]).status, Some(0));
+    assert!(desk.path("runs/stdin-modes/modes.json").exists());
+    assert_eq!(fed(&desk, ELASTIC, &["static", "-"]).status, Some(0));
+    let wrong = fed(&desk, "[time]\nend = 1\nstep = 0.1\n", &["check", "-"]);
+    assert_eq!(wrong.status, Some(2));
+    assert!(wrong.stderr.contains("standard input:1:1: beam: found no beam"), "{}", wrong.stderr);
+    // Files that it names lie from the working directory on.
+    desk.put("push.csv", "0,0\n1,1\n");
+    let pushed = format!(
+        "{ELASTIC}\n[load.push]\nkind = \"point\"\nat = \"girder.mid\"\nforce = [0, 1]\n\
+         function = {{ kind = \"table\", csv = \"push.csv\" }}\n"
+    );
+    let checked = fed(&desk, &pushed, &["check", "-"]);
+    assert!(!checked.stderr.contains("push.csv"), "{}", checked.stderr);
+}
+
+#[test]
+fn entries_of_lists_are_set_by_the_paths_of_studies() {
+    let desk = Desk::new();
+    let set = ["run", "elastic.toml", "--no-report", "--json", "--set", "time.end=1e-3", "--set"];
+    let speed = |change: &str| {
+        let run = desk.percuss(&[&set[..], &[change]].concat());
+        assert_eq!(run.status, Some(0), "{}", run.stderr);
+        let summary: serde_json::Value = serde_json::from_str(&run.stdout).expect("a summary");
+        summary["projectile"]["mass"]["velocity_final"][1].as_f64()
+    };
+    assert_eq!(speed("projectile.mass.velocity[1]=30 m/s"), Some(30.0));
+    assert_eq!(speed("projectile.mass.velocity.1=25"), Some(25.0));
+    let beyond = desk.percuss(&["check", "elastic.toml", "--set", "projectile.mass.velocity[2]=1"]);
+    assert_eq!(beyond.status, Some(2));
+    assert!(beyond.stderr.contains("an entry from 0 to 1"), "{}", beyond.stderr);
+}
+
+#[test]
+fn converge_tells_orders_limits_and_settings() {
+    let desk = Desk::new();
+    let arguments = ["converge", "elastic.toml", "--levels", "3", "--accuracy", "1 %", "--quiet"];
+    let result = ["--result", "contact.mass.peak_force.value", "--set", "time.step=1e-3"];
+    let told = desk.percuss(&[&arguments[..], &result].concat());
+    assert_eq!(told.status, Some(0), "{}", told.stderr);
+    for words in ["step: converges with order", "mesh: ", "limit", "cheapest for 1 %"] {
+        assert!(told.stdout.contains(words), "{words}: {}", told.stdout);
+    }
+    let json = desk.percuss(&[&arguments[..], &result, &["--json"]].concat());
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON");
+    assert!(value["results"][0]["step"]["order"].as_f64().is_some_and(|order| order > 1.5));
+    let wrong = desk.percuss(&["converge", "elastic.toml", "--accuracy", "1 m"]);
+    assert_eq!(wrong.status, Some(2));
+}
+
+#[test]
+fn derivatives_that_are_refused_are_wrong_input() {
+    let desk = Desk::new();
+    let arguments =
+        ["sensitivity", "elastic.toml", "--parameter", "projectile.mass.mass", "--result"];
+    let refused = desk.percuss(&[&arguments[..], &["support.left.force_2.max.value"]].concat());
+    assert_eq!(refused.status, Some(2), "{}", refused.stderr);
+    let told = desk.percuss(&[&arguments[..], &["contact.mass.peak_force.value"]].concat());
+    assert_eq!((told.status, told.stdout.contains("+-")), (Some(0), true), "{}", told.stdout);
+}
+
+/// A result without a derivative is named with the reason, in a table and in JSON; where none has one there is nothing to tell.
+#[test]
+fn results_without_derivatives_are_named() {
+    let desk = Desk::new();
+    let arguments =
+        ["sensitivity", "elastic.toml", "--parameter", "projectile.mass.mass", "--result", "steps"];
+    let alone = desk.percuss(&arguments);
+    assert_eq!(alone.status, Some(2), "{}", alone.stdout);
+    assert!(alone.stderr.contains("it is a count"), "{}", alone.stderr);
+    let both = [&arguments[..], &["--result", "contact.mass.peak_force.time"]].concat();
+    let told = desk.percuss(&both);
+    assert!(told.stdout.contains("none: it is a count"), "{}", told.stdout);
+    let json = desk.percuss(&[&both[..], &["--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&json.stdout).expect("JSON alone");
+    assert!(json["derivatives"][0][0].is_null() && json["horizon"].is_null(), "{json}");
+    assert!(json["derivatives"][1][0].as_f64().is_some_and(|x| x > 0.0), "{json}");
+    assert_eq!(json["without"][0]["why"], "it is a count");
+    let step = ["sensitivity", "elastic.toml", "--parameter", "time.step"];
+    let refused = desk.percuss(&step);
+    assert_eq!(refused.status, Some(2), "{}", refused.stdout);
+    assert!(refused.stderr.contains("is an error"), "{}", refused.stderr);
+}

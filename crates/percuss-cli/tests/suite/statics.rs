@@ -1,0 +1,268 @@
+//! `percuss static`: equilibrium, reactions, buckling, mechanisms, paths.
+
+use crate::common;
+
+use std::process::Command;
+
+use common::{Desk, names};
+
+const CANTILEVER: &str = r#"
+[material.steel]
+young = "210 GPa"
+density = "7850 kg/m^3"
+
+[section.flat]
+area = "10 cm^2"
+inertia = "8 cm^4"
+
+[beam.arm]
+points = [[0, 0], ["2 m", 0]]
+elements = 8
+material = "steel"
+section = "flat"
+
+[load.tip]
+kind = "point"
+at = "arm.end"
+force = [0, "-100 N"]
+
+[record]
+points = ["arm.end"]
+
+[time]
+end = "1 s"
+step = "1 ms"
+"#;
+
+fn percuss(file: &std::path::Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_percuss"))
+        .arg("static")
+        .arg(file)
+        .args(arguments)
+        .output()
+        .unwrap();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn a_cantilever_sags_by_the_hand_formula() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("arm.toml");
+    std::fs::write(&file, format!("{CANTILEVER}{CLAMP}")).unwrap();
+    let out = dir.path().join("out");
+    let out = out.to_str().unwrap();
+    let (status, stdout, stderr) = percuss(&file, &["--json", "--out", out]);
+    assert_eq!(status, Some(0), "{stderr}");
+    let found: serde_json::Value = serde_json::from_str(&stdout).unwrap();
+    let sag = found["point"]["arm.end"]["displacement"][1].as_f64().unwrap();
+    let hand = -100.0 * 8.0 / (3.0 * 210e9 * 8e-8); // P L^3 / 3 EI
+    assert!((sag / hand - 1.0).abs() < 1e-3, "{sag} {hand}");
+    let moment = found["section_forces"]["arm"]["moment_max"]["value"].as_f64().unwrap();
+    assert!((moment / -200.0 - 1.0).abs() < 1e-3, "{moment}");
+    let forces = &found["section_forces"]["arm"];
+    assert_eq!(forces["moment_max"], forces["moment"]["min"], "the larger magnitude, signed");
+    assert!(forces["stress"]["max"]["value"].is_null(), "a section without a depth");
+    // The wall pushes up and turns against the load.
+    let wall = &found["support"]["wall"];
+    assert!((wall["force_2"].as_f64().unwrap() - 100.0).abs() < 1e-6, "{wall}");
+    assert!((wall["moment"].as_f64().unwrap() - 200.0).abs() < 0.2, "{wall}");
+    assert!(found["linear_buckling"].is_array());
+    let (status, stdout, stderr) = percuss(&file, &["--out", out]);
+    assert_eq!(status, Some(0), "{stderr}");
+    assert!(stdout.contains("wall: force") && stdout.contains("100 N"), "{stdout}");
+    assert!(!stdout.contains("fibre stress"), "{stdout}");
+}
+
+#[test]
+fn a_column_buckles_at_eulers_load() {
+    let desk = Desk::empty();
+    let column = CANTILEVER.replace("[0, \"-100 N\"]", "[\"-1 kN\", 0]");
+    desk.put("column.toml", format!("{column}{CLAMP}"));
+    let found = desk.percuss(&["static", "column.toml", "--json"]);
+    let value: serde_json::Value = serde_json::from_str(&found.ends_with(0).stdout).unwrap();
+    let factor = value["linear_buckling"][0].as_f64().unwrap();
+    let euler = std::f64::consts::PI.powi(2) * 210e9 * 8e-8 / 16.0 / 1000.0; // pi^2 EI / (2 L)^2
+    assert!((factor / euler - 1.0).abs() < 1e-2, "{factor} {euler}");
+    let text = desk.percuss(&["static", "column.toml"]);
+    assert!(text.stdout.contains("linear buckling at"), "{}", text.stdout);
+    text.tells("runs/column-static");
+    assert_eq!(names(&desk.path("runs/column-static")), ["static.html", "static.json"]);
+    let kept = std::fs::read_to_string(desk.path("runs/column-static/static.json")).unwrap();
+    assert_eq!(kept, found.stdout);
+}
+
+/// What a page draws.
+fn index(page: &std::path::Path) -> serde_json::Value {
+    let text = std::fs::read_to_string(page).unwrap();
+    assert!(!text.contains("{{"), "a hole was left open");
+    let (_, rest) = text.split_once("id=\"percuss-index\">").unwrap();
+    serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
+}
+
+#[test]
+fn the_page_of_an_equilibrium_has_supports_loads_forces_and_the_buckling_mode() {
+    let desk = Desk::empty();
+    let column = CANTILEVER.replace("[0, \"-100 N\"]", "[\"-1 kN\", 0]");
+    desk.put("column.toml", format!("title = \"</script><b>\"\n{column}{CLAMP}"));
+    desk.percuss(&["static", "column.toml", "--out", "s"]).ends_with(0);
+    let page = index(&desk.path("s/static.html"));
+    let scene = &page["scenes"][0];
+    assert_eq!(scene["scene"]["supports"][0]["kind"], "clamp");
+    assert_eq!(scene["scene"]["loads"][0]["force"][0], -1000.0);
+    let column = |name: &str| {
+        let k = scene["frames"][name].as_u64().unwrap() as usize;
+        page["columns"][k][1].as_u64().unwrap()
+    };
+    // The equilibrium and the mode, nine nodes, eight elements, one load.
+    assert_eq!((column("time"), column("displacement")), (2, 2 * 9 * 4));
+    assert_eq!((column("sections"), column("loads"), column("velocity")), (2 * 8 * 6, 2, 0));
+    let details = &page["details"];
+    assert_eq!((&details["kind"], &details["panels"][0]["shape"]), (&"static".into(), &1.into()));
+    assert!(details["panels"][0]["about"].is_null(), "about the reference configuration");
+    let text = std::fs::read_to_string(desk.path("s/static.html")).unwrap();
+    assert!(text.contains("stable equilibrium") && !text.contains("</script><b>"));
+}
+
+const CLAMP: &str = "\n[support.wall]\nat = \"arm.start\"\nkind = \"clamp\"\n";
+
+const ARCH: &str = r#"
+[material.spring]
+preset = "steel"
+
+[section.strip]
+shape = "rectangle"
+width = "40 mm"
+depth = "3 mm"
+
+[beam.arch]
+points = [[0, 0], [0.5, 0.04], [1, 0]]
+curve = "arc"
+elements = 16
+material = "spring"
+section = "strip"
+
+[support.left]
+at = "arch.start"
+kind = "pin"
+
+[support.right]
+at = "arch.end"
+kind = "pin"
+
+[load.crown]
+kind = "point"
+at = "arch.mid"
+force = [0, "-1 kN"]
+
+[record]
+points = ["arch.mid"]
+
+[time]
+end = "1 s"
+step = "1 ms"
+"#;
+
+#[test]
+fn beyond_a_limit_point_the_path_is_told_of_and_followed() {
+    let desk = Desk::empty();
+    desk.put("arch.toml", ARCH);
+    let lost = desk.percuss(&["static", "arch.toml"]);
+    lost.ends_with(3).tells("limit point").tells("percuss static --path");
+    assert_eq!(desk.names(), ["arch.toml"], "nothing is written");
+    let text = desk.percuss(&["static", "arch.toml", "--path"]);
+    text.ends_with(0).tells("runs/arch-path");
+    assert!(text.stdout.contains("limit point at the load factor 0.16"), "{}", text.stdout);
+    assert_eq!(
+        names(&desk.path("runs/arch-path")),
+        ["path.csv", "path.html", "path.json", "path.png", "path.svg"]
+    );
+    let page = index(&desk.path("runs/arch-path/path.html"));
+    let (details, frames) = (&page["details"], &page["scenes"][0]["frames"]);
+    let titles: Vec<&str> =
+        details["panels"].as_array().unwrap().iter().filter_map(|p| p["title"].as_str()).collect();
+    assert!(titles[0].starts_with("limit point at the load factor 0.16"), "{titles:?}");
+    assert!(titles.contains(&"end, at the load factor 1"), "{titles:?}");
+    assert_eq!(details["kind"], "path");
+    let limit = details["chart"]["limits"][0].as_u64().unwrap() as usize;
+    assert_eq!(details["panels"][0]["frame"], limit);
+    let kept = details["chart"]["kept"].as_array().unwrap();
+    assert!(kept[limit].as_f64().unwrap() > kept[limit - 1].as_f64().unwrap());
+    // Configurations, and the buckling mode behind them.
+    let time = &page["columns"][frames["time"].as_u64().unwrap() as usize];
+    assert_eq!(time[1].as_u64().unwrap() as usize, kept.len() + 1);
+    let csv = std::fs::read_to_string(desk.path("runs/arch-path/path.csv")).unwrap();
+    let header = "factor,point.arch.mid.displacement_1,point.arch.mid.displacement_2";
+    assert_eq!(csv.lines().next(), Some(header));
+    let json =
+        desk.percuss(&["static", "arch.toml", "--path", "--json", "--out", "runs/arch-path"]);
+    let value: serde_json::Value = serde_json::from_str(&json.ends_with(0).stdout).unwrap();
+    assert_eq!(value["path"]["reached"], true);
+    assert_eq!(value["path"]["factor"], 1.0);
+    assert_eq!(value["path"]["points"].as_u64(), Some(csv.lines().count() as u64 - 1));
+    let limit = &value["path"]["limit_points"][0];
+    assert!(limit["factor"].as_f64().is_some_and(|f| (f - 0.16).abs() < 0.01), "{limit}");
+    assert!(limit["point"]["arch.mid"]["displacement"][1].as_f64().is_some_and(|u| u < 0.0));
+    let kept = std::fs::read_to_string(desk.path("runs/arch-path/path.json")).unwrap();
+    assert_eq!(kept, json.stdout);
+}
+
+#[test]
+fn a_path_that_ends_too_soon_is_written_and_fails() {
+    let desk = Desk::empty();
+    desk.put("arch.toml", format!("{ARCH}\n[path]\npoints = 3\n"));
+    desk.percuss(&["static", "arch.toml", "--path", "--out", "p"])
+        .ends_with(3)
+        .tells("before the end asked for");
+    assert!(desk.path("p/path.csv").is_file());
+    desk.percuss(&["static", "arch.toml", "--out", "q"]).ends_with(3).tells("--path");
+    assert!(!desk.path("q").exists(), "nothing is written");
+}
+
+#[test]
+fn the_moment_that_the_green_law_cannot_carry_is_told() {
+    let desk = Desk::empty();
+    let green = CANTILEVER
+        .replace("young =", "strain = \"green\"\nyoung =")
+        .replace("8 cm^4", "8000 cm^4")
+        .replace("force = [0, \"-100 N\"]", "moment = \"30 MN m\"");
+    desk.put("green.toml", format!("{green}{CLAMP}"));
+    let found = desk.percuss(&["static", "green.toml"]);
+    found.ends_with(3).tells("Green strains").tells("`arm`").tells("percuss static --path");
+    assert_eq!(found.stdout, "");
+}
+
+#[test]
+fn a_path_without_a_load_has_no_beginning() {
+    let desk = Desk::empty();
+    let (before, load) = CANTILEVER.split_once("[load.tip]").unwrap();
+    let (_, after) = load.split_once("[record]").unwrap();
+    desk.put("bare.toml", format!("{before}[record]{after}{CLAMP}"));
+    desk.percuss(&["static", "bare.toml", "--path"]).ends_with(3).tells("a path begins with");
+    assert_eq!(desk.names(), ["bare.toml"], "nothing is written");
+}
+
+#[test]
+fn a_path_overwrites_no_run() {
+    let desk = Desk::empty();
+    desk.put("arch.toml", ARCH);
+    desk.percuss(&["run", "arch.toml", "--set", "time.end=2e-3", "--out", "out", "-q"])
+        .ends_with(0);
+    desk.percuss(&["static", "arch.toml", "--path", "--out", "out"])
+        .ends_with(2)
+        .tells("holds other results (run)");
+}
+
+#[test]
+fn a_mechanism_is_named_with_its_place() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("loose.toml");
+    let pin = "\n[support.wall]\nat = \"arm.start\"\nkind = \"pin\"\n";
+    std::fs::write(&file, format!("{CANTILEVER}{pin}")).unwrap();
+    let (status, stdout, stderr) = percuss(&file, &[]);
+    assert_eq!(status, Some(2), "{stderr}");
+    assert!(stdout.is_empty());
+    assert!(stderr.contains("loose.toml:10:"), "{stderr}");
+    assert!(stderr.contains("mechanism") && stderr.contains("`arm`"), "{stderr}");
+    assert!(stderr.contains("supports and joints"), "{stderr}");
+}

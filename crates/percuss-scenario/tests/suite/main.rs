@@ -1,0 +1,17 @@
+//! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
+
+mod actions;
+mod common;
+mod contacts;
+mod everything;
+mod faults;
+mod files_at_fault;
+mod laws;
+mod overrides;
+mod robustness;
+mod schema;
+mod structures;
+mod templates;
+mod units;
+mod vary;
+mod violent;

@@ -1,0 +1,5 @@
+//! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
+
+mod convergence;
+mod sensitivities;
+mod studies;

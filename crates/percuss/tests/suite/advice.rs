@@ -1,0 +1,451 @@
+//! What the advisor says before a run and after it: warnings where results mislead, and none where they do not.
+
+use crate::common;
+
+use common::{at, disc};
+use percuss::*;
+
+fn bar(b: &mut ModelBuilder, length: f64, elements: usize, [width, depth]: [f64; 2]) -> BeamId {
+    let section = Section::rectangle("bar", width, depth);
+    of_section(b, length, elements, section)
+}
+
+fn of_section(b: &mut ModelBuilder, length: f64, elements: usize, section: Section) -> BeamId {
+    let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+    let section = b.section(section);
+    b.beam(Beam::new("beam", &[[0.0, 0.0], [length, 0.0]], elements, material, section))
+}
+
+fn hold(b: &mut ModelBuilder, beam: BeamId, kind: &SupportKind, ends: &[f64]) {
+    for end in ends {
+        b.support(Support::new(format!("at {end}"), at("end", beam, *end), kind.clone()));
+    }
+}
+
+fn mass(strikes: PointRef, mass: f64, stiffness: f64, velocity: [f64; 2]) -> Projectile {
+    Projectile::new("mass", ProjectileKind::spring(stiffness), mass, velocity, strikes)
+}
+
+fn freeze(b: &ModelBuilder) -> Model {
+    b.build().unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn run(model: &Model, settings: &Settings) -> RunSummary {
+    simulate(model, settings, &mut NoRecorder).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn verdict(all: &[Advice], topic: Topic) -> Option<Verdict> {
+    all.iter().filter(|a| a.topic == topic).map(|a| a.verdict).max()
+}
+
+/// Duration told, and that of the run's first contact.
+fn durations(b: &ModelBuilder, settings: &Settings) -> [f64; 2] {
+    let model = freeze(b);
+    let told = advise(&model, settings)
+        .iter()
+        .find(|a| a.topic == Topic::ContactDuration)
+        .map(|a| a.value);
+    let found = match &run(&model, settings).contacts[0].record {
+        ContactRecord::Smooth { intervals, .. } => intervals.first().map(|i| i.end - i.start),
+        ContactRecord::Nonsmooth { .. } => None,
+    };
+    [told.unwrap_or(f64::NAN), found.unwrap_or(f64::NAN)]
+}
+
+/// A car against the foot of a column, a head with a body behind it, a tube that comes down on a stop.
+#[test]
+fn contacts_last_as_long_as_the_modes_say() {
+    let near = |[told, found]: [f64; 2], off: f64| {
+        assert!((told / found - 1.0).abs() < off, "{told} s told, {found} s found");
+    };
+    let mut b = ModelBuilder::new();
+    let column = bar(&mut b, 5.0, 10, [0.1, 0.2]);
+    hold(&mut b, column, &SupportKind::Clamp, &[0.0, 1.0]);
+    b.projectile(mass(at("foot", column, 0.1), 1500.0, 3e5, [0.0, 0.5]));
+    near(durations(&b, &Settings::new(0.4, 5e-4)), 0.02);
+
+    let mut b = ModelBuilder::new();
+    let girder = bar(&mut b, 3.0, 24, [0.1, 0.2]);
+    hold(&mut b, girder, &SupportKind::Pin, &[0.0, 1.0]);
+    let law = SmoothLaw::elastic(Potential::Hertz { stiffness: 2e10 });
+    let kind = ProjectileKind::Elastic { law };
+    let head = Projectile::new("head", kind, 20.0, [0.0, -1.0], at("mid", girder, 0.5));
+    let rear = Some(RearMass { mass: 180.0, stiffness: 5e8, damping: 2e4 });
+    b.projectile(Projectile { rear, ..head });
+    near(durations(&b, &Settings::new(0.02, 1e-5)), 0.05);
+
+    let mut b = ModelBuilder::new();
+    let tube = bar(&mut b, 1.5, 30, [0.02, 0.02]);
+    hold(&mut b, tube, &SupportKind::Clamp, &[0.0, 1.0]);
+    let shape = ObstacleShape::Disc { centre: [0.5, -0.0305], radius: 0.02 };
+    let stop = b.obstacle(Obstacle { name: "stop".into(), shape, motion: None });
+    let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+    b.contact(Contact::new("stop", [Party::Beam(tube), Party::Obstacle(stop)], law));
+    let force = [[0.0, -1000.0]; 2];
+    let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+    let kind = LoadKind::Distributed { beam: tube, stretch, force, follower: false };
+    b.load(Load { until: 2e-3, ..Load::new("push", kind) });
+    // It is not known in what motion the tube comes: a factor of two.
+    let [told, found] = durations(&b, &Settings::new(0.1, 5e-5));
+    assert!((0.5..2.0).contains(&(told / found)), "{told} {found}");
+}
+
+/// Where modes say something else: ends that cannot slide stiffen a beam that bends far, a shallow arch snaps through, stops close.
+#[test]
+fn contacts_that_no_modes_describe_last_as_long_as_a_trial_says() {
+    let near = |b: &ModelBuilder, settings: &Settings| {
+        let [told, found] = durations(b, settings);
+        assert!((told / found - 1.0).abs() < 0.1, "{told} s told, {found} s found");
+        // That the modes say something else is said.
+        let advice = advise(&freeze(b), settings);
+        let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
+        assert!(text.is_some_and(|t| t.contains("short trial")), "{text:?}");
+    };
+    let mut b = ModelBuilder::new();
+    let thin = bar(&mut b, 2.0, 20, [0.1, 0.01]);
+    hold(&mut b, thin, &SupportKind::Pin, &[0.0, 1.0]);
+    b.projectile(mass(at("mid", thin, 0.5), 20.0, 1e6, [0.0, -5.0]));
+    let settings = Settings::new(0.2, 1e-4);
+    near(&b, &settings);
+
+    let mut b = ModelBuilder::new();
+    let pipe = bar(&mut b, 6.0, 24, [0.1, 0.1]);
+    hold(&mut b, pipe, &SupportKind::Clamp, &[0.0, 1.0]);
+    for at_end in [0.333, 0.667] {
+        let name = format!("stop {at_end}");
+        let kind = SupportKind::Stop {
+            direction: [0.0, -1.0],
+            gap: 1e-3,
+            stiffness: 1e8,
+            two_sided: false,
+        };
+        b.support(Support::new(name.clone(), at(&name, pipe, at_end), kind));
+    }
+    b.projectile(mass(at("mid", pipe, 0.5), 400.0, 2e6, [0.0, -2.0]));
+    near(&b, &Settings::new(0.3, 1e-4));
+}
+
+/// A mass that rests on a beam does not leave it: no duration is made up.
+#[test]
+fn a_contact_that_does_not_end_lasts_at_least_as_long_as_it_was_tried() {
+    let mut b = ModelBuilder::new();
+    let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+    hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+    let acceleration = [0.0, -9.81];
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration }));
+    b.projectile(mass(at("mid", beam, 0.5), 20.0, 1e5, [0.0, -1e-3]));
+    let settings = Settings { start: Start::Static, ..Settings::new(0.5, 2e-4) };
+    let model = freeze(&b);
+    let advice = advise(&model, &settings);
+    let found = advice.iter().find(|a| a.topic == Topic::ContactDuration);
+    let text = found.map(|a| &a.text);
+    assert!(text.is_some_and(|t| t.contains("at least")), "{text:?}");
+    let summary = run(&model, &settings);
+    let ContactRecord::Smooth { intervals, .. } = &summary.contacts[0].record else { return };
+    let lasts = intervals[0].end.min(settings.end) - intervals[0].start;
+    let told = found.map_or(f64::NAN, |a| a.value);
+    assert!(intervals[0].end.is_nan() || told <= lasts, "{told} {lasts}");
+}
+
+/// Too many elements for a trial, and too far bent for modes: nothing is estimated, and why.
+#[test]
+fn what_is_neither_linear_nor_tried_is_not_estimated() {
+    let of = |speed: f64| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 2900, [0.1, 0.01]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", beam, 0.5), 20.0, 1e6, [0.0, -speed]));
+        let advice = advise(&freeze(&b), &Settings::new(0.2, 1e-4));
+        let found = advice.into_iter().find(|a| a.topic == Topic::ContactDuration);
+        found.map_or(String::new(), |a| a.text)
+    };
+    let far = of(5.0);
+    assert!(far.contains("not estimated: the struck point goes"), "{far}");
+    let near = of(1e-3);
+    assert!(near.contains("lasts about"), "{near}");
+}
+
+/// A soft end-on contact is carried by waves that the step follows; a hard one is not.
+#[test]
+fn waves_along_a_beam_are_told_where_the_contact_is_short() {
+    let of = |stiffness: f64| {
+        let mut b = ModelBuilder::new();
+        let strut = bar(&mut b, 2.0, 100, [0.05, 0.05]);
+        hold(&mut b, strut, &SupportKind::Clamp, &[0.0]);
+        b.projectile(mass(at("end", strut, 1.0), 5.0, stiffness, [-0.1, 0.0]));
+        verdict(&advise(&freeze(&b), &Settings::new(0.05, 1e-5)), Topic::WaveTransit)
+    };
+    assert_eq!(of(1e6), Some(Verdict::Fine));
+    assert_eq!(of(5e9), Some(Verdict::Note));
+}
+
+/// A section cannot have more inertia than its area has at half its depth, `A h^2/4`.
+#[test]
+fn an_inertia_beyond_what_the_depth_holds_is_told() {
+    for (inertia, told) in [(4e-4 * 1e-4 * 0.99, None), (4e-4 * 1e-4 * 1.1, Some(Verdict::Warning))]
+    {
+        let mut b = ModelBuilder::new();
+        let section = Section { depth: Some(0.02), ..Section::new("given", 4e-4, inertia) };
+        let beam = of_section(&mut b, 1.0, 10, section);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0]);
+        let advice = advise(&freeze(&b), &Settings::new(0.01, 1e-5));
+        assert_eq!(verdict(&advice, Topic::Slip), told, "{advice:#?}");
+    }
+}
+
+/// A bar's flat end presses with two corners, however fine its mesh is, and both count in what is told of it.
+#[test]
+fn a_flat_end_presses_with_both_corners_on_any_mesh() {
+    for elements in [10, 50, 150] {
+        let mut b = ModelBuilder::new();
+        let flying = bar(&mut b, 1.0, elements, [0.05, 0.05]);
+        let shape = ObstacleShape::HalfPlane { point: [-1e-3, 0.0], normal: [1.0, 0.0] };
+        let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+        b.contact(Contact::new("wall", [Party::Beam(flying), Party::Obstacle(wall)], law));
+        // Slow enough that nothing beside the end comes near the wall.
+        b.initial_motion(InitialMotion { velocity: [-0.2, 0.0], ..InitialMotion::default() });
+        let settings = Settings::new(0.03, 2e-5);
+        let [told, found] = durations(&b, &settings);
+        // A rigid bar on 2 k.
+        let rigid = std::f64::consts::PI * (7850.0 * 0.0025 / 2e6_f64).sqrt();
+        assert!((told / rigid - 1.0).abs() < 0.02, "{elements}: {told} told, {rigid}");
+        assert!((found / rigid - 1.0).abs() < 0.02, "{elements}: {found} found, {rigid}");
+        let advice = advise(&freeze(&b), &settings);
+        let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
+        assert!(text.is_some_and(|t| t.contains("2 corners") && t.contains("k/2")), "{text:?}");
+        // It moves as one piece, and no wave brings its force to EA v/c.
+        assert_eq!(verdict(&advice, Topic::ForceRise), None);
+    }
+}
+
+/// 50 x 200 mm under a short blow: 8 % of force by shear. A slender bar, and a stocky one behind a soft contact, do not care.
+#[test]
+fn shear_is_told_where_it_matters() {
+    let of = |depth: f64, length: f64, stiffness: f64| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, length, 40, [0.05, depth]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", beam, 0.5), 5.0, stiffness, [0.0, -0.1]));
+        advise(&freeze(&b), &Settings::new(0.01, 1e-6))
+    };
+    let stocky = of(0.2, 10.0, 3e9);
+    assert!(verdict(&stocky, Topic::Shear) >= Some(Verdict::Note), "{stocky:#?}");
+    let very = of(0.2, 0.266, 3e9);
+    assert_eq!(verdict(&very, Topic::Shear), Some(Verdict::Warning), "{very:#?}");
+    assert_eq!(verdict(&of(0.02, 3.0, 1e5), Topic::Shear), Some(Verdict::Fine));
+    // The force of a soft contact is right, the way of the span under it is not.
+    let soft = of(0.2, 0.8, 1e4);
+    assert_eq!(verdict(&soft, Topic::Shear), Some(Verdict::Note));
+    let text = soft.iter().find(|a| a.topic == Topic::Shear).map(|a| &a.text);
+    assert!(text.is_some_and(|t| t.contains("19.5 % more")), "{text:?}");
+}
+
+/// A strut under 0.5 and 2.8 times its Euler load at the start.
+#[test]
+fn a_start_from_an_unstable_equilibrium_is_told() {
+    for (share, told) in [(0.5, None), (2.8, Some(Verdict::Warning))] {
+        let mut b = ModelBuilder::new();
+        let strut = bar(&mut b, 3.0, 12, [0.05, 0.05]);
+        hold(&mut b, strut, &SupportKind::Pin, &[0.0]);
+        hold(&mut b, strut, &SupportKind::Roller { direction: [1.0, 0.0] }, &[1.0]);
+        let euler = std::f64::consts::PI.powi(2) * 2.1e11 * 0.05_f64.powi(4) / 12.0 / 9.0;
+        let (force, moment) = ([-share * euler, 0.0], 0.0);
+        let kind = LoadKind::Point { at: at("end", strut, 1.0), force, moment, follower: false };
+        b.load(Load::new("thrust", kind));
+        b.projectile(mass(at("mid", strut, 0.5), 5.0, 1e6, [0.0, -0.1]));
+        let settings = Settings { start: Start::Static, ..Settings::new(0.02, 5e-5) };
+        assert_eq!(verdict(&advise(&freeze(&b), &settings), Topic::Stability), told, "{share}");
+    }
+}
+
+/// Struck along its axis with more than its Euler load, a straight mesh stays straight.
+#[test]
+fn a_strut_struck_end_on_above_its_euler_load_is_told() {
+    for (speed, told) in [(1e-3, None), (5.0, Some(Verdict::Warning))] {
+        let mut b = ModelBuilder::new();
+        let strut = bar(&mut b, 2.0, 20, [0.02, 0.02]);
+        hold(&mut b, strut, &SupportKind::Clamp, &[0.0]);
+        b.projectile(mass(at("end", strut, 1.0), 10.0, 1e8, [-speed, 0.0]));
+        let advice = advise(&freeze(&b), &Settings::new(0.01, 1e-5));
+        assert_eq!(verdict(&advice, Topic::Stability), told, "{advice:#?}");
+    }
+}
+
+/// A chord of I over two stations of a depth that doubles is a third too large in its middle; seven stations are within a per cent.
+#[test]
+fn two_stations_of_a_tapered_depth_are_told() {
+    let of = |parts: usize, power: i32| {
+        let station = |k: usize| {
+            let at = k as f64 / parts as f64;
+            let size = 1.0 + at;
+            let depth = if power == 3 { 0.02 * size } else { 0.02 };
+            let (area, inertia) = (4e-4 * size, 1.333_333e-8 * size.powi(power));
+            Station { at, area, inertia, depth: Some(depth) }
+        };
+        let stations = (0..=parts).map(station).collect();
+        let section = Section { stations, ..Section::rectangle("taper", 0.02, 0.02) };
+        let mut b = ModelBuilder::new();
+        let beam = of_section(&mut b, 1.0, 24, section);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0]);
+        let advice = advise(&freeze(&b), &Settings::new(0.01, 1e-5));
+        advice.iter().find(|a| a.topic == Topic::Taper).map(|a| (a.verdict, a.value))
+    };
+    let (found, share) = of(1, 3).unwrap_or((Verdict::Fine, 0.0));
+    assert_eq!(found, Verdict::Warning);
+    assert!((share - 1.0 / 3.0).abs() < 1e-3, "{share}");
+    assert_eq!(of(6, 3), None);
+    // A width that doubles has straight lines of A and I.
+    assert_eq!(of(1, 1), None);
+}
+
+#[test]
+fn rows_too_far_apart_for_a_contact_are_told() {
+    let of = |record_every: usize| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 3.0, 24, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", beam, 0.5), 5.0, 1e7, [0.0, -0.1]));
+        let settings = Settings { record_every, ..Settings::new(0.02, 2e-5) };
+        verdict(&advise(&freeze(&b), &settings), Topic::Recording)
+    };
+    assert_eq!(of(1), Some(Verdict::Fine));
+    assert_eq!(of(5), Some(Verdict::Fine));
+    assert_eq!(of(100), Some(Verdict::Warning));
+}
+
+/// After the run: a contact still closed, one that never closed, reactions of rigid impacts.
+#[test]
+fn what_a_run_leaves_open_is_told_after_it() {
+    let of = |kind: ProjectileKind, mass: f64, standoff: f64| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
+        let one = Projectile::new("mass", kind, mass, [0.0, -0.5], at("mid", beam, 0.5));
+        b.projectile(Projectile { standoff, ..one });
+        let (model, settings) = (freeze(&b), Settings::new(5e-3, 2e-5));
+        review(&model, &settings, &run(&model, &settings))
+    };
+    let soft = of(ProjectileKind::spring(1e4), 20.0, 0.0);
+    assert!(
+        soft.iter().any(|a| a.topic == Topic::Ending && a.text.contains("still closed")),
+        "{soft:#?}"
+    );
+    let late = of(ProjectileKind::spring(1e4), 20.0, 1.0);
+    assert!(late.iter().any(|a| a.text.contains("nothing touched")), "{late:#?}");
+    assert!(of(ProjectileKind::spring(5e7), 0.5, 0.0).is_empty());
+    let rigid = of(ProjectileKind::Rigid { restitution: 0.5 }, 20.0, 0.0);
+    assert!(rigid.iter().any(|a| a.topic == Topic::Reactions), "{rigid:#?}");
+}
+
+/// A rubber block pressed together by a fifth: Green's strain and the engineering strain are no longer the same.
+#[test]
+fn large_compression_under_greens_strain_is_told() {
+    let of = |measure: StrainMeasure, force: f64| {
+        let mut b = ModelBuilder::new();
+        let rubber = Material::new("rubber", 1e6, 1000.0);
+        let material = b.material(Material { strain: measure, ..rubber });
+        let section = b.section(Section::rectangle("block", 0.1, 0.1));
+        let beam = Beam::new("block", &[[0.0, 0.0], [0.05, 0.0]], 4, material, section);
+        let beam = b.beam(beam);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0]);
+        let (force, moment) = ([-force, 0.0], 0.0);
+        let kind = LoadKind::Point { at: at("end", beam, 1.0), force, moment, follower: false };
+        b.load(Load::new("thrust", kind));
+        let model = freeze(&b);
+        let settings = Settings { start: Start::Static, ..Settings::new(1e-3, 1e-4) };
+        verdict(&review(&model, &settings, &run(&model, &settings)), Topic::Strain)
+    };
+    assert_eq!(of(StrainMeasure::Green, 1600.0), Some(Verdict::Warning));
+    assert_eq!(of(StrainMeasure::Green, 200.0), None);
+    assert_eq!(of(StrainMeasure::Engineering, 1600.0), None);
+}
+
+/// A projectile against a clamp: nothing in the beam moves, and nothing is said of its waves.
+#[test]
+fn nothing_is_said_of_waves_in_a_beam_that_cannot_move() {
+    let mut b = ModelBuilder::new();
+    let beam = bar(&mut b, 1.0, 10, [0.05, 0.05]);
+    hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
+    let kind = ProjectileKind::Rigid { restitution: 0.5 };
+    b.projectile(Projectile::new("hammer", kind, 1.0, [0.0, -1.0], at("start", beam, 0.0)));
+    let advice = advise(&freeze(&b), &Settings::new(0.01, 1e-3));
+    assert_eq!(verdict(&advice, Topic::WaveTransit), None);
+    assert!(advice.iter().all(|a| a.verdict == Verdict::Fine), "{advice:#?}");
+}
+
+/// A strip above a stop, at rest: it is not its clamped end that will be struck.
+#[test]
+fn a_place_that_never_comes_is_not_told_as_struck() {
+    let mut b = ModelBuilder::new();
+    let beam = bar(&mut b, 0.3, 12, [0.02, 0.001]);
+    hold(&mut b, beam, &SupportKind::Clamp, &[0.0]);
+    let shape = ObstacleShape::HalfPlane { point: [0.28, -0.0025], normal: [0.0, 1.0] };
+    let stop = b.obstacle(Obstacle { name: "stop".into(), shape, motion: None });
+    let law = TouchLaw::Rigid(RigidLaw::frictionless(0.6));
+    b.contact(Contact::new("tap", [Party::Beam(beam), Party::Obstacle(stop)], law));
+    let advice = advise(&freeze(&b), &Settings::new(1.0, 1e-4));
+    assert_eq!(verdict(&advice, Topic::EffectiveMass), None, "{advice:#?}");
+}
+
+/// Two elements of the shortest wave of weight leave the force right within a per cent: no alarm; one does not.
+#[test]
+fn elements_are_too_few_where_the_force_is_wrong() {
+    let of = |elements: usize| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, elements, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", beam, 0.5), 1.0, 5e7, [0.0, -0.1]));
+        let (model, settings) = (freeze(&b), Settings::new(1e-3, 2e-6));
+        let told = verdict(&advise(&model, &settings), Topic::BendingWave);
+        let force = match &run(&model, &settings).contacts[0].record {
+            ContactRecord::Smooth { peak_force, .. } => peak_force.value,
+            ContactRecord::Nonsmooth { .. } => f64::NAN,
+        };
+        (told, force)
+    };
+    let (_, fine) = of(120);
+    for (elements, told, off) in
+        [(12, Verdict::Fine, 0.01), (6, Verdict::Note, 0.05), (4, Verdict::Warning, 0.4)]
+    {
+        let (found, force) = of(elements);
+        assert_eq!(found, Some(told), "{elements}");
+        assert!((force / fine - 1.0).abs() < off, "{elements}: {force} {fine}");
+    }
+}
+
+/// A disc thrown at a beam: what is said of it is there, whatever holds the beam.
+#[test]
+fn a_disc_gets_the_same_advice_as_a_guided_mass() {
+    let mut b = ModelBuilder::new();
+    let beam = bar(&mut b, 2.0, 40, [0.05, 0.05]);
+    hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+    let ball = b.disc(disc("ball", 1.0, 0.05, [1.0, 0.0751], [0.0, -1.0]));
+    let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+    b.contact(Contact::new("blow", [Party::Disc(ball), Party::Beam(beam)], law));
+    let [told, found] = durations(&b, &Settings::new(8e-3, 2e-5));
+    assert!((told / found - 1.0).abs() < 0.03, "{told} {found}");
+}
+
+/// A mass in the middle ties two spans of one beam there: that is neither an end nor a support.
+#[test]
+fn a_mass_at_the_struck_point_is_no_support() {
+    let of = |mass_there: bool| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
+        if mass_there {
+            let name = "load".to_owned();
+            b.point_mass(PointMass {
+                name,
+                at: at("mid", beam, 0.5),
+                mass: 5.0,
+                rotary_inertia: 0.0,
+            });
+        }
+        b.projectile(mass(at("mid", beam, 0.5), 1.0, 1e6, [0.0, -0.1]));
+        let advice = advise(&freeze(&b), &Settings::new(0.02, 1e-5));
+        advice.iter().find(|a| a.topic == Topic::Span).map_or(f64::NAN, |a| a.value)
+    };
+    assert!((of(true) - 1.0).abs() < 1e-9 && (of(false) - 1.0).abs() < 1e-9, "{}", of(true));
+}

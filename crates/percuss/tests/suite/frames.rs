@@ -1,0 +1,167 @@
+//! Frames and the scene: what drawings are made of agrees with what the run tells otherwise.
+
+use crate::common;
+
+use common::{at, beam, elastic, plank, rigid};
+use percuss::scene::{BodyShape, Outline, SupportSymbol};
+use percuss::*;
+
+/// A frame as it was shown.
+struct Shown {
+    time: f64,
+    impulsive: bool,
+    displacement: Vec<[f64; 4]>,
+    section_forces: Vec<[[f64; 3]; 2]>,
+    contact_forces: Vec<FrameForce>,
+}
+
+/// Keeps every frame and, of one column, every row.
+#[derive(Default)]
+struct Frames {
+    frames: Vec<Shown>,
+    impulsive: bool,
+    column: &'static str,
+    index: usize,
+    rows: Vec<f64>,
+}
+
+impl Recorder for Frames {
+    fn begin(&mut self, channels: &[Channel]) -> Result<(), RecorderError> {
+        let found = channels.iter().position(|c| c.name == self.column);
+        self.index = found.unwrap_or(0);
+        Ok(())
+    }
+
+    fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
+        self.rows.push(values[self.index]);
+        Ok(())
+    }
+
+    fn wants_frame(&mut self, _time: f64, contact: f64, impulsive: bool) -> bool {
+        assert!(contact > 0.0 || !impulsive);
+        self.impulsive = impulsive;
+        true
+    }
+
+    fn frame(&mut self, frame: &Frame<'_>) {
+        self.frames.push(Shown {
+            time: frame.time,
+            impulsive: self.impulsive,
+            displacement: frame.displacement.to_vec(),
+            section_forces: frame.section_forces.to_vec(),
+            contact_forces: frame.contact_forces.to_vec(),
+        });
+    }
+}
+
+fn clamped(b: &mut ModelBuilder) -> BeamId {
+    let (material, section) = plank(b);
+    let girder = b.beam(beam("girder", [0.0; 2], [3.0, 0.0], 6, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, girder, f), SupportKind::Clamp));
+    }
+    girder
+}
+
+#[test]
+fn frames_hold_the_impulses_of_the_impacts() {
+    let mut b = ModelBuilder::new();
+    let girder = clamped(&mut b);
+    b.projectile(rigid("hammer", at("girder.mid", girder, 0.5), [0.0, -40.0], 1.0));
+    let model = b.build().unwrap();
+    let mut frames = Frames::default();
+    let run = simulate(&model, &Settings::new(0.03, 1e-5), &mut frames).unwrap();
+    let ContactRecord::Nonsmooth { impacts, .. } = &run.contacts[0].record else {
+        panic!("not a rigid contact")
+    };
+    assert!(!impacts.is_empty());
+    let shown: Vec<&Shown> = frames.frames.iter().filter(|f| f.impulsive).collect();
+    assert_eq!(shown.len(), impacts.len());
+    let scene = b.scene(&model);
+    // On the second partner: the hammer flies down, so that a push on it points up.
+    let sign = if scene.contacts[0].between[1] == "hammer" { 1.0 } else { -1.0 };
+    for (frame, impact) in shown.iter().zip(impacts) {
+        let [force] = frame.contact_forces[..] else { panic!("not one force") };
+        assert!(force.impulsive && (frame.time - impact.time).abs() < 1e-6);
+        assert!((sign * force.force[1] - impact.impulse).abs() < 1e-12 * impact.impulse);
+        assert!((force.position[0] - 1.5).abs() < 1e-9);
+    }
+    // Before it first strikes nothing touches.
+    let first = impacts[0].time - 1e-6;
+    let before = frames.frames.iter().filter(|f| f.time < first);
+    assert!(before.clone().count() > 1);
+    assert!(before.clone().all(|f| !f.impulsive && f.contact_forces.is_empty()));
+}
+
+#[test]
+fn the_forces_of_frames_add_up_to_the_impulse_of_the_contact() {
+    let mut b = ModelBuilder::new();
+    let girder = clamped(&mut b);
+    b.projectile(elastic("mass", at("girder.mid", girder, 0.5), [0.0, -20.0]));
+    let model = b.build().unwrap();
+    let mut frames = Frames { column: "contact.mass.impulse", ..Frames::default() };
+    let (h, end) = (1e-4, 0.15);
+    simulate(&model, &Settings::new(end, h), &mut frames).unwrap();
+    let told: f64 = frames.rows.iter().sum();
+    let forces = frames.frames.iter().flat_map(|f| &f.contact_forces);
+    let shown: f64 = forces.map(|c| h * c.force[1].abs()).sum();
+    assert!(told > 1e4 && (shown - told).abs() < 1e-9 * told, "{shown}, {told}");
+}
+
+#[test]
+fn section_forces_of_frames_are_the_reactions_at_supports() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0; 2], [3.0, 0.0], 5, material, section));
+    b.support(Support::new("root", at("root", girder, 0.0), SupportKind::Clamp));
+    let kind = LoadKind::Point {
+        at: at("tip", girder, 1.0),
+        force: [0.0, -100.0],
+        moment: 0.0,
+        follower: false,
+    };
+    b.load(Load::new("push", kind));
+    let model = b.build().unwrap();
+    let settings = Settings { start: Start::Static, ..Settings::new(1e-3, 1e-3) };
+    let mut frames = Frames::default();
+    let run = simulate(&model, &settings, &mut frames).unwrap();
+    let moment = run.supports[0].moment.max.value;
+    let first = &frames.frames[0];
+    let [axial, shear, bending] = first.section_forces[0][0];
+    assert!((bending.abs() - moment.abs()).abs() < 1e-9 * moment.abs(), "{bending}, {moment}");
+    assert!((shear.hypot(axial) - 100.0).abs() < 1e-7, "{axial}, {shear}");
+    let tip = first.section_forces[4][1];
+    assert!(tip[2].abs() < 1e-7 * moment.abs(), "{tip:?}");
+    assert_eq!(first.displacement.len(), model.node_count());
+}
+
+#[test]
+fn a_scene_names_what_stands_there_and_the_nodes_that_place_it() {
+    let mut b = ModelBuilder::new();
+    let girder = clamped(&mut b);
+    let ball = b.disc(common::disc("ball", 1.0, 0.1, [1.0, 1.0], [0.0, -1.0]));
+    let floor = Obstacle {
+        name: "floor".into(),
+        shape: ObstacleShape::HalfPlane { point: [0.0, -1.0], normal: [0.0, 2.0] },
+        motion: None,
+    };
+    let floor = b.obstacle(floor);
+    let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
+    let parties = [Party::Disc(ball), Party::Obstacle(floor)];
+    b.contact(Contact::new("drop", parties, law.clone()));
+    b.contact(Contact::new("clap", [Party::Disc(ball), Party::Beam(girder)], law));
+    let model = b.build().unwrap();
+    let scene = b.scene(&model);
+    assert_eq!(scene.beams[0].stations.len(), 7);
+    assert_eq!(scene.bodies.len(), 1); // the ground under the floor is none
+    assert_eq!(scene.bodies[0].shape, BodyShape::Disc { radius: 0.1 });
+    assert_eq!(scene.nodes.len(), 8);
+    assert_eq!(
+        scene.obstacles[0].outline,
+        Outline::HalfPlane { point: [0.0, -1.0], normal: [0.0, 1.0] }
+    );
+    assert!(scene.supports.iter().all(|s| s.symbol == SupportSymbol::Clamp && !s.moves));
+    assert_eq!((scene.supports[1].at.beam, scene.supports[1].at.s), (0, 3.0));
+    let last = scene.beams[0].stations[6];
+    assert!(last.ends_span && last.element == 5 && (last.inertia - 8.33e-5).abs() < 1e-15);
+}

@@ -1,0 +1,163 @@
+//! Rigid impacts: several at once, resting, accumulating.
+
+use crate::common;
+
+use common::*;
+use percuss::*;
+
+fn girder(supported: bool, shots: &[(f64, [f64; 2], f64)]) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    if supported {
+        for (name, f) in [("left", 0.0), ("right", 1.0)] {
+            b.support(Support::new(name, at(name, girder, f), SupportKind::Pin));
+        }
+    }
+    for (i, (f, velocity, e)) in shots.iter().enumerate() {
+        b.projectile(rigid(&format!("hammer{i}"), at(&format!("p{i}"), girder, *f), *velocity, *e));
+    }
+    b.build().unwrap()
+}
+
+fn run(model: &Model, settings: &Settings) -> RunSummary {
+    let summary = simulate(model, settings, &mut NoRecorder).unwrap();
+    assert!(matches!(summary.termination, Termination::Completed), "{summary:?}");
+    summary
+}
+
+fn impacts(summary: &RunSummary, i: usize) -> &[Impact] {
+    match &summary.contacts[i].record {
+        ContactRecord::Nonsmooth { impacts, .. } => impacts,
+        ContactRecord::Smooth { .. } => panic!("a rigid projectile"),
+    }
+}
+
+fn assert_books(summary: &RunSummary) {
+    assert!(summary.energy.residual_max < 1e-10, "{:e}", summary.energy.residual_max);
+    assert!(summary.momentum.linear_residual_max < 1e-10);
+    assert!(summary.momentum.angular_residual_max < 1e-10);
+    assert!(summary.energy.loss_impacts >= -1e-10 * summary.energy.scale);
+}
+
+#[test]
+fn projectiles_that_arrive_together_strike_together() {
+    let down = [0.0, -40.0];
+    let model = girder(true, &[(0.25, down, 1.0), (0.75, down, 1.0), (0.5, down, 0.3)]);
+    let summary = run(&model, &Settings::new(0.02, 1e-5));
+    assert_books(&summary);
+    for i in 0..3 {
+        let first = impacts(&summary, i)[0];
+        assert!((first.time - 5e-4).abs() < 1e-12);
+        let e = if i == 2 { 0.3 } else { 1.0 };
+        assert!((first.separation_velocity - e * first.approach_velocity).abs() < 1e-9);
+    }
+    // A symmetric scene stays symmetric.
+    let [a, b] = [0, 1].map(|i| summary.projectiles[i].velocity_final[1]);
+    assert!((a - b).abs() < 1e-6 * 40.0, "{a} {b}");
+}
+
+#[test]
+fn projectiles_from_both_sides_and_askew() {
+    let shots = [(0.2, [10.0, -40.0], 0.7), (0.61, [0.0, 30.0], 1.0), (1.0, [-20.0, 0.0], 0.0)];
+    for supported in [true, false] {
+        assert_books(&run(&girder(supported, &shots), &Settings::new(0.01, 1e-5)));
+        let time_stepping = Settings {
+            impacts: ImpactResolution::TimeStepping { closed_tolerance: 1e-9 },
+            ..Settings::new(0.01, 1e-5)
+        };
+        assert_books(&run(&girder(supported, &shots), &time_stepping));
+    }
+}
+
+#[test]
+fn a_plastic_impact_rides_along_until_the_beam_throws_it_off() {
+    let model = girder(true, &[(0.5, [0.0, -4.0], 0.0)]);
+    let summary = run(&model, &Settings::new(0.2, 1e-4));
+    assert_books(&summary);
+    let ContactRecord::Nonsmooth { intervals, .. } = &summary.contacts[0].record else { panic!() };
+    assert!(!intervals.is_empty());
+    assert!(intervals.iter().all(|i| i.impulse > 0.0));
+    let thrown_off = summary.projectiles[0].velocity_final[1];
+    assert!(thrown_off > 0.0, "{thrown_off}");
+}
+
+#[test]
+fn impulses_account_for_the_change_of_momentum() {
+    for e in [1.0, 0.5, 0.0] {
+        let model = girder(true, &[(0.5, [0.0, -40.0], e)]);
+        let summary = run(&model, &Settings::new(0.02, 1e-5));
+        let ContactRecord::Nonsmooth { impulse_total, .. } = summary.contacts[0].record else {
+            panic!()
+        };
+        let change = 100.0 * (summary.projectiles[0].velocity_final[1] + 40.0);
+        assert!((impulse_total - change).abs() < 1e-9 * change, "{impulse_total} {change}");
+    }
+}
+
+#[test]
+fn a_projectile_laid_on_a_rigid_beam_rests_there() {
+    use Component::{Displacement1, Displacement2, Rotation, Stretch};
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 1, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        let components = vec![Displacement1, Displacement2, Rotation, Stretch];
+        let kind = SupportKind::Fix { components };
+        b.support(Support::new(name, at(name, girder, f), kind));
+    }
+    let mut laid = rigid("weight", at("mid", girder, 0.5), [0.0, 0.0], 0.5);
+    laid.direction = Some([0.0, -1.0]);
+    laid.standoff = 0.0;
+    b.projectile(laid);
+    let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
+    b.load(Load::new("weight", kind));
+    let summary = run(&b.build().unwrap(), &Settings::new(0.5, 1e-3));
+    assert_books(&summary);
+    let ContactRecord::Nonsmooth { impact_count, impulse_total, .. } = summary.contacts[0].record
+    else {
+        panic!()
+    };
+    assert_eq!(impact_count, 0);
+    assert!((impulse_total / (100.0 * 9.81 * 0.5) - 1.0).abs() < 1e-12, "{impulse_total}");
+}
+
+#[test]
+fn rows_never_go_back_in_time_and_show_both_sides_of_an_impact() {
+    // The first impact falls on the end of a step.
+    let model = girder(true, &[(0.5, [0.0, -40.0], 0.0)]);
+    for end in [5e-4, 3e-3] {
+        let mut memory = MemoryRecorder::default();
+        simulate(&model, &Settings::new(end, 1e-5), &mut memory).unwrap();
+        let time = memory.column("time").unwrap();
+        assert!(time.windows(2).all(|w| w[1] > w[0]), "{time:?}");
+        let speed = memory.column("projectile.hammer0.velocity_2").unwrap();
+        let impulse = memory.column("contact.hammer0.impulse").unwrap();
+        if end > 1e-3 {
+            let row = impulse.iter().position(|j| *j > 0.0).unwrap();
+            assert!((100.0 * (speed[row] - speed[row - 1]) - impulse[row]).abs() < 1e-9);
+            assert!(time[row] - time[row - 1] < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn impulses_of_the_rows_add_up_to_the_momentum_handed_over() {
+    for is_elastic in [true, false] {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+        let mid = at("mid", girder, 0.5);
+        b.projectile(if is_elastic {
+            elastic("shot", mid, [0.0, 20.0])
+        } else {
+            rigid("shot", mid, [0.0, 20.0], 0.4)
+        });
+        let mut memory = MemoryRecorder::default();
+        let settings = Settings { record_every: 7, ..Settings::new(0.12, 1e-4) };
+        let summary = simulate(&b.build().unwrap(), &settings, &mut memory).unwrap();
+        let sum: f64 = memory.column("contact.shot.impulse").unwrap().iter().sum();
+        let given = summary.projectiles[0].momentum_transferred;
+        assert!((sum - given).abs() < 1e-9 * given, "{sum} {given}");
+    }
+}

@@ -1,0 +1,88 @@
+//! Motions at the start that parts have of their own.
+
+use crate::common;
+
+use common::{at, beam, plank};
+use percuss::*;
+
+fn started(b: &ModelBuilder) -> (f64, [f64; 2]) {
+    let model = b.build().unwrap();
+    let simulation = Simulation::new(&model, &Settings::new(1e-3, 1e-4)).unwrap();
+    let measures = simulation.measures();
+    (measures.total(), measures.linear)
+}
+
+/// Two free planks of 300 kg/m, one in translation, one turning about its middle: each has the energy of its own motion.
+#[test]
+fn beams_start_each_in_a_motion_of_its_own() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    b.beam(beam("first", [0.0, 0.0], [2.0, 0.0], 4, material, section));
+    b.beam(beam("second", [0.0, 1.0], [1.0, 1.0], 3, material, section));
+    b.initial_motion(InitialMotion { velocity: [0.0, -3.0], ..InitialMotion::default() });
+    let turns = InitialMotion { velocity: [0.0, 0.0], spin: 4.0, about: [0.5, 1.0] };
+    b.initial_motion_of("second", turns);
+    let (energy, momentum) = started(&b);
+    let rotary = 3e3 * 8.33e-5;
+    let exact = 0.5 * 600.0 * 9.0 + 0.5 * (300.0 / 12.0 + rotary) * 16.0;
+    assert!((energy - exact).abs() < 1e-9 * exact, "{energy} instead of {exact}");
+    assert!((momentum[1] + 1800.0).abs() < 1e-9 && momentum[0].abs() < 1e-9);
+}
+
+/// A mass at the tip of a beam at rest: its energy, and that of the element it drags along.
+#[test]
+fn a_point_mass_starts_by_itself() {
+    let scene = |elements: usize| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let g = b.beam(beam("g", [0.0, 0.0], [1.0, 0.0], elements, material, section));
+        b.support(Support::new("left", at("left", g, 0.0), SupportKind::Clamp));
+        let mass = PointMass {
+            name: "bob".into(),
+            at: at("tip", g, 1.0),
+            mass: 50.0,
+            rotary_inertia: 0.0,
+        };
+        b.point_mass(mass);
+        b.initial_motion_of(
+            "bob",
+            InitialMotion { velocity: [0.0, 2.0], ..InitialMotion::default() },
+        );
+        started(&b).0
+    };
+    let own = 0.5 * 50.0 * 4.0;
+    let drags = [scene(4) - own, scene(8) - own];
+    // What is dragged along is a share of one element (13/35 of its mass), and its turning, which does not shrink with it.
+    let share = [13.0 / 35.0 * 150.0, 13.0 / 35.0 * 75.0];
+    assert!(drags[1] > 0.0 && drags[0] > drags[1], "{drags:?}");
+    assert!((0..2).all(|k| (1.0..1.2).contains(&(drags[k] / share[k]))), "{drags:?}");
+}
+
+/// A plank that moves, hinged to one that rests: what is lost is what the impulse in the hinge takes, never more than there was,
+/// and both move alike where they are joined.
+#[test]
+fn joined_beams_take_the_nearest_motions_that_their_joint_allows() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let first = b.beam(beam("first", [0.0, 0.0], [1.0, 0.0], 4, material, section));
+    let second = b.beam(beam("second", [1.0, 0.0], [2.0, 0.0], 4, material, section));
+    let between = [at("first.end", first, 1.0), at("second.start", second, 0.0)];
+    b.joint(Joint { name: "hinge".into(), kind: JointKind::Hinge, between });
+    b.initial_motion_of(
+        "first",
+        InitialMotion { velocity: [0.0, 1.0], ..InitialMotion::default() },
+    );
+    let (energy, momentum) = started(&b);
+    assert!(energy < 150.0 && energy > 100.0, "{energy}");
+    assert!((momentum[1] - 300.0).abs() < 1e-9, "{momentum:?}");
+}
+
+#[test]
+fn names_of_nothing_and_masses_between_nodes_are_refused() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    b.beam(beam("g", [0.0, 0.0], [1.0, 0.0], 4, material, section));
+    b.initial_motion_of("nobody", InitialMotion::default());
+    let faults = b.build().unwrap_err();
+    assert_eq!(faults[0].path, "initial.nobody");
+}

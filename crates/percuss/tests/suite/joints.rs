@@ -1,0 +1,135 @@
+//! Beams joined: what a joint keeps, and that it does no work.
+
+use crate::common;
+
+use common::*;
+use percuss::*;
+
+/// A portal corner: a column clamped at its foot and a girder, joined at the top, struck at the girder's tip.
+fn corner(kind: JointKind, angle: f64) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let tip = [2.0 * angle.cos(), 3.0 + 2.0 * angle.sin()];
+    let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 5, material, section));
+    let girder = b.beam(beam("girder", [0.0, 3.0], tip, 4, material, section));
+    b.support(Support::new("foot", at("column.start", column, 0.0), SupportKind::Clamp));
+    if kind == JointKind::Hinge {
+        // A girder on a hinge alone would swing about it: hold its tip sideways.
+        b.support(Support::new(
+            "tip",
+            at("girder.end", girder, 1.0),
+            SupportKind::Roller { direction: [1.0, 0.3] },
+        ));
+    }
+    b.joint(Joint {
+        name: "knee".into(),
+        kind,
+        between: [at("column.end", column, 1.0), at("girder.start", girder, 0.0)],
+    });
+    b.projectile(elastic("mass", at("girder@0.6", girder, 0.6), [0.0, -20.0]));
+    b.build().unwrap()
+}
+
+fn worst(summary: &RunSummary) -> f64 {
+    let m = &summary.momentum;
+    summary.energy.residual_max.max(m.linear_residual_max).max(m.angular_residual_max)
+}
+
+#[test]
+fn a_joint_does_no_work() {
+    for kind in [JointKind::Rigid, JointKind::Hinge] {
+        for angle in [0.0, 0.9, -0.4] {
+            let model = corner(kind, angle);
+            let summary = simulate(&model, &Settings::new(0.3, 1e-3), &mut NoRecorder).unwrap();
+            assert!(matches!(summary.termination, Termination::Completed), "{summary:?}");
+            assert!(worst(&summary) < 1e-10, "{kind:?} {angle}: {:e}", worst(&summary));
+            assert!(summary.projectiles[0].velocity_final[1].abs() < 19.9, "nothing was struck");
+        }
+    }
+}
+
+#[test]
+fn a_rigid_corner_keeps_its_place_and_its_angle() {
+    for angle in [0.0, 0.9] {
+        let model = corner(JointKind::Rigid, angle);
+        let mut simulation = Simulation::new(&model, &Settings::new(0.3, 1e-3)).unwrap();
+        let mut turned = 0.0_f64;
+        while simulation.state().step < simulation.step_count() {
+            simulation.advance(&mut NoRecorder).unwrap();
+            let u = &simulation.state().displacement;
+            let (end, start) = (&u[5], &u[6]);
+            let (column, girder) =
+                ([end[2], 1.0 + end[3]], [angle.cos() + start[2], angle.sin() + start[3]]);
+            let now = (column[0] * girder[1] - column[1] * girder[0])
+                .atan2(column[0] * girder[0] + column[1] * girder[1]);
+            let reference = angle - std::f64::consts::FRAC_PI_2;
+            assert!((now - reference).abs() < 1e-12, "{:e}", now - reference);
+            assert!((end[0] - start[0]).abs() < 1e-12 && (end[1] - start[1]).abs() < 1e-12);
+            turned = turned.max(column[0].atan2(column[1]).abs());
+        }
+        assert!(turned > 0.05, "the corner turned by {turned} only");
+    }
+}
+
+#[test]
+fn two_beams_joined_in_line_move_as_one() {
+    let rebound = |split: bool, elements: usize| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let mut ends = Vec::new();
+        if split {
+            let left =
+                b.beam(beam("left", [0.0, 0.0], [1.5, 0.0], elements / 2, material, section));
+            let right =
+                b.beam(beam("right", [1.5, 0.0], [3.0, 0.0], elements / 2, material, section));
+            b.joint(Joint {
+                name: "middle".into(),
+                kind: JointKind::Rigid,
+                between: [at("left.end", left, 1.0), at("right.start", right, 0.0)],
+            });
+            ends.extend([at("left.start", left, 0.0), at("right.end", right, 1.0)]);
+            b.projectile(elastic("mass", at("left.end", left, 1.0), [0.0, 20.0]));
+        } else {
+            let whole = b.beam(beam("whole", [0.0, 0.0], [3.0, 0.0], elements, material, section));
+            ends.extend([at("whole.start", whole, 0.0), at("whole.end", whole, 1.0)]);
+            b.projectile(elastic("mass", at("whole.mid", whole, 0.5), [0.0, 20.0]));
+        }
+        for (i, at) in ends.into_iter().enumerate() {
+            b.support(Support::new(format!("s{i}"), at, SupportKind::Clamp));
+        }
+        let model = b.build().unwrap();
+        let summary = simulate(&model, &Settings::new(0.12, 1e-4), &mut NoRecorder).unwrap();
+        assert!(worst(&summary) < 1e-10);
+        summary.projectiles[0].velocity_final[1]
+    };
+    // A joint leaves the stretch free to jump, which one beam does not: close, not equal.
+    for elements in [4, 8, 16, 32] {
+        let (joined, whole) = (rebound(true, elements), rebound(false, elements));
+        assert!((joined - whole).abs() < 1e-6 * whole.abs(), "{elements}: {joined} {whole}");
+    }
+}
+
+#[test]
+fn beams_apart_do_not_feel_each_other() {
+    let lone = |apart: bool| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let struck = b.beam(beam("struck", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+        b.projectile(elastic("mass", at("struck.mid", struck, 0.5), [0.0, 20.0]));
+        if apart {
+            let other = b.beam(beam("other", [0.0, 9.0], [1.0, 8.0], 3, material, section));
+            b.support(Support::new("other", at("other.start", other, 0.0), SupportKind::Pin));
+        }
+        let model = b.build().unwrap();
+        let mut simulation = Simulation::new(&model, &Settings::new(0.1, 1e-3)).unwrap();
+        while simulation.state().step < simulation.step_count() {
+            simulation.advance(&mut NoRecorder).unwrap();
+        }
+        simulation.state().displacement[..7].to_vec()
+    };
+    for (a, b) in lone(true).iter().zip(&lone(false)) {
+        for i in 0..4 {
+            assert!((a[i] - b[i]).abs() < 1e-11);
+        }
+    }
+}
