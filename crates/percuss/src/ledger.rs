@@ -1,5 +1,7 @@
 //! Energies and momenta of a state, and the books of what entered and left.
 
+use serde::{Deserialize, Serialize};
+
 use crate::element::beam::ElementValues;
 use crate::element::strain::strains;
 use crate::math::vec2::{add, cross, dot, scale};
@@ -8,7 +10,7 @@ use crate::model::{Model, TouchLaw};
 use crate::state::State;
 
 /// What entered and left since the start of the run.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Books {
     /// Total energy at the start \[J\].
     pub energy_initial: f64,
@@ -92,7 +94,7 @@ impl RoundOff {
 }
 
 /// Energies and momenta of a state.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
     /// Kinetic energy of the beams \[J\].
     pub kinetic_beams: f64,

@@ -29,11 +29,11 @@ pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas, review};
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Detail, Equilibrium, FollowerStability, LinearBuckling, Mode,
-    ModeKind, Path, PathPoint, PathRecorder, Simulation, StaticContact, buckling,
-    buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path, equilibrium_path_recorded,
-    massless, mechanisms, modes_about, modes_about_equilibrium, natural_frequencies,
-    reference_state, simulate, simulate_batch,
+    BucklingMode, BucklingOutcome, Checkpoint, Detail, Equilibrium, FollowerStability,
+    LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, ResumeError, Simulation,
+    StaticContact, buckling, buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path,
+    equilibrium_path_recorded, massless, mechanisms, modes_about, modes_about_equilibrium,
+    natural_frequencies, reference_state, simulate, simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
 pub use ensemble::{Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities};

@@ -1,5 +1,6 @@
 //! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
 
+use crate::analysis::Checkpoint;
 use crate::state::State;
 
 /// A column of the history.
@@ -58,7 +59,7 @@ pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
 
 /// Receives the rows of a run.
 pub trait Recorder {
-    /// Called once before the first row.
+    /// Called once before the first row, and again when a run goes on from a checkpoint.
     ///
     /// # Errors
     /// Whatever keeps the recorder from recording; the run then ends as failed.
@@ -97,6 +98,22 @@ pub trait Recorder {
     /// Called before a row whose frame is wanted.
     fn frame(&mut self, frame: &Frame<'_>) {
         let _ = frame;
+    }
+
+    /// Whether a checkpoint is wanted before the next step, of which `last` says that it is the last one; if not,
+    /// [`Recorder::checkpoint`] is not called.
+    fn wants_checkpoint(&mut self, last: bool) -> bool {
+        let _ = last;
+        false
+    }
+
+    /// Called with a checkpoint that was wanted.
+    ///
+    /// # Errors
+    /// Whatever keeps the recorder from keeping it; the run then ends as failed.
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), RecorderError> {
+        let _ = checkpoint;
+        Ok(())
     }
 
     /// Called after every step, recorded or not, with the time reached \[s\].

@@ -1,7 +1,9 @@
 //! What changes while a run steps: everything a restart needs, and nothing else.
 
+use serde::{Deserialize, Serialize};
+
 use crate::contact::configuration::Configuration;
-use crate::contact::pair::Memory;
+use crate::contact::pair::{Memory, Pair, Target};
 use crate::contact::touch::Reach;
 use crate::ledger::Books;
 use crate::math::hermite::GAUSS;
@@ -23,7 +25,7 @@ pub struct ProjectileState {
 }
 
 /// A pair that can touch, as the last step left it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PairState {
     /// Gap \[m\]; negative inside. Of a pair too far apart to be looked at, a bound from below.
     pub gap: f64,
@@ -38,7 +40,7 @@ pub struct PairState {
 }
 
 /// Supports that the part of a step accepted last gave an impulse: of many stops most are not touched.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Reacting {
     /// Number of the part, and of the last one in which each support got an impulse, shape (n_support).
     part: u64,
@@ -70,7 +72,7 @@ impl Reacting {
 }
 
 /// How far the course of a prescribed motion was followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Followed {
     /// Its value.
     pub value: f64,
@@ -83,7 +85,7 @@ pub(crate) struct Followed {
 }
 
 /// Reactions at an instant at which forces balance.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Instant {
     /// Time from it to the end of its step \[s\].
     pub since: f64,
@@ -94,7 +96,7 @@ pub(crate) struct Instant {
 }
 
 /// State of a run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Steps of the given size completed.
     pub step: usize,
@@ -135,6 +137,27 @@ pub struct State {
 }
 
 impl State {
+    /// Whether it has the shape of another state of the same model, and points at nothing that is not there.
+    pub(crate) fn fits(&self, other: &Self, model: &Model) -> bool {
+        let instant = |s: &Self| s.instant.as_ref().map(|i| i.reactions.len());
+        let shape = |s: &Self| {
+            let nodes = [s.displacement.len(), s.velocity.len(), s.acceleration.len()];
+            let elements = [s.spin.len(), s.strain.len()];
+            let others = [s.followed.len(), s.coordinates.len(), s.mass_spin.len()];
+            let forces = [s.reactions.len(), s.reacting.last.len(), s.multiplier.len()];
+            (nodes, elements, others, forces, s.pairs.len())
+        };
+        let supports = self.reactions.len();
+        let on_axis = |(pair, state): (&Pair, &PairState)| match &pair.target {
+            Target::Axis { beam, .. } => state.memory.near.element < model.beams[*beam].axis.len(),
+            _ => true,
+        };
+        shape(self) == shape(other)
+            && instant(self).is_none_or(|n| n == supports)
+            && self.reacting.list.iter().all(|(support, _)| *support < supports)
+            && model.pairs.iter().zip(&self.pairs).all(on_axis)
+    }
+
     /// The model at rest, its projectiles on their way.
     pub(crate) fn at_rest(model: &Model, scheme: Scheme) -> Self {
         let (nodes, elements) = (model.node_count(), model.element_count());

@@ -1,5 +1,7 @@
 //! What a run amounts to. Unset results are NaN.
 
+use serde::{Deserialize, Serialize};
+
 use crate::contact::effective_mass::EffectiveMass;
 use crate::error::Error;
 
@@ -21,7 +23,7 @@ pub enum Termination {
 }
 
 /// A largest value and when it occurred.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
     /// The value of largest magnitude, signed.
     pub value: f64,
@@ -95,7 +97,7 @@ pub struct ProjectileSummary {
 }
 
 /// Where two things touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ContactPlace {
     /// Arc length along the first party, if it is a beam; else NaN \[m\].
     pub s: f64,
@@ -112,7 +114,7 @@ impl Default for ContactPlace {
 /// What a contact did to the energies of the two that touch, over an interval or in an impact.
 ///
 /// `given[0] + given[1] + lost + stored + scheme` is zero.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySplit {
     /// Work of the contact on either party: what goes into a beam runs on as waves \[J\].
     pub given: [f64; 2],
@@ -132,7 +134,7 @@ impl EnergySplit {
 }
 
 /// One closed interval of a contact, resolved within the step: from when the first of its points closes until the last opens.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ContactInterval {
     /// Start \[s\].
     pub start: f64,
@@ -165,7 +167,7 @@ pub struct ContactInterval {
 }
 
 /// Why a touch has no coefficient of restitution.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum NoRestitution {
     /// It is still closed at the end of the run.
     Closed,
@@ -247,7 +249,7 @@ fn quotient(approach: f64, separation: f64) -> Result<f64, NoRestitution> {
 }
 
 /// One impact of rigid bodies: all points of a contact that strike at one instant.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Impact {
     /// Time \[s\].
     pub time: f64,
@@ -289,7 +291,7 @@ impl Impact {
 }
 
 /// What happened between two things that can touch.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ContactRecord {
     /// Under a smooth law.
     Smooth {
@@ -320,6 +322,13 @@ impl ContactRecord {
     /// So many impacts (or intervals) of one contact are kept in the summary, so that memory does not grow with the run.
     pub const IMPACTS_KEPT: usize = 10_000;
 
+    /// Times in which it stayed closed, in the order they began.
+    pub fn intervals(&self) -> &[ContactInterval] {
+        match self {
+            Self::Smooth { intervals, .. } | Self::Nonsmooth { intervals, .. } => intervals,
+        }
+    }
+
     pub(crate) fn intervals_mut(&mut self) -> &mut [ContactInterval] {
         match self {
             Self::Smooth { intervals, .. } | Self::Nonsmooth { intervals, .. } => intervals,
@@ -342,7 +351,7 @@ pub struct ContactSummary {
 }
 
 /// Impacts at which several touching bodies were struck at once, so that the impact law shared the blow among them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SharedBlows {
     /// Their number.
     pub count: usize,
@@ -370,7 +379,7 @@ pub struct PointSummary {
 }
 
 /// A largest section force, where and when it occurred.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SectionPeak {
     /// The value of largest magnitude, signed.
     pub value: f64,
@@ -387,7 +396,7 @@ impl Default for SectionPeak {
 }
 
 /// Smallest and largest value over the length of a beam and over time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SectionRange {
     /// Smallest, signed.
     pub min: SectionPeak,
@@ -413,7 +422,7 @@ impl SectionRange {
 }
 
 /// Smallest and largest values along a beam, over time: start, middle and end of each element, shapes (3 n_element).
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Envelope {
     /// Arc length from the start of the beam \[m\].
     pub s: Vec<f64>,
@@ -432,7 +441,7 @@ pub struct Envelope {
 /// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and
 /// its inertia: they agree with reactions, and jump only where something acts. Those of a step are its mean; steps with impacts
 /// are left out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SectionForceSummary {
     /// The beam's name.
     pub name: String,
@@ -451,7 +460,7 @@ pub struct SectionForceSummary {
 }
 
 /// Smallest and largest value over time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Range {
     /// Smallest, signed.
     pub min: Peak,
@@ -472,7 +481,7 @@ impl Range {
 }
 
 /// Reactions of a support on the structure, each the mean over a step; steps as short as an impact are left out.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SupportSummary {
     /// The user's name for it.
     pub name: String,
@@ -488,7 +497,7 @@ pub struct SupportSummary {
 }
 
 /// A time in which a stop pressed, resolved to the steps.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StopTouch {
     /// Start of the first step in which it gave a force \[s\].
     pub start: f64,

@@ -7,6 +7,8 @@ mod course;
 mod rigid;
 mod smooth;
 
+use serde::{Deserialize, Serialize};
+
 use super::monitor::Part;
 use crate::contact::configuration::Configuration;
 use crate::contact::pair::Pair;
@@ -22,7 +24,7 @@ use rigid::Resting;
 use smooth::{Free, Released};
 
 /// The record of all contacts.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct ContactLog {
     /// One record a contact.
     pub records: Vec<ContactRecord>,
@@ -40,6 +42,7 @@ pub struct ContactLog {
     /// Intervals that ended in the step before.
     released: Vec<Released>,
     /// Gaps of the contact at hand that are closed over the step.
+    #[serde(skip)]
     courses: Vec<Course>,
     /// Persistent contact, one entry a contact; those that have any.
     rests: Vec<Resting>,
@@ -50,7 +53,7 @@ pub struct ContactLog {
 }
 
 /// Time and size of a step.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Span {
     start: f64,
     h: f64,
@@ -104,6 +107,34 @@ impl ContactLog {
             part: 0,
             struck: vec![0; contacts],
         }
+    }
+
+    /// Whether it has the shape of another record of the same model, and points at nothing that is not there.
+    pub fn fits(&self, other: &Self, model: &Model) -> bool {
+        let shape = |log: &Self| {
+            let contacts = [log.records.len(), log.open.len(), log.first.len(), log.rests.len()];
+            (contacts, log.struck.len(), log.free.len())
+        };
+        let smooth = |log: &Self| {
+            let kinds = log.records.iter().map(|r| matches!(r, ContactRecord::Smooth { .. }));
+            kinds.collect::<Vec<_>>()
+        };
+        let (contacts, pairs) = (self.records.len(), model.pairs.len());
+        shape(self) == shape(other)
+            && smooth(self) == smooth(other)
+            && self.resting.iter().all(|contact| *contact < contacts)
+            && self.first.iter().all(|pair| *pair < pairs.max(1))
+            && self.released.iter().all(|released| {
+                released.contact < contacts
+                    && released.pair < pairs
+                    && released.interval < self.records[released.contact].intervals().len()
+            })
+            && self.records.iter().zip(&self.open).zip(&self.rests).all(|((record, open), rest)| {
+                let known = |i: &usize| *i < record.intervals().len();
+                open.iter().all(known)
+                    && rest.interval.iter().all(known)
+                    && rest.pair < pairs.max(1)
+            })
     }
 
     /// Notes the start of a step that stands solved in `work`.

@@ -4,6 +4,8 @@
 //! acceleration it supposes goes on in a step beside: an oscillation that the step does not resolve, or a thing moved all at once,
 //! has another acceleration in every step, and then values at the ends of steps are all that is known.
 
+use serde::{Deserialize, Serialize};
+
 use crate::math::path::Path;
 use crate::scalar::{Mask, Number};
 use crate::settings::SAME_INSTANT;
@@ -13,7 +15,7 @@ use crate::settings::SAME_INSTANT;
 const AGREES: f64 = 0.5;
 
 /// Follows the value of largest magnitude of each lane.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Crest<S> {
     /// The value and its time \[s\].
     pub value: S,

@@ -1,5 +1,7 @@
 //! What supports and striking bodies give: forces as means, impulses apart from them.
 
+use serde::{Deserialize, Serialize};
+
 use crate::contact::row::Row;
 use crate::model::Model;
 use crate::state::State;
@@ -7,7 +9,7 @@ use crate::step::workspace::Workspace;
 use crate::summary::SupportSummary;
 
 /// What supports gave since the last row: mean reactions, and impulses beyond them in impacts and jumps.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct RowReactions {
     /// Impulses of the parts that were not impulsive, and the time they took.
     sum: Vec<[f64; 3]>,
@@ -39,6 +41,18 @@ impl RowReactions {
             row: 0.0,
             part: 0,
         }
+    }
+
+    /// Whether it is one of so many supports.
+    pub fn fits(&self, supports: usize) -> bool {
+        let lengths = [
+            self.sum.len(),
+            self.mean.len(),
+            self.impulses.len(),
+            self.before.len(),
+            self.last.len(),
+        ];
+        lengths.iter().all(|n| *n == supports)
     }
 
     /// Mean reactions over the time before the row.
@@ -110,7 +124,7 @@ impl RowReactions {
 }
 
 /// What a striking body gave to others through its contacts.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Given {
     /// Impulse \[N s\].
     pub impulse: [f64; 2],

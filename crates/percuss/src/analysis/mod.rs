@@ -4,6 +4,7 @@ mod accumulation;
 mod batch;
 mod buckling;
 mod channels;
+mod checkpoint;
 mod contact_log;
 pub(crate) mod crest;
 mod flutter;
@@ -30,6 +31,7 @@ mod trial;
 
 pub use batch::{Detail, simulate_batch};
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
+pub use checkpoint::{Checkpoint, ResumeError};
 pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
 pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path_recorded};

@@ -3,6 +3,8 @@
 //! Between the ends of a step, gap and displacements are cubics through values and velocities: peaks and instants of contact
 //! are resolved within the step, those of displacements where steps resolve them.
 
+use serde::{Deserialize, Serialize};
+
 use super::contact_log::ContactLog;
 use super::crest::Crest;
 use super::section_forces::{self, Acting, Lines};
@@ -73,14 +75,14 @@ fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], 
 }
 
 /// Values at the start of a step that the monitor compares with those at its end.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Start {
     time: f64,
     points: Vec<[[f64; 2]; 2]>,
 }
 
 /// Follows one run.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Monitor {
     start: Start,
     /// What happens at contacts.
@@ -136,6 +138,19 @@ impl Monitor {
         section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
         monitor.note_start(model, state);
         monitor
+    }
+
+    /// Whether it has the shape of another monitor of the same model, and points at nothing that is not there.
+    pub fn fits(&self, other: &Self, model: &Model) -> bool {
+        let shape = |m: &Self| [m.start.points.len(), m.points.len(), m.supports.len()];
+        let reacted = self.reacted.iter().flatten().all(|support| *support < self.supports.len());
+        let stop = |m: &Self| m.supports.iter().map(|s| s.touches.is_some()).collect::<Vec<_>>();
+        shape(self) == shape(other)
+            && reacted
+            && stop(self) == stop(other)
+            && section_forces::fit(&self.section_forces, &other.section_forces)
+            && self.lines.fits(model.element_count())
+            && self.contacts.fits(&other.contacts, model)
     }
 
     /// Notes the start of a step that stands solved in `work`.

@@ -64,26 +64,26 @@ pub struct Simulation<'m> {
     pub(super) effort: Effort,
     /// Steps of the solver accepted, and solved in search of impacts.
     pub(super) solver_steps: usize,
-    step_cuts: usize,
-    accumulated_steps: usize,
+    pub(super) step_cuts: usize,
+    pub(super) accumulated_steps: usize,
     /// Times at which steps are cut, increasing \[s\].
     pub(super) cuts: Vec<f64>,
     /// Whether prescribed velocities jump in the pulse at hand.
     pub(super) jumping: bool,
-    measures: Measures,
-    rows: usize,
-    row: Vec<f64>,
+    pub(super) measures: Measures,
+    pub(super) rows: usize,
+    pub(super) row: Vec<f64>,
     /// Impulses since the last row along normal and tangent, shape (n_contact) \[N s\].
-    row_impulse: Vec<[f64; 2]>,
+    pub(super) row_impulse: Vec<[f64; 2]>,
     /// What supports gave since the last row.
-    row_reactions: RowReactions,
+    pub(super) row_reactions: RowReactions,
     /// What striking bodies gave through contacts.
-    given: Vec<Given>,
+    pub(super) given: Vec<Given>,
     /// Contacts that press in the equilibrium the run started from, with their forces \[N\]; empty otherwise.
     pub(super) pressed: Vec<(Row, f64)>,
-    row_iterations: usize,
+    pub(super) row_iterations: usize,
     /// Time of the last row \[s\].
-    row_time: f64,
+    pub(super) row_time: f64,
     /// Pair whose instant of contact the last accepted step was cut to.
     pub(super) located: Option<usize>,
     /// Which pairs are near.
@@ -224,11 +224,20 @@ impl<'m> Simulation<'m> {
 
     fn run_steps(&mut self, recorder: &mut dyn Recorder) -> Termination {
         let begun = recorder.begin(&self.channels()).map_err(Error::recorder);
-        if let Err(error) = begun.and_then(|()| self.record(recorder)) {
+        // A run that goes on from a checkpoint has left its first row already.
+        let goes_on = self.rows > 0;
+        if let Err(error) =
+            begun.and_then(|()| if goes_on { Ok(()) } else { self.record(recorder) })
+        {
             return Termination::Failed(error);
         }
         let last = self.step_count();
         while self.state.step < last {
+            if recorder.wants_checkpoint(self.state.step + 1 == last)
+                && let Err(error) = recorder.checkpoint(&self.checkpoint())
+            {
+                return Termination::Failed(Error::recorder(error));
+            }
             let flow = match self.advance(recorder) {
                 Ok(flow) => flow,
                 Err(error) => return Termination::Failed(error),

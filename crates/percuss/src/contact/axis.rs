@@ -1,5 +1,7 @@
 //! The axis of a beam as contact sees it: elements in a row, and the point of them nearest to a place.
 
+use serde::{Deserialize, Serialize};
+
 use super::configuration::Configuration;
 use super::placed::{Ends, Placed};
 use crate::element::beam::NodeFrame;
@@ -126,7 +128,7 @@ impl std::ops::Deref for AxisElements {
 }
 
 /// A point of an axis: the number of its element and the share of it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct AxisPoint {
     /// Number of the element in the beam.
     pub element: usize,

@@ -1,5 +1,7 @@
 //! Effective mass of a struck point, on the mesh and in the limit of an ever finer one.
 
+use serde::{Deserialize, Serialize};
+
 use super::configuration::Configuration;
 use super::pair::{Hold, Pair};
 use super::touch::Touch;
@@ -18,7 +20,7 @@ use crate::step::tangent::{Singular, Tangent};
 const HELD: f64 = 1e-12;
 
 /// Effective mass of a struck point, along the line of flight of its projectile.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EffectiveMass {
     /// On the mesh at hand, `1 / (n M^-1 n^T)` \[kg\]; infinite if the point is held.
     pub on_mesh: f64,

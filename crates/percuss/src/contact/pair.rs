@@ -3,6 +3,8 @@
 //! Every contact is made of such pairs: a disc against a beam, a point of a beam against a half-plane, the end of a wall against a
 //! beam. The source has a centre and a radius; the target is where the gap is measured to.
 
+use serde::{Deserialize, Serialize};
+
 use super::axis::{AxisEnd, AxisPoint};
 use super::configuration::Configuration;
 use super::row::Row;
@@ -226,7 +228,7 @@ pub struct Pair {
 }
 
 /// What a pair remembers: which side the source is on, and where it was nearest.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Memory {
     /// Sign of the face it is on; zero where it may still go to either, beyond an end.
     pub side: f64,

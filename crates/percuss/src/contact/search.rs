@@ -4,6 +4,8 @@
 //! step; a pair sleeps until the sum of both has reached the gap it was last seen at. Sleep changes no result: pairs that wake are
 //! looked at where they stand.
 
+use serde::{Deserialize, Serialize};
+
 use super::axis::{AxisElements, longest_arc};
 use super::configuration::Configuration;
 use super::pair::{Pair, Target};
@@ -67,7 +69,7 @@ pub fn longest_arcs(model: &Model, start: &[f64], increment: &[[f64; 4]], arcs: 
 }
 
 /// Sleeping and waking pairs.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Search {
     /// Way of each mover since the start, beams then bodies \[m\].
     travelled: Vec<f64>,
@@ -92,6 +94,18 @@ pub struct Search {
 }
 
 impl Search {
+    /// Whether it is one of a model, and points at nothing that is not there.
+    pub fn fits(&self, model: &Model) -> bool {
+        let movers = model.beams.len() + model.bodies.len();
+        let known = |list: &[usize]| list.iter().all(|pair| *pair < model.pairs.len());
+        self.travelled.len() == movers
+            && self.step.len() == movers
+            && self.wake.len() == model.pairs.len()
+            && (self.arcs.is_empty() || self.arcs.len() == model.beams.len())
+            && known(&self.awake)
+            && known(&self.restless)
+    }
+
     /// All pairs awake.
     pub fn new(model: &Model) -> Self {
         let movers = model.beams.len() + model.bodies.len();

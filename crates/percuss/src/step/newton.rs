@@ -3,6 +3,8 @@
 //! The tangent is factored at the predictor and kept while the iteration contracts well with it; unbalanced forces are
 //! always those of the current increment, so the result does not depend on how often the tangent was renewed.
 
+use serde::{Deserialize, Serialize};
+
 use super::constraint::ConstraintStep;
 use super::contacts::{ActiveContact, ImpulseLaw};
 use super::forcing::Forcing;
@@ -49,7 +51,7 @@ pub struct StepProblem<'a> {
 }
 
 /// What an iteration took.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Effort {
     /// Corrections computed.
     pub iterations: usize,

@@ -107,6 +107,19 @@ impl Tangent {
         }
     }
 
+    /// Nodes that contacts tie together in the pattern at hand, which outlasts the contacts: the order of elimination follows from
+    /// it, and the last bits of a solution from that.
+    pub fn ties(&self) -> Vec<(usize, usize)> {
+        self.matrix.couplings[self.permanent..].iter().map(|c| (c.0, c.1)).collect()
+    }
+
+    /// Takes over a pattern as [`Tangent::ties`] tells of it.
+    pub fn tie(&mut self, model: &Model, ties: &[(usize, usize)]) {
+        let permanent = self.matrix.couplings[..self.permanent].iter().map(|c| (c.0, c.1));
+        let places: Vec<(usize, usize)> = permanent.chain(ties.iter().copied()).collect();
+        self.matrix = condensed(model, &self.linked, &places);
+    }
+
     /// The band, not yet factored.
     pub fn chain_mut(&mut self) -> &mut Chain {
         &mut self.matrix.chain

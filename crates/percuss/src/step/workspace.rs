@@ -1,4 +1,5 @@
-//! Scratch of a step; may be dropped and rebuilt without changing a result.
+//! Scratch of a step; may be dropped and rebuilt without changing a result by more than round-off, and by nothing if the tangent keeps
+//! its pattern.
 
 use super::assemble::EndForces;
 use super::contacts::{RigidContact, SmoothContact};

@@ -1,18 +1,20 @@
 //! Contacts under rigid laws: what strikes at one instant is one impact, what rests one interval, however many pairs take part.
 
+use serde::{Deserialize, Serialize};
+
 use super::{ContactLog, Seen, opened};
 use crate::analysis::monitor::Part;
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
 
 /// The persistent contact of two things.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Resting {
     /// Number of its interval in the contact's record, if it is open.
-    interval: Option<usize>,
+    pub interval: Option<usize>,
     /// Number of the part of a step in which a pair last pressed, and that pair.
     pressed: u64,
-    pair: usize,
+    pub pair: usize,
     /// Number of the part of a step in which pairs ceased to press; when, and the rate of the last of them.
     ceased: u64,
     end: [f64; 2],

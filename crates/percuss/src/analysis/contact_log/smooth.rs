@@ -1,5 +1,6 @@
 //! Contacts under smooth laws: their resultant over all pairs.
 
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 use super::course::{Course, highest};
@@ -13,19 +14,19 @@ use crate::state::PairState;
 use crate::summary::{ContactInterval, ContactRecord};
 
 /// An interval that has ended in a step, and what the gap of the point that left last was at its end.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Released {
-    pair: usize,
-    contact: usize,
+    pub pair: usize,
+    pub contact: usize,
     /// Its number in the contact's record.
-    interval: usize,
+    pub interval: usize,
     gap: f64,
     rate: f64,
     span: Span,
 }
 
 /// The free motion of a gap.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Free {
     /// Acceleration of the gap \[m/s^2\].
     acceleration: f64,

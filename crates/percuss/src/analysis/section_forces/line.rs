@@ -8,6 +8,8 @@
 //! t the unit tangent and mu the rotary inertia, spread evenly: it is what the balance of moments leaves over. The force f
 //! is the cubic that does the same work as nodal loads and inertia on every motion the element knows, so the balance closes.
 
+use serde::{Deserialize, Serialize};
+
 use crate::math::vec2::{add, cross, dot, sub};
 
 /// Inverse of the mass matrix of a uniform element of unit mass and length.
@@ -22,7 +24,7 @@ const UNIT_MASS_INVERSE: [[f64; 4]; 4] = [
 pub type OnNodes = [[f64; 4]; 2];
 
 /// A force that acts at a place inside an element, at which the section forces jump.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Inner {
     /// Its element.
     pub element: usize,
@@ -50,7 +52,7 @@ pub struct Shape {
 }
 
 /// Section forces of one element.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Line {
     /// Coefficients of dx/dxi \[m\].
     way: [[f64; 2]; 3],

@@ -1,5 +1,7 @@
 //! Section forces of all elements in a step or an equilibrium: the forces on their ends, and what acts along them.
 
+use serde::{Deserialize, Serialize};
+
 use super::line::{Inner, Line, OnNodes, Shape, place_of, resultant};
 use crate::contact::row::Row;
 use crate::math::vec2::{add, dot, scale};
@@ -29,7 +31,7 @@ pub struct Acting<'a> {
 }
 
 /// Section forces of all elements.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Lines {
     lines: Vec<Line>,
     /// Forces inside elements, by element and place.
@@ -39,6 +41,13 @@ pub struct Lines {
 }
 
 impl Lines {
+    /// Whether they are those of so many elements.
+    pub fn fits(&self, elements: usize) -> bool {
+        self.lines.len() == elements
+            && (self.loads.is_empty() || self.loads.len() == elements)
+            && self.inner.iter().all(|one| one.element < elements)
+    }
+
     /// Of a state at rest, which what acts at time zero has brought about, the forces of contacts among it; nothing acts in the
     /// reference configuration.
     pub fn at_rest(model: &Model, state: &State, pressed: &[(Row, f64)]) -> Self {

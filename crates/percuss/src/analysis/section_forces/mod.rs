@@ -45,6 +45,21 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
     model.beams.iter().map(entry).collect()
 }
 
+/// Whether records of beams have as many places.
+pub fn fit(a: &[SectionForceSummary], b: &[SectionForceSummary]) -> bool {
+    let places = |all: &[SectionForceSummary]| -> Vec<[usize; 9]> {
+        let of = |beam: &SectionForceSummary| {
+            let e = &beam.envelope;
+            let [[n0, n1], [q0, q1], [m0, m1], [s0, s1]] =
+                [&e.axial, &e.shear, &e.moment, &e.stress]
+                    .map(|pair| pair.each_ref().map(Vec::len));
+            [e.s.len(), n0, n1, q0, q1, m0, m1, s0, s1]
+        };
+        all.iter().map(of).collect()
+    };
+    places(a) == places(b)
+}
+
 /// Arc length at a share of the way.
 fn station(a: f64, b: f64, xi: f64) -> f64 {
     if xi == 1.0 { b } else { a + xi * (b - a) }

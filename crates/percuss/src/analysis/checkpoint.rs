@@ -1,0 +1,184 @@
+//! Everything that changes while a run steps, taken between two steps: what a run needs to go on later as if it had never stopped.
+
+use serde::{Deserialize, Serialize};
+
+use super::given::{Given, RowReactions};
+use super::monitor::Monitor;
+use super::simulation::Simulation;
+use crate::contact::effective_mass::EffectiveMass;
+use crate::contact::search::Search;
+use crate::ledger::Measures;
+use crate::model::{Fault, Model};
+use crate::settings::Settings;
+use crate::state::State;
+use crate::step::newton::Effort;
+use crate::summary::SharedBlows;
+
+/// A run between two steps, of the model and the settings it was begun with; [`Simulation::resume`] goes on from there.
+///
+/// Scratch of the solver is left out but for the pattern of its tangent: the rest may be dropped without changing a bit of what follows.
+/// So is what follows from model and settings.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Checkpoint {
+    state: State,
+    monitor: Monitor,
+    effort: Effort,
+    solver_steps: usize,
+    step_cuts: usize,
+    accumulated_steps: usize,
+    measures: Measures,
+    rows: usize,
+    row_impulse: Vec<[f64; 2]>,
+    row_reactions: RowReactions,
+    given: Vec<Given>,
+    row_iterations: usize,
+    row_time: f64,
+    located: Option<usize>,
+    search: Search,
+    struck_masses: Vec<Option<EffectiveMass>>,
+    shared_blows: SharedBlows,
+    /// Nodes tied together by contacts in the pattern of the tangent.
+    ties: Vec<(usize, usize)>,
+}
+
+/// Why a run cannot go on from a checkpoint.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ResumeError {
+    /// Faults of the settings.
+    Faults(Vec<Fault>),
+    /// The checkpoint belongs to another model or another scheme, or its step lies beyond the end.
+    Foreign,
+}
+
+impl Checkpoint {
+    /// Steps of the given size completed.
+    pub fn step(&self) -> usize {
+        self.state.step
+    }
+
+    /// Time reached \[s\].
+    pub fn time(&self) -> f64 {
+        self.state.time
+    }
+
+    /// Rows recorded so far.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Whether all that belongs to nodes, elements, pairs, supports, ... is there, once for each.
+    fn fits(&self, fresh: &Simulation<'_>) -> bool {
+        let same = self.state.fits(&fresh.state, fresh.model)
+            && self.monitor.fits(&fresh.monitor, fresh.model)
+            && self.search.fits(fresh.model)
+            && self.row_reactions.fits(fresh.model.supports.len());
+        let located = self.located.is_none_or(|pair| pair < fresh.model.pairs.len());
+        let nodes = fresh.model.node_count();
+        let tied = self.ties.iter().all(|(a, b)| *a < nodes && *b < nodes);
+        let lengths = [
+            (self.row_impulse.len(), fresh.row_impulse.len()),
+            (self.given.len(), fresh.given.len()),
+            (self.struck_masses.len(), fresh.struck_masses.len()),
+        ];
+        same && located && tied && lengths.iter().all(|(a, b)| a == b)
+    }
+}
+
+impl<'m> Simulation<'m> {
+    /// Takes a checkpoint. It tells of the run as it is, between two steps.
+    pub fn checkpoint(&self) -> Checkpoint {
+        // Every field is named, so that none is forgotten when one is added.
+        let Self {
+            state,
+            monitor,
+            effort,
+            solver_steps,
+            step_cuts,
+            accumulated_steps,
+            measures,
+            rows,
+            row_impulse,
+            row_reactions,
+            given,
+            row_iterations,
+            row_time,
+            located,
+            search,
+            work,
+            struck_masses,
+            shared_blows,
+            // These follow from model and settings ...
+            model: _,
+            settings: _,
+            damping: _,
+            cuts: _,
+            pressed: _,
+            size: _,
+            // ... and these are set anew in every part of a step.
+            forcing: _,
+            jumping: _,
+            row: _,
+            frames: _,
+            near: _,
+            reached: _,
+            looked: _,
+            persistent: _,
+            tamed: _,
+        } = self;
+        Checkpoint {
+            state: state.clone(),
+            monitor: monitor.clone(),
+            effort: *effort,
+            solver_steps: *solver_steps,
+            step_cuts: *step_cuts,
+            accumulated_steps: *accumulated_steps,
+            measures: *measures,
+            rows: *rows,
+            row_impulse: row_impulse.clone(),
+            row_reactions: row_reactions.clone(),
+            given: given.clone(),
+            row_iterations: *row_iterations,
+            row_time: *row_time,
+            located: *located,
+            search: search.clone(),
+            struck_masses: struck_masses.clone(),
+            shared_blows: *shared_blows,
+            ties: work.tangent.ties(),
+        }
+    }
+
+    /// A run that goes on from a checkpoint, to the end of the settings, which may lie later than when it was taken: rows and
+    /// summary are those of a run that was never interrupted, bit for bit. All else in the settings must be as it was.
+    ///
+    /// # Errors
+    /// Every fault of the settings; a checkpoint that does not belong to the model.
+    pub fn resume(
+        model: &'m Model,
+        settings: &Settings,
+        checkpoint: Checkpoint,
+    ) -> Result<Self, ResumeError> {
+        let mut run = Self::new(model, settings).map_err(ResumeError::Faults)?;
+        if !checkpoint.fits(&run) || checkpoint.step() > run.step_count() {
+            return Err(ResumeError::Foreign);
+        }
+        run.state = checkpoint.state;
+        run.monitor = checkpoint.monitor;
+        run.effort = checkpoint.effort;
+        run.solver_steps = checkpoint.solver_steps;
+        run.step_cuts = checkpoint.step_cuts;
+        run.accumulated_steps = checkpoint.accumulated_steps;
+        run.measures = checkpoint.measures;
+        run.rows = checkpoint.rows;
+        run.row_impulse = checkpoint.row_impulse;
+        run.row_reactions = checkpoint.row_reactions;
+        run.given = checkpoint.given;
+        run.row_iterations = checkpoint.row_iterations;
+        run.row_time = checkpoint.row_time;
+        run.located = checkpoint.located;
+        run.search = checkpoint.search;
+        run.struck_masses = checkpoint.struck_masses;
+        run.shared_blows = checkpoint.shared_blows;
+        run.work.tangent.tie(model, &checkpoint.ties);
+        Ok(run)
+    }
+}
