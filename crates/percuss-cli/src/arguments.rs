@@ -7,7 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
 use percuss_output::HistoryFormat;
 
-use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
+use crate::picture_arguments::{self, ANIMATE, Animate, PLOT, Plot};
 
 const EXIT_STATUS: &str = "\
 Exit status:
@@ -31,11 +31,25 @@ most 200 000 steps times elements.
 
 Ctrl-C ends the run after its step and writes what there is; a second one ends it at once.
 
+With --checkpoint a run that was interrupted, killed or cut off by the machine goes on with --resume,
+given the same scenario and --out, and ends in the same history, summary and frames, bit for bit.
+
 Examples:
   percuss run plank.toml
+  percuss run long.toml --checkpoint \"60 s\"
+  percuss run long.toml --resume
   percuss run plank.toml --out results/fast --set projectile.mass.velocity=\"[0, 30]\"
   percuss run plank.toml --set time.step=\"1e-5 s\" --history csv
   percuss run plank.toml --json --quiet | jq .energy.residual_max";
+
+const EXTEND: &str = "\
+The run goes on from the checkpoint before its last step and ends in the bits of one that was given the later end from the
+beginning. Nothing else of the scenario may change; --checkpoint is needed when it is run first.
+
+Examples:
+  percuss run plank.toml --checkpoint \"60 s\"
+  percuss extend runs/plank --end \"2 s\"
+  percuss extend runs/plank --end \"2 s\" --out runs/plank-long";
 
 const STATIC: &str = "\
 Prints displacements of the recorded points, reactions of the supports (on the structure, signed),
@@ -121,6 +135,9 @@ pub enum Command {
     /// Simulate a scenario: history, summary, shapes over time, report
     #[command(after_help = format!("{RUN}\n\n{EXIT_STATUS}"))]
     Run(Run),
+    /// Let a complete run go on to a later end, without computing again what it has
+    #[command(after_help = format!("{EXTEND}\n\n{EXIT_STATUS}"))]
+    Extend(Extend),
     /// Say everything that is wrong with a scenario or a study, or that nothing is
     Check(Check),
     /// Static equilibrium under the loads that act at time zero, with contacts; what is on its way takes no part
@@ -191,6 +208,64 @@ pub struct Run {
     /// Open the report in the browser when the run has ended
     #[arg(long, conflicts_with = "no_report")]
     pub open: bool,
+    /// Write a checkpoint every so often ("60 s" of computing time, "5000 steps") into DIR.checkpoint, to go on from with --resume
+    #[arg(long, value_name = "EVERY", value_parser = every)]
+    pub checkpoint: Option<Every>,
+    /// Go on from the last checkpoint; ends in the same bits as a run that was never interrupted. With --checkpoint, begin if there
+    /// is none
+    #[arg(long)]
+    pub resume: bool,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// How often something is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Every {
+    /// After so many seconds of computing.
+    Seconds(f64),
+    /// After so many steps.
+    Steps(usize),
+}
+
+fn every(text: &str) -> Result<Every, String> {
+    let expected = "expected a time such as \"60 s\" or a number of steps such as \"5000 steps\"";
+    let steps = text.trim().strip_suffix("steps").or_else(|| text.trim().strip_suffix("step"));
+    if let Some(number) = steps {
+        return match number.trim().parse() {
+            Ok(steps) if steps > 0 => Ok(Every::Steps(steps)),
+            _ => Err(expected.into()),
+        };
+    }
+    match picture_arguments::time(text) {
+        Ok(seconds) if seconds > 0.0 => Ok(Every::Seconds(seconds)),
+        Ok(_) => Err(expected.into()),
+        Err(fault) => Err(format!("{fault}; {expected}")),
+    }
+}
+
+/// Arguments of `extend`.
+#[derive(Args, Debug)]
+pub struct Extend {
+    /// Directory of a complete run that was given --checkpoint
+    #[arg(value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub dir: PathBuf,
+    /// Time at which it ends now, such as "2 s"
+    #[arg(long, value_name = "TIME", value_parser = picture_arguments::time)]
+    pub end: f64,
+    /// Directory of the extended run [default: DIR, whose results it replaces]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Fail with status 4 if energy or momentum are off by more than 1e-10, relative
+    #[arg(long)]
+    pub strict: bool,
+    /// Print summary.json to standard output, and no table
+    #[arg(long)]
+    pub json: bool,
+    /// Leave out report.html (and the runs that compare restitution coefficients)
+    #[arg(long)]
+    pub no_report: bool,
     /// Say nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,

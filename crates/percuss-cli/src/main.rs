@@ -22,6 +22,7 @@ use arguments::{Arguments, Command};
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Run(arguments) => commands::run::run(&arguments),
+        Command::Extend(arguments) => commands::run::extend(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),
         Command::Static(arguments) => commands::statics::run(&arguments),
         Command::Modes(arguments) => commands::modes::run(&arguments),

@@ -156,7 +156,8 @@ fn quantity(text: &str, dimension: Dimension, example: &str) -> Result<f64, Stri
     }
 }
 
-fn time(text: &str) -> Result<f64, String> {
+/// A time with its unit, or in seconds \[s\].
+pub fn time(text: &str) -> Result<f64, String> {
     quantity(text, Dimension::new(0, 0, 1), "\"12 ms\"")
 }
 

@@ -119,6 +119,16 @@ impl Progress {
         }
     }
 
+    /// So many steps were done by an earlier process.
+    pub fn begin_at(&mut self, steps: usize) {
+        self.steps = steps as u64;
+        self.next = self.steps + 1;
+        if let Some(bar) = &self.bar {
+            bar.set_position(self.steps);
+            bar.reset_eta();
+        }
+    }
+
     /// Shows what is being done now, `done` things being done.
     pub fn show(&self, message: &str, done: usize) {
         if let Some(bar) = &self.bar {

@@ -1,10 +1,12 @@
 //! What hostile input is tried on, one function a reader: each takes bytes and must come back, without a panic, within bounds of
 //! time and memory. `fuzz/` drives them with libFuzzer; a test replays the corpus that is kept.
 
+mod checkpoints;
 mod files;
 mod runs;
 mod texts;
 
+pub use checkpoints::checkpoint;
 pub use files::{csv_table, fields, history, summary};
 pub use runs::run;
 pub use texts::{overrides, scenario, study, unit};
@@ -13,7 +15,7 @@ pub use texts::{overrides, scenario, study, unit};
 pub type Target = fn(&[u8]);
 
 /// All of them with the names of their corpora.
-pub const TARGETS: [(&str, Target); 9] = [
+pub const TARGETS: [(&str, Target); 10] = [
     ("scenario", scenario),
     ("study", study),
     ("unit", unit),
@@ -23,6 +25,7 @@ pub const TARGETS: [(&str, Target); 9] = [
     ("history", history),
     ("fields", fields),
     ("run", run),
+    ("checkpoint", checkpoint),
 ];
 
 /// Longest input that is looked at \[bytes\]: what a person writes is shorter, and longer ones find nothing else.

@@ -23,6 +23,23 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     rename(&temporary, path)
 }
 
+/// The same, on the disk before the name is.
+pub(crate) fn write_durably(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let temporary = partial(path);
+    let written = File::create(&temporary).and_then(|mut file| {
+        file.write_all(bytes)?;
+        file.sync_all()
+    });
+    if let Err(source) = written {
+        let _ = fs::remove_file(&temporary);
+        return Err(Error::io(path, "write", source));
+    }
+    rename(&temporary, path)?;
+    // A system that cannot do this with a folder keeps its names in order by itself.
+    let _ = path.parent().map(File::open).map(|folder| folder.and_then(|f| f.sync_all()));
+    Ok(())
+}
+
 /// Renames `from` to `to`, replacing it.
 pub(crate) fn rename(from: &Path, to: &Path) -> Result<(), Error> {
     fs::rename(from, to).map_err(|source| Error::io(to, "put the finished file in place", source))

@@ -4,6 +4,7 @@
 //! [`HistoryWriter`], its result through [`summary_value`] and [`write_summary`], and
 //! [`report::write()`] makes the page and the pictures from what the files say.
 
+pub mod checkpoint;
 mod comparison;
 mod csv_text;
 mod directory;

@@ -101,7 +101,7 @@ pub trait Recorder {
     }
 
     /// Whether a checkpoint is wanted before the next step, of which `last` says that it is the last one; if not,
-    /// [`Recorder::checkpoint`] is not called.
+    /// [`Recorder::checkpoint`] is not called. Asked before every step, and after a whole step in which the run was stopped.
     fn wants_checkpoint(&mut self, last: bool) -> bool {
         let _ = last;
         false

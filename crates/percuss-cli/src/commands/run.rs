@@ -2,13 +2,15 @@
 
 mod audit;
 mod books;
+mod checkpoints;
 mod comparison;
 mod recorder;
 
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
-use percuss::{RunSummary, Simulation, Termination, advise, compare, review};
+use percuss::{ResumeError, RunSummary, Simulation, Termination, advise, compare, review};
+use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
@@ -18,13 +20,14 @@ use percuss_output::{
 use serde_json::Value;
 
 use crate::advisor;
-use crate::arguments::Run;
+use crate::arguments::{Every, Extend, History, Run};
 use crate::browser;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
 use crate::scenario::{self, Ready};
 use crate::terminal;
+use checkpoints::{Checkpoints, without_end};
 use comparison::Comparison;
 use recorder::{EnergySeries, RunRecorder};
 
@@ -34,7 +37,17 @@ struct Ended {
     value: Value,
     comparisons: Vec<percuss::Comparison>,
     energy: EnergySeries,
+    checkpoints: Option<Checkpoints>,
 }
+
+/// Where a run begins, and its checkpoints.
+struct Beginning {
+    earlier: Option<(Saved, Rows)>,
+    checkpoints: Option<Checkpoints>,
+}
+
+/// Checkpoints of a run that goes on are written this often unless the user says otherwise.
+const EVERY: Every = Every::Seconds(60.0);
 
 /// Simulates a scenario and writes its results.
 pub fn run(arguments: &Run) -> Result<Status, Failure> {
@@ -42,18 +55,86 @@ pub fn run(arguments: &Run) -> Result<Status, Failure> {
     interrupt::install()?;
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
     refuse_own_input(&arguments.file, &out)?;
-    let mut directory = RunDirectory::create(&out)?;
+    let directory = RunDirectory::create(&out)?;
     interrupt::protect(&directory);
-    let ended = simulate(&ready, arguments, directory.path())?;
+    let text = without_end(&ready.scenario.to_toml());
+    let mut folder = CheckpointFolder::beside(directory.target(), text);
+    let mut earlier = None;
+    // With both, as a queue starts a job time and again, the first one begins.
+    if arguments.resume && (arguments.checkpoint.is_none() || folder.time().is_some()) {
+        earlier = Some(folder.resume()?);
+    } else if arguments.checkpoint.is_some() {
+        folder.begin()?;
+    }
+    let every = arguments.checkpoint.or(arguments.resume.then_some(EVERY));
+    let seconds = earlier.as_ref().map_or(0.0, |(saved, _): &(Saved, Rows)| saved.seconds);
+    let checkpoints =
+        every.map(|every| Checkpoints::new(folder, Some(every), directory.path(), seconds));
+    go(&ready, arguments, directory, Beginning { earlier, checkpoints })
+}
+
+/// Lets a complete run go on to a later end.
+pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
+    let file = arguments.dir.join("scenario.toml");
+    let before = scenario::read(&file, &[])?.compiled.settings.end;
+    if arguments.end <= before {
+        return Err(Failure::Input(format!(
+            "--end: the run in {} reaches {} s already; give a later time",
+            arguments.dir.display(),
+            crate::number::number(before)
+        )));
+    }
+    let set = vec![format!("time.end={:e}", arguments.end)];
+    let ready = scenario::read(&file, &set)?;
+    interrupt::install()?;
+    let text = without_end(&ready.scenario.to_toml());
+    let (saved, rows) = CheckpointFolder::kept(&arguments.dir, &text)?;
+    let out = arguments.out.clone().unwrap_or_else(|| arguments.dir.clone());
+    let directory = RunDirectory::create(&out)?;
+    interrupt::protect(&directory);
+    let folder = CheckpointFolder::beside(directory.target(), text);
+    let checkpoints = Some(Checkpoints::new(folder, None, directory.path(), saved.seconds));
+    let is_csv = arguments.dir.join("history.csv").is_file();
+    let run = Run {
+        file,
+        out: Some(out),
+        set,
+        strict: arguments.strict,
+        json: arguments.json,
+        history: if is_csv { History::Csv } else { History::Parquet },
+        no_report: arguments.no_report,
+        figures: false,
+        open: false,
+        checkpoint: None,
+        resume: false,
+        quiet: arguments.quiet,
+    };
+    go(&ready, &run, directory, Beginning { earlier: Some((saved, rows)), checkpoints })
+}
+
+/// Simulates, and puts the results in their place.
+fn go(
+    ready: &Ready,
+    arguments: &Run,
+    mut directory: RunDirectory,
+    beginning: Beginning,
+) -> Result<Status, Failure> {
+    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
+    let mut ended = simulate(ready, arguments, directory.path(), beginning)?;
     ["history.parquet", "history.csv"].iter().for_each(|name| directory.finished(name));
     let report = match arguments.no_report {
         true => Ok(()),
-        false => write_report(&ready, arguments, directory.path(), &ended),
+        false => write_report(ready, arguments, directory.path(), &ended),
     };
     let whole = matches!(ended.summary.termination, Termination::Completed) && report.is_ok();
     let extent = if whole { Extent::Complete } else { Extent::Partial };
     let asked = directory.target().to_owned();
     let place = interrupt::commit(directory, extent)?;
+    if !matches!(ended.summary.termination, Termination::Interrupted { .. })
+        && let Some(checkpoints) = ended.checkpoints.take()
+    {
+        checkpoints.remove();
+    }
     if place == asked {
         return conclude(&ended, arguments, &out, report);
     }
@@ -84,31 +165,56 @@ fn refuse_own_input(file: &Path, out: &Path) -> Result<(), Failure> {
 }
 
 /// Simulates; scenario, history and summary are then in `dir`.
-fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure> {
+fn simulate(
+    ready: &Ready,
+    arguments: &Run,
+    dir: &Path,
+    beginning: Beginning,
+) -> Result<Ended, Failure> {
     let compiled = &ready.compiled;
     let text = ready.scenario.to_toml();
     let file = dir.join("scenario.toml");
     std::fs::write(&file, &text).map_err(|error| Failure::system(&file, "write", &error))?;
 
-    let simulation = Simulation::new(&compiled.model, &compiled.settings)
-        .map_err(|faults| ready.refuse(faults, &arguments.set))?;
+    let Beginning { earlier, checkpoints } = beginning;
+    let (saved, rows) = earlier.map_or((None, None), |(saved, rows)| (Some(saved), Some(rows)));
+    let (checkpoint, kept, before) = match saved {
+        Some(Saved { checkpoint, frames, seconds, .. }) => {
+            (Some(checkpoint), Some(frames), seconds)
+        }
+        None => (None, None, 0.0),
+    };
+    let done = checkpoint.as_ref().map_or(0, |c| c.step());
+    let simulation = match checkpoint {
+        Some(checkpoint) => Simulation::resume(&compiled.model, &compiled.settings, checkpoint),
+        None => Simulation::new(&compiled.model, &compiled.settings).map_err(ResumeError::Faults),
+    };
+    let simulation = simulation.map_err(|error| match error {
+        ResumeError::Faults(faults) => ready.refuse(faults, &arguments.set),
+        ResumeError::Foreign => Failure::Input(
+            "the checkpoint does not fit the scenario, or lies beyond its end; run it from the beginning".into(),
+        ),
+    })?;
     let mut advice = advise(&compiled.model, &compiled.settings);
     if !arguments.quiet {
         advisor::tell(&advice);
     }
     let (steps, end) = (simulation.step_count(), compiled.settings.end);
-    let progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
+    let mut progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
+    progress.begin_at(done);
     let history = HistoryWriter::new(dir, arguments.history.into(), text);
     let keeps_energy = !arguments.no_report && comparison::has_part_for(ready);
     let scene = ready.scenario.scene(&compiled.model);
-    let frames = FrameStore::new(scene, end, ready.scenario.content().record.shapes);
+    let mut frames = FrameStore::new(scene, end, ready.scenario.content().record.shapes);
+    kept.into_iter().for_each(|kept| frames.go_on(kept));
     let energy = keeps_energy.then(EnergySeries::default);
-    let mut recorder = RunRecorder::new(history, energy, frames, progress);
+    let mut recorder =
+        RunRecorder::new(history, energy, frames, progress).with_checkpoints(checkpoints, rows);
     let (begun, started) = (Instant::now(), SystemTime::now());
     let summary = simulation.run(&mut recorder);
-    let wall_seconds = begun.elapsed().as_secs_f64();
+    let wall_seconds = before + begun.elapsed().as_secs_f64();
 
-    let (history, energy, frames) = recorder.into_parts();
+    let (history, energy, frames, checkpoints) = recorder.into_parts();
     if let Termination::Failed(error) = &summary.termination
         && error.is_recorder()
     {
@@ -137,7 +243,7 @@ fn simulate(ready: &Ready, arguments: &Run, dir: &Path) -> Result<Ended, Failure
     if ready.scenario.content().record.shapes > 0.0 {
         fields::write(dir, &frames.finish())?;
     }
-    Ok(Ended { summary, value, comparisons, energy: energy.unwrap_or_default() })
+    Ok(Ended { summary, value, comparisons, energy: energy.unwrap_or_default(), checkpoints })
 }
 
 /// Writes the report and, before it, the comparison that belongs into it.
@@ -181,6 +287,13 @@ fn conclude(
         Termination::Interrupted { time } => {
             let time = crate::number::number(*time);
             terminal::warning(&format!("interrupted at t = {time} s; the results end there"));
+            if let Some((place, Some(time))) = ended.checkpoints.as_ref().map(Checkpoints::place) {
+                let (place, time) = (shown(place), crate::number::number(time));
+                terminal::tell(&format!(
+                    "the same command with --resume goes on from t = {time} s ({})",
+                    place.display()
+                ));
+            }
         }
         _ if interrupt::requested() => {
             terminal::warning("interrupted after the run, whose results are complete");

@@ -12,8 +12,9 @@ mod thin;
 pub use file::{read, write};
 pub(crate) use places::Places;
 pub use scene::scene_value;
-pub use store::FrameStore;
+pub use store::{FrameStore, KeptFrames};
 
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// Directory within that of the run.
@@ -29,7 +30,7 @@ pub struct Fields {
 }
 
 /// A frame as it is kept: floats of single precision, of displacements and not of positions.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct StoredFrame {
     /// Time \[s\].
     pub time: f64,

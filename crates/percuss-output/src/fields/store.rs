@@ -2,6 +2,7 @@
 
 use percuss::Frame;
 use percuss::scene::Scene;
+use serde::{Deserialize, Serialize};
 
 use super::places::Places;
 use super::{Fields, StoredFrame, scene_value};
@@ -11,7 +12,7 @@ const FEWEST: usize = 40;
 const MOST: usize = 1000;
 
 /// Frames of one kind, evenly thinned.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 struct Kind {
     /// Every so manieth frame offered is kept.
     stride: usize,
@@ -40,6 +41,15 @@ impl Kind {
     }
 }
 
+/// Frames kept so far, but for the last one.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct KeptFrames {
+    calm: Kind,
+    touching: Kind,
+    /// Frames of the largest force and the largest impulse.
+    peaks: [Option<(f64, StoredFrame)>; 2],
+}
+
 /// Keeps frames of a run: all while they are few, then every second, every fourth, ...
 ///
 /// Frames in which something touches are thinned apart from the others; the one with the largest contact force, the one with the
@@ -48,10 +58,7 @@ impl Kind {
 pub struct FrameStore {
     scene: Scene,
     places: Places,
-    calm: Kind,
-    touching: Kind,
-    /// Frames of the largest force and the largest impulse.
-    peaks: [Option<(f64, StoredFrame)>; 2],
+    kept: KeptFrames,
     last: Option<StoredFrame>,
     /// From this time on frames are the last \[s\].
     end: f64,
@@ -78,9 +85,7 @@ impl FrameStore {
         Self {
             scene,
             places,
-            calm: kind(),
-            touching: kind(),
-            peaks: [None, None],
+            kept: KeptFrames { calm: kind(), touching: kind(), peaks: [None, None] },
             last: None,
             end,
             keeps: megabytes > 0.0,
@@ -91,9 +96,22 @@ impl FrameStore {
     /// The same with at most so many frames of either kind, whatever the memory; none at 0.
     pub fn at_most(mut self, frames: usize) -> Self {
         self.keeps = frames > 0;
-        self.calm.most = frames;
-        self.touching.most = frames;
+        self.kept.calm.most = frames;
+        self.kept.touching.most = frames;
         self
+    }
+
+    /// What was kept so far.
+    pub fn kept(&self) -> &KeptFrames {
+        &self.kept
+    }
+
+    /// Goes on from what a store of the same scene and budget had kept.
+    pub fn go_on(&mut self, kept: KeptFrames) {
+        self.kept = kept;
+        // A stride of zero would be nobody's.
+        let kinds = [&mut self.kept.calm, &mut self.kept.touching];
+        kinds.into_iter().for_each(|kind| kind.stride = kind.stride.max(1));
     }
 
     /// Whether the frame of a row is to be kept, as [`percuss::Recorder::wants_frame`] asks.
@@ -102,9 +120,10 @@ impl FrameStore {
             return false;
         }
         let touching = contact > 0.0;
-        let kind = if touching { &self.touching } else { &self.calm };
+        let kind = if touching { &self.kept.touching } else { &self.kept.calm };
         let which = usize::from(impulsive);
-        let beats = touching && self.peaks[which].as_ref().is_none_or(|(peak, _)| contact > *peak);
+        let beats =
+            touching && self.kept.peaks[which].as_ref().is_none_or(|(peak, _)| contact > *peak);
         let peak = beats.then_some((which, contact));
         let ends = time >= self.end * (1.0 - 1e-9);
         self.wanted = Wanted { touching, due: kind.is_due(), peak };
@@ -123,23 +142,25 @@ impl FrameStore {
             self.last = Some(stored.clone());
         }
         if let Some((which, size)) = wanted.peak {
-            self.peaks[which] = Some((size, stored.clone()));
+            self.kept.peaks[which] = Some((size, stored.clone()));
         }
         if wanted.due {
-            let kind = if wanted.touching { &mut self.touching } else { &mut self.calm };
+            let kept = &mut self.kept;
+            let kind = if wanted.touching { &mut kept.touching } else { &mut kept.calm };
             kind.keep(stored);
         }
         self.count();
     }
 
     fn count(&mut self) {
-        let kind = if self.wanted.touching { &mut self.touching } else { &mut self.calm };
+        let kept = &mut self.kept;
+        let kind = if self.wanted.touching { &mut kept.touching } else { &mut kept.calm };
         kind.offered += 1;
     }
 
     /// All that was kept, in the order of time.
     pub fn finish(self) -> Fields {
-        let Self { scene, calm, touching, peaks, last, .. } = self;
+        let Self { scene, kept: KeptFrames { calm, touching, peaks }, last, .. } = self;
         let kept = calm.kept.into_iter().chain(touching.kept).map(|(_, frame)| frame);
         let peaks = peaks.into_iter().flatten().map(|(_, frame)| frame);
         let mut frames: Vec<StoredFrame> = kept.chain(peaks).chain(last).collect();

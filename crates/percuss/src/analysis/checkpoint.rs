@@ -41,6 +41,9 @@ pub struct Checkpoint {
     ties: Vec<(usize, usize)>,
 }
 
+/// No run counts further.
+pub(super) const MOST_COUNTED: usize = 1 << 48;
+
 /// Why a run cannot go on from a checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ResumeError {
@@ -74,13 +77,17 @@ impl Checkpoint {
             && self.row_reactions.fits(fresh.model.supports.len());
         let located = self.located.is_none_or(|pair| pair < fresh.model.pairs.len());
         let nodes = fresh.model.node_count();
+        let effort = [self.effort.iterations, self.effort.factorizations, self.solver_steps];
+        let counts = [self.step_cuts, self.accumulated_steps, self.rows];
+        let counted = effort.iter().chain(&counts).all(|n| *n < MOST_COUNTED)
+            && self.row_iterations <= self.effort.iterations;
         let tied = self.ties.iter().all(|(a, b)| *a < nodes && *b < nodes);
         let lengths = [
             (self.row_impulse.len(), fresh.row_impulse.len()),
             (self.given.len(), fresh.given.len()),
             (self.struck_masses.len(), fresh.struck_masses.len()),
         ];
-        same && located && tied && lengths.iter().all(|(a, b)| a == b)
+        same && located && tied && counted && lengths.iter().all(|(a, b)| a == b)
     }
 }
 

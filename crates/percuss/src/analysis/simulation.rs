@@ -233,26 +233,39 @@ impl<'m> Simulation<'m> {
         }
         let last = self.step_count();
         while self.state.step < last {
-            if recorder.wants_checkpoint(self.state.step + 1 == last)
-                && let Err(error) = recorder.checkpoint(&self.checkpoint())
-            {
-                return Termination::Failed(Error::recorder(error));
+            let step = self.state.step;
+            if let Err(error) = self.offer_checkpoint(recorder, step + 1 == last) {
+                return Termination::Failed(error);
             }
             let flow = match self.advance(recorder) {
                 Ok(flow) => flow,
                 Err(error) => return Termination::Failed(error),
             };
+            let stops = flow == Flow::Stop && self.state.step < last;
             let due = self.state.step.is_multiple_of(self.settings.record_every);
-            if (due || self.state.step == last || flow == Flow::Stop)
-                && let Err(error) = self.record(recorder)
-            {
-                return Termination::Failed(error);
+            let mut noted = if due { self.record(recorder) } else { Ok(()) };
+            // Before a row that a run that goes on would not have.
+            if stops && self.state.step > step {
+                noted = noted.and_then(|()| self.offer_checkpoint(recorder, false));
             }
-            if flow == Flow::Stop && self.state.step < last {
-                return Termination::Interrupted { time: self.state.time };
+            if stops || self.state.step == last {
+                noted = noted.and_then(|()| self.record(recorder));
+            }
+            match noted {
+                Err(error) => return Termination::Failed(error),
+                Ok(()) if stops => return Termination::Interrupted { time: self.state.time },
+                Ok(()) => {}
             }
         }
         Termination::Completed
+    }
+
+    /// Hands a checkpoint to a recorder that wants one.
+    fn offer_checkpoint(&self, recorder: &mut dyn Recorder, last: bool) -> Result<(), Error> {
+        match recorder.wants_checkpoint(last) {
+            true => recorder.checkpoint(&self.checkpoint()).map_err(Error::recorder),
+            false => Ok(()),
+        }
     }
 
     /// Advances by one step of the given size; rows before and after an impact go to `recorder`, which may stop it between

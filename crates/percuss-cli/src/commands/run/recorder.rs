@@ -1,9 +1,11 @@
 //! What receives the rows of a run.
 
-use percuss::{Channel, Flow, Frame, Recorder, RecorderError};
+use percuss::{Channel, Checkpoint, Flow, Frame, Recorder, RecorderError};
 use percuss_output::HistoryWriter;
+use percuss_output::checkpoint::Rows;
 use percuss_output::fields::FrameStore;
 
+use super::checkpoints::Checkpoints;
 use crate::progress::Progress;
 
 /// Total energy over time, kept in memory.
@@ -36,6 +38,9 @@ pub struct RunRecorder {
     energy: Option<EnergySeries>,
     frames: FrameStore,
     progress: Progress,
+    checkpoints: Option<Checkpoints>,
+    /// Rows up to the checkpoint that the run goes on from.
+    earlier: Option<Rows>,
 }
 
 impl RunRecorder {
@@ -46,12 +51,27 @@ impl RunRecorder {
         frames: FrameStore,
         progress: Progress,
     ) -> Self {
-        Self { history, energy, frames, progress }
+        Self { history, energy, frames, progress, checkpoints: None, earlier: None }
     }
 
-    /// The history, to be finished, the energies kept and the frames.
-    pub fn into_parts(self) -> (HistoryWriter, Option<EnergySeries>, FrameStore) {
-        (self.history, self.energy, self.frames)
+    /// Takes checkpoints too; `earlier` are the rows up to the one that the run goes on from.
+    pub fn with_checkpoints(mut self, own: Option<Checkpoints>, earlier: Option<Rows>) -> Self {
+        (self.checkpoints, self.earlier) = (own, earlier);
+        self
+    }
+
+    /// The history, to be finished, the energies kept, the frames and the checkpoints.
+    pub fn into_parts(
+        self,
+    ) -> (HistoryWriter, Option<EnergySeries>, FrameStore, Option<Checkpoints>) {
+        (self.history, self.energy, self.frames, self.checkpoints)
+    }
+
+    fn note(&mut self, values: &[f64]) -> Result<(), RecorderError> {
+        if let Some(energy) = &mut self.energy {
+            energy.row(values);
+        }
+        self.history.row(values)
     }
 }
 
@@ -60,14 +80,29 @@ impl Recorder for RunRecorder {
         if let Some(energy) = &mut self.energy {
             energy.begin(channels)?;
         }
-        self.history.begin(channels)
+        self.history.begin(channels)?;
+        match self.earlier.take() {
+            Some(rows) => rows.replay(channels.len(), &mut |values| self.note(values)),
+            None => Ok(()),
+        }
     }
 
     fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
-        if let Some(energy) = &mut self.energy {
-            energy.row(values);
+        if let Some(checkpoints) = &mut self.checkpoints {
+            checkpoints.row(values)?;
         }
-        self.history.row(values)
+        self.note(values)
+    }
+
+    fn wants_checkpoint(&mut self, last: bool) -> bool {
+        self.checkpoints.as_mut().is_some_and(|c| c.wanted(last))
+    }
+
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), RecorderError> {
+        match &mut self.checkpoints {
+            Some(checkpoints) => Ok(checkpoints.take(checkpoint, &self.frames)?),
+            None => Ok(()),
+        }
     }
 
     fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {

@@ -41,6 +41,8 @@ pub fn keep(study: &Study, out: &Path, runs: &[u64]) -> Result<Status, Failure> 
             no_report: false,
             figures: false,
             open: false,
+            checkpoint: None,
+            resume: false,
             quiet: true,
         };
         match run::run(&arguments)? {

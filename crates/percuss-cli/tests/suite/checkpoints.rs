@@ -1,0 +1,150 @@
+//! Runs that are stopped or killed go on from their checkpoints and end in the bits of runs that never stopped.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::common::{Desk, RIGID};
+
+/// What a run determines: every file, but for times of computing.
+fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(place) = folders.pop() {
+        for entry in fs::read_dir(&place).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.strip_prefix(folder).unwrap().display().to_string();
+            if path.is_dir() {
+                folders.push(path);
+            } else if name == "summary.json" {
+                let mut value: Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+                let table = value.as_object_mut().unwrap();
+                assert!(
+                    table.remove("wall_seconds").is_some() && table.remove("provenance").is_some()
+                );
+                found.insert(name, value.to_string().into_bytes());
+            } else if ![".percuss.json", "checkpoint", "report.html"].contains(&name.as_str()) {
+                found.insert(name, fs::read(&path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+/// Names of the files that differ.
+fn differences(a: &Path, b: &Path) -> Vec<String> {
+    let (a, b) = (contents(a), contents(b));
+    assert!(a.contains_key("summary.json") && a.len() >= 6, "{:?}", a.keys());
+    a.keys().chain(b.keys()).filter(|name| a.get(*name) != b.get(*name)).cloned().collect()
+}
+
+const RUN: [&str; 6] = ["run", "rigid.toml", "--quiet", "--no-report", "--set", "time.step=1e-6"];
+
+fn arguments<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [RUN.as_slice(), more].concat()
+}
+
+#[test]
+fn a_killed_run_goes_on_where_it_was() {
+    let desk = Desk::new();
+    desk.percuss(&arguments(&["--out", "whole"])).ends_with(0);
+    let mut resumed = 0;
+    for _ in 0..200 {
+        let state = desk.path("out.checkpoint/state");
+        let more = ["--out", "out", "--checkpoint", "500 steps", "--resume"];
+        let mut child = desk.command(&arguments(&more)).spawn().unwrap();
+        let before = fs::metadata(&state).and_then(|m| m.modified()).ok();
+        resumed += usize::from(before.is_some());
+        // Killed once it has written a checkpoint of its own, wherever it then is.
+        let ended = loop {
+            if let Some(status) = child.try_wait().unwrap() {
+                break Some(status.code());
+            }
+            let now = fs::metadata(&state).and_then(|m| m.modified()).ok();
+            if now.is_some() && now != before && resumed < 12 {
+                child.kill().unwrap();
+                child.wait().unwrap();
+                break None;
+            }
+            std::thread::yield_now();
+        };
+        if let Some(code) = ended {
+            assert_eq!(code, Some(0));
+            break;
+        }
+    }
+    assert!(resumed >= 3, "{resumed}");
+    assert_eq!(differences(&desk.path("whole"), &desk.path("out")), Vec::<String>::new());
+    assert!(!desk.path("out.checkpoint").exists());
+}
+
+#[test]
+fn a_run_is_extended_in_its_place_or_beside_it_once_and_again() {
+    let desk = Desk::new();
+    let at = |end: &'static str, out: &'static str| arguments(&["--set", end, "--out", out]);
+    // The first end lies within a step.
+    let first = [at("time.end=0.0100005", "run"), vec!["--checkpoint", "1 h", "--history", "csv"]];
+    desk.percuss(&first.concat()).ends_with(0);
+    let whole = [at("time.end=0.02", "whole"), vec!["--history", "csv"]];
+    desk.percuss(&whole.concat()).ends_with(0);
+    let short = contents(&desk.path("run"));
+    let extend = |more: &[&str]| {
+        desk.percuss(&[&["extend", "run", "--quiet", "--no-report"], more].concat())
+    };
+    extend(&["--end", "20 ms", "--out", "long"]).ends_with(0);
+    assert_eq!(differences(&desk.path("whole"), &desk.path("long")), Vec::<String>::new());
+    assert_eq!(short, contents(&desk.path("run")));
+    extend(&["--end", "15 ms"]).ends_with(0);
+    extend(&["--end", "20 ms"]).ends_with(0);
+    assert_eq!(differences(&desk.path("whole"), &desk.path("run")), Vec::<String>::new());
+    extend(&["--end", "20 ms"]).ends_with(2).tells("reaches 0.02 s already; give a later time");
+    let without = desk.percuss(&["extend", "whole", "--end", "1 s"]);
+    without.ends_with(2).tells("only a complete run that was given --checkpoint has one");
+}
+
+#[test]
+fn what_is_no_checkpoint_of_the_run_is_refused_and_left_alone() {
+    let desk = Desk::new();
+    let resume =
+        |more: &[&str]| desk.percuss(&arguments(&[&["--out", "out", "--resume"], more].concat()));
+    resume(&[]).ends_with(2).tells("there is no checkpoint to go on from");
+    // One that a killed run left, made by one that cannot write its results.
+    let mut child = desk
+        .command(&arguments(&["--set", "time.end=10", "--out", "out", "--checkpoint", "10 steps"]))
+        .spawn()
+        .unwrap();
+    let state = desk.path("out.checkpoint/state");
+    while !state.exists() {
+        assert!(child.try_wait().unwrap().is_none(), "it ended without a checkpoint");
+        std::thread::yield_now();
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let kept = fs::read(&state).unwrap();
+    let again = desk.percuss(&arguments(&["--out", "out", "--checkpoint", "1 s"]));
+    again.ends_with(2).tells("go on from it with --resume, or remove it");
+    desk.put("rigid.toml", RIGID.replace("restitution = ", "restitution = 0.25 # "));
+    resume(&[]).ends_with(2).tells("another scenario, or of this one before it was changed");
+    desk.put("rigid.toml", RIGID);
+    for (cut, word) in
+        [(kept.len() - 9, "damaged"), (10, "not a checkpoint"), (0, "not a checkpoint")]
+    {
+        fs::write(&state, &kept[..cut]).unwrap();
+        resume(&[]).ends_with(2).tells(word);
+    }
+    let older = String::from_utf8_lossy(&kept[..21]).replace(" 1\n", " 0\n");
+    fs::write(&state, [older.as_bytes(), &kept[21..]].concat()).unwrap();
+    resume(&[]).ends_with(2).tells("another version of Percuss");
+    fs::write(&state, &kept).unwrap();
+    let rows = desk.path("out.checkpoint/rows");
+    let mut damaged = fs::read(&rows).unwrap();
+    damaged[20] ^= 1;
+    fs::write(&rows, damaged).unwrap();
+    resume(&[]).ends_with(2).tells("damaged");
+    desk.put("out.checkpoint/mine", "my own");
+    resume(&[]).ends_with(2).tells("holds mine, which is none");
+    assert_eq!(fs::read(desk.path("out.checkpoint/mine")).unwrap(), b"my own");
+    assert!(!desk.path("out").exists());
+}

@@ -1,0 +1,70 @@
+//! Checkpoints with some of their bytes changed, whose checksum fits all the same.
+
+use std::sync::OnceLock;
+
+use percuss::{Checkpoint, Flow, Recorder, RecorderError, Simulation};
+use percuss_scenario::{Compiled, read, templates};
+
+/// Steps before the checkpoint, and behind it.
+const BEFORE: usize = 60;
+const BEHIND: usize = 20;
+
+/// Keeps the checkpoint of one step; stops some steps later.
+#[derive(Default)]
+struct Keeps {
+    asked: usize,
+    at: usize,
+    steps: usize,
+    kept: Vec<u8>,
+}
+
+impl Recorder for Keeps {
+    fn wants_checkpoint(&mut self, _: bool) -> bool {
+        self.asked += 1;
+        self.asked == self.at
+    }
+
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), RecorderError> {
+        self.kept = postcard::to_allocvec(checkpoint)?;
+        Ok(())
+    }
+
+    fn progress(&mut self, _: f64) -> Flow {
+        self.steps += 1;
+        if self.steps < self.at + BEHIND { Flow::Continue } else { Flow::Stop }
+    }
+}
+
+/// Models of the templates that run, each with a checkpoint.
+fn valid() -> &'static [(Compiled, Vec<u8>)] {
+    static VALID: OnceLock<Vec<(Compiled, Vec<u8>)>> = OnceLock::new();
+    VALID.get_or_init(|| {
+        let each = templates().iter().filter_map(|template| {
+            let compiled = read(template.text, template.name).ok()?.compile().ok()?;
+            let simulation = Simulation::new(&compiled.model, &compiled.settings).ok()?;
+            let mut keeps = Keeps { at: BEFORE, ..Keeps::default() };
+            simulation.run(&mut keeps);
+            (!keeps.kept.is_empty()).then_some((compiled, keeps.kept))
+        });
+        each.collect()
+    })
+}
+
+/// The first byte chooses a checkpoint, each three that follow a place in it and the byte that is put there.
+pub fn checkpoint(data: &[u8]) {
+    let Some((&which, changes)) = data.split_first() else { return };
+    let all = valid();
+    let (compiled, bytes) = &all[usize::from(which) % all.len()];
+    let mut bytes = bytes.clone();
+    for change in changes.chunks_exact(3).take(32) {
+        let place = usize::from(u16::from_le_bytes([change[0], change[1]]));
+        let count = bytes.len();
+        // Some places from the end, where lists are.
+        let at = if place % 2 == 0 { place % count } else { count - 1 - place % count };
+        bytes[at] = change[2];
+    }
+    let Ok(checkpoint) = postcard::from_bytes(&bytes) else { return };
+    if let Ok(run) = Simulation::resume(&compiled.model, &compiled.settings, checkpoint) {
+        let _ = run.run(&mut Keeps::default());
+    }
+}
