@@ -4,7 +4,7 @@ from collections.abc import Callable
 from os import PathLike
 from typing import Any, Literal
 
-Source = tuple[str, str, list[str], dict[str, list[Callable[[float], float]]]]
+Source = tuple[str, str, list[str], dict[str, list[Callable[[float], float]]], bool]
 
 VERSION: str
 
@@ -31,7 +31,7 @@ def sensitivity(source: Source, parameters: list[str], results: list[str]) -> di
 class Study:
     """A study that has been read; it needs no file any more."""
 
-    def __new__(cls, text: str, name: str) -> Study: ...
+    def __new__(cls, text: str, name: str, allow_outside: bool = False) -> Study: ...
     @property
     def text(self) -> str: ...
     @property

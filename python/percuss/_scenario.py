@@ -17,7 +17,7 @@ else:
 _OF_OTHER_LAWS = ("stiffness", "hertz_stiffness", "hertz", "penetrations", "forces", "file")
 """Keys whose place a potential takes."""
 
-Source = tuple[str, str, list[str], dict[str, list[Callable[[float], float]]]]
+Source = tuple[str, str, list[str], dict[str, list[Callable[[float], float]]], bool]
 """What the native module takes: text, name, changes, functions."""
 
 
@@ -57,16 +57,18 @@ class Scenario:
     run, which then tell every fault at once, with the line in :attr:`text`.
     """
 
-    def __init__(self, text: str = "", name: str = "scenario") -> None:
+    def __init__(self, text: str = "", name: str = "scenario", *, allow_outside: bool = False) -> None:
         self._text = text
         self._name = name
+        self._outside = allow_outside
         self._given: dict[str, list[Callable[[float], float]]] = {}
         self._tree: dict[str, Any] | None = None
 
     @classmethod
-    def from_toml(cls, text: str, name: str = "scenario") -> Scenario:
-        """From the text of a file; ``name`` stands for the file in messages, and files that it names lie where it lies."""
-        return cls(text, name)
+    def from_toml(cls, text: str, name: str = "scenario", *, allow_outside: bool = False) -> Scenario:
+        """From the text of a file; ``name`` stands for the file in messages, and files that it names lie where it lies or, with
+        ``allow_outside``, anywhere."""
+        return cls(text, name, allow_outside=allow_outside)
 
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any], name: str = "scenario") -> Scenario:
@@ -101,7 +103,7 @@ class Scenario:
 
     def copy(self) -> Scenario:
         """One that can be changed without changing this one."""
-        other = Scenario(self._text, self._name)
+        other = Scenario(self._text, self._name, allow_outside=self._outside)
         other._given = {path: list(code) for path, code in self._given.items()}
         return other
 
@@ -183,19 +185,19 @@ class Scenario:
             elif callable(value):
                 given[path] = [value]
             lines.append(f"{path}={_toml.value(_word(value))}")
-        return (text, self._name, lines, given)
+        return (text, self._name, lines, given, self._outside)
 
 
 Scenarios = Union[Scenario, str, "os.PathLike[str]", Mapping[str, Any]]
 """A scenario, the path of its file, or nested dictionaries."""
 
 
-def load(path: str | os.PathLike[str]) -> Scenario:
-    """A scenario from a file."""
+def load(path: str | os.PathLike[str], *, allow_outside: bool = False) -> Scenario:
+    """A scenario from a file. CSV files that it names lie in its folder or below or, with ``allow_outside``, anywhere."""
     name = os.fspath(path)
     try:
         with open(path, encoding="utf-8-sig", newline="") as file:
-            return Scenario(file.read(), name)
+            return Scenario(file.read(), name, allow_outside=allow_outside)
     except UnicodeDecodeError as error:
         raise ValueError(f"{name}: is not saved as UTF-8: {error.reason} at byte {error.start}") from None
 

@@ -22,20 +22,20 @@ StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
 """A study, the path of its file, or nested dictionaries with the file's names."""
 
 
-def study_of(study: StudySource | None, parts: Mapping[str, Any]) -> _percuss.Study:
+def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside: bool = False) -> _percuss.Study:
     """The study meant; ``parts`` are its tables, which stand over those of ``study``."""
     if isinstance(study, _percuss.Study) and not parts:
         return study
     if study is None:
-        return _percuss.Study(_text(parts), "study")
+        return _percuss.Study(_text(parts), "study", allow_outside)
     if isinstance(study, _percuss.Study):
         raise TypeError("a study that has been read takes no further tables")
     if isinstance(study, Mapping):
-        return _percuss.Study(_text({**study, **parts}), "study")
+        return _percuss.Study(_text({**study, **parts}), "study", allow_outside)
     if parts:
         raise TypeError(f"{', '.join(parts)}: the study's file says this; give one or the other")
     path = Path(study)
-    return _percuss.Study(path.read_text(encoding="utf-8-sig"), os.fspath(path))
+    return _percuss.Study(path.read_text(encoding="utf-8-sig"), os.fspath(path), allow_outside)
 
 
 def _text(tables: Mapping[str, Any]) -> str:

@@ -27,6 +27,7 @@ def sweep(
     executor: Executor | None = None,
     jobs: int = 0,
     progress: bool | None = None,
+    allow_outside: bool = False,
     **tables: Any,
 ) -> Sweep:
     """Does every run of a study and returns its table.
@@ -45,10 +46,12 @@ def sweep(
 
     ``out`` keeps the study: shards as they are done, ``results.parquet`` and ``report.html`` at the end. What was interrupted or killed goes on
     from there. It is a directory, or with a cluster any location that fsspec knows, such as ``s3://bucket/study``.
+
+    CSV files that the scenario names lie in its folder or below or, with ``allow_outside``, anywhere.
     """
     if client is not None and executor is not None:
         raise TypeError("client and executor: give one of the two")
-    read = study_of(study, tables)
+    read = study_of(study, tables, allow_outside)
     with _directory(out) as place:
         store = _store(place, read)
         with Progress(progress, read.run_count, "runs", "sweep") as bar:

@@ -115,3 +115,23 @@ def test_what_is_written_out_is_the_same_scenario(elastic):
 def test_the_advisor_speaks(elastic):
     advice = elastic.check()
     assert advice and {one.verdict for one in advice} <= {"fine", "note", "warning"}
+
+
+def test_a_scenario_reads_files_outside_its_folder_only_if_allowed(tmp_path):
+    (tmp_path / "in").mkdir()
+    (tmp_path / "pulse.csv").write_text("0, 0\n1, 1\n")
+    scenario = percuss.Scenario.from_dict(PLANK)
+    scenario["load.measured"] = {"kind": "point", "at": "girder.mid", "force": [0, 1]}
+    scenario["load.measured.function"] = {"kind": "table", "file": "../pulse.csv"}
+    file = tmp_path / "in" / "pull.toml"
+    scenario.save(file)
+    with pytest.raises(percuss.ScenarioError, match="outside the folder"):
+        percuss.load(file).check()
+    percuss.load(file, allow_outside=True).check()
+    study = {
+        "scenario": percuss.load(file, allow_outside=True),
+        "parameters": {"step": {"path": "time.step", "values": [1e-4]}},
+        "design": {"kind": "grid"},
+        "results": {"energy": "energy.final"},
+    }
+    assert len(percuss.sweep(**study, progress=False)) == 1

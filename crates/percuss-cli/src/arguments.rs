@@ -127,6 +127,9 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Let a scenario name files outside its own folder
+    #[arg(long, global = true)]
+    pub allow_outside: bool,
 }
 
 /// What to do.

@@ -20,7 +20,11 @@ use clap::Parser;
 use arguments::{Arguments, Command};
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
+    let arguments = Arguments::parse();
+    if arguments.allow_outside {
+        scenario::allow_outside();
+    }
+    let done = match arguments.command {
         Command::Run(arguments) => commands::run::run(&arguments),
         Command::Extend(arguments) => commands::run::extend(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),

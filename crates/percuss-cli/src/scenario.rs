@@ -1,12 +1,19 @@
 //! A scenario file from disk, with the changes of `--set`, ready to run.
 
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::time::Duration;
 
 use percuss::{Fault, mechanisms};
-use percuss_scenario::{Compiled, Diagnostics, Scenario};
+use percuss_scenario::{
+    Compiled, Diagnostics, FileAccess, Scenario, load_with, read_bytes, read_in_time, read_with,
+};
 
 use crate::outcome::Failure;
+
+/// Standard input that gives nothing for so long will not.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// A scenario and what it compiles to.
 #[derive(Debug)]
@@ -70,22 +77,47 @@ impl Ready {
     }
 }
 
-/// Text of a file, or of standard input for `-`; that can be read only once and is kept.
+/// What `--allow-outside` says, of all scenarios of the command.
+static ACCESS: OnceLock<FileAccess> = OnceLock::new();
+
+/// Scenarios may name files outside their folders.
+pub fn allow_outside() {
+    let _ = ACCESS.set(FileAccess::Anywhere);
+}
+
+/// Which files scenarios may name.
+pub fn access() -> FileAccess {
+    ACCESS.get().copied().unwrap_or_default()
+}
+
+/// Text of a file, or of standard input for `-`. That, a pipe or a device can be read only once and is kept.
 ///
 /// # Errors
 /// What the system says.
 pub fn text(file: &Path) -> std::io::Result<String> {
-    static INPUT: Mutex<Option<String>> = Mutex::new(None);
-    if !is_input(file) {
+    static INPUT: Mutex<Option<Result<String, String>>> = Mutex::new(None);
+    if is_plain(file) {
         return std::fs::read_to_string(file);
     }
     let mut kept = INPUT.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(text) = &*kept {
-        return Ok(text.clone());
-    }
-    let text = std::io::read_to_string(std::io::stdin())?;
-    *kept = Some(text.clone());
-    Ok(text)
+    let read = || text_once(file).map_err(|error| error.to_string());
+    kept.get_or_insert_with(read).clone().map_err(std::io::Error::other)
+}
+
+fn text_once(file: &Path) -> std::io::Result<String> {
+    let bytes = match is_input(file) {
+        // Whoever types takes his time.
+        true if std::io::stdin().is_terminal() => std::io::read_to_string(std::io::stdin())?.into(),
+        true => read_in_time(|| Ok(std::io::stdin()), PATIENCE)?,
+        false => read_bytes(file)?,
+    };
+    String::from_utf8(bytes).map_err(|_| std::io::Error::other("it is not UTF-8"))
+}
+
+/// Whether a file can be read as often as one likes, or not at all.
+fn is_plain(file: &Path) -> bool {
+    let special = |m: std::fs::Metadata| !m.is_file() && !m.is_dir();
+    !is_input(file) && !std::fs::metadata(file).is_ok_and(special)
 }
 
 /// Whether a scenario comes from standard input; files that it names then lie from the working directory on.
@@ -102,18 +134,18 @@ fn changed(file: &Path, changes: &[String]) -> Result<Scenario, Diagnostics> {
     let name = name(file);
     let text = match text(file) {
         Ok(text) => text,
-        Err(error) if is_input(file) => {
+        Err(error) if !is_plain(file) => {
             let found = format!("what cannot be read: {error}");
             return Err(Diagnostics::of_file(&name, found, "the text of a scenario"));
         }
         // What is no text is left to `load`, which says why.
-        Err(_) => return percuss_scenario::load(file),
+        Err(_) => return load_with(file, access()),
     };
     match percuss_scenario::apply_overrides(&text, &name, changes) {
-        Ok(text) => percuss_scenario::read(&text, &name),
+        Ok(text) => read_with(&text, &name, access()),
         // Syntax errors keep changes from being made; `read` reports more than these.
         Err(faults) if faults.name() == name => {
-            Err(percuss_scenario::read(&text, &name).err().unwrap_or(faults))
+            Err(read_with(&text, &name, access()).err().unwrap_or(faults))
         }
         Err(faults) => Err(faults),
     }

@@ -1,16 +1,16 @@
 //! A scenario ready to run: text, changes and functions in, model and settings out.
 
 use percuss::{Fault, mechanisms};
-use percuss_scenario::{Compiled, Diagnostics, Scenario, apply_overrides};
+use percuss_scenario::{Compiled, Diagnostics, FileAccess, Scenario, apply_overrides, read_with};
 use pyo3::prelude::*;
 
 use crate::error::scenario_error;
 use crate::given::Given;
 
 /// What a Python scenario hands over: its text, its name in messages (files that it names lie where it lies), changes of the form
-/// `path=value`, functions behind paths.
+/// `path=value`, functions behind paths, whether it may name files outside its folder.
 #[derive(Debug, FromPyObject)]
-pub struct Source(String, String, Vec<String>, Given);
+pub struct Source(String, String, Vec<String>, Given, bool);
 
 /// A scenario and what it compiles to.
 #[derive(Debug)]
@@ -45,12 +45,13 @@ impl Source {
     }
 
     fn read(&self) -> Result<Scenario, Diagnostics> {
-        let Self(text, name, changes, _) = self;
+        let Self(text, name, changes, _, outside) = self;
+        let access = if *outside { FileAccess::Anywhere } else { FileAccess::OwnFolder };
         match apply_overrides(text, name, changes) {
-            Ok(text) => percuss_scenario::read(&text, name),
+            Ok(text) => read_with(&text, name, access),
             // Syntax errors keep changes from being made; `read` reports more than these.
             Err(faults) if faults.name() == name => {
-                Err(percuss_scenario::read(text, name).err().unwrap_or(faults))
+                Err(read_with(text, name, access).err().unwrap_or(faults))
             }
             Err(faults) => Err(faults),
         }

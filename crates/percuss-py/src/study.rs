@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
 use numpy::IntoPyArray;
+use percuss_scenario::FileAccess;
 use percuss_study::{Done, Folder, Progress, Shard, Values, merge, sweep};
 use pyo3::exceptions::{PyIndexError, PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -26,8 +27,10 @@ pub struct Study {
 impl Study {
     /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
     #[new]
-    fn new(py: Python<'_>, text: &str, name: &str) -> PyResult<Self> {
-        let read = py.detach(|| percuss_study::Study::from_toml(text, name));
+    #[pyo3(signature = (text, name, allow_outside = false))]
+    fn new(py: Python<'_>, text: &str, name: &str, allow_outside: bool) -> PyResult<Self> {
+        let access = if allow_outside { FileAccess::Anywhere } else { FileAccess::OwnFolder };
+        let read = py.detach(|| percuss_study::Study::from_toml_with(text, name, access));
         read.map(|inner| Self { inner }).map_err(|faults| scenario_error(py, &faults))
     }
 

@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use serde_json::{Value as Json, json};
 
+use crate::files::{FileAccess, is_within};
 use crate::format::{Format, Inline, List};
 use crate::measure::Length;
 use crate::node::{Body, Node, Reader, count};
@@ -20,6 +21,12 @@ type Clash = (String, String);
 fn load(node: &Node<'_>, columns: &str, reader: &mut Reader<'_>) -> Option<Vec<Row>> {
     let name = node.value.as_str()?;
     reader.files += 1;
+    if reader.access == FileAccess::OwnFolder && !is_within(&reader.folder, name) {
+        let found = format!("{name:?}, which lies outside the folder of this file");
+        let expected = "a file in that folder or below; others are read only where that is allowed (--allow-outside, allow_outside=True)";
+        reader.wrong(node, found, expected);
+        return None;
+    }
     let rows = read(&reader.folder.join(name), name, columns);
     rows.map_err(|(found, expected)| reader.wrong(node, found, expected)).ok()
 }
@@ -63,11 +70,20 @@ fn parse(text: &str) -> Result<Vec<Row>, (usize, String)> {
         };
         let number = |cell: &str| {
             let value = cell.parse().ok().filter(|v: &f64| v.is_finite());
-            value.ok_or_else(|| (i + 1, format!("{cell:?}, which is no finite number,")))
+            value.ok_or_else(|| (i + 1, format!("{}, which is no finite number,", shown(cell))))
         };
         rows.push((i + 1, [number(a)?, number(b)?]));
     }
     Ok(rows)
+}
+
+/// A cell in a message: itself if it looks like a number, for the file may be none that its reader should see.
+fn shown(cell: &str) -> String {
+    let numeric = |c: char| c.is_ascii_digit() || "+-.,eE'_".contains(c);
+    match cell.len() <= 30 && cell.chars().all(numeric) {
+        true => format!("{cell:?}"),
+        false => "a text".into(),
+    }
 }
 
 /// Between semicolons, tabs, commas or blanks, the first of these that the line has.

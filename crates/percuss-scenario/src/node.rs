@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use toml::de::{DeTable, DeValue};
 
+use crate::files::FileAccess;
 use crate::source::join;
 
 /// A value of the file with its place.
@@ -126,20 +127,23 @@ pub(crate) struct Reader<'s> {
     pub excused: BTreeSet<(String, usize)>,
     /// Folder that the paths of other files start from.
     pub folder: PathBuf,
+    /// Which files it may name.
+    pub access: FileAccess,
     /// Other files that were read.
     pub files: usize,
     names: BTreeMap<&'static str, Vec<&'s str>>,
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(text: &'s str, root: &Body<'s>, folder: &Path) -> Self {
+    pub fn new(text: &'s str, root: &Body<'s>, files: (&Path, FileAccess)) -> Self {
         let mut names = BTreeMap::new();
         for kind in ["material", "section", "beam", "mass", "obstacle", "projectile"] {
             let table = root.get(kind).as_ref().and_then(Body::of);
             let keys = table.map(|t| t.keys()).unwrap_or_default();
             names.insert(kind, keys.into_iter().map(|(name, _)| name).collect());
         }
-        Self { text, names, folder: folder.into(), ..Self::default() }
+        let (folder, access) = files;
+        Self { text, names, folder: folder.into(), access, ..Self::default() }
     }
 
     /// Makes names known that values may refer to, by kind of table.

@@ -9,6 +9,7 @@ use toml::de::DeTable;
 use crate::compile;
 use crate::content::{Content, ProjectileKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::files::FileAccess;
 use crate::given::Given;
 use crate::node::{About, Body, Raw, Reader};
 use crate::source::{Places, Source};
@@ -64,8 +65,16 @@ impl Scenario {
 /// # Errors
 /// The file cannot be read, is not UTF-8, or has faults.
 pub fn load(path: impl AsRef<Path>) -> Result<Scenario, Diagnostics> {
+    load_with(path, FileAccess::OwnFolder)
+}
+
+/// The same, with a say in which files the scenario may name.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_with(path: impl AsRef<Path>, access: FileAccess) -> Result<Scenario, Diagnostics> {
     let path = path.as_ref();
-    read_from(Source::load(path)?, folder(path))
+    read_from(Source::load(path)?, (folder(path), access))
 }
 
 /// Reads a scenario; `name` stands for the file in messages, and files that the text names lie where it lies.
@@ -73,11 +82,19 @@ pub fn load(path: impl AsRef<Path>) -> Result<Scenario, Diagnostics> {
 /// # Errors
 /// Every fault of the text and, as far as the sound part of it goes, of the model it describes.
 pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
+    read_with(text, name, FileAccess::OwnFolder)
+}
+
+/// The same, with a say in which files the scenario may name.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_with(text: &str, name: &str, access: FileAccess) -> Result<Scenario, Diagnostics> {
     if is_study(text) {
         let expected = "a scenario; `percuss sweep` runs studies";
         return Err(Diagnostics::of_file(name, "a study, which varies a scenario", expected));
     }
-    read_from(Source::new(name, text), folder(Path::new(name)))
+    read_from(Source::new(name, text), (folder(Path::new(name)), access))
 }
 
 /// The folder of a file; the working directory for a name alone.
@@ -100,7 +117,7 @@ pub(crate) struct Parsed<T> {
 /// If it is empty or has syntax errors.
 pub(crate) fn parse<T: Part>(
     source: &Source,
-    folder: &Path,
+    files: (&Path, FileAccess),
     expected: &str,
 ) -> Result<Parsed<T>, Diagnostics> {
     let text = source.text.as_str();
@@ -112,7 +129,7 @@ pub(crate) fn parse<T: Part>(
     let syntax = syntax::faults(source, &errors);
     let places = Places::new(root.get_ref());
     let body = Body::root(root.get_ref());
-    let mut reader = Reader::new(text, &body, folder);
+    let mut reader = Reader::new(text, &body, files);
     let content = table::read::<T>(&body, &mut reader).unwrap_or_else(T::placeholder);
     let Reader { faults, tainted, files, .. } = reader;
     match syntax.is_empty() {
@@ -121,9 +138,9 @@ pub(crate) fn parse<T: Part>(
     }
 }
 
-fn read_from(source: Source, folder: &Path) -> Result<Scenario, Diagnostics> {
+fn read_from(source: Source, files: (&Path, FileAccess)) -> Result<Scenario, Diagnostics> {
     let expected = "a scenario, with a beam and [time] at least";
-    let parsed = parse::<Content>(&source, folder, expected)?;
+    let parsed = parse::<Content>(&source, files, expected)?;
     let Parsed { content, places, faults, tainted, names_files } = parsed;
     if faults.is_empty() {
         let (source, places) = (Arc::new(source), Arc::new(places));

@@ -34,7 +34,7 @@ impl Source {
         if path.is_dir() {
             return Err(whole("a directory", "a scenario file"));
         }
-        let bytes = std::fs::read(path).map_err(|error| match error.kind() {
+        let bytes = crate::files::read_bytes(path).map_err(|error| match error.kind() {
             std::io::ErrorKind::NotFound => whole("no such file", "a scenario file"),
             _ => whole(&format!("a file that cannot be read ({error})"), "a readable file"),
         })?;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use percuss_output::SummaryPath;
 use percuss_scenario::study::StudyContent;
-use percuss_scenario::{Diagnostics, Scenario, StudyFile};
+use percuss_scenario::{Diagnostics, FileAccess, Scenario, StudyFile};
 use sha2::{Digest, Sha256};
 
 use crate::column::{Column, Role, Values};
@@ -47,7 +47,15 @@ impl Study {
     /// # Errors
     /// Every fault of the study, or those of its base scenario.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Diagnostics> {
-        resolve(StudyFile::load(path)?)
+        Self::load_with(path, FileAccess::OwnFolder)
+    }
+
+    /// The same, with a say in which files its scenario may name.
+    ///
+    /// # Errors
+    /// As [`Study::load`].
+    pub fn load_with(path: impl AsRef<Path>, access: FileAccess) -> Result<Self, Diagnostics> {
+        resolve(StudyFile::load_with(path, access)?)
     }
 
     /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
@@ -55,7 +63,15 @@ impl Study {
     /// # Errors
     /// Every fault of the study, or those of its base scenario.
     pub fn from_toml(text: &str, name: &str) -> Result<Self, Diagnostics> {
-        resolve(StudyFile::read(text, name)?)
+        Self::from_toml_with(text, name, FileAccess::OwnFolder)
+    }
+
+    /// The same, with a say in which files its scenario may name.
+    ///
+    /// # Errors
+    /// As [`Study::from_toml`].
+    pub fn from_toml_with(text: &str, name: &str, access: FileAccess) -> Result<Self, Diagnostics> {
+        resolve(StudyFile::read_with(text, name, access)?)
     }
 
     pub(crate) fn new(

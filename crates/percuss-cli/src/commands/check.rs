@@ -16,8 +16,9 @@ const REASONS: usize = 5;
 
 /// Says what is wrong with a scenario or a study, or what is in it.
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
-    let text = scenario::text(&arguments.file).unwrap_or_default();
-    if percuss_scenario::is_study(&text) {
+    // What cannot be read is told of below, where a scenario is read.
+    let text = scenario::text(&arguments.file);
+    if text.as_deref().is_ok_and(percuss_scenario::is_study) {
         if scenario::is_input(&arguments.file) {
             return Err(Failure::Input(
                 "a study is read from a file, not from standard input".into(),
@@ -48,7 +49,7 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
         let text = "--set changes scenarios; give the values in the study";
         return Err(Failure::Input(text.into()));
     }
-    let study = Study::load(&arguments.file)?;
+    let study = Study::load_with(&arguments.file, scenario::access())?;
     let (parameters, results) = (study.parameters().len(), study.results().len());
     let contents =
         [runs(study.run_count()), count(parameters, "parameter"), count(results, "result")];

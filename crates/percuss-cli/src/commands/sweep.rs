@@ -16,7 +16,7 @@ mod outcome;
 
 /// Runs a study, or what is left of it.
 pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
-    let study = Study::load(&arguments.study)?;
+    let study = Study::load_with(&arguments.study, scenario::access())?;
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.study, ""));
     if let Some(scheduler) = &arguments.scheduler {
         return cluster::sweep(&arguments.study, scheduler, &out, arguments.quiet);

@@ -8,6 +8,7 @@ mod common;
 mod export;
 mod interrupt;
 mod modes;
+mod outside;
 mod plot;
 mod report;
 mod run;

@@ -19,6 +19,7 @@ pub use content::{
 pub use given::Given;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::files::FileAccess;
 use crate::scenario::{folder, parse, place};
 use crate::source::{Places, Source};
 use crate::table::Part;
@@ -32,6 +33,7 @@ pub struct StudyFile {
     source: Source,
     places: Places,
     folder: PathBuf,
+    access: FileAccess,
     faults: Vec<Diagnostic>,
     tainted: BTreeSet<String>,
 }
@@ -42,8 +44,16 @@ impl StudyFile {
     /// # Errors
     /// If the file cannot be read, is not UTF-8 or not TOML.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Diagnostics> {
+        Self::load_with(path, FileAccess::OwnFolder)
+    }
+
+    /// The same, with a say in which files its scenario may name.
+    ///
+    /// # Errors
+    /// As [`StudyFile::load`].
+    pub fn load_with(path: impl AsRef<Path>, access: FileAccess) -> Result<Self, Diagnostics> {
         let path = path.as_ref();
-        Self::read_from(Source::load(path)?, folder(path))
+        Self::read_from(Source::load(path)?, folder(path), access)
     }
 
     /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
@@ -51,15 +61,28 @@ impl StudyFile {
     /// # Errors
     /// If the text is empty or not TOML.
     pub fn read(text: &str, name: &str) -> Result<Self, Diagnostics> {
-        Self::read_from(Source::new(name, text), folder(Path::new(name)))
+        Self::read_with(text, name, FileAccess::OwnFolder)
     }
 
-    fn read_from(source: Source, folder: &Path) -> Result<Self, Diagnostics> {
+    /// The same, with a say in which files its scenario may name.
+    ///
+    /// # Errors
+    /// As [`StudyFile::read`].
+    pub fn read_with(text: &str, name: &str, access: FileAccess) -> Result<Self, Diagnostics> {
+        Self::read_from(Source::new(name, text), folder(Path::new(name)), access)
+    }
+
+    /// Which files its scenario may name.
+    pub fn access(&self) -> FileAccess {
+        self.access
+    }
+
+    fn read_from(source: Source, folder: &Path, access: FileAccess) -> Result<Self, Diagnostics> {
         let expected = "a study, with `base`, [parameter.NAME], [design] and [results]";
-        let parsed = parse::<StudyContent>(&source, folder, expected)?;
+        let parsed = parse::<StudyContent>(&source, (folder, access), expected)?;
         let faults = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
         let (content, places, tainted) = (parsed.content, parsed.places, parsed.tainted);
-        Ok(Self { content, places, folder: folder.into(), faults, tainted, source })
+        Ok(Self { content, places, folder: folder.into(), access, faults, tainted, source })
     }
 
     /// Name of the file, as given.

@@ -58,7 +58,7 @@ fn refuse_missing(study: &Path, out: &Path) -> Result<(), Failure> {
     if out.to_string_lossy().contains("://") {
         return Ok(());
     }
-    let study = Study::load(study)?;
+    let study = Study::load_with(study, crate::scenario::access())?;
     let table = Folder::open(out, &study).and_then(|folder| folder.results(&study));
     match table {
         Ok(_) => Ok(()),

@@ -1,0 +1,83 @@
+//! Files that a scenario names, and scenarios that come through pipes.
+#![cfg(unix)]
+
+use std::io::Write;
+use std::os::unix::fs::symlink;
+use std::process::{Command, Stdio};
+
+use crate::common::{Desk, ELASTIC, Outcome};
+
+fn pulled_by(file: &str) -> String {
+    format!(
+        "{ELASTIC}\n[load.measured]\nkind = \"point\"\nat = \"girder.end\"\nforce = [0, 1]\nfunction = {{ kind = \"table\", file = \"{file}\" }}\n"
+    )
+}
+
+fn check(desk: &Desk, more: &[&str]) -> Outcome {
+    desk.percuss(&[&["check", "in/pull.toml"], more].concat())
+}
+
+#[test]
+fn a_scenario_reads_no_file_outside_its_folder_unless_allowed() {
+    let desk = Desk::empty();
+    std::fs::create_dir_all(desk.path("in/below")).unwrap();
+    desk.put("secret.csv", "0, 1\n1, swordfish\n");
+    desk.put("pulse.csv", "0, 0\n1, 1\n");
+    desk.put("in/below/pulse.csv", "0, 0\n1, 1\n");
+    symlink(desk.path("pulse.csv"), desk.path("in/link.csv")).unwrap();
+    symlink(desk.path("in/below/pulse.csv"), desk.path("in/within.csv")).unwrap();
+    let absolute = desk.path("pulse.csv").display().to_string();
+    for name in ["../pulse.csv", "below/../../pulse.csv", "link.csv", absolute.as_str()] {
+        desk.put("in/pull.toml", pulled_by(name));
+        check(&desk, &[]).ends_with(2).tells("which lies outside the folder of this file");
+        check(&desk, &["--allow-outside"]).ends_with(0);
+    }
+    for name in ["below/pulse.csv", "within.csv", "./below/../within.csv"] {
+        desk.put("in/pull.toml", pulled_by(name));
+        check(&desk, &[]).ends_with(0);
+    }
+    // Whether it is there is not told either, nor what is in it.
+    desk.put("in/pull.toml", pulled_by("../nothing.csv"));
+    check(&desk, &[]).ends_with(2).tells("which lies outside the folder of this file");
+    desk.put("in/pull.toml", pulled_by("../secret.csv"));
+    let told = check(&desk, &["--allow-outside"]);
+    told.ends_with(2).tells("a text, which is no finite number, in line 2");
+    assert!(!told.stderr.contains("swordfish"), "{}", told.stderr);
+}
+
+#[test]
+fn so_does_the_scenario_of_a_study() {
+    let desk = Desk::empty();
+    std::fs::create_dir_all(desk.path("in")).unwrap();
+    desk.put("pulse.csv", "0, 0\n1, 1\n");
+    desk.put("in/pull.toml", pulled_by("../pulse.csv"));
+    desk.put(
+        "study.toml",
+        "base = \"in/pull.toml\"\n[parameter.step]\npath = \"time.step\"\nvalues = [1e-4, 2e-4]\n[design]\nkind = \"grid\"\n\
+         [results]\nenergy = \"energy.final\"\n",
+    );
+    let outside = desk.percuss(&["check", "study.toml"]);
+    outside.ends_with(2).tells("which lies outside the folder of this file");
+    desk.percuss(&["check", "study.toml", "--allow-outside"]).ends_with(0);
+}
+
+#[test]
+fn a_scenario_comes_through_a_pipe_once() {
+    let desk = Desk::empty();
+    let mut command = desk.command(&["check", "/dev/stdin"]);
+    let mut child = command.stdin(Stdio::piped()).spawn().unwrap();
+    child.stdin.take().unwrap().write_all(ELASTIC.as_bytes()).unwrap();
+    Outcome::from(child.wait_with_output().unwrap()).ends_with(0);
+    let fifo = desk.path("fifo");
+    assert!(Command::new("mkfifo").arg(&fifo).status().unwrap().success());
+    let child =
+        desk.command(&["run", "fifo", "--quiet", "--no-report", "--out", "out"]).spawn().unwrap();
+    std::fs::write(&fifo, ELASTIC).unwrap();
+    Outcome::from(child.wait_with_output().unwrap()).ends_with(0);
+    assert!(desk.path("out/summary.json").is_file());
+    // Bytes that are no text are told of, not waited for again.
+    let child = desk.command(&["check", "fifo"]).spawn().unwrap();
+    std::fs::write(&fifo, [0xff, 0xfe, 0x00]).unwrap();
+    Outcome::from(child.wait_with_output().unwrap()).ends_with(2).tells("not UTF-8");
+    desk.percuss(&["check", "/dev/zero"]).ends_with(2).tells("may have no end");
+}

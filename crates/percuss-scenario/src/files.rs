@@ -1,0 +1,141 @@
+//! Reading files: which of those that a scenario names, and what is no regular file.
+
+use std::fs;
+use std::io::{Error, ErrorKind, Read, Result};
+use std::path::{Component, Path, PathBuf};
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
+/// A pipe that gives nothing for so long will not.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Most that is read from a pipe or a device, which may have no end \[bytes\].
+const MOST: usize = 1 << 28;
+
+/// Which files a scenario may name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FileAccess {
+    /// Those in its own folder and below: it may come from someone else.
+    #[default]
+    OwnFolder,
+    /// Any.
+    Anywhere,
+}
+
+/// The bytes of a file; a pipe or a device is read once, as long as it gives something every ten seconds.
+///
+/// # Errors
+/// What the system says; `TimedOut` where nothing came, `FileTooLarge` where there was no end.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>> {
+    if fs::metadata(path)?.is_file() {
+        return fs::read(path);
+    }
+    let path = path.to_owned();
+    // Opening a pipe waits as well.
+    read_in_time(move || fs::File::open(path), PATIENCE)
+}
+
+/// The bytes of what `open` gives, within limits of time and memory.
+///
+/// # Errors
+/// As [`read_bytes`].
+pub fn read_in_time<R: Read>(
+    open: impl FnOnce() -> Result<R> + Send + 'static,
+    patience: Duration,
+) -> Result<Vec<u8>> {
+    let (sender, pieces) = mpsc::channel::<Result<Vec<u8>>>();
+    // Left behind where it waits for ever; it holds nothing.
+    thread::spawn(move || {
+        let mut from = match open() {
+            Ok(from) => from,
+            Err(error) => return sender.send(Err(error)).unwrap_or(()),
+        };
+        let mut piece = vec![0; 1 << 16];
+        loop {
+            let read = from.read(&mut piece).map(|n| piece[..n].to_vec());
+            let ends = read.as_ref().map_or(true, Vec::is_empty);
+            if sender.send(read).is_err() || ends {
+                return;
+            }
+        }
+    });
+    let mut bytes = Vec::new();
+    loop {
+        let piece = pieces.recv_timeout(patience).map_err(|_| {
+            let text = format!("nothing came from it for {} s", patience.as_secs_f64());
+            Error::new(ErrorKind::TimedOut, text)
+        })??;
+        if piece.is_empty() {
+            return Ok(bytes);
+        }
+        bytes.extend(piece);
+        if bytes.len() > MOST {
+            let text = format!("it gives more than {} MB and may have no end", MOST >> 20);
+            return Err(Error::new(ErrorKind::FileTooLarge, text));
+        }
+    }
+}
+
+/// Whether a file that a text in `folder` names lies in that folder or below, links followed.
+pub(crate) fn is_within(folder: &Path, name: &str) -> bool {
+    if escapes(Path::new(name)) {
+        return false;
+    }
+    let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let real = |path: PathBuf| path.canonicalize();
+    match (real(here.to_owned()), real(here.join(name))) {
+        (Ok(folder), Ok(file)) => file.starts_with(folder),
+        // What is not there is told as that.
+        _ => true,
+    }
+}
+
+/// Whether a path, taken by its words, leads out of where it begins.
+fn escapes(path: &Path) -> bool {
+    let mut depth = 0_i64;
+    for part in path.components() {
+        match part {
+            Component::Normal(_) => depth += 1,
+            Component::ParentDir => depth -= 1,
+            Component::CurDir => {}
+            Component::RootDir | Component::Prefix(_) => return true,
+        }
+        if depth < 0 {
+            return true;
+        }
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_gives_nothing_is_given_up() {
+        let waits = || {
+            thread::sleep(Duration::from_secs(2));
+            Ok(std::io::empty())
+        };
+        let error = read_in_time(waits, Duration::from_millis(20)).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::TimedOut);
+    }
+
+    #[test]
+    fn what_has_no_end_is_given_up() {
+        let error = read_in_time(|| Ok(std::io::repeat(b' ')), PATIENCE).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::FileTooLarge);
+        let text = read_in_time(|| Ok("all".as_bytes()), PATIENCE).unwrap();
+        assert_eq!(text, b"all");
+    }
+
+    #[test]
+    fn paths_that_lead_out_do_so_by_their_words() {
+        for out in ["/etc/passwd", "../x.csv", "a/../../x.csv", "./.."] {
+            assert!(escapes(Path::new(out)), "{out}");
+        }
+        for within in ["x.csv", "./a/x.csv", "a/../x.csv", "a/b/../../x.csv"] {
+            assert!(!escapes(Path::new(within)), "{within}");
+        }
+    }
+}
