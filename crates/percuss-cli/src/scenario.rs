@@ -138,8 +138,12 @@ fn changed(file: &Path, changes: &[String]) -> Result<Scenario, Diagnostics> {
             let found = format!("what cannot be read: {error}");
             return Err(Diagnostics::of_file(&name, found, "the text of a scenario"));
         }
-        // What is no text is left to `load`, which says why.
-        Err(_) => return load_with(file, access()),
+        // What is no text is left to `load`, which says why; what it can read after all lacks the changes.
+        Err(error) => {
+            let found = || format!("a file that cannot be read ({error})");
+            let other = || Diagnostics::of_file(&name, found(), "a readable file");
+            return Err(load_with(file, access()).err().unwrap_or_else(other));
+        }
     };
     match percuss_scenario::apply_overrides(&text, &name, changes) {
         Ok(text) => read_with(&text, &name, access()),

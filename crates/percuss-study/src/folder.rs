@@ -127,7 +127,21 @@ impl Folder {
             let _ = fs::remove_file(&staging);
             return Err(error);
         }
-        settle(&staging, &path)
+        settle(&staging, &path)?;
+        self.tidy_up();
+        Ok(())
+    }
+
+    /// Removes what processes that died were writing: with all shards done, nothing of it is needed. A process that still writes one
+    /// finds it done ([`settle`]).
+    fn tidy_up(&self) {
+        for folder in [self.path.clone(), self.path.join(SHARDS)] {
+            for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+                if is_staging(&entry.file_name().to_string_lossy()) {
+                    let _ = fs::remove_file(entry.path());
+                }
+            }
+        }
     }
 
     /// The table of all runs.
@@ -166,14 +180,32 @@ impl Folder {
 /// Writes a file beside its place and moves it there, so that it is whole or not there, even if power fails.
 fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let staging = staging(path);
-    fs::write(&staging, bytes).map_err(|e| Error::io(&staging, "write", e))?;
+    if let Err(error) = fs::write(&staging, bytes) {
+        let _ = fs::remove_file(&staging);
+        return Err(Error::io(&staging, "write", error));
+    }
     settle(&staging, path)
 }
 
 fn settle(staging: &Path, path: &Path) -> Result<(), Error> {
     let synced = fs::File::open(staging).and_then(|file| file.sync_all());
-    synced.map_err(|e| Error::io(staging, "write", e))?;
-    fs::rename(staging, path).map_err(|e| Error::io(path, "write", e))
+    let Err(error) = synced.and_then(|()| fs::rename(staging, path)) else { return Ok(()) };
+    // Another process has done the same meanwhile, and tidied up.
+    if error.kind() == std::io::ErrorKind::NotFound && path.is_file() {
+        return Ok(());
+    }
+    let _ = fs::remove_file(staging);
+    Err(Error::io(path, "write", error))
+}
+
+/// Whether a name is one of [`staging`].
+fn is_staging(name: &str) -> bool {
+    let parts = name.strip_prefix('.').and_then(|rest| rest.rsplit_once('.'));
+    parts.is_some_and(|(of, number)| {
+        let ours = [STUDY, RESULTS, REPORT].contains(&of)
+            || (of.starts_with("shard-") && of.ends_with(".parquet"));
+        ours && number.len() == 16 && number.bytes().all(|b| b.is_ascii_hexdigit())
+    })
 }
 
 /// A name beside `path` that no other process uses, on whatever machine.

@@ -5,6 +5,7 @@ mod bad_input;
 mod checkpoints;
 mod commands;
 mod common;
+mod disk_faults;
 mod export;
 mod interrupt;
 mod modes;

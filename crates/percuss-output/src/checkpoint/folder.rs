@@ -139,8 +139,10 @@ impl CheckpointFolder {
     /// Removes it: the run is complete.
     pub fn remove(mut self) {
         self.rows = None;
-        for name in [STATE, ROWS] {
-            let _ = fs::remove_file(self.path.join(name));
+        // Without its rows a state is worth nothing.
+        let state = fs::remove_file(self.path.join(STATE));
+        if state.is_ok() || !self.path.join(STATE).exists() {
+            let _ = fs::remove_file(self.path.join(ROWS));
         }
         // With anything else in it, it stays.
         let _ = fs::remove_dir(&self.path);

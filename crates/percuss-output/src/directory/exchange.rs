@@ -108,6 +108,8 @@ impl Staging {
         let mark = self.path.join(ADDITION);
         fs::write(&mark, "").map_err(|e| Error::io(&mark, "write", e))?;
         self.finish()?;
+        // Once files are on their way, what is left of them belongs to whoever comes next.
+        self.kept = true;
         move_entries(&self.path, target)?;
         sync(target)
     }
@@ -214,7 +216,9 @@ fn put_aside(earlier: &Manifest, target: &Path) -> Result<PathBuf, Error> {
 /// Puts in order what processes that died have left in and beside a directory, whose lock is held.
 pub(super) fn recover(target: &Path) -> Result<(), Error> {
     for left in left_behind(target, STAGED)? {
-        if left.join(UNFINISHED).exists() {
+        // Before the mark is made and after the last file is gone, nothing is in it.
+        let bare = Manifest::read(&left)?.is_none() && files_in(&left)?.is_empty();
+        if bare || left.join(UNFINISHED).exists() {
             fs::remove_dir_all(&left).map_err(|e| Error::io(&left, "remove", e))?;
         } else if left.parent() == Some(target) {
             go_on(&left, target)?;

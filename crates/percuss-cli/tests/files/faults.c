@@ -1,0 +1,152 @@
+/* Makes the Nth operation on files below a folder fail, or the process die there. Loaded before the C library (LD_PRELOAD).
+
+   FAULT_UNDER  the folder, an absolute path; relative paths count as well
+   FAULT_AT     number of the operation, from 1; 0 fails nothing
+   FAULT_ERRNO  error of the system; 0 ends the process at once, a write half done
+   FAULT_COUNT  file that the number of operations is written to at the end */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+static atomic_long operations;
+
+static long number(const char *name) {
+  const char *text = getenv(name);
+  return text ? strtol(text, 0, 10) : 0;
+}
+
+static int counts_path(const char *path) {
+  const char *under = getenv("FAULT_UNDER");
+  if (!under || !path) return 0;
+  return path[0] != '/' || !strncmp(path, under, strlen(under));
+}
+
+static int counts_file(int file) {
+  char link[64], path[4096];
+  const char *under = getenv("FAULT_UNDER");
+  if (!under) return 0;
+  snprintf(link, sizeof link, "/proc/self/fd/%d", file);
+  ssize_t length = readlink(link, path, sizeof path - 1);
+  if (length <= 0) return 0;
+  path[length] = 0;
+  return !strncmp(path, under, strlen(under));
+}
+
+/* Whether this operation is the one; the process may end here. */
+static int strikes(int may_die) {
+  long own = atomic_fetch_add(&operations, 1) + 1;
+  if (own != number("FAULT_AT")) return 0;
+  long error = number("FAULT_ERRNO");
+  if (!error && may_die) _exit(137);
+  errno = error;
+  return 1;
+}
+
+__attribute__((destructor)) static void tell(void) {
+  const char *file = getenv("FAULT_COUNT");
+  if (!file) return;
+  unsetenv("FAULT_UNDER");
+  FILE *out = fopen(file, "w");
+  if (!out) return;
+  fprintf(out, "%ld\n", (long)atomic_load(&operations));
+  fclose(out);
+}
+
+#define REAL(name) static __typeof__(name) *real; if (!real) real = (__typeof__(name) *)dlsym(RTLD_NEXT, #name)
+
+#define OPEN(name)                                                                    \
+  int name(const char *path, int flags, ...) {                                        \
+    REAL(name);                                     \
+    va_list more; va_start(more, flags); mode_t mode = va_arg(more, mode_t); va_end(more); \
+    if (counts_path(path) && strikes(1)) return -1;                                   \
+    return real(path, flags, mode);                                                   \
+  }
+OPEN(open)
+OPEN(open64)
+
+#define OPENAT(name)                                                                  \
+  int name(int folder, const char *path, int flags, ...) {                            \
+    REAL(name);                                \
+    va_list more; va_start(more, flags); mode_t mode = va_arg(more, mode_t); va_end(more); \
+    if (counts_path(path) && strikes(1)) return -1;                                   \
+    return real(folder, path, flags, mode);                                           \
+  }
+OPENAT(openat)
+OPENAT(openat64)
+
+ssize_t write(int file, const void *bytes, size_t count) {
+  REAL(write);
+  if (counts_file(file) && strikes(0)) {
+    if (errno) return -1;
+    real(file, bytes, count / 2);
+    _exit(137);
+  }
+  return real(file, bytes, count);
+}
+
+ssize_t writev(int file, const struct iovec *pieces, int count) {
+  REAL(writev);
+  return counts_file(file) && strikes(1) ? -1 : real(file, pieces, count);
+}
+
+#define ON_FILE(name)                                                 \
+  int name(int file) {                                                \
+    REAL(name);                                        \
+    return counts_file(file) && strikes(1) ? -1 : real(file);         \
+  }
+ON_FILE(fsync)
+ON_FILE(fdatasync)
+
+#define SHORTEN(name, length_type)                                    \
+  int name(int file, length_type length) {                            \
+    REAL(name);                           \
+    return counts_file(file) && strikes(1) ? -1 : real(file, length); \
+  }
+SHORTEN(ftruncate, off_t)
+SHORTEN(ftruncate64, off64_t)
+
+#define ON_PATH(name)                                                 \
+  int name(const char *path) {                                        \
+    REAL(name);                               \
+    return counts_path(path) && strikes(1) ? -1 : real(path);         \
+  }
+ON_PATH(unlink)
+ON_PATH(rmdir)
+
+int unlinkat(int folder, const char *path, int flags) {
+  REAL(unlinkat);
+  return counts_path(path) && strikes(1) ? -1 : real(folder, path, flags);
+}
+
+int mkdir(const char *path, mode_t mode) {
+  REAL(mkdir);
+  return counts_path(path) && strikes(1) ? -1 : real(path, mode);
+}
+
+#define TWO_PATHS(name)                                               \
+  int name(const char *from, const char *to) {                        \
+    REAL(name);                 \
+    return counts_path(to) && strikes(1) ? -1 : real(from, to);       \
+  }
+TWO_PATHS(rename)
+TWO_PATHS(link)
+
+int linkat(int a, const char *from, int b, const char *to, int flags) {
+  REAL(linkat);
+  return counts_path(to) && strikes(1) ? -1 : real(a, from, b, to, flags);
+}
+
+int renameat2(int a, const char *from, int b, const char *to, unsigned flags) {
+  REAL(renameat2);
+  return counts_path(to) && strikes(1) ? -1 : real(a, from, b, to, flags);
+}
