@@ -80,7 +80,8 @@ fn parse(text: &str) -> Result<Vec<Row>, (usize, String)> {
 /// A cell in a message: itself if it looks like a number, for the file may be none that its reader should see.
 fn shown(cell: &str) -> String {
     let numeric = |c: char| c.is_ascii_digit() || "+-.,eE'_".contains(c);
-    match cell.len() <= 30 && cell.chars().all(numeric) {
+    let named = ["nan", "inf", "infinity"].contains(&cell.to_lowercase().trim_matches(['+', '-']));
+    match named || (cell.len() <= 30 && cell.chars().all(numeric)) {
         true => format!("{cell:?}"),
         false => "a text".into(),
     }

@@ -1,7 +1,7 @@
 //! A beam of 3 m to put things on, and what is said of them.
 #![allow(dead_code, reason = "every test file uses its own share of these")]
 
-use percuss_scenario::{Content, Diagnostics, read};
+use percuss_scenario::{Content, Diagnostics, FileAccess, read, read_with};
 
 /// Twelve lines: a beam of 3 m.
 pub const BEAM: &str = "[material.m]\nyoung = 1e9\ndensity = 1e3\n\
@@ -24,7 +24,8 @@ pub fn good(text: &str) -> Content {
 
 /// All faults of a file, of reading and of the model.
 pub fn faults(text: &str) -> Diagnostics {
-    let all = read(&[BEAM, text, TIME].concat(), "f.toml").and_then(|s| s.compile());
+    let all = read_with(&[BEAM, text, TIME].concat(), "f.toml", FileAccess::Anywhere)
+        .and_then(|s| s.compile());
     all.map(|_| panic!("no fault in\n{text}")).unwrap_err()
 }
 
