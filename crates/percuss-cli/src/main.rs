@@ -10,6 +10,7 @@ mod number;
 mod outcome;
 mod picture_arguments;
 mod progress;
+mod run_arguments;
 mod scenario;
 mod terminal;
 

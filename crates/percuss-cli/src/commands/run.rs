@@ -20,11 +20,11 @@ use percuss_output::{
 use serde_json::Value;
 
 use crate::advisor;
-use crate::arguments::{Every, Extend, History, Run};
 use crate::browser;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
+use crate::run_arguments::{Every, Extend, History, Run};
 use crate::scenario::{self, Ready};
 use crate::terminal;
 use checkpoints::{Checkpoints, without_end};

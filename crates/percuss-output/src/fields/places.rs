@@ -63,6 +63,16 @@ impl Places {
         }
     }
 
+    /// Whether a frame is one of this scene.
+    pub(super) fn fits(&self, frame: &StoredFrame) -> bool {
+        let nodes = 4 * self.nodes.len();
+        frame.displacement.len() == nodes
+            && frame.velocity.len() == nodes
+            && frame.section_forces.len() == 6 * self.intervals.len()
+            && frame.contact_forces.len().is_multiple_of(6)
+            && frame.load_factors.len() == self.loads
+    }
+
     /// A shape without forces, of `shape` (n_node or fewer: those beyond rest), by the size of its largest displacement.
     pub(crate) fn shape(&self, shape: &[[f64; 4]]) -> StoredFrame {
         let size = shape.iter().map(|u| u[0].hypot(u[1])).fold(0.0, f64::max);

@@ -106,12 +106,20 @@ impl FrameStore {
         &self.kept
     }
 
-    /// Goes on from what a store of the same scene and budget had kept.
+    /// Goes on from what a store of the same scene and budget had kept; frames of another scene are left out.
     pub fn go_on(&mut self, kept: KeptFrames) {
-        self.kept = kept;
-        // A stride of zero would be nobody's.
-        let kinds = [&mut self.kept.calm, &mut self.kept.touching];
-        kinds.into_iter().for_each(|kind| kind.stride = kind.stride.max(1));
+        let KeptFrames { calm, touching, peaks } = kept;
+        let places = &self.places;
+        let fitting = |kind: Kind, most: usize| {
+            let mut kept = kind.kept;
+            kept.retain(|(_, frame)| places.fits(frame));
+            Kind { stride: kind.stride.max(1), kept, most, ..kind }
+        };
+        self.kept = KeptFrames {
+            calm: fitting(calm, self.kept.calm.most),
+            touching: fitting(touching, self.kept.touching.most),
+            peaks: peaks.map(|peak| peak.filter(|(_, frame)| places.fits(frame))),
+        };
     }
 
     /// Whether the frame of a row is to be kept, as [`percuss::Recorder::wants_frame`] asks.

@@ -8,8 +8,8 @@ use percuss_output::checkpoint::CheckpointFolder;
 use percuss_output::fields::FrameStore;
 use percuss_scenario::apply_overrides;
 
-use crate::arguments::Every;
 use crate::interrupt;
+use crate::run_arguments::Every;
 
 /// The checkpoints of a run under way.
 #[derive(Debug)]

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use percuss_study::{KEPT, Study};
 
-use crate::arguments::{History, Run};
 use crate::commands::run;
 use crate::outcome::{Failure, Status};
+use crate::run_arguments::{History, Run};
 
 /// Runs that the study does not have.
 pub fn refuse_missing(study: &Study, runs: &[u64]) -> Result<(), Failure> {
