@@ -81,3 +81,23 @@ fn a_scenario_comes_through_a_pipe_once() {
     Outcome::from(child.wait_with_output().unwrap()).ends_with(2).tells("not UTF-8");
     desk.percuss(&["check", "/dev/zero"]).ends_with(2).tells("may have no end");
 }
+
+#[test]
+fn names_need_not_be_utf_8() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let desk = Desk::new();
+    let (out, mine) = (OsStr::from_bytes(b"out\xfd"), OsStr::from_bytes(b"mine\xfe.txt"));
+    let run = |end: &str| {
+        let mut command =
+            desk.command(&["run", "elastic.toml", "--quiet", "--no-report", "--set", end]);
+        Outcome::from(command.arg("--out").arg(out).output().unwrap())
+    };
+    run("time.end=2e-3").ends_with(0);
+    let own = desk.path(".").join(out).join(mine);
+    std::fs::write(&own, "my own").unwrap();
+    run("time.end=3e-3").ends_with(0);
+    assert_eq!(std::fs::read(&own).unwrap(), b"my own");
+    std::fs::remove_file(own.with_file_name(".percuss.json")).unwrap();
+    run("time.end=4e-3").ends_with(2).tells("so it is left alone");
+}
