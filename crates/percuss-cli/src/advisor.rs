@@ -1,6 +1,6 @@
-//! What the advisor says before a run.
+//! What the advisor says of a run, before it and after it.
 
-use percuss::{Advice, Verdict};
+use percuss::{Advice, Topic, Verdict};
 
 use crate::terminal;
 
@@ -16,11 +16,19 @@ pub fn tell(advice: &[Advice]) {
             1 => one.contact.clone(),
             all => format!("{} and {} more", one.contact, all - 1),
         };
-        let text = format!("{contact}, {}: {}", one.topic.name(), one.text);
+        let (name, code) = (one.topic.name(), one.topic.code());
+        let text = format!("{contact}, {name}: {} [{code}]", one.text);
         match one.verdict {
             Verdict::Fine => {}
             Verdict::Note => terminal::note(&text),
             Verdict::Warning => terminal::warning(&text),
         }
     }
+}
+
+/// Findings, fine ones left out, whose topics are denied.
+pub fn denied(advice: &[Advice], topics: &[Topic]) -> Vec<String> {
+    let found = advice.iter().filter(|a| a.verdict > Verdict::Fine && topics.contains(&a.topic));
+    let text = |a: &Advice| format!("{}: {} [{}] is denied", a.contact, a.text, a.topic.code());
+    found.map(text).collect()
 }

@@ -5,8 +5,10 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
+use percuss::Topic;
+
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
-use crate::run_arguments::{EXTEND, Extend, RUN, Run};
+use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
 
 const EXIT_STATUS: &str = "\
 Exit status:
@@ -132,6 +134,8 @@ pub enum Command {
     /// How far results depend on step and mesh: observed orders, limits with uncertainty, the cheapest settings for an accuracy
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
+    /// Say what a code of the advisor means and what to do; without one, list them
+    Explain(Explain),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
     /// Rebuild report.html of a finished run, and its figures if asked
@@ -162,6 +166,9 @@ pub struct Check {
     /// Change a value of the scenario, such as time.step=1e-5; may be given again
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
+    /// Fail if the advisor finds something of this code, such as W002; may be given again
+    #[arg(long, value_name = "CODE", value_parser = code)]
+    pub deny: Vec<Topic>,
 }
 
 /// Arguments of `sweep`.
@@ -211,6 +218,14 @@ fn share(text: &str) -> Result<Share, String> {
         Some(share) if (1..=share.of).contains(&share.part) => Ok(share),
         _ => Err("expected I/N with I from 1 to N, such as 3/20".into()),
     }
+}
+
+/// Arguments of `explain`.
+#[derive(Args, Debug)]
+pub struct Explain {
+    /// A code, such as W002
+    #[arg(value_parser = code)]
+    pub code: Option<Topic>,
 }
 
 /// Arguments of `schema`.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 
+use percuss::Topic;
 use percuss_output::HistoryFormat;
 
 use crate::picture_arguments;
@@ -74,9 +75,18 @@ pub struct Run {
     /// is none
     #[arg(long)]
     pub resume: bool,
+    /// Fail if the advisor finds something of this code, such as W002 (`percuss explain` lists them): before the run with status
+    /// 2, after it with 4; may be given again
+    #[arg(long, value_name = "CODE", value_parser = code)]
+    pub deny: Vec<Topic>,
     /// Say nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
+}
+
+/// The topic of a code.
+pub fn code(text: &str) -> Result<Topic, String> {
+    Topic::of_code(text).ok_or_else(|| "no such code; `percuss explain` lists them".into())
 }
 
 /// How often something is done.

@@ -40,7 +40,10 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
         terminal::tell(&format!("projectile `{}`: {line}", one.contact));
     }
     advisor::tell(&advice);
-    Ok(Status::Done)
+    match advisor::denied(&advice, &arguments.deny) {
+        denied if denied.is_empty() => Ok(Status::Done),
+        denied => Err(Failure::Input(denied.join("\n"))),
+    }
 }
 
 /// Says what is wrong with a study, and which of its runs are no sound scenarios as far as a sample shows.

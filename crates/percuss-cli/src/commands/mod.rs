@@ -4,6 +4,7 @@ pub mod animate;
 pub mod check;
 pub mod completions;
 pub mod converge;
+pub mod explain;
 pub mod export;
 pub mod modes;
 pub mod new;

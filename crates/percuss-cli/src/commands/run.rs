@@ -38,6 +38,8 @@ struct Ended {
     comparisons: Vec<percuss::Comparison>,
     energy: EnergySeries,
     checkpoints: Option<Checkpoints>,
+    /// What was found after it whose code is denied.
+    denied: Vec<String>,
 }
 
 /// Where a run begins, and its checkpoints.
@@ -107,6 +109,7 @@ pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
         open: false,
         checkpoint: None,
         resume: false,
+        deny: Vec::new(),
         quiet: arguments.quiet,
     };
     go(&ready, &run, directory, Beginning { earlier: Some((saved, rows)), checkpoints })
@@ -199,6 +202,10 @@ fn simulate(
     if !arguments.quiet {
         advisor::tell(&advice);
     }
+    let denied = advisor::denied(&advice, &arguments.deny);
+    if !denied.is_empty() {
+        return Err(Failure::Input(denied.join("\n")));
+    }
     let (steps, end) = (simulation.step_count(), compiled.settings.end);
     let mut progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
     progress.begin_at(done);
@@ -225,6 +232,7 @@ fn simulate(
     if !arguments.quiet {
         advisor::tell(&after);
     }
+    let denied = advisor::denied(&after, &arguments.deny);
     advice.extend(after);
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
@@ -243,7 +251,14 @@ fn simulate(
     if ready.scenario.content().record.shapes > 0.0 {
         fields::write(dir, &frames.finish())?;
     }
-    Ok(Ended { summary, value, comparisons, energy: energy.unwrap_or_default(), checkpoints })
+    Ok(Ended {
+        summary,
+        value,
+        comparisons,
+        energy: energy.unwrap_or_default(),
+        checkpoints,
+        denied,
+    })
 }
 
 /// Writes the report and, before it, the comparison that belongs into it.
@@ -307,7 +322,8 @@ fn conclude(
     if arguments.open {
         browser::open(&out.join("report.html"));
     }
-    let open = if arguments.strict { books::open(&ended.summary) } else { Vec::new() };
+    let mut open = if arguments.strict { books::open(&ended.summary) } else { Vec::new() };
+    open.extend(ended.denied.iter().cloned());
     open.iter().for_each(|text| terminal::error(text));
     Ok(if open.is_empty() { Status::Done } else { Status::BooksOpen })
 }

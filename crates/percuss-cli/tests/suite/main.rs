@@ -6,6 +6,7 @@ mod checkpoints;
 mod commands;
 mod common;
 mod disk_faults;
+mod explain;
 mod export;
 mod interrupt;
 mod modes;

@@ -22,7 +22,7 @@ pub(super) fn findings(summary: &Value) -> String {
         let value = |key: &str| quantity(entry[key].as_f64(), &unit(entry));
         vec![
             Cell::Text(text(entry, "contact")),
-            Cell::Text(text(entry, "topic")),
+            Cell::Text(format!("{} {}", text(entry, "topic"), text(entry, "code"))),
             Cell::Markup(badge),
             Cell::Text(value("value")),
             Cell::Text(value("reference")),

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 pub(super) fn finding(advice: &Advice) -> Value {
     json!({
         "contact": advice.contact,
+        "code": advice.topic.code(),
         "topic": advice.topic.name(),
         "verdict": advice.verdict.name(),
         "value": advice.value,

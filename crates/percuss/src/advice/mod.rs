@@ -21,51 +21,14 @@ mod surroundings;
 mod taper;
 #[cfg(test)]
 mod tests;
+mod topics;
 mod words;
 
 use crate::analysis::massless;
 use crate::model::Model;
 use crate::settings::Settings;
 use crate::summary::RunSummary;
-
-/// What a finding is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Topic {
-    /// Time of the first touch against the end of the run \[s\].
-    Touch,
-    /// Expected duration of the contact against the step \[s\].
-    ContactDuration,
-    /// Length of the shortest bending waves of weight that the contact sends out, against the elements \[m\].
-    BendingWave,
-    /// Time of a longitudinal wave through an element against the step \[s\].
-    WaveTransit,
-    /// Effective mass of the struck point on this mesh against its limit \[kg\].
-    EffectiveMass,
-    /// Contact stiffness, as a linear spring, against that of Hertz' contact \[N/m\].
-    Stiffness,
-    /// Distance of the nearest support or end against that from which waves return within the contact \[m\].
-    Span,
-    /// Period of a rear mass on its spring against the step \[s\].
-    RearMass,
-    /// Shear deformation, which beams here leave out, against what matters \[1\].
-    Shear,
-    /// Axial force against that under which a straight beam buckles \[N\]; of a start from equilibrium, whether it is stable.
-    Stability,
-    /// Time in which the force of a bar on a wall rises, against that of a wave through an element or the step \[s\].
-    ForceRise,
-    /// Time between rows of the history against the contact \[s\].
-    Recording,
-    /// Largest reactions where rigid impacts make them.
-    Reactions,
-    /// A section that varies along a beam, against one whose size does.
-    Taper,
-    /// Compressive strain against what a strain measure can be trusted with.
-    Strain,
-    /// What was still to come when the run ended.
-    Ending,
-    /// A value so far from what things are made of that it looks like a slip of a unit, against the nearest usual one.
-    Slip,
-}
+pub use topics::Topic;
 
 /// How much a finding weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -118,31 +81,6 @@ pub struct Comparison {
     pub difference_percent: f64,
     /// The formula's assumptions, and for each whether it is met here.
     pub holds_if: String,
-}
-
-impl Topic {
-    /// Its name in one or two words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Touch => "first touch",
-            Self::ContactDuration => "contact duration",
-            Self::BendingWave => "bending wave",
-            Self::WaveTransit => "wave transit",
-            Self::EffectiveMass => "effective mass",
-            Self::Stiffness => "contact stiffness",
-            Self::Span => "minimum span",
-            Self::RearMass => "rear mass",
-            Self::Shear => "shear deformation",
-            Self::Stability => "stability",
-            Self::ForceRise => "rise of the force",
-            Self::Recording => "recording",
-            Self::Reactions => "reactions",
-            Self::Taper => "taper",
-            Self::Strain => "strain",
-            Self::Ending => "end of the run",
-            Self::Slip => "a slip of a unit?",
-        }
-    }
 }
 
 impl Verdict {

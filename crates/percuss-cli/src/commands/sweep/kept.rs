@@ -43,6 +43,7 @@ pub fn keep(study: &Study, out: &Path, runs: &[u64]) -> Result<Status, Failure> 
             open: false,
             checkpoint: None,
             resume: false,
+            deny: Vec::new(),
             quiet: true,
         };
         match run::run(&arguments)? {

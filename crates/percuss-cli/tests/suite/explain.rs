@@ -1,0 +1,131 @@
+//! Codes of the advisor: each is provoked, explained, and can be denied.
+
+use percuss::Topic;
+
+use crate::common::Desk;
+
+const SCENARIOS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/");
+
+/// A rod struck along its axis: by a hammer, or by a wall that it flies into.
+const ROD: &str = r#"
+[material.steel]
+preset = "steel"
+[section.rod]
+shape = "rectangle"
+width = "20 mm"
+depth = "5 mm"
+[beam.rod]
+points = [[0, 0], [1, 0]]
+elements = 10
+material = "steel"
+section = "rod"
+[time]
+end = "3 ms"
+step = "2 us"
+"#;
+const HAMMER: &str = r#"
+[support.foot]
+at = "rod.start"
+kind = "clamp"
+[projectile.hammer]
+kind = "elastic"
+mass = "1 kg"
+stiffness = "1e8 N/m"
+velocity = ["-5 m/s", 0]
+strikes = "rod.end"
+standoff = "1 mm"
+"#;
+const WALL: &str = r#"
+[initial.rod]
+velocity = ["-5 m/s", 0]
+[obstacle.wall]
+kind = "half-plane"
+point = ["-1 mm", 0]
+normal = [1, 0]
+[contact.face]
+between = ["rod", "wall"]
+law = "linear"
+stiffness = "1e12 N/m"
+"#;
+
+/// A run that provokes each code: the scenario, and one change.
+fn provocations() -> Vec<(Topic, String, &'static str)> {
+    let of = |name: &str| format!("{SCENARIOS}{name}.toml");
+    let (elastic, puck) = ("elastic.toml".to_owned(), of("oblique-throw"));
+    let stiff = "projectile.puck.stiffness=\"1e14 N/m\"";
+    Topic::ALL
+        .into_iter()
+        .map(|topic| {
+            let (file, set) = match topic {
+                Topic::Touch => (elastic.clone(), "time.end=0.005"),
+                Topic::ContactDuration => (elastic.clone(), "time.step=0.01"),
+                Topic::BendingWave => (puck.clone(), stiff),
+                Topic::WaveTransit => (of("disc-chain"), "record.every=1"),
+                Topic::EffectiveMass => (of("paper/rigid-clamped-e1"), "record.every=1"),
+                Topic::Stiffness => (puck.clone(), stiff),
+                Topic::Span => (elastic.clone(), "record.every=1"),
+                Topic::RearMass => ("rear.toml".to_owned(), "record.every=1"),
+                Topic::Shear => (of("drop-weight"), "time.end=0.005"),
+                Topic::Stability => ("hammer.toml".to_owned(), "record.every=1"),
+                Topic::ForceRise => ("wall.toml".to_owned(), "record.every=1"),
+                Topic::Recording => (of("rattling-tube"), "time.end=0.01"),
+                Topic::Reactions => (of("disc-chain"), "record.every=1"),
+                Topic::Taper => (of("sweet-spot"), "record.every=1"),
+                Topic::Strain | Topic::Slip => (elastic.clone(), "material.composite.young=2e5"),
+                Topic::Ending => (elastic.clone(), "time.end=0.02"),
+            };
+            (topic, file, set)
+        })
+        .collect()
+}
+
+fn desk() -> Desk {
+    let desk = Desk::new();
+    desk.put("hammer.toml", [ROD, HAMMER].concat());
+    desk.put("wall.toml", [ROD, WALL].concat());
+    let rear = "stiffness = \"7.5e5 N/m\"\nrear = { mass = 100, stiffness = \"1e12 N/m\" }";
+    let text = crate::common::ELASTIC.replace("stiffness = \"7.5e5 N/m\"", rear);
+    desk.put("rear.toml", text);
+    desk
+}
+
+#[test]
+fn every_code_can_be_provoked_and_is_explained() {
+    let desk = desk();
+    let list = desk.percuss(&["explain"]).stdout;
+    for (topic, file, set) in provocations() {
+        let (code, name) = (topic.code(), topic.name());
+        let run = desk.percuss(&["run", &file, "--out", "out", "--no-report", "--set", set]);
+        run.ends_with(0).tells(&format!("[{code}]"));
+        let advice = desk.summary("out")["advice"].as_array().expect("a list").clone();
+        assert!(
+            advice.iter().any(|a| a["code"] == code && a["topic"] == name),
+            "{code}: {advice:?}"
+        );
+        let told = desk.percuss(&["explain", &code.to_lowercase()]);
+        told.ends_with(0);
+        assert!(told.stdout.starts_with(&format!("{code}  {name}\n\n")), "{}", told.stdout);
+        assert!(told.stdout.lines().all(|line| line.len() <= 96), "{}", told.stdout);
+        assert!(list.contains(&format!("{code}  {name}\n")), "{list}");
+    }
+    desk.percuss(&["explain", "W099"]).ends_with(2).tells("no such code");
+}
+
+#[test]
+fn what_is_denied_ends_a_run_before_it_or_fails_it_after() {
+    let desk = desk();
+    let run = |more: &[&str]| {
+        desk.percuss(&[&["run", "elastic.toml", "--no-report", "--out", "out"], more].concat())
+    };
+    run(&["--deny", "W007"]).ends_with(2).tells("[W007] is denied");
+    assert!(!desk.path("out").exists());
+    desk.percuss(&["check", "elastic.toml", "--deny", "w007"])
+        .ends_with(2)
+        .tells("[W007] is denied");
+    // What is found only afterwards: the results stay.
+    let late = ["--set", "time.end=0.02", "--deny", "W016"];
+    run(&late).ends_with(4).tells("[W016] is denied");
+    assert!(desk.path("out/summary.json").is_file());
+    run(&["--deny", "W005", "--deny", "W016"]).ends_with(0);
+    run(&["--deny", "W0"]).ends_with(2).tells("no such code");
+}
