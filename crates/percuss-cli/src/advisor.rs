@@ -1,6 +1,6 @@
 //! What the advisor says of a run, before it and after it.
 
-use percuss::{Advice, Topic, Verdict};
+use percuss_advice::{Advice, Topic, Verdict};
 
 use crate::terminal;
 

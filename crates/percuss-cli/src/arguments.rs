@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
-use percuss::Topic;
+use percuss_advice::Topic;
 
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};

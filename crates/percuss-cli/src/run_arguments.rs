@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 
-use percuss::Topic;
+use percuss_advice::Topic;
 use percuss_output::HistoryFormat;
 
 use crate::picture_arguments;

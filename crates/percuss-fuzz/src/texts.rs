@@ -15,7 +15,7 @@ pub fn scenario(data: &[u8]) {
             if super::runs::is_small(&scenario)
                 && let Ok(compiled) = scenario.compile()
             {
-                let _ = percuss::advise(&compiled.model, &compiled.settings);
+                let _ = percuss_advice::advise(&compiled.model, &compiled.settings);
             }
         }
     }

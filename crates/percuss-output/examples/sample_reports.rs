@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use percuss::*;
+use percuss_advice::{advise, compare};
 use percuss_output::{
     ComparisonSeries, History, HistoryFormat, HistoryWriter, RunDirectory, RunInfo, report,
     summary_value, write_comparison, write_impacts, write_summary,

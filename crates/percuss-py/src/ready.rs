@@ -79,7 +79,7 @@ pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<(&'static str, Stri
     let ready = source.ready(py)?;
     let Compiled { model, settings, .. } = &ready.compiled;
     percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(py, faults))?;
-    let advice = py.detach(|| percuss::advise(model, settings));
+    let advice = py.detach(|| percuss_advice::advise(model, settings));
     source.raised().map_or(Ok(()), Err)?;
     Ok(advice.into_iter().map(|a| (a.verdict.name(), a.contact, a.text)).collect())
 }

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use percuss::{RunSummary, Simulation, Termination, advise, compare, review};
+use percuss::{RunSummary, Simulation, Termination};
+use percuss_advice::{advise, compare, review};
 use percuss_output::fields::FrameStore;
 use percuss_output::{RunInfo, summary_value};
 use pyo3::prelude::*;

@@ -7,15 +7,15 @@
 //! Conventions: primes are derivatives with respect to arc length of the reference, J turns by +90 degrees,
 //! `a x b = a1 b2 - a2 b1`, `g = x'`, `p = x''`. A node's degrees of freedom are (u1, u2, u1', u2').
 
-mod advice;
 mod analysis;
 mod contact;
 mod element;
 mod ensemble;
 mod error;
+pub mod inspect;
 mod ledger;
 mod linalg;
-mod math;
+pub mod math;
 mod model;
 mod record;
 mod scalar;
@@ -27,13 +27,13 @@ mod summary;
 /// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
-pub use advice::{Advice, Comparison, Topic, Verdict, advise, compare, formulas, review};
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Checkpoint, Detail, Equilibrium, FollowerStability,
-    LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, ResumeError, Simulation,
-    StaticContact, buckling, buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path,
-    equilibrium_path_recorded, massless, mechanisms, modes_about, modes_about_equilibrium,
-    natural_frequencies, reference_state, simulate, simulate_batch,
+    BucklingMode, BucklingOutcome, Checkpoint, Detail, Equilibrium, FirstTouches,
+    FollowerStability, LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, Preview,
+    ResumeError, Simulation, StaticContact, buckling, buckling_in_contact, equilibrium,
+    equilibrium_in, equilibrium_path, equilibrium_path_recorded, massless, mechanisms, modes_about,
+    modes_about_equilibrium, natural_frequencies, preview, reference_state, simulate,
+    simulate_batch,
 };
 pub use contact::effective_mass::EffectiveMass;
 pub use ensemble::{Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities};

@@ -1,6 +1,7 @@
 //! `percuss check`.
 
-use percuss::{EffectiveMass, Simulation, Topic, advise, massless};
+use percuss::{EffectiveMass, Simulation, massless};
+use percuss_advice::{Topic, advise};
 use percuss_study::Study;
 
 use crate::arguments::Check;

@@ -1,6 +1,6 @@
 //! `percuss explain`.
 
-use percuss::Topic;
+use percuss_advice::Topic;
 
 use crate::arguments::Explain;
 use crate::outcome::{Failure, Status};

@@ -9,7 +9,8 @@ mod recorder;
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
-use percuss::{ResumeError, RunSummary, Simulation, Termination, advise, compare, review};
+use percuss::{ResumeError, RunSummary, Simulation, Termination};
+use percuss_advice::{advise, compare, review};
 use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
@@ -35,7 +36,7 @@ use recorder::{EnergySeries, RunRecorder};
 struct Ended {
     summary: RunSummary,
     value: Value,
-    comparisons: Vec<percuss::Comparison>,
+    comparisons: Vec<percuss_advice::Comparison>,
     energy: EnergySeries,
     checkpoints: Option<Checkpoints>,
     /// What was found after it whose code is denied.

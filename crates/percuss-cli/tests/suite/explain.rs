@@ -1,6 +1,6 @@
 //! Codes of the advisor: each is provoked, explained, and can be denied.
 
-use percuss::Topic;
+use percuss_advice::Topic;
 
 use crate::common::Desk;
 

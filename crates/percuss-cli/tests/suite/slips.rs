@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 use std::time::Duration;
 
-use percuss::{Simulation, Topic, advise};
+use percuss::Simulation;
+use percuss_advice::{Topic, advise};
 
 /// Far beyond what one scenario takes; a loop whose length follows from a value would not end in it.
 const HANGS: Duration = Duration::from_secs(60);
@@ -48,7 +49,7 @@ fn numbers(text: &str) -> Vec<Range<usize>> {
 }
 
 /// What `check` does, and `run` before its first step.
-fn look_at(text: &str, name: &str) -> Option<Vec<percuss::Advice>> {
+fn look_at(text: &str, name: &str) -> Option<Vec<percuss_advice::Advice>> {
     let compiled = percuss_scenario::read(text, name).ok()?.compile().ok()?;
     let simulation = Simulation::new(&compiled.model, &compiled.settings).ok()?;
     assert!(simulation.step_count() > 0);

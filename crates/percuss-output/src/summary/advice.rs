@@ -1,6 +1,6 @@
 //! The advisor's findings and the hand formulas in `summary.json`.
 
-use percuss::{Advice, Comparison};
+use percuss_advice::{Advice, Comparison};
 use serde_json::{Value, json};
 
 /// A finding before the run.

@@ -9,10 +9,11 @@ mod provenance;
 use std::path::Path;
 
 use percuss::{
-    Advice, Comparison, ImpactResolution, MultipleImpacts, Peak, PointSummary, ProjectileSummary,
-    Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start,
-    StopTouch, SupportSummary, Termination,
+    ImpactResolution, MultipleImpacts, Peak, PointSummary, ProjectileSummary, Range, RunSummary,
+    Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start, StopTouch,
+    SupportSummary, Termination,
 };
+use percuss_advice::{Advice, Comparison};
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;

@@ -8,7 +8,7 @@ use crate::summary::ContactRecord;
 
 /// What the beginning of a run showed.
 #[derive(Clone, Debug)]
-pub(crate) struct Preview {
+pub struct Preview {
     /// Step \[s\].
     pub step: f64,
     /// Time reached \[s\].
@@ -37,7 +37,7 @@ impl Recorder for Limit {
 
 /// Follows a run until `contact` has opened after its first interval, or has not touched up to the end of the settings, or until
 /// `effort` elements times iterations are spent. None if the run cannot begin.
-pub(crate) fn preview(
+pub fn preview(
     model: &Model,
     settings: &Settings,
     contact: usize,

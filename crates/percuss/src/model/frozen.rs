@@ -309,11 +309,21 @@ pub(crate) enum Place {
 
 /// Potential of a connector.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum ConnectorLaw {
+pub enum ConnectorLaw {
     /// `k (q - rest)^2 / 2`.
-    Linear { stiffness: f64, rest: f64 },
+    Linear {
+        /// Stiffness k, force per unit of the coordinate.
+        stiffness: f64,
+        /// Coordinate without force.
+        rest: f64,
+    },
     /// `k <q - gap>^2 / 2`: no force before the gap is closed.
-    OneSided { stiffness: f64, gap: f64 },
+    OneSided {
+        /// Stiffness k, force per unit of the coordinate.
+        stiffness: f64,
+        /// Coordinate from which on it presses.
+        gap: f64,
+    },
 }
 
 impl ConnectorLaw {
@@ -484,13 +494,6 @@ impl Model {
         self.initial_motion == InitialMotion::default() && self.own_motions.is_empty()
     }
 
-    /// The motion in which a beam starts.
-    pub(crate) fn initial_motion_of(&self, beam: usize) -> &InitialMotion {
-        let nodes = &self.beams[beam].nodes;
-        let own = self.own_motions.iter().find(|(range, _)| range == nodes);
-        own.map_or(&self.initial_motion, |(_, motion)| motion)
-    }
-
     /// Strain measure of the beam called `name`, at its start.
     pub fn strain_measure(&self, name: &str) -> Option<StrainMeasure> {
         let beam = self.beams.iter().find(|b| b.name == name)?;
@@ -498,12 +501,12 @@ impl Model {
     }
 
     /// Whether any force depends on a rate: such forces know the midpoint family of schemes only.
-    pub(crate) fn has_viscous_parts(&self) -> bool {
+    pub fn has_viscous_parts(&self) -> bool {
         self.has_viscous_structure() || self.contacts.iter().any(|c| c.law.dissipates())
     }
 
     /// The same, contacts left out.
-    pub(crate) fn has_viscous_structure(&self) -> bool {
+    pub fn has_viscous_structure(&self) -> bool {
         self.spans.iter().any(|s| s.retardation > 0.0)
             || self.connectors.iter().any(|c| c.damping > 0.0)
             || self

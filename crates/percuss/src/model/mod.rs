@@ -17,7 +17,7 @@ mod pairs;
 mod places;
 mod prescribed;
 pub mod scene;
-mod striking;
+pub(crate) mod striking;
 mod time_function;
 
 pub use builder::ModelBuilder;

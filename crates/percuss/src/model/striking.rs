@@ -7,9 +7,12 @@ use super::frozen::{MaterialPoint, Model};
 
 /// A rigid body.
 #[derive(Clone, Debug)]
-pub(crate) struct Body {
+pub struct Body {
+    /// Its name.
     pub name: String,
+    /// What it is.
     pub kind: BodyKind,
+    /// Mass \[kg\].
     pub mass: f64,
     /// Moment of inertia about its centre \[kg m^2\].
     pub inertia: f64,
@@ -21,13 +24,23 @@ pub(crate) struct Body {
 
 /// What a rigid body is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum BodyKind {
+pub enum BodyKind {
     /// The mass of a projectile that strikes, on its line of flight.
     Guided,
     /// A mass behind it; the body before it in the row is the front.
-    Rear { direction: [f64; 2], stiffness: f64, damping: f64 },
+    Rear {
+        /// Unit vector of the line of flight.
+        direction: [f64; 2],
+        /// Stiffness of the spring between both \[N/m\].
+        stiffness: f64,
+        /// Damping between both \[N s/m\].
+        damping: f64,
+    },
     /// A disc.
-    Disc { radius: f64 },
+    Disc {
+        /// Radius \[m\].
+        radius: f64,
+    },
     /// An obstacle that moves as prescribed, or the ground of all that stand still.
     Obstacle,
 }

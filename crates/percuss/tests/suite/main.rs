@@ -1,7 +1,5 @@
 //! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
 
-mod advice;
-mod advice_resolution;
 mod audit;
 mod beam_ends;
 mod common;
@@ -11,7 +9,6 @@ mod crowds;
 mod driven;
 mod ensembles;
 mod frames;
-mod hand_formulas;
 mod hard_impacts;
 mod impact_log;
 mod impacts;

@@ -152,9 +152,9 @@ fn sequences_need_the_instant_of_contact() {
 }
 
 /// A stiff stick that falls askew on a floor without losses: its mesh answers with far more than a slender beam's own mass, so that
-/// what follows is a property of the mesh. Told before the run and in its summary.
+/// what follows is a property of the mesh. Told in the summary.
 #[test]
-fn the_effective_mass_of_a_stick_on_a_floor_is_told() {
+fn the_effective_mass_of_a_stick_on_a_floor_is_in_the_summary() {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("stiff", 1e12, 1000.0));
     let section = Section { depth: Some(0.02), ..Section::new("rod", 4e-4, 1.3333e-8) };
@@ -170,9 +170,6 @@ fn the_effective_mass_of_a_stick_on_a_floor_is_told() {
     b.initial_motion(InitialMotion { velocity: [0.0, -1.0], ..InitialMotion::default() });
     let model = b.build().unwrap();
     let settings = Settings::new(0.02, 1e-5);
-    let advice = advise(&model, &settings);
-    let told = advice.iter().find(|a| a.topic == Topic::EffectiveMass).unwrap();
-    assert_eq!(told.verdict, Verdict::Warning, "{told:?}");
     let found = simulate(&model, &settings, &mut NoRecorder).unwrap();
     let mass = found.contacts[0].effective_mass.unwrap();
     assert!(mass.depends_on_mesh(), "{mass:?}");
@@ -181,5 +178,4 @@ fn the_effective_mass_of_a_stick_on_a_floor_is_told() {
     let first = impacts[0];
     let expected = 2.0 * mass.on_mesh * first.approach_velocity;
     assert!((first.impulse / expected - 1.0).abs() < 1e-4, "{first:?} {mass:?}");
-    assert!((told.value / mass.on_mesh - 1.0).abs() < 1e-3, "{told:?} {mass:?}");
 }

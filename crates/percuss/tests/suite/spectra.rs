@@ -289,27 +289,6 @@ fn what_has_no_mass_does_not_run_in_time_and_is_named() {
     assert!(faults[0].found.contains("no mass"), "{faults:?}");
 }
 
-#[test]
-fn no_contact_is_foretold_on_a_beam_without_mass_that_no_run_can_move() {
-    let struck = |density: f64| {
-        straight(4, density, |b, beam| {
-            clamp(b, beam, 0.0);
-            let (name, tip) = ("tip".to_owned(), at(beam, 1.0));
-            let mass = PointMass { name, at: tip.clone(), mass: 1000.0, rotary_inertia: 0.0 };
-            b.point_mass(mass);
-            let kind = ProjectileKind::Rigid { restitution: 0.5 };
-            b.projectile(Projectile::new("ball", kind, 10.0, [0.0, 1.0], tip));
-        })
-    };
-    let settings = Settings::new(1.0, 1e-3);
-    assert!(advise(&struck(7850.0), &settings).iter().any(|one| one.contact == "ball"));
-    let found = advise(&struck(0.0), &settings);
-    assert!(found.iter().all(|one| one.contact != "ball"), "{found:?}");
-    for one in &found {
-        assert!(one.value.is_finite() && one.reference.is_finite(), "{one:?}");
-    }
-}
-
 /// A portal of three storeys, 3 m high and 4 m wide, lumped masses of 1 t at its joints.
 fn portal(density: f64) -> Model {
     let mut b = ModelBuilder::new();

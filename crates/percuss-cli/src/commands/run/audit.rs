@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use percuss::{
-    Comparison, ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak,
-    RunSummary, SupportSummary, Termination, Topic, Verdict,
+    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak, RunSummary,
+    SupportSummary, Termination,
 };
+use percuss_advice::{Comparison, Topic, Verdict};
 use percuss_output::report::story;
 use serde_json::Value;
 

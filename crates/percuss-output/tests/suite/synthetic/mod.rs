@@ -5,11 +5,12 @@
 use std::f64::consts::PI;
 
 use percuss::{
-    Advice, AuditSummary, Channel, Comparison, ContactInterval, ContactPlace, ContactRecord,
-    ContactSummary, EffectiveMass, EnergySplit, EnergySummary, Envelope, Impact, MomentumSummary,
-    Peak, PointSummary, ProjectileSummary, Range, Recorder, RecorderError, RunSummary,
-    SectionForceSummary, SectionPeak, SectionRange, SupportSummary, Termination, Topic, Verdict,
+    AuditSummary, Channel, ContactInterval, ContactPlace, ContactRecord, ContactSummary,
+    EffectiveMass, EnergySplit, EnergySummary, Envelope, Impact, MomentumSummary, Peak,
+    PointSummary, ProjectileSummary, Range, Recorder, RecorderError, RunSummary,
+    SectionForceSummary, SectionPeak, SectionRange, SupportSummary, Termination,
 };
+use percuss_advice::{Advice, Comparison, Topic, Verdict};
 
 const MASS: f64 = 500.0;
 const SPEED: f64 = 20.0;

@@ -6,7 +6,7 @@ use super::super::formulas::{Span, SpanKind, reduced_mass};
 use super::super::structure::gravity_varies;
 use super::super::words::{digits, quantity};
 use super::{Assumptions, Desk, Formula, Quantity, Touch};
-use crate::model::TouchLaw;
+use percuss::TouchLaw;
 
 /// Contacts shorter than this share of a free beam's lowest period are no blow of a rigid piece.
 const SHORTEST: f64 = 0.5;
@@ -32,7 +32,7 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     // A free beam has the frequencies of a clamped one.
     let like = Span {
         kind: SpanKind::Clamped,
-        length: struck.place.beam.length,
+        length: struck.place.beam.length(),
         bending: section.bending,
         mass: section.mass,
     };

@@ -1,9 +1,9 @@
 //! Whether a run starts from an equilibrium that it can leave by itself.
 
 use super::{Advice, Topic, Verdict};
-use crate::analysis::equilibrium;
-use crate::model::Model;
-use crate::settings::{Settings, Start};
+use percuss::Model;
+use percuss::equilibrium;
+use percuss::{Settings, Start};
 
 /// Elements beyond which the equilibrium is left to the run.
 const ELEMENTS: usize = 3000;
@@ -11,7 +11,7 @@ const ELEMENTS: usize = 3000;
 /// An unstable equilibrium at the start. A structure without imperfection stays in it until something disturbs it, and what it
 /// does then depends on nothing that is known.
 pub fn of_the_start(model: &Model, settings: &Settings) -> Option<Advice> {
-    let loaded = settings.start == Start::Static && !model.loads.is_empty();
+    let loaded = settings.start == Start::Static && model.loads().len() > 0;
     if !loaded || model.element_count() > ELEMENTS {
         return None;
     }

@@ -4,6 +4,7 @@ use crate::common;
 
 use common::at;
 use percuss::*;
+use percuss_advice::*;
 
 /// Steps of the half period of mass and spring, as in the table of docs/results.md.
 const STEPS: [f64; 3] = [3.0, 5.0, 8.0];

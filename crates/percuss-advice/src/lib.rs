@@ -9,7 +9,6 @@ mod case;
 mod duration;
 mod end_on;
 mod expected;
-mod first_touch;
 pub mod formulas;
 mod resolution;
 mod review;
@@ -24,10 +23,7 @@ mod tests;
 mod topics;
 mod words;
 
-use crate::analysis::massless;
-use crate::model::Model;
-use crate::settings::Settings;
-use crate::summary::RunSummary;
+use percuss::{FirstTouches, Model, RunSummary, Settings, massless};
 pub use topics::Topic;
 
 /// How much a finding weighs.
@@ -103,15 +99,15 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     let masses = model.effective_masses();
     let modes = duration::Modes::new(model);
     let trials = expected::Trials::new(model, settings);
-    let cases = (0..model.contacts.len()).filter_map(|k| case::read(model, k, None));
-    let mut factored = None;
+    let cases = (0..model.contacts().len()).filter_map(|k| case::read(model, k, None));
+    let mut touches = FirstTouches::new(model);
     let mut all = slips::findings(model, settings);
     all.extend(taper::findings(model));
     all.extend(stability::of_the_start(model, settings));
     for case in cases {
         let mass = match case.guided {
             Some(k) => masses.get(k).copied(),
-            None => first_touch::effective_mass(model, case.index, &mut factored),
+            None => touches.effective_mass(case.index),
         };
         all.extend(before::findings(model, settings, &case, mass, (&modes, &trials)));
     }

@@ -2,8 +2,8 @@
 
 use super::words::digits;
 use super::{Advice, Topic, Verdict};
-use crate::element::beam::SectionValues;
-use crate::model::Model;
+use percuss::Model;
+use percuss::inspect::SectionConstants;
 
 /// Shares by which a second moment of area is too large that are worth a note, and a warning.
 const SHARES: [f64; 2] = [0.03, 0.1];
@@ -19,15 +19,13 @@ type Station = [f64; 4];
 /// width alone with its first, of a circle with the fourth) and lies below the chord: with `I ~ x^n`, n from both ends, by
 /// `(I1 + I2)/2 / I((x1 + x2)/2) - 1` in the middle.
 pub fn findings(model: &Model) -> Vec<Advice> {
-    let all = model.beams.iter().filter_map(|beam| {
-        let spans = beam.spans.clone().map(|i| &model.spans[i]);
+    let all = (0..model.beam_count()).map(|index| model.beam(index)).filter_map(|beam| {
         let mut worst: Option<[f64; 3]> = None;
-        for span in spans.filter(|span| span.sections.len() > 1) {
-            let stations: Vec<Station> = (0..=span.elements.len())
+        for span in beam.spans().filter(|span| span.varies()) {
+            let stations: Vec<Station> = (0..=span.element_count())
                 .map(|k| {
-                    let last = k == span.elements.len();
-                    let sections = span.sections(k - usize::from(last));
-                    station(span.stations[k], &sections[if last { 2 } else { 0 }])
+                    let last = usize::from(k == span.element_count());
+                    station(span.stations()[k], &span.end_sections(k - last)[last])
                 })
                 .collect();
             for [a, b] in stretches(&stations) {
@@ -37,13 +35,13 @@ pub fn findings(model: &Model) -> Vec<Advice> {
                 }
             }
         }
-        worst.map(|found| advice(&beam.name, found))
+        worst.map(|found| advice(beam.name(), found))
     });
     all.collect()
 }
 
-fn station(s: f64, section: &SectionValues) -> Station {
-    [s, section.law.bending, section.law.axial, section.half_depth]
+fn station(s: f64, section: &SectionConstants) -> Station {
+    [s, section.bending, section.axial, section.half_depth]
 }
 
 /// Ends of the stretches over which the bending stiffness is a straight line.

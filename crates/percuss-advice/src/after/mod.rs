@@ -11,13 +11,11 @@ use super::duration::Modes;
 use super::structure::gravity;
 use super::surroundings::Surroundings;
 use super::words::{digits, quantity};
-use crate::math::vec2::{dot, norm};
-use crate::model::frozen::LoadAction;
-use crate::model::{Model, TouchLaw};
-use crate::settings::{Settings, Start};
-use crate::summary::{
-    ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, RunSummary,
-};
+use percuss::inspect::ContactPartner;
+use percuss::math::vec2::{dot, norm};
+use percuss::{ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, RunSummary};
+use percuss::{Model, TouchLaw};
+use percuss::{Settings, Start};
 
 /// What hand formulas say about the first touch of a contact.
 pub fn comparisons(
@@ -197,7 +195,9 @@ impl Desk<'_> {
     }
 
     fn is_damped(&self) -> bool {
-        self.model.has_viscous_structure() || self.model.spans.iter().any(|span| span.is_damped())
+        let mut beams = (0..self.model.beam_count()).map(|index| self.model.beam(index));
+        self.model.has_viscous_structure()
+            || beams.any(|beam| beam.spans().any(|span| span.is_damped()))
     }
 
     /// Whether no load but gravity acts and nothing is damped but by the contact.
@@ -213,7 +213,7 @@ impl Desk<'_> {
             Some(v) => norm(v) == 0.0 || !around.held,
             None => false,
         };
-        let driven = self.model.supports.iter().any(|s| s.motion.is_some());
+        let driven = self.model.supports().any(|support| support.moves);
         let still = rests && !loads && !driven && self.is_alone();
         Assumptions::default().and(
             "a beam at rest, or one that nothing holds and that flies without turning; nothing but weights and this contact \
@@ -251,11 +251,14 @@ impl Desk<'_> {
 
     /// The other contacts of what meets here; beams may be joined, so that all of them count as one.
     fn others(&self) -> impl Iterator<Item = &ContactRecord> {
-        let parties = |k: usize| -> Vec<usize> {
-            let pairs = &self.model.pairs[self.model.contacts[k].pairs.clone()];
-            let beams = self.model.beams.len();
-            let movers = pairs.iter().take(1).flat_map(|pair| pair.movers);
-            movers.map(|m| if m < beams { 0 } else { m }).collect()
+        let parties = |k: usize| -> Vec<ContactPartner> {
+            let pairs = self.model.contacts().skip(k).take(1).flat_map(|contact| contact.pairs());
+            let partners = pairs.take(1).flat_map(|(partners, _)| partners);
+            let as_one = |partner| match partner {
+                ContactPartner::Beam(_) => ContactPartner::Beam(0),
+                body => body,
+            };
+            partners.map(as_one).collect()
         };
         let own = parties(self.index);
         let shares = move |k: &usize| parties(*k).iter().any(|party| own.contains(party));
@@ -289,8 +292,8 @@ impl Desk<'_> {
 
     /// Largest bending moment in the struck beam \[N m\].
     pub fn moment(&self, struck: &Struck<'_>) -> f64 {
-        let name = &struck.place.beam.name;
-        let forces = self.run.section_forces.iter().find(|f| f.name == *name);
+        let name = struck.place.beam.name();
+        let forces = self.run.section_forces.iter().find(|f| f.name == name);
         forces.map_or(f64::NAN, |f| f.moment.largest().value.abs())
     }
 
@@ -305,8 +308,7 @@ impl Desk<'_> {
     /// ended, and nothing acts afterwards \[m/s\].
     pub fn release_velocity(&self, struck: &Struck<'_>) -> Option<f64> {
         let only = self.intervals().len() == 1 && self.intervals()[0].end.is_finite();
-        let falls =
-            self.model.loads.iter().any(|load| matches!(load.kind, LoadAction::Gravity { .. }));
+        let falls = self.model.loads().any(|load| load.gravity().is_some());
         let free = !falls && struck.rear.is_none();
         let frame = self.frame(struck)?;
         self.final_velocity(struck).filter(|_| only && free).map(|v| v - frame)

@@ -3,12 +3,11 @@
 use std::cell::OnceCell;
 
 use super::case::{Beams, Bodies, Case, Meeting, Struck, force, rigid_blow};
-use super::first_touch;
 use super::formulas::{ModalBlow, ModalTarget, Striker, UniformBeam};
 use super::structure::BeamPlace;
-use crate::analysis::{Mode, modes_about, reference_state};
-use crate::math::vec2::{dot, norm};
-use crate::model::{Model, Potential, SmoothLaw, TouchLaw};
+use percuss::math::vec2::{dot, norm};
+use percuss::{FirstTouches, Mode, modes_about, reference_state};
+use percuss::{Model, Potential, SmoothLaw, TouchLaw};
 
 /// Modes that take part in a contact: with more of them forces change by less than what they are estimated for.
 const MODES: usize = 32;
@@ -65,7 +64,7 @@ impl<'m> Modes<'m> {
 
     fn lowest(&self) -> &[Mode] {
         self.lowest.get_or_init(|| {
-            if self.model.beams.is_empty() || self.model.element_count() > ELEMENTS {
+            if self.model.beam_count() == 0 || self.model.element_count() > ELEMENTS {
                 return Vec::new();
             }
             let state = reference_state(self.model);
@@ -109,7 +108,7 @@ impl<'m> Modes<'m> {
     fn beams(&self, beams: &Beams<'_>, contact: usize, law: &SmoothLaw) -> Option<Lasting> {
         let modes = self.lowest();
         let shapes: Vec<&[[f64; 4]]> = modes.iter().map(|mode| mode.shape.as_slice()).collect();
-        let closing = first_touch::closing(self.model, contact, &shapes)?;
+        let closing = FirstTouches::new(self.model).closing_rates(contact, &shapes)?;
         let most = closing.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let takes_part = |i: &usize| closing[*i].abs() > TOGETHER * most;
         let first = (0..modes.len()).find(takes_part)?;

@@ -5,7 +5,7 @@ use super::super::case::{Struck, linear_stiffness};
 use super::super::formulas::{Span, impact_factor as factor, shear_stiffness};
 use super::super::words::digits;
 use super::{Assumptions, Desk, Formula, Quantity, against};
-use crate::settings::Start;
+use percuss::Start;
 
 /// Deflections below this share of the radius of gyration (or of the span, where its ends can slide) are small.
 const SMALL: f64 = 0.3;
@@ -26,7 +26,7 @@ fn small(assumptions: Assumptions, struck: &Struck<'_>, deflection: f64) -> Assu
             "deflection so small that ends that cannot slide do not stiffen the span",
         )
     } else {
-        (SMALL_SLIDING * struck.place.beam.length, "deflection small against the span")
+        (SMALL_SLIDING * struck.place.beam.length(), "deflection small against the span")
     };
     assumptions.and(format!("{what}: {}", against(deflection, limit, "m")), deflection < limit)
 }

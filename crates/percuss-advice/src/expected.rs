@@ -4,9 +4,9 @@ use std::cell::{Cell, RefCell};
 
 use super::case::{Case, Meeting, rigid_blow};
 use super::duration::{From, Lasting};
-use crate::analysis::{Preview, preview};
-use crate::model::{Model, TouchLaw};
-use crate::settings::Settings;
+use percuss::Settings;
+use percuss::{Model, TouchLaw};
+use percuss::{Preview, preview};
 
 /// Elements times iterations of all trials of a model together: some tenths of a second.
 const EFFORT: usize = 150_000;
@@ -147,7 +147,7 @@ impl<'m> Trials<'m> {
             _ => 0.0,
         };
         let touch = if touch.is_finite() { touch.min(self.settings.end) } else { 0.0 };
-        let size = self.model.element_count().max(self.model.nodes.len()).max(1) as f64;
+        let size = self.model.element_count().max(self.model.node_count()).max(1) as f64;
         let most = self.left.get() as f64 / size / ITERATIONS;
         let wanted = self.settings.step.min(guess / STEPS);
         let affordable = (touch + 1.5 * guess) / most;

@@ -4,6 +4,7 @@ use crate::common;
 
 use common::{at, disc};
 use percuss::*;
+use percuss_advice::*;
 
 const GRAVITY: f64 = 9.81;
 

@@ -8,8 +8,8 @@ use super::super::surroundings::Surroundings;
 use super::super::words::digits;
 use super::bodies::lossless;
 use super::{Desk, Formula, Quantity, Touch};
-use crate::math::vec2::{dot, norm};
-use crate::settings::Start;
+use percuss::Start;
+use percuss::math::vec2::{dot, norm};
 
 /// Compliances are taken so much larger than that of the modes, of which there are finitely many.
 const MORE: f64 = 1.2;
@@ -48,7 +48,10 @@ pub fn of_the_force(desk: &Desk<'_>, struck: &Struck<'_>, modes: &Modes<'_>) -> 
     let weighs = dot(gravity(desk.model).0, struck.direction) != 0.0 && around.held;
     let mut assumptions = lossless(desk, desk.at_rest(struck))
         .and("nothing strained before the touch but by weights", relaxed)
-        .and("one point of contact", desk.model.contacts[desk.index].pairs.len() == 1);
+        .and(
+            "one point of contact",
+            desk.model.contacts().nth(desk.index).is_some_and(|c| c.pairs().len() == 1),
+        );
     if norm(gravity(desk.model).0) > 0.0 && around.held {
         let carries = desk.settings.start == Start::Static;
         assumptions = assumptions.and("equilibrium under the own weight before the touch", carries);

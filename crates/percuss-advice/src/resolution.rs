@@ -6,8 +6,8 @@ use super::duration::{From, Lasting};
 use super::expected::{Expected, Stays};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
-use crate::model::frozen::ConnectorLaw;
-use crate::summary::ContactInterval;
+use percuss::ContactInterval;
+use percuss::inspect::ConnectorLaw;
 
 /// Errors of a force that are fine, and that are worth a warning.
 const OFF: [f64; 2] = [0.01, 0.05];
@@ -107,7 +107,7 @@ impl Desk<'_> {
         let stiffens = place.is_held_lengthwise() || !place.is_uniform();
         let limit = match stiffens {
             true => SMALL * (section.bending / section.axial).sqrt(),
-            false => SMALL_SLIDING * place.beam.length,
+            false => SMALL_SLIDING * place.beam.length(),
         };
         let limit = limit.min(self.nearest_stop());
         (lasting.from == From::Modes && lasting.deflection > limit).then_some(limit)
@@ -115,7 +115,7 @@ impl Desk<'_> {
 
     /// Least gap of a stop \[m\].
     fn nearest_stop(&self) -> f64 {
-        let gaps = self.model.connectors.iter().map(|one| match one.law {
+        let gaps = self.model.connectors().map(|one| match one.law() {
             ConnectorLaw::OneSided { gap, .. } => gap,
             ConnectorLaw::Linear { .. } => f64::INFINITY,
         });

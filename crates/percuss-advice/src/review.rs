@@ -3,9 +3,10 @@
 use super::structure::BeamPlace;
 use super::words::{digits, quantity};
 use super::{Advice, Topic, Verdict};
-use crate::model::{Model, StrainMeasure};
-use crate::settings::Settings;
-use crate::summary::{ContactRecord, ContactSummary, RunSummary, Termination};
+use percuss::Settings;
+use percuss::inspect::{ContactPartner, ContactView};
+use percuss::{ContactRecord, ContactSummary, RunSummary, Termination};
+use percuss::{Model, StrainMeasure};
 
 /// Compressive strains from which on strain measures differ by some per cent, and by a tenth.
 const STRAINS: [f64; 2] = [0.05, 0.15];
@@ -19,7 +20,7 @@ pub fn findings(model: &Model, settings: &Settings, run: &RunSummary) -> Vec<Adv
         all.extend(run.contacts.iter().filter_map(open));
     }
     all.extend(reactions(model, run));
-    all.extend((0..model.beams.len()).filter_map(|beam| compressed(model, run, beam)));
+    all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
     all
 }
 
@@ -69,14 +70,12 @@ fn touched(contact: &ContactSummary) -> bool {
 /// and the largest reaction that they make grows as elements and steps become shorter: of the paper's clamped beam 10 MN with 6
 /// elements, 17 with 12, 33 with 24, 43 with 48 and 52 with 96.
 fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
-    let beams = model.beams.len();
-    let strikes = |k: &usize| {
-        let pairs = &model.pairs[model.contacts[*k].pairs.clone()];
-        let on_beam = pairs.iter().any(|pair| pair.movers.iter().any(|m| *m < beams));
-        on_beam && impacts(&run.contacts[*k]) > 0
+    let strikes = |(view, contact): &(ContactView<'_>, &ContactSummary)| {
+        let is_beam = |partner: &ContactPartner| matches!(partner, ContactPartner::Beam(_));
+        let on_beam = view.pairs().any(|(partners, _)| partners.iter().any(is_beam));
+        on_beam && impacts(contact) > 0
     };
-    let first = (0..run.contacts.len()).find(strikes)?;
-    let contact = &run.contacts[first];
+    let (_, contact) = model.contacts().zip(&run.contacts).find(strikes)?;
     let forces =
         run.supports.iter().flat_map(|s| s.force.iter().flat_map(|f| [f.min.value, f.max.value]));
     let largest = forces.filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
@@ -104,8 +103,8 @@ fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
 /// Of an engineering strain e Green's is `e + e^2/2`: smaller by `-e/2` of it where it is compressive. Its law softens, and has no
 /// more to give at -0.42.
 fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
-    let beam = &model.beams[index];
-    let least = run.section_forces.iter().find(|f| f.name == beam.name)?.axial.min;
+    let beam = model.beam(index);
+    let least = run.section_forces.iter().find(|f| f.name == beam.name())?.axial.min;
     let place = BeamPlace::new(model, index, least.s);
     if place.measure() != StrainMeasure::Green || !least.value.is_finite() {
         return None;
@@ -119,13 +118,13 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
     let text = format!(
         "beam {} is compressed by {} % at s = {} ({} s): Green's strain and the engineering strain differ by some {} % there, and \
          so do forces; compare with strain = \"engineering\"",
-        beam.name,
+        beam.name(),
         digits(100.0 * strain),
         quantity(least.s, "m"),
         digits(least.time),
         digits(50.0 * strain / (1.0 - 0.5 * strain).max(0.5))
     );
-    let (contact, unit) = (format!("beam {}", beam.name), "1");
+    let (contact, unit) = (format!("beam {}", beam.name()), "1");
     let (value, reference) = (strain, STRAINS[0]);
     Some(Advice { contact, topic: Topic::Strain, value, reference, unit, verdict, text })
 }

@@ -186,8 +186,8 @@ fn step_force(law: impl Fn(f64) -> f64) -> f64 {
 fn within([a, da, b, db]: [f64; 4], h: f64, force: impl Fn(f64, f64) -> f64) -> f64 {
     let at = |k: usize| {
         let x = k as f64 / INSIDE as f64;
-        let n = crate::math::hermite::shape(x, h);
-        let d = crate::math::hermite::slope(x, h);
+        let n = percuss::math::hermite::shape(x, h);
+        let d = percuss::math::hermite::slope(x, h);
         let sum = |w: [f64; 4]| w[0] * a + w[1] * da + w[2] * b + w[3] * db;
         let p = sum(n);
         if p > 0.0 { force(p, sum(d)) } else { 0.0 }

@@ -8,11 +8,8 @@ use super::formulas::BarOnWall;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Memory, Pair};
-use crate::contact::touch::Reach;
-use crate::math::vec2::dot;
-use crate::model::{Model, TouchLaw};
+use percuss::math::vec2::dot;
+use percuss::{FirstTouches, Model, TouchLaw};
 
 /// Elements, or steps, in which the force of a bar rises: those that follow it, and those that make it too large by half.
 const RISES: [f64; 2] = [1.0, 0.3];
@@ -27,7 +24,7 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec
     if speed <= 0.0 || !place.is_uniform() {
         return Vec::new();
     }
-    let (section, length) = (place.section(), place.beam.length);
+    let (section, length) = (place.section(), place.beam.length());
     let wave = section.bar_blow(length, speed);
     let TouchLaw::Smooth(law) = desk.case.law else {
         return vec![Some(stays(desk, wave.duration)), strut_under(desk, place, wave.force)];
@@ -77,17 +74,7 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec
 
 /// Points of a bar that meet a wall at once, each under the law of the contact: the corners of a flat end.
 pub fn points_of_end(model: &Model, contact: usize) -> f64 {
-    let rest = vec![[0.0; 4]; model.node_count()];
-    let gap = |pair: &Pair| {
-        let at = Configuration::of(&rest);
-        let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
-        touch.map_or(f64::INFINITY, |touch| touch.gap)
-    };
-    let gaps: Vec<f64> =
-        model.pairs[model.contacts[contact].pairs.clone()].iter().map(gap).collect();
-    let least = gaps.iter().copied().fold(f64::INFINITY, f64::min);
-    let size = model.beams.iter().map(|beam| beam.length).fold(0.0, f64::max);
-    gaps.iter().filter(|gap| **gap - least <= 1e-9 * size).count().max(1) as f64
+    FirstTouches::new(model).simultaneous(contact) as f64
 }
 
 fn stays(desk: &Desk<'_>, duration: f64) -> Advice {
@@ -133,7 +120,7 @@ pub fn strut(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<Advice> {
 }
 
 fn strut_under(desk: &Desk<'_>, place: &BeamPlace<'_>, force: f64) -> Option<Advice> {
-    let (section, length) = (place.section(), place.beam.length);
+    let (section, length) = (place.section(), place.beam.length());
     let euler = PI * PI * section.bending / (length * length);
     if force.is_nan() || force <= euler {
         return None;

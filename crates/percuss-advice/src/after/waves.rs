@@ -7,9 +7,9 @@ use super::super::formulas::{BarBlow, BarOnWall, UniformBeam, pulse_frequency};
 use super::super::structure::gravity;
 use super::super::words::digits;
 use super::{Assumptions, Desk, Formula, Quantity, against};
-use crate::math::vec2::{dot, norm};
-use crate::model::TouchLaw;
-use crate::summary::ContactRecord;
+use percuss::ContactRecord;
+use percuss::TouchLaw;
+use percuss::math::vec2::{dot, norm};
 
 /// What changes the force by less than this share is negligible.
 const NEGLIGIBLE: f64 = 0.01;
@@ -110,7 +110,7 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
         && place.free_mass().is_some();
     let (Some(last), true) = (desk.intervals().last(), fits) else { return Vec::new() };
     let section = place.section();
-    let length = place.beam.length;
+    let length = place.beam.length();
     // A bar that turns meets the wall with one corner.
     let turns = desk.model.initial_motion_of(place.index).spin != 0.0;
     let one = desk.intervals().len() == 1 && !turns;

@@ -6,11 +6,10 @@ use super::formulas::{
 };
 use super::structure::{BeamPlace, first_hit, gravity, nearest};
 use super::surroundings::Surroundings;
-use crate::contact::pair::Target;
-use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
-use crate::model::frozen::{Body, BodyKind, ContactData};
-use crate::model::{Model, Potential, SmoothLaw, TouchLaw};
-use crate::summary::ContactPlace;
+use percuss::ContactPlace;
+use percuss::inspect::{Body, BodyKind, ContactPartner, ContactView, TargetShape};
+use percuss::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
+use percuss::{Model, Potential, SmoothLaw, TouchLaw};
 
 /// A contact.
 #[derive(Clone, Debug)]
@@ -100,28 +99,28 @@ pub struct Beams<'a> {
 
 /// The contact of number `index`; `at` says where its first touch was, if that is known.
 pub fn read<'a>(model: &'a Model, index: usize, at: Option<ContactPlace>) -> Option<Case<'a>> {
-    let contact = &model.contacts[index];
-    let guided = (index < model.projectiles.len()).then_some(index);
+    let contact = model.contacts().nth(index)?;
+    let guided = (index < model.guided().len()).then_some(index);
     let meeting = match guided {
         Some(k) => Meeting::Struck(projectile(model, k)?),
-        None => meeting(model, contact, at)?,
+        None => meeting(model, &contact, at)?,
     };
-    Some(Case { name: &contact.name, index, law: &contact.law, guided, meeting })
+    Some(Case { name: contact.name(), index, law: contact.law(), guided, meeting })
 }
 
 fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
-    let data = &model.projectiles[k];
-    let body = &model.bodies[data.body];
-    let rear = match model.bodies.get(data.body + 1).filter(|_| data.has_rear) {
+    let data = model.guided().nth(k)?;
+    let body = data.body;
+    let rear = match data.rear {
         Some(Body { mass, kind: BodyKind::Rear { stiffness, damping, .. }, .. }) => {
             Some(Rear { mass: *mass, stiffness: *stiffness, damping: *damping })
         }
         _ => None,
     };
     let place = BeamPlace::new(model, data.point.beam, data.point.s);
-    let pair = model.pairs.get(model.contacts[k].pairs.start)?;
-    let gap = match &pair.target {
-        Target::Guided { standoff, .. } => Some(*standoff),
+    let (_, target) = model.contacts().nth(k)?.pairs().next()?;
+    let gap = match target {
+        TargetShape::Guided { standoff } => Some(standoff),
         _ => None,
     };
     let relative = sub(body.velocity, beam_velocity(model, data.point.beam, data.point.position));
@@ -146,21 +145,24 @@ fn beam_velocity(model: &Model, beam: usize, position: [f64; 2]) -> [f64; 2] {
 /// What meets in a contact between two named things.
 fn meeting<'a>(
     model: &'a Model,
-    contact: &'a ContactData,
+    contact: &ContactView<'a>,
     at: Option<ContactPlace>,
 ) -> Option<Meeting<'a>> {
-    let pairs = &model.pairs[contact.pairs.clone()];
-    let first = pairs.first()?;
-    let beams = model.beams.len();
-    let beam = |mover: usize| (mover < beams).then_some(mover);
-    let body = |mover: usize| mover.checked_sub(beams).map(|k| (k, &model.bodies[k]));
-    let [a, b] = first.movers;
+    let ([a, b], target) = contact.pairs().next()?;
+    let beam = |partner| match partner {
+        ContactPartner::Beam(beam) => Some(beam),
+        ContactPartner::Body(_) => None,
+    };
+    let body = |partner| match partner {
+        ContactPartner::Body(k) => Some((k, &model.bodies()[k])),
+        ContactPartner::Beam(_) => None,
+    };
     match (body(a), body(b)) {
-        (Some(one), Some(two)) => bodies(model, [one, two], &first.target, at),
+        (Some(one), Some(two)) => bodies(model, [one, two], &target, at),
         (Some((k, disc)), None) | (None, Some((k, disc))) if is_disc(disc) => {
             struck_by_disc(model, k, beam(a).or(beam(b))?, at)
         }
-        _ => points_of_beams(model, beam(a).or(beam(b))?, &first.target),
+        _ => points_of_beams(model, beam(a).or(beam(b))?, &target),
     }
 }
 
@@ -171,20 +173,19 @@ fn is_disc(body: &Body) -> bool {
 fn bodies<'a>(
     model: &Model,
     two: [(usize, &Body); 2],
-    target: &Target,
+    target: &TargetShape,
     at: Option<ContactPlace>,
 ) -> Option<Meeting<'a>> {
     let masses = two.map(|(_, body)| if is_disc(body) { body.mass } else { f64::INFINITY });
     let moves = |(k, body): (usize, &Body)| {
         // An obstacle that is moved as prescribed is no rigid wall at rest.
-        let hold = model.hold_at(model.body_node(k));
-        !is_disc(body) && hold.is_some_and(|h| h.drives.iter().any(|d| !d.is_empty()))
+        !is_disc(body) && model.prescribed_of_body(k).is_some_and(|dofs| dofs.moves)
     };
     if two.into_iter().any(moves) {
         return None;
     }
     let speed = norm(sub(two[0].1.velocity, two[1].1.velocity));
-    let simple = matches!(target, Target::Line { .. } | Target::Round { .. });
+    let simple = matches!(target, TargetShape::Line { .. } | TargetShape::Round);
     let mass = reduced_mass(masses);
     let pressed = pressed(model, two, target, at).map(|pull| mass * pull);
     Some(Meeting::Bodies(Bodies { mass, speed, simple, pressed }))
@@ -194,19 +195,19 @@ fn bodies<'a>(
 fn pressed(
     model: &Model,
     two: [(usize, &Body); 2],
-    target: &Target,
+    target: &TargetShape,
     at: Option<ContactPlace>,
 ) -> Option<f64> {
     let pull = gravity(model).0;
     if two.iter().all(|(_, body)| is_disc(body)) || norm(pull) == 0.0 {
         return Some(0.0);
     }
-    if let Target::Line { normal, .. } = target {
+    if let TargetShape::Line { normal } = target {
         return Some(-dot(pull, *normal));
     }
     // From the disc to where it touches; it has flown there in a parabola, so that only a place on a straight one tells.
     let (k, disc) = two.into_iter().find(|(_, body)| is_disc(body))?;
-    let way = sub(at?.position, model.nodes[model.body_node(k)].position);
+    let way = sub(at?.position, model.body_position(k));
     let straight =
         [way, disc.velocity].iter().all(|v| cross(*v, pull).abs() <= 1e-6 * norm(*v) * norm(pull));
     (straight && norm(way) > 0.0).then(|| dot(pull, way) / norm(way))
@@ -218,11 +219,11 @@ fn struck_by_disc(
     beam: usize,
     at: Option<ContactPlace>,
 ) -> Option<Meeting<'_>> {
-    let body = &model.bodies[disc];
+    let body = &model.bodies()[disc];
     let BodyKind::Disc { radius } = body.kind else { return None };
-    let data = &model.beams[beam];
-    let centre = model.nodes[model.body_node(disc)].position;
-    let middle = BeamPlace::new(model, beam, 0.5 * data.length);
+    let data = model.beam(beam);
+    let centre = model.body_position(disc);
+    let middle = BeamPlace::new(model, beam, 0.5 * data.length());
     let relative = sub(body.velocity, beam_velocity(model, beam, centre));
     let speed = norm(relative);
     let seen = if speed > 0.0 { first_hit(model, data, centre, relative) } else { None };
@@ -253,14 +254,15 @@ fn struck_by_disc(
     }))
 }
 
-fn points_of_beams<'a>(model: &'a Model, beam: usize, target: &Target) -> Option<Meeting<'a>> {
-    let place = BeamPlace::new(model, beam, 0.5 * model.beams[beam].length);
+fn points_of_beams<'a>(model: &'a Model, beam: usize, target: &TargetShape) -> Option<Meeting<'a>> {
+    let place = BeamPlace::new(model, beam, 0.5 * model.beam(beam).length());
     let wall = match target {
-        Target::Line { normal, .. } => Some(*normal),
+        TargetShape::Line { normal } => Some(*normal),
         _ => None,
     };
-    let nodes = &model.beams[beam].nodes;
-    let velocity = beam_velocity(model, beam, model.nodes[nodes.start + nodes.len() / 2].position);
+    let nodes = model.beam(beam).nodes();
+    let middle = model.node_position(nodes.start + nodes.len() / 2);
+    let velocity = beam_velocity(model, beam, middle);
     Some(Meeting::Beams(Beams { place, wall, velocity }))
 }
 
@@ -360,9 +362,9 @@ impl Struck<'_> {
 
     fn is_wave_controlled(&self) -> bool {
         let model = self.place.model;
-        let here = |s: f64| (s - self.place.s).abs() < 1e-6 * self.place.beam.length;
+        let here = |s: f64| (s - self.place.s).abs() < 1e-6 * self.place.beam.length();
         let index = self.place.index;
-        let carries = model.masses.iter().any(|m| m.point.beam == index && here(m.point.s));
+        let carries = model.point_masses().any(|m| m.point.beam == index && here(m.point.s));
         let fits = self.rear.is_none() && !carries && self.across() > 0.999;
         fits && self.place.is_uniform() && self.place.free_distance() > 0.0
     }

@@ -2,10 +2,10 @@
 
 use super::formulas::near;
 use super::*;
-use crate::analysis::simulate;
-use crate::model::*;
-use crate::record::NoRecorder;
-use crate::settings::Settings;
+use percuss::NoRecorder;
+use percuss::Settings;
+use percuss::simulate;
+use percuss::*;
 
 /// The paper's plank without rotary inertia, of any length and stiffness.
 struct Plank {

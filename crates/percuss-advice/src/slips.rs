@@ -8,10 +8,10 @@ use super::case::{self, Meeting};
 use super::structure::{BeamPlace, gravity};
 use super::words::{digits, quantity};
 use super::{Advice, Topic, Verdict};
-use crate::math::vec2::norm;
-use crate::model::frozen::{BodyKind, ConnectorLaw, Coordinate};
-use crate::model::{Model, Potential, TouchLaw};
-use crate::settings::Settings;
+use percuss::Settings;
+use percuss::inspect::{BodyKind, ConnectorCoordinate, ConnectorLaw};
+use percuss::math::vec2::norm;
+use percuss::{Model, Potential, TouchLaw};
 
 /// Densities of solids, foams and the heaviest metals included \[kg/m^3\].
 const DENSITY: [f64; 2] = [1.0, 3e4];
@@ -31,7 +31,7 @@ const GRAVITY: f64 = 500.0;
 /// What looks like a slip.
 pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     let mut all = Vec::new();
-    for index in 0..model.beams.len() {
+    for index in 0..model.beam_count() {
         beam(&BeamPlace::new(model, index, 0.0), settings, &mut all);
     }
     bodies(model, &mut all);
@@ -72,19 +72,22 @@ fn slip(
 /// Length, section, material of a beam, and its lowest period against the step.
 fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
     let data = place.beam;
-    let spans = data.spans.clone().map(|i| &place.model.spans[i]);
-    let name = format!("beam {}", data.name);
+    let each = data.spans().flat_map(|span| {
+        // The elements of a span without taper are all alike.
+        let count = if span.varies() { span.element_count() } else { 1 };
+        (0..count).map(move |k| span.gauss_points(k)[1].section)
+    });
+    let (name, length) = (format!("beam {}", data.name()), data.length());
     let mut told = [false; 4];
-    for row in spans.flat_map(|span| &span.tables).map(|table| &table.rows[1]) {
-        let law = &row.section;
-        let gyration = (law.bending / law.axial).sqrt();
+    for row in each {
+        let gyration = (row.bending / row.axial).sqrt();
         let depth =
             if row.half_depth > 0.0 { 2.0 * row.half_depth } else { 12_f64.sqrt() * gyration };
         let found = [
-            slender(&name, data.length, depth, row.half_depth > 0.0),
+            slender(&name, length, depth, row.half_depth > 0.0),
             section(&name, gyration, row.half_depth),
             density(&name, row.mass / row.area),
-            young(&name, law.axial / row.area),
+            young(&name, row.axial / row.area),
         ];
         for (told, found) in told.iter_mut().zip(found) {
             if let (false, Some(found)) = (*told, found) {
@@ -95,7 +98,7 @@ fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
     }
     // Of the pinned beam; other supports make it a few times longer or shorter.
     let constants = place.section();
-    let period = 2.0 / PI * data.length.powi(2) * (constants.mass / constants.bending).sqrt();
+    let period = 2.0 / PI * length.powi(2) * (constants.mass / constants.bending).sqrt();
     if settings.step > PERIODS * period && period > 0.0 {
         let text = format!(
             "one step of {} holds {} periods of its lowest mode ({}): time, stiffness or length in another unit?",
@@ -176,11 +179,11 @@ fn young(name: &str, young: f64) -> Option<Advice> {
 
 /// Masses against those of beams they go with, and speeds against those of waves.
 fn bodies(model: &Model, all: &mut Vec<Advice>) {
-    for mass in &model.masses {
+    for mass in model.point_masses() {
         let place = BeamPlace::new(model, mass.point.beam, mass.point.s);
         all.extend(apart(&format!("mass at {}", mass.point.label), mass.mass, &place));
     }
-    for k in 0..model.contacts.len() {
+    for k in 0..model.contacts().len() {
         let Some(case) = case::read(model, k, None) else { continue };
         match &case.meeting {
             Meeting::Struck(struck) => {
@@ -204,7 +207,7 @@ fn apart(name: &str, mass: f64, place: &BeamPlace<'_>) -> Option<Advice> {
     let text = format!(
         "a mass of {} on beam {} of {}: one of both in another unit?",
         quantity(mass, "kg"),
-        place.beam.name,
+        place.beam.name(),
         quantity(own, "kg")
     );
     Some(slip(name, [mass, own], "kg", Verdict::Warning, text))
@@ -219,7 +222,7 @@ fn fast(name: &str, speed: f64, place: &BeamPlace<'_>) -> Option<Advice> {
         "{} is faster than waves run through beam {} ({}): nothing stays elastic there; a velocity, \
          stiffness or density in another unit?",
         quantity(speed, "m/s"),
-        place.beam.name,
+        place.beam.name(),
         quantity(wave, "m/s")
     );
     Some(slip(name, [speed, wave], "m/s", Verdict::Warning, text))
@@ -227,7 +230,7 @@ fn fast(name: &str, speed: f64, place: &BeamPlace<'_>) -> Option<Advice> {
 
 /// Springs of contacts and between points, against the beams they press on.
 fn springs(model: &Model, all: &mut Vec<Advice>) {
-    for k in 0..model.contacts.len() {
+    for k in 0..model.contacts().len() {
         let Some(case) = case::read(model, k, None) else { continue };
         let place = match &case.meeting {
             Meeting::Struck(struck) => &struck.place,
@@ -240,18 +243,20 @@ fn springs(model: &Model, all: &mut Vec<Advice>) {
             all.extend(spring(case.name, stiffness, place));
         }
     }
-    for body in &model.bodies {
+    for body in model.bodies() {
         if let BodyKind::Rear { stiffness, .. } = body.kind
-            && let Some(first) = model.projectiles.first()
+            && let Some(first) = model.guided().next()
         {
             let place = BeamPlace::new(model, first.point.beam, first.point.s);
             all.extend(spring("spring of a rear mass", stiffness, &place));
         }
     }
-    for one in &model.connectors {
+    for one in model.connectors() {
         let (ConnectorLaw::Linear { stiffness, .. } | ConnectorLaw::OneSided { stiffness, .. }) =
-            one.law;
-        if let Coordinate::Displacement { point, .. } = &one.coordinate {
+            one.law();
+        if one.coordinate() == ConnectorCoordinate::Displacement
+            && let Some(point) = one.points().next()
+        {
             let place = BeamPlace::new(model, point.beam, point.s);
             all.extend(spring(&format!("spring at {}", point.label), stiffness, &place));
         }
@@ -259,7 +264,7 @@ fn springs(model: &Model, all: &mut Vec<Advice>) {
 }
 
 fn spring(name: &str, stiffness: f64, place: &BeamPlace<'_>) -> Option<Advice> {
-    let (section, length) = (place.section(), place.beam.length);
+    let (section, length) = (place.section(), place.beam.length());
     let own = section.bending / length.powi(3);
     let soft = stiffness < own / APART;
     let hard = stiffness > own * APART && stiffness > LENGTHWISE * section.axial / length;
@@ -272,7 +277,7 @@ fn spring(name: &str, stiffness: f64, place: &BeamPlace<'_>) -> Option<Advice> {
         "a spring of {} is {} times {than} than beam {} in bending (EI/L^3 = {}): one of both in another unit?",
         quantity(stiffness, "N/m"),
         digits(ratio),
-        place.beam.name,
+        place.beam.name(),
         quantity(own, "N/m")
     );
     Some(slip(name, [stiffness, own], "N/m", Verdict::Warning, text))

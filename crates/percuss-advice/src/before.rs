@@ -9,10 +9,9 @@ use super::formulas::{pulse_frequency, reduced_mass};
 use super::structure::{BeamPlace, gravity, gravity_varies};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict, end_on, shear};
-use crate::contact::effective_mass::EffectiveMass;
-use crate::math::vec2::dot;
-use crate::model::{HertzBody, Model, Potential, TouchLaw};
-use crate::settings::Settings;
+use percuss::Settings;
+use percuss::math::vec2::dot;
+use percuss::{EffectiveMass, HertzBody, Model, Potential, TouchLaw};
 
 /// Steps of a contact (or a period) that resolve it, and that hardly show it.
 pub(super) const STEPS: [f64; 2] = [20.0, 8.0];
@@ -72,7 +71,7 @@ impl Desk<'_> {
         if loads || gravity_varies(self.model) {
             return because("other loads act as well");
         }
-        if self.model.contacts.len() > 1 {
+        if self.model.contacts().len() > 1 {
             return because("other contacts may act meanwhile");
         }
         let Some(lasting) = lasting else {
