@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// An error of a recorder, passed through the run to its caller.
+pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
+
 /// Why an analysis gave up.
 #[derive(Debug)]
 pub struct Error {
@@ -18,7 +21,7 @@ enum ErrorKind {
     Overlap { what: String },
     Singular { time: f64, place: String },
     Grown { time: f64, made: f64, came: f64 },
-    Recorder(crate::record::RecorderError),
+    Recorder(RecorderError),
 }
 
 impl Error {
@@ -63,7 +66,7 @@ impl Error {
     }
 
     /// The recorder failed.
-    pub(crate) fn recorder(source: crate::record::RecorderError) -> Self {
+    pub(crate) fn recorder(source: RecorderError) -> Self {
         Self { kind: ErrorKind::Recorder(source) }
     }
 

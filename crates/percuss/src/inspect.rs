@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use crate::contact::pair::Target;
+use crate::geometry::pair::Target;
 use crate::element::beam::{GaussRow, SectionValues};
 use crate::math::vec2::{add, norm, rot90, scale, sub};
 pub use crate::model::frozen::ConnectorLaw;

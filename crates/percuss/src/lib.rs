@@ -12,12 +12,13 @@ mod contact;
 mod element;
 mod ensemble;
 mod error;
+mod geometry;
 pub mod inspect;
 mod ledger;
 mod linalg;
 pub mod math;
+mod measures;
 mod model;
-mod record;
 mod scalar;
 mod settings;
 mod state;
@@ -28,25 +29,24 @@ mod summary;
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Checkpoint, Detail, Equilibrium, FirstTouches,
+    BucklingMode, BucklingOutcome, Checkpoint, Equilibrium, FirstTouches,
     FollowerStability, LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, Preview,
     ResumeError, Simulation, StaticContact, buckling, buckling_in_contact, equilibrium,
     equilibrium_in, equilibrium_path, equilibrium_path_recorded, massless, mechanisms, modes_about,
     modes_about_equilibrium, natural_frequencies, preview, reference_state, simulate,
-    simulate_batch,
 };
-pub use contact::effective_mass::EffectiveMass;
-pub use ensemble::{Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities};
-pub use error::Error;
+pub use ensemble::{Detail, simulate_batch, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities};
+pub use error::{Error, RecorderError};
 pub use ledger::{Books, Measures};
 pub use model::*;
-pub use record::{
-    Channel, Flow, Frame, FrameForce, MemoryRecorder, NoRecorder, Recorder, RecorderError,
+pub use analysis::record::{
+    Channel, Flow, Frame, FrameForce, MemoryRecorder, NoRecorder, Recorder,
 };
 pub use settings::{
     ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,
 };
 pub use state::{PairState, ProjectileState, State};
+pub use step::effective_mass::EffectiveMass;
 pub use step::newton::Effort;
 pub use summary::*;
 

@@ -1,9 +1,7 @@
 //! How a transient analysis is carried out.
 
 use crate::model::{Fault, Model};
-
-/// Ends of steps closer than this share of the step are the same instant.
-pub(crate) const SAME_INSTANT: f64 = 1e-9;
+pub(crate) use crate::model::SAME_INSTANT;
 
 /// Time integration scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Memory, Pair, Target};
-use crate::contact::touch::Reach;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Memory, Pair, Target};
+use crate::geometry::touch::Reach;
 use crate::ledger::Books;
 use crate::math::hermite::GAUSS;
 use crate::model::Model;

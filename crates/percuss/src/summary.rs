@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::contact::effective_mass::EffectiveMass;
+use crate::step::effective_mass::EffectiveMass;
 use crate::error::Error;
 
 /// How a run ended.

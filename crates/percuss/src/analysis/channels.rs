@@ -2,15 +2,15 @@
 
 use super::contact_log;
 use super::section_forces::{self, Lines};
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::Memory;
-use crate::contact::pair::Target;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::Memory;
+use crate::geometry::pair::Target;
 use crate::contact::search::Search;
-use crate::contact::touch::Reach;
+use crate::geometry::touch::Reach;
 use crate::ledger::Measures;
 use crate::model::frozen::{BodyKind, ContactData, MaterialPoint};
 use crate::model::{Model, TouchLaw};
-use crate::record::Channel;
+use crate::analysis::record::Channel;
 use crate::state::State;
 
 /// Columns of the history of `model`, in the order of [`values`].

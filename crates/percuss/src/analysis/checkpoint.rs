@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::given::{Given, RowReactions};
 use super::monitor::Monitor;
 use super::simulation::Simulation;
-use crate::contact::effective_mass::EffectiveMass;
+use crate::step::effective_mass::EffectiveMass;
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::{Fault, Model};

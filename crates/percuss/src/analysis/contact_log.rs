@@ -10,10 +10,10 @@ mod smooth;
 use serde::{Deserialize, Serialize};
 
 use super::monitor::Part;
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::Pair;
-use crate::contact::row::Row;
-use crate::contact::touch::{Reach, Touch};
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::Pair;
+use crate::geometry::row::Row;
+use crate::geometry::touch::{Reach, Touch};
 use crate::model::frozen::ContactData;
 use crate::model::{Model, TouchLaw};
 use crate::state::{PairState, State};

@@ -1,9 +1,9 @@
 //! Where a contact is likely to close first, and what can be said of it there: effective mass, rates of closing.
 
-use crate::contact::configuration::Configuration;
-use crate::contact::effective_mass::{EffectiveMass, mass_matrix};
-use crate::contact::pair::{Memory, Pair};
-use crate::contact::touch::{Reach, Touch};
+use crate::geometry::configuration::Configuration;
+use crate::step::effective_mass::{EffectiveMass, mass_matrix};
+use crate::geometry::pair::{Memory, Pair};
+use crate::geometry::touch::{Reach, Touch};
 use crate::model::{Model, TouchLaw};
 use crate::step::tangent::{Singular, Tangent};
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::contact::row::Row;
+use crate::geometry::row::Row;
 use crate::model::Model;
 use crate::state::State;
 use crate::step::workspace::Workspace;

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::model::{ImpactLaw, RigidLaw, TouchLaw};
-use crate::record::Recorder;
+use crate::analysis::record::Recorder;
 use crate::settings::{ImpactResolution, MultipleImpacts};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;

@@ -1,7 +1,6 @@
 //! Analyses: what is done with steps.
 
 mod accumulation;
-mod batch;
 mod buckling;
 mod channels;
 mod checkpoint;
@@ -19,6 +18,7 @@ mod monitor;
 mod multiple_impacts;
 mod path;
 mod preview;
+pub(crate) mod record;
 mod section_forces;
 mod simulation;
 mod spectrum;
@@ -30,7 +30,6 @@ mod stop_log;
 mod struck_mass;
 mod trial;
 
-pub use batch::{Detail, simulate_batch};
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
 pub use checkpoint::{Checkpoint, ResumeError};
 pub use first_touch::FirstTouches;

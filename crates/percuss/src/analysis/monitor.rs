@@ -9,7 +9,7 @@ use super::contact_log::ContactLog;
 use super::crest::Crest;
 use super::section_forces::{self, Acting, Lines};
 use super::stop_log;
-use crate::contact::row::Row;
+use crate::geometry::row::Row;
 use crate::ledger::{Books, Measures};
 use crate::math::path::Path;
 use crate::model::Model;

@@ -2,7 +2,7 @@
 
 use super::simulation::Simulation;
 use crate::model::Model;
-use crate::record::{Flow, Recorder};
+use crate::analysis::record::{Flow, Recorder};
 use crate::settings::Settings;
 use crate::summary::ContactRecord;
 

@@ -2,8 +2,8 @@
 
 use super::contact_log;
 use super::simulation::Simulation;
-use crate::contact::effective_mass::{EffectiveMass, mass_matrix};
-use crate::contact::touch::Reach;
+use crate::step::effective_mass::{EffectiveMass, mass_matrix};
+use crate::geometry::touch::Reach;
 use crate::step::contacts::{ActiveContact, Phase};
 
 impl Simulation<'_> {

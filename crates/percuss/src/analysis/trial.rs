@@ -1,9 +1,9 @@
 //! A step tried: solved with the pairs that could touch, looked at for what passed through unseen, accepted.
 
 use super::simulation::Simulation;
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Memory, Target};
-use crate::contact::touch::Reach;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Memory, Target};
+use crate::geometry::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::TouchLaw;
 use crate::model::frozen::BodyKind;

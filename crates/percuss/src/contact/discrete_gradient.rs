@@ -4,11 +4,11 @@
 //! rigid motion, so that on the increment it gives the change of the gap exactly. A force along it does the work of its
 //! potential, and gives no momentum and no angular momentum, wherever the foot slides to.
 
-use super::configuration::Configuration;
-use super::pair::{Centre, Memory, Pair, Target};
-use super::row::{self, Row};
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Centre, Memory, Pair, Target};
+use crate::geometry::row::{self, Row};
 use super::search::farthest_of;
-use super::touch::{Reach, Touch};
+use crate::geometry::touch::{Reach, Touch};
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;
 

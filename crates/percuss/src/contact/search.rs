@@ -6,10 +6,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::axis::{AxisElements, longest_arc};
-use super::configuration::Configuration;
-use super::pair::{Pair, Target};
-use super::touch::Reach;
+use crate::geometry::axis::{AxisElements, longest_arc};
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Pair, Target};
+use crate::geometry::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::Model;
 use crate::model::frozen::BeamData;

@@ -320,7 +320,7 @@ mod tests {
     use super::super::{collocation, energy_momentum, rotary, strain, strain_rate};
     use super::*;
     use crate::math::vec2::{add, cross, dot};
-    use crate::model::StrainMeasure;
+    use super::super::strain::StrainMeasure;
     use nalgebra::SVector;
     use num_dual::{DualNum, DualSVec64, jacobian};
     use proptest::prelude::*;

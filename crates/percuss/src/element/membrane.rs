@@ -8,7 +8,7 @@
 use super::beam::{ElementSums, ElementValues, GaussRow};
 use crate::math::hermite::{self, GAUSS};
 use crate::math::vec2::{add, dot, norm, scale};
-use crate::model::StrainMeasure;
+use super::strain::StrainMeasure;
 use crate::scalar::{Real, array};
 
 /// Number of sampling points: node a, middle, node b.

@@ -4,7 +4,7 @@
 //! scheme is `force_g . dg + force_p . dp`.
 
 use crate::math::vec2::{add, cross, dot, rot90};
-use crate::model::StrainMeasure;
+use super::strain::StrainMeasure;
 use crate::scalar::Real;
 
 /// Section constants of a beam.

@@ -7,6 +7,7 @@
 //! see each other, so a run gives the same bits alone and in company.
 
 mod band;
+mod batch;
 mod books;
 mod engine;
 mod flight;
@@ -18,14 +19,13 @@ mod loads;
 mod log;
 mod newton;
 mod numbers;
-
 mod reactions;
 mod run;
 mod sensitivity;
 mod shape;
 mod summary;
 
-pub use run::simulate_ensemble;
+pub use batch::{Detail, simulate_batch};
 pub use sensitivity::{
     Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,
 };

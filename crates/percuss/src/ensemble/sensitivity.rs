@@ -11,7 +11,7 @@ use super::shape::{Shape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use crate::analysis::simulate;
 use crate::model::Model;
-use crate::record::NoRecorder;
+use crate::analysis::record::NoRecorder;
 use crate::scalar::Dual;
 use crate::settings::Settings;
 use crate::summary::{RunSummary, Termination};

@@ -147,7 +147,7 @@ fn guide(
     };
     let (body, point) = (&model.bodies[projectile.body], &projectile.point);
     let contact = &model.pairs[model.contacts[i].pairs.start];
-    let crate::contact::pair::Target::Guided { standoff, .. } = contact.target else {
+    let crate::geometry::pair::Target::Guided { standoff, .. } = contact.target else {
         return Err("contacts that move along a beam");
     };
     Ok(GuideNumbers {

@@ -6,7 +6,7 @@ use super::log::{Closed, Log, Struck, Top};
 use super::newton::Search;
 use super::numbers::GuideLaw;
 use crate::analysis::crest::{Crest, at_last};
-use crate::contact::effective_mass::EffectiveMass;
+use crate::step::effective_mass::EffectiveMass;
 use crate::model::Model;
 use crate::scalar::Number;
 use crate::summary::*;

@@ -5,8 +5,9 @@ use std::ops::Range;
 use super::definition::{InitialMotion, StrainMeasure};
 pub(crate) use super::striking::*;
 use super::time_function::Course;
-use crate::contact::axis::AxisElements;
-use crate::contact::pair::Pair;
+use crate::geometry::Axes;
+use crate::geometry::axis::AxisElements;
+use crate::geometry::pair::Pair;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::linalg::block::{Block, IDENTITY};
 
@@ -400,6 +401,16 @@ pub(crate) fn share(from: f64, until: f64, start: f64, h: f64) -> f64 {
     let hi = until.min(start + h);
     let share = (hi - lo) / h;
     if from <= start + slack && until >= start + h - slack { 1.0 } else { share.clamp(0.0, 1.0) }
+}
+
+impl Axes for Model {
+    fn frames(&self) -> &[NodeFrame] {
+        &self.nodes
+    }
+
+    fn axis(&self, beam: usize) -> &AxisElements {
+        &self.beams[beam].axis
+    }
 }
 
 impl Model {

@@ -6,8 +6,8 @@ use super::builder::{ModelBuilder, point_at};
 use super::definition::Ends;
 use super::frozen::Model;
 use super::pairs::beam_centre;
-use crate::contact::axis::AxisEnd;
-use crate::contact::pair::{Centre, Hold, Target, carried};
+use crate::geometry::axis::AxisEnd;
+use crate::geometry::pair::{Centre, Hold, Target, carried};
 use crate::math::vec2::add;
 
 /// Radius of the corners of a flat end against beams, as a share of half the depth there. Two sharp corners that face each other, as

@@ -3,10 +3,10 @@
 use super::Model;
 use super::fault::Fault;
 use super::frozen::ContactData;
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Hold, Memory, Pair, Target};
-use crate::contact::placed::Placed;
-use crate::contact::touch::{Reach, Touch};
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Hold, Memory, Pair, Target};
+use crate::geometry::placed::Placed;
+use crate::geometry::touch::{Reach, Touch};
 use crate::math::vec2::{cross, scale, sub};
 
 /// Penetrations at the start below this share of the bodies' size are round-off.

@@ -5,7 +5,7 @@ use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
 use super::outline::Outline;
-use crate::contact::pair::{Centre, Hold, Pair, Target};
+use crate::geometry::pair::{Centre, Hold, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};
 
 /// A beam touches itself no nearer along its axis than this, in elements and in half depths.

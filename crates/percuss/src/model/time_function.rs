@@ -4,7 +4,9 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::math::spline::Spline;
-use crate::settings::SAME_INSTANT;
+
+/// Ends of steps closer than this share of the step are the same instant.
+pub(crate) const SAME_INSTANT: f64 = 1e-9;
 
 /// A factor as a function of time, which counts from the start of the load or motion.
 #[derive(Clone, Debug, Default, PartialEq)]

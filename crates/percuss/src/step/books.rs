@@ -7,7 +7,7 @@ use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
-use crate::contact::row::Row;
+use crate::geometry::row::Row;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
 use crate::element::rotary::Turn;

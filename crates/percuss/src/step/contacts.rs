@@ -4,13 +4,13 @@ use super::integration::Rule;
 use super::newton::{Failure, StepProblem};
 use super::tangent::Tangent;
 use super::workspace::Workspace;
-use crate::contact::configuration::Configuration;
+use crate::geometry::configuration::Configuration;
 use crate::contact::law::StepForce;
-use crate::contact::pair::{Memory, Target};
-use crate::contact::row::Row;
+use crate::geometry::pair::{Memory, Target};
+use crate::geometry::row::Row;
 use crate::contact::search::longest_arcs;
-use crate::contact::touch::Reach;
-use crate::contact::turning::Turning;
+use crate::geometry::touch::Reach;
+use crate::geometry::turning::Turning;
 use crate::linalg::block::ZERO;
 use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
 

@@ -12,6 +12,7 @@ pub mod commit;
 pub mod connectors;
 pub mod constraint;
 pub mod contacts;
+pub mod effective_mass;
 pub mod external;
 pub mod forcing;
 pub mod integration;

@@ -15,7 +15,7 @@ use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
-use crate::contact::touch::Reach;
+use crate::geometry::touch::Reach;
 use crate::model::Model;
 use crate::model::frozen::{Constraint, ConstraintKind};
 use crate::state::State;

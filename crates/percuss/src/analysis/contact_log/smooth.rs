@@ -5,9 +5,9 @@ use std::ops::Range;
 
 use super::course::{Course, highest};
 use super::{ContactLog, Seen, Span, opened};
-use crate::contact::configuration::Configuration;
+use crate::geometry::configuration::Configuration;
 use crate::contact::free_gap::FreeGap;
-use crate::contact::touch::Reach;
+use crate::geometry::touch::Reach;
 use crate::model::{SmoothLaw, TouchLaw};
 use crate::settings::SAME_INSTANT;
 use crate::state::PairState;

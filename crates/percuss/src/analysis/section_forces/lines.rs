@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::line::{Inner, Line, OnNodes, Shape, place_of, resultant};
-use crate::contact::row::Row;
+use crate::geometry::row::Row;
 use crate::math::vec2::{add, dot, scale};
 use crate::model::Model;
 use crate::model::frozen::{LoadAction, MaterialPoint};

@@ -1,8 +1,8 @@
 //! Contacts that press in an equilibrium: in small motions about it they stay closed.
 
 use super::matrix::{Layout, Matrix};
-use crate::contact::row::Row;
-use crate::contact::turning::Turning;
+use crate::geometry::row::Row;
+use crate::geometry::turning::Turning;
 use crate::scalar::Wide;
 
 /// A contact that stays closed.

@@ -2,7 +2,7 @@
 //! place.
 
 use super::{STRIDE, StaticContacts, WEAK};
-use crate::contact::pair::{Pair, Target};
+use crate::geometry::pair::{Pair, Target};
 use crate::linalg::block::ZERO;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{norm, scale};

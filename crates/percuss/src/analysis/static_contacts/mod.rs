@@ -14,11 +14,11 @@ mod results;
 pub(super) use pressing::{Programme, Response};
 pub use results::StaticContact;
 
-use crate::contact::axis::longest_arc;
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Memory, Pair, Target};
-use crate::contact::row::Row;
-use crate::contact::touch::Reach;
+use crate::geometry::axis::longest_arc;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Memory, Pair, Target};
+use crate::geometry::row::Row;
+use crate::geometry::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::frozen::BodyKind;
 use crate::model::{Model, TouchLaw};

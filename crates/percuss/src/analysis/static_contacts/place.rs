@@ -2,11 +2,11 @@
 
 use super::{Pressing, ROUND_OFF};
 use crate::analysis::contact_log;
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::{Memory, Pair};
-use crate::contact::row::Row;
-use crate::contact::touch::Touch;
-use crate::contact::turning::Turning;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Memory, Pair};
+use crate::geometry::row::Row;
+use crate::geometry::touch::Touch;
+use crate::geometry::turning::Turning;
 use crate::model::frozen::NodeHold;
 use crate::model::{Model, TouchLaw};
 use crate::step::contacts::{add_tangent, add_turning};

@@ -11,7 +11,7 @@
 use super::super::static_search::{StaticSearch, largest};
 use super::StaticContacts;
 use super::place::{Place, moving};
-use crate::contact::row::Row;
+use crate::geometry::row::Row;
 use crate::model::Model;
 use crate::step::contacts::add_tangent;
 use crate::step::tangent::Tangent;

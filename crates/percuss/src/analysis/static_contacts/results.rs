@@ -3,14 +3,14 @@
 use super::place::{Place, moving};
 use super::{NEXT_TO_NOTHING, StaticContacts};
 use crate::analysis::spectrum::Held;
-use crate::contact::configuration::Configuration;
-use crate::contact::pair::Memory;
-use crate::contact::row::Row;
-use crate::contact::touch::Reach;
-use crate::contact::turning::Turning;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::Memory;
+use crate::geometry::row::Row;
+use crate::geometry::touch::Reach;
+use crate::geometry::turning::Turning;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::{Model, TouchLaw};
-use crate::record::FrameForce;
+use crate::analysis::record::FrameForce;
 use crate::state::State;
 
 /// A contact of an equilibrium: the sum over the places where it is closed.

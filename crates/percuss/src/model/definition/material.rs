@@ -1,14 +1,6 @@
 //! Materials.
 
-/// Which strains the strain energy `EA eps^2 / 2 + EI kappa^2 / 2` is written in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum StrainMeasure {
-    /// The paper's: `eps = (|x'|^2 - 1) / 2`, `kappa = n'.x' - N'.X'` (Green-type).
-    #[default]
-    Green,
-    /// Reissner's: `eps = |x'| - 1`, `kappa = -(theta' - theta0')`; what most other codes use.
-    Engineering,
-}
+pub use crate::element::strain::StrainMeasure;
 
 /// Material of a beam.
 #[derive(Clone, Debug, PartialEq)]

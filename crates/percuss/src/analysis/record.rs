@@ -1,6 +1,7 @@
 //! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
 
-use crate::analysis::Checkpoint;
+use super::checkpoint::Checkpoint;
+use crate::error::RecorderError;
 use crate::state::State;
 
 /// A column of the history.
@@ -53,9 +54,6 @@ pub struct Frame<'a> {
     /// Factors of the loads, means over the last step; shape (n_load).
     pub load_factors: &'a [f64],
 }
-
-/// An error of a recorder, passed through the run to its caller.
-pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
 
 /// Receives the rows of a run.
 pub trait Recorder {

@@ -9,8 +9,8 @@ use super::axis::{AxisEnd, AxisPoint};
 use super::configuration::Configuration;
 use super::row::Row;
 use super::turning::Turning;
+use super::Axes;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
-use crate::model::Model;
 
 /// A point that follows one node, or the two of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -238,9 +238,9 @@ pub struct Memory {
 
 impl Pair {
     /// Distance of the source's centre from the target's middle where they touch \[m\].
-    pub fn thickness(&self, model: &Model, memory: &Memory) -> f64 {
+    pub fn thickness(&self, axes: &impl Axes, memory: &Memory) -> f64 {
         let Target::Axis { beam, .. } = &self.target else { return self.reach };
-        let element = model.beams[*beam].axis.get(memory.near.element);
+        let element = axes.axis(*beam).get(memory.near.element);
         self.reach + element.map_or(0.0, |e| e.half_depth(memory.near.xi))
     }
 }

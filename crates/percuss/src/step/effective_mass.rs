@@ -2,19 +2,19 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::configuration::Configuration;
-use super::pair::{Hold, Pair};
-use super::touch::Touch;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Hold, Pair};
+use crate::geometry::touch::Touch;
 use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::point::PointResponse;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{add, cross, dot, norm, scale};
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, MaterialPoint, ProjectileData};
-use crate::step::assemble;
-use crate::step::constraint::ConstraintStep;
-use crate::step::forcing::Forcing;
-use crate::step::tangent::{Singular, Tangent};
+use super::assemble;
+use super::constraint::ConstraintStep;
+use super::forcing::Forcing;
+use super::tangent::{Singular, Tangent};
 
 /// What moves by less than this share of the whole under an impulse is held.
 const HELD: f64 = 1e-12;

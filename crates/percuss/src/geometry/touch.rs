@@ -7,9 +7,9 @@ use super::configuration::Configuration;
 use super::edge::{self, EdgeTouch};
 use super::pair::{Centre, Hold, Memory, Pair, Target, carried};
 use super::row::Row;
+use super::Axes;
 use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
-use crate::model::Model;
 
 /// Below this distance of centre and axis the normal is that of the axis \[m\].
 pub(super) const COINCIDENT: f64 = 1e-9;
@@ -63,7 +63,7 @@ impl Pair {
     /// The pair in a configuration; `None` where nothing of the target can be touched.
     pub fn touch(
         &self,
-        model: &Model,
+        axes: &impl Axes,
         at: &Configuration,
         memory: &Memory,
         reach: Reach,
@@ -84,7 +84,7 @@ impl Pair {
             Target::Round { centre } => Some(self.round(*centre, 1.0, y, at, memory)),
             Target::Segment { ends } => Some(self.segment(ends, y, at, memory)),
             Target::Axis { beam, skip, ends } => {
-                let axis = axis_of(model, at, *beam, *skip, ends);
+                let axis = axis_of(axes, at, *beam, *skip, ends);
                 let (foot, leapt_from) = match reach {
                     Reach::All => {
                         let found = axis.nearest(y, at, memory.near, memory.side)?;
@@ -104,10 +104,10 @@ impl Pair {
     }
 
     /// Whether another place of the target is nearer than the foot remembered.
-    pub fn leaps(&self, model: &Model, at: &Configuration, memory: &Memory) -> bool {
+    pub fn leaps(&self, axes: &impl Axes, at: &Configuration, memory: &Memory) -> bool {
         let Target::Axis { beam, skip, ends } = &self.target else { return false };
         let y = self.source.place(at);
-        axis_of(model, at, *beam, *skip, ends).has_nearer(y, at, memory.near, memory.side)
+        axis_of(axes, at, *beam, *skip, ends).has_nearer(y, at, memory.near, memory.side)
     }
 
     fn flat(
@@ -300,14 +300,14 @@ fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
 
 /// The axis of a beam, as far as it can be touched.
 fn axis_of<'a>(
-    model: &'a Model,
+    axes: &'a impl Axes,
     at: &Configuration,
     beam: usize,
     skip: [usize; 2],
     ends: &'a [AxisEnd; 2],
 ) -> Axis<'a> {
     let arc = at.arcs.get(beam).copied().unwrap_or(f64::INFINITY);
-    Axis { nodes: &model.nodes, elements: &model.beams[beam].axis, skip, ends, arc }
+    Axis { nodes: axes.frames(), elements: axes.axis(beam), skip, ends, arc }
 }
 
 /// The tangent that goes with a normal: turned by -90 degrees.

@@ -1,9 +1,9 @@
 //! Many runs, nothing recorded but their summaries.
 
-use super::simulation::simulate;
-use crate::ensemble::simulate_ensemble;
+use super::run::simulate_ensemble;
+use crate::analysis::simulate;
 use crate::model::{Fault, Model};
-use crate::record::NoRecorder;
+use crate::analysis::record::NoRecorder;
 use crate::settings::Settings;
 use crate::summary::RunSummary;
 

@@ -1,0 +1,24 @@
+//! Geometry of contact: round things and what they can touch, the nearest place of a target, the gap and its derivatives.
+//!
+//! It knows no model: whoever has beams says where they lie through [`Axes`].
+
+pub mod axis;
+pub mod configuration;
+pub mod edge;
+pub mod pair;
+pub mod placed;
+pub mod row;
+pub mod touch;
+pub mod turning;
+
+use crate::element::beam::NodeFrame;
+use axis::AxisElements;
+
+/// The axes of all beams in the reference configuration.
+pub trait Axes {
+    /// Frames of all nodes, shape (n_node).
+    fn frames(&self) -> &[NodeFrame];
+
+    /// Elements of the axis of a beam.
+    fn axis(&self, beam: usize) -> &AxisElements;
+}
