@@ -5,8 +5,8 @@
 
 use std::ops::Range;
 
-use crate::geometry::pair::Target;
 use crate::element::beam::{GaussRow, SectionValues};
+use crate::geometry::pair::Target;
 use crate::math::vec2::{add, norm, rot90, scale, sub};
 pub use crate::model::frozen::ConnectorLaw;
 use crate::model::frozen::{

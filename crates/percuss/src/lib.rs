@@ -28,20 +28,23 @@ mod summary;
 /// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
-pub use analysis::{
-    BucklingMode, BucklingOutcome, Checkpoint, Equilibrium, FirstTouches,
-    FollowerStability, LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, Preview,
-    ResumeError, Simulation, StaticContact, buckling, buckling_in_contact, equilibrium,
-    equilibrium_in, equilibrium_path, equilibrium_path_recorded, massless, mechanisms, modes_about,
-    modes_about_equilibrium, natural_frequencies, preview, reference_state, simulate,
-};
-pub use ensemble::{Detail, simulate_batch, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities};
-pub use error::{Error, RecorderError};
-pub use ledger::{Books, Measures};
-pub use model::*;
 pub use analysis::record::{
     Channel, Flow, Frame, FrameForce, MemoryRecorder, NoRecorder, Recorder,
 };
+pub use analysis::{
+    BucklingMode, BucklingOutcome, Checkpoint, Equilibrium, FirstTouches, FollowerStability,
+    LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, Preview, ResumeError,
+    Simulation, StaticContact, buckling, buckling_in_contact, equilibrium, equilibrium_in,
+    equilibrium_path, equilibrium_path_recorded, massless, mechanisms, modes_about,
+    modes_about_equilibrium, natural_frequencies, preview, reference_state, simulate,
+};
+pub use ensemble::{
+    Detail, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,
+    simulate_batch,
+};
+pub use error::{Error, RecorderError};
+pub use ledger::{Books, Measures};
+pub use model::*;
 pub use settings::{
     ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,
 };

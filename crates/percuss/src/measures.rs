@@ -141,11 +141,7 @@ fn size(v: [f64; 2]) -> f64 {
 }
 
 /// `M v` of an element, per node.
-fn momentum(
-    table: &ElementTable,
-    a: &[f64; 4],
-    b: &[f64; 4],
-) -> [[f64; 4]; 2] {
+fn momentum(table: &ElementTable, a: &[f64; 4], b: &[f64; 4]) -> [[f64; 4]; 2] {
     let mut out = [[0.0; 4]; 2];
     for i in 0..2 {
         let v = [a[i], a[2 + i], b[i], b[2 + i]];

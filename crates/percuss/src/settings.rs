@@ -1,7 +1,7 @@
 //! How a transient analysis is carried out.
 
-use crate::model::{Fault, Model};
 pub(crate) use crate::model::SAME_INSTANT;
+use crate::model::{Fault, Model};
 
 /// Time integration scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::step::effective_mass::EffectiveMass;
 use crate::error::Error;
+use crate::step::effective_mass::EffectiveMass;
 
 /// How a run ended.
 #[derive(Debug, Default)]

@@ -2,15 +2,15 @@
 
 use super::contact_log;
 use super::section_forces::{self, Lines};
+use crate::analysis::record::Channel;
+use crate::contact::search::Search;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Memory;
 use crate::geometry::pair::Target;
-use crate::contact::search::Search;
 use crate::geometry::touch::Reach;
 use crate::ledger::Measures;
 use crate::model::frozen::{BodyKind, ContactData, MaterialPoint};
 use crate::model::{Model, TouchLaw};
-use crate::analysis::record::Channel;
 use crate::state::State;
 
 /// Columns of the history of `model`, in the order of [`values`].

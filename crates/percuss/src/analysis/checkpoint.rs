@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 use super::given::{Given, RowReactions};
 use super::monitor::Monitor;
 use super::simulation::Simulation;
-use crate::step::effective_mass::EffectiveMass;
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::{Fault, Model};
 use crate::settings::Settings;
 use crate::state::State;
+use crate::step::effective_mass::EffectiveMass;
 use crate::step::newton::Effort;
 use crate::summary::SharedBlows;
 

@@ -1,10 +1,10 @@
 //! Where a contact is likely to close first, and what can be said of it there: effective mass, rates of closing.
 
 use crate::geometry::configuration::Configuration;
-use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::touch::{Reach, Touch};
 use crate::model::{Model, TouchLaw};
+use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 use crate::step::tangent::{Singular, Tangent};
 
 /// Times that the way to the first touch is estimated anew: on straight paths the second estimate is exact.

@@ -1,10 +1,10 @@
 //! Frames of a run: its configuration at an instant, with the forces that belong to it, for drawings.
 
 use super::simulation::Simulation;
+use crate::analysis::record::{Frame, FrameForce, Recorder};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};
-use crate::analysis::record::{Frame, FrameForce, Recorder};
 
 /// What frames are made in.
 #[derive(Clone, Debug, Default)]

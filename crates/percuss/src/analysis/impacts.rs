@@ -8,11 +8,11 @@
 //! Time-stepping mode: the gap is looked at once per step, as in the paper.
 
 use super::simulation::Simulation;
+use crate::analysis::record::Recorder;
 use crate::error::Error;
 use crate::math::hermite::Cubic;
 use crate::math::roots;
 use crate::model::{ImpactLaw, RigidLaw, TouchLaw};
-use crate::analysis::record::Recorder;
 use crate::settings::{ImpactResolution, MultipleImpacts};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;

@@ -6,11 +6,11 @@ use super::spectrum::{Eigen, FreeMotions, Held, Layout, Matrix, Nodal, Pair, Pen
 use super::spectrum::{free_motions, metric, size, strain_share, stress_share};
 use super::static_search::StaticSearch;
 use super::statics::Equilibrium;
-use crate::step::effective_mass::mass_band;
 use crate::linalg::chain::Chain;
 use crate::model::Model;
 use crate::settings::Scheme;
 use crate::state::State;
+use crate::step::effective_mass::mass_band;
 use crate::step::modal_damping::ModalDamping;
 use crate::step::tangent::{inner, project};
 

@@ -7,8 +7,8 @@
 
 use super::impacts::{Advance, STICK};
 use super::simulation::Simulation;
-use crate::error::Error;
 use crate::analysis::record::Recorder;
+use crate::error::Error;
 use crate::step::contacts::{ActiveContact, Phase};
 use crate::step::newton::Failure;
 

@@ -1,8 +1,8 @@
 //! The beginning of a run, up to where a contact has opened again.
 
 use super::simulation::Simulation;
-use crate::model::Model;
 use crate::analysis::record::{Flow, Recorder};
+use crate::model::Model;
 use crate::settings::Settings;
 use crate::summary::ContactRecord;
 

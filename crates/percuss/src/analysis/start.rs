@@ -6,14 +6,14 @@ use super::jumps;
 use super::simulation::Simulation;
 use super::static_search::StaticSearch;
 use super::statics::{equilibrium, mechanisms};
-use crate::step::effective_mass;
-use crate::geometry::row::Row;
 use crate::error::Error;
+use crate::geometry::row::Row;
 use crate::math::vec2::{dot, rot90, scale};
 use crate::model::frozen::{BeamData, Body, BodyKind};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
+use crate::step::effective_mass;
 use crate::step::tangent::project_node;
 use crate::step::{commit, lead};
 

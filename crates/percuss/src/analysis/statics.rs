@@ -3,11 +3,11 @@
 use super::spectrum::{Held, Layout, free_motions, is_stable};
 use super::static_contacts::{StaticContact, takes_part};
 use super::static_search::{StaticSearch, largest};
-use crate::geometry::row::Row;
+use crate::analysis::record::{Frame, FrameForce};
 use crate::error::Error;
+use crate::geometry::row::Row;
 use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model, StrainMeasure, TouchLaw};
-use crate::analysis::record::{Frame, FrameForce};
 use crate::state::State;
 use crate::step::tangent::inner;
 use crate::summary::SectionForceSummary;

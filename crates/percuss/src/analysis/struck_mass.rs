@@ -2,9 +2,9 @@
 
 use super::contact_log;
 use super::simulation::Simulation;
-use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 use crate::geometry::touch::Reach;
 use crate::step::contacts::{ActiveContact, Phase};
+use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 
 impl Simulation<'_> {
     /// Looks at the contacts that struck for the first time in the step accepted last; guided projectiles are known without a run.

@@ -4,10 +4,10 @@
 //! rigid motion, so that on the increment it gives the change of the gap exactly. A force along it does the work of its
 //! potential, and gives no momentum and no angular momentum, wherever the foot slides to.
 
+use super::search::farthest_of;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Centre, Memory, Pair, Target};
 use crate::geometry::row::{self, Row};
-use super::search::farthest_of;
 use crate::geometry::touch::{Reach, Touch};
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;

@@ -317,10 +317,10 @@ impl<S: Real> ElementSums<S> {
 #[cfg(test)]
 mod tests {
     use super::super::point::{SectionLaw, Strains};
+    use super::super::strain::StrainMeasure;
     use super::super::{collocation, energy_momentum, rotary, strain, strain_rate};
     use super::*;
     use crate::math::vec2::{add, cross, dot};
-    use super::super::strain::StrainMeasure;
     use nalgebra::SVector;
     use num_dual::{DualNum, DualSVec64, jacobian};
     use proptest::prelude::*;

@@ -4,8 +4,8 @@
 use super::beam::{ElementValues, GaussRow};
 use super::point::{Form, PointResponse, SectionLaw, StepPoint, Stress, b_of, form_b};
 use super::rotary::Turn;
-use crate::math::vec2::{add, cross, dot, middle};
 use super::strain::StrainMeasure;
+use crate::math::vec2::{add, cross, dot, middle};
 use crate::scalar::{Real, array, reciprocals};
 
 /// Stress power of a step from (g0, p0) to (g1, p1):

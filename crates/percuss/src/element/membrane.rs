@@ -6,9 +6,9 @@
 //! Popp, Wall 2014, a locking-free finite element formulation for Kirchhoff beams).
 
 use super::beam::{ElementSums, ElementValues, GaussRow};
+use super::strain::StrainMeasure;
 use crate::math::hermite::{self, GAUSS};
 use crate::math::vec2::{add, dot, norm, scale};
-use super::strain::StrainMeasure;
 use crate::scalar::{Real, array};
 
 /// Number of sampling points: node a, middle, node b.

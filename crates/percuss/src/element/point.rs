@@ -3,8 +3,8 @@
 //! Generalised forces are conjugate to the tangent `g = x'` and to `p = x''`: the virtual work per length of any
 //! scheme is `force_g . dg + force_p . dp`.
 
-use crate::math::vec2::{add, cross, dot, rot90};
 use super::strain::StrainMeasure;
+use crate::math::vec2::{add, cross, dot, rot90};
 use crate::scalar::Real;
 
 /// Section constants of a beam.

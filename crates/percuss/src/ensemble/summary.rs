@@ -6,9 +6,9 @@ use super::log::{Closed, Log, Struck, Top};
 use super::newton::Search;
 use super::numbers::GuideLaw;
 use crate::analysis::crest::{Crest, at_last};
-use crate::step::effective_mass::EffectiveMass;
 use crate::model::Model;
 use crate::scalar::Number;
+use crate::step::effective_mass::EffectiveMass;
 use crate::summary::*;
 
 /// All there is to tell of one lane.

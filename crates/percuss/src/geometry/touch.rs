@@ -2,12 +2,12 @@
 //!
 //! The gap is signed by the side the source was on: what has gone through is deep inside, not on the other side.
 
+use super::Axes;
 use super::axis::{Axis, AxisEnd, AxisPoint, Foot};
 use super::configuration::Configuration;
 use super::edge::{self, EdgeTouch};
 use super::pair::{Centre, Hold, Memory, Pair, Target, carried};
 use super::row::Row;
-use super::Axes;
 use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 

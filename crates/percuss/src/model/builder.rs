@@ -5,9 +5,9 @@ use super::definition::*;
 use super::frozen::*;
 use super::mesh::SpanPlan;
 use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs, places};
-use crate::geometry::axis::{AxisElement, AxisElements};
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
+use crate::geometry::axis::{AxisElement, AxisElements};
 use crate::math::hermite::{self, GAUSS};
 use crate::math::vec2::norm;
 

@@ -5,10 +5,10 @@ use std::ops::Range;
 use super::definition::{InitialMotion, StrainMeasure};
 pub(crate) use super::striking::*;
 use super::time_function::Course;
+use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
-use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::linalg::block::{Block, IDENTITY};
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).

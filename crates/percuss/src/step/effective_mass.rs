@@ -2,19 +2,19 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::geometry::configuration::Configuration;
-use crate::geometry::pair::{Hold, Pair};
-use crate::geometry::touch::Touch;
-use crate::element::beam::{ElementSums, ElementValues};
-use crate::element::point::PointResponse;
-use crate::linalg::chain::Chain;
-use crate::math::vec2::{add, cross, dot, norm, scale};
-use crate::model::Model;
-use crate::model::frozen::{BodyKind, MaterialPoint, ProjectileData};
 use super::assemble;
 use super::constraint::ConstraintStep;
 use super::forcing::Forcing;
 use super::tangent::{Singular, Tangent};
+use crate::element::beam::{ElementSums, ElementValues};
+use crate::element::point::PointResponse;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Hold, Pair};
+use crate::geometry::touch::Touch;
+use crate::linalg::chain::Chain;
+use crate::math::vec2::{add, cross, dot, norm, scale};
+use crate::model::Model;
+use crate::model::frozen::{BodyKind, MaterialPoint, ProjectileData};
 
 /// What moves by less than this share of the whole under an impulse is held.
 const HELD: f64 = 1e-12;

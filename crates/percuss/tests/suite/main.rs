@@ -14,6 +14,7 @@ mod impact_log;
 mod impacts;
 mod initial_motions;
 mod joints;
+mod layers;
 mod multiple_impacts;
 mod schemes;
 mod section_forces;

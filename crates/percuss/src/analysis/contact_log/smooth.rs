@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use super::course::{Course, highest};
 use super::{ContactLog, Seen, Span, opened};
-use crate::geometry::configuration::Configuration;
 use crate::contact::free_gap::FreeGap;
+use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::Reach;
 use crate::model::{SmoothLaw, TouchLaw};
 use crate::settings::SAME_INSTANT;

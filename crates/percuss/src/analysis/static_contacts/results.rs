@@ -2,6 +2,7 @@
 
 use super::place::{Place, moving};
 use super::{NEXT_TO_NOTHING, StaticContacts};
+use crate::analysis::record::FrameForce;
 use crate::analysis::spectrum::Held;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Memory;
@@ -10,7 +11,6 @@ use crate::geometry::touch::Reach;
 use crate::geometry::turning::Turning;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::{Model, TouchLaw};
-use crate::analysis::record::FrameForce;
 use crate::state::State;
 
 /// A contact of an equilibrium: the sum over the places where it is closed.
