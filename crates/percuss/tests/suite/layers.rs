@@ -215,8 +215,13 @@ fn dependencies(manifest: &Path) -> (String, BTreeSet<String>) {
     let text = fs::read_to_string(manifest).unwrap();
     let value: toml::Table = text.parse().unwrap();
     let name = value["package"]["name"].as_str().unwrap().to_owned();
-    let of = |kind: &str| value.get(kind).and_then(toml::Value::as_table).into_iter().flatten();
-    let all = ["dependencies", "dev-dependencies", "build-dependencies"].into_iter().flat_map(of);
+    // Of every system, and of one alone.
+    let targets = value.get("target").and_then(toml::Value::as_table).into_iter().flatten();
+    let tables = targets.filter_map(|(_, target)| target.as_table()).chain([&value]);
+    let all = tables.flat_map(|table| {
+        let kinds = ["dependencies", "dev-dependencies", "build-dependencies"];
+        kinds.into_iter().filter_map(|kind| table.get(kind)?.as_table()).flatten()
+    });
     let own = all.map(|(name, _)| name).filter(|name| name.starts_with("percuss"));
     (name, own.cloned().collect())
 }
