@@ -1,9 +1,10 @@
 //! How many scenarios a second the reader answers, sound ones and ones with faults:
-//! `cargo run --release -p percuss-scenario --example reader_speed [ROUNDS]` in the root of the repository.
+//! `cargo run --release -p percuss-scenario --example reader_speed [ROUNDS [FILE ...]]` in the root of the repository.
 //!
-//! Sound are the files of `scenarios/`: read, then compiled to models. Ones with faults are made of them by one to three changes
-//! that people make by mistake, the same ones in each run of the program: read, compiled where nothing is wrong yet, and what is
-//! wrong told line by line.
+//! Sound are the files of `scenarios/` and one of the tests with nearly every key, or the files given: read, then compiled to
+//! models. Ones with faults are made of them by one to three changes that people make by mistake, the same ones in each run of
+//! the program: read, compiled where nothing is wrong yet, and what is wrong told line by line, or drawn with the lines it stands
+//! on. Besides, scenarios of many beams show how the time grows.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -24,14 +25,14 @@ fn main() {
     report("with faults, told", &changed, rounds, answer);
     report("with faults, drawn", &changed, rounds, draw);
     for beams in [10, 100, 1000] {
-        let large = [sound_frame(beams)];
-        report(&format!("{beams} beams"), &large, rounds, answer);
-        let wrong = [(large[0].0.clone(), large[0].1.replace("steel\"", "stele\""))];
-        report(&format!("{beams} misspelt names"), &wrong, rounds, answer);
-        let wrong = [(large[0].0.clone(), large[0].1.replace("elements", "elemenst"))];
-        report(&format!("{beams} misspelt keys"), &wrong, rounds, answer);
-        let wrong = [(large[0].0.clone(), large[0].1.replace("at = \"b", "at = \"c"))];
-        report(&format!("{beams} unknown beams"), &wrong, rounds, answer);
+        let text = many_beams(beams);
+        let one = |what: &str, text: String| {
+            let what = format!("{beams} beams{what}");
+            report(&what, &[("all of it".to_owned(), text)], rounds, answer);
+        };
+        one("", text.clone());
+        one(", a key misspelt", text.replace("elements", "elemenst"));
+        one(", beams unknown", text.replace("at = \"b", "at = \"c"));
     }
 }
 
@@ -47,13 +48,20 @@ fn draw((name, text): &(String, String)) -> bool {
     compiled.is_err_and(|faults| !std::hint::black_box(faults.fancy(false, 100)).is_empty())
 }
 
-fn sound_frame(beams: usize) -> (String, String) {
-    let mut text = String::from("[material.steel]\nyoung = \"210 GPa\"\ndensity = 7850\n[section.s]\nshape = \"rectangle\"\nwidth = 0.1\ndepth = 0.1\n");
-    for k in 0..beams {
-        text.push_str(&format!("[beam.b{k}]\npoints = [[{k}, 0], [{k}.9, 0]]\nelements = 2\nmaterial = \"steel\"\nsection = \"s\"\n[support.s{k}]\nat = \"b{k}.start\"\nkind = \"clamp\"\n"));
+/// Cantilevers beside each other, as they would be written one by one.
+fn many_beams(count: usize) -> String {
+    let mut text = String::from(
+        "[material.steel]\nyoung = \"210 GPa\"\ndensity = 7850\n\
+         [section.s]\nshape = \"rectangle\"\nwidth = 0.1\ndepth = 0.1\n\
+         [time]\nend = 0.01\nstep = 0.001\n",
+    );
+    for k in 0..count {
+        text.push_str(&format!(
+            "[beam.b{k}]\npoints = [[{k}, 0], [{k}.9, 0]]\nelements = 2\nmaterial = \"steel\"\n\
+             section = \"s\"\n[support.s{k}]\nat = \"b{k}.start\"\nkind = \"clamp\"\n",
+        ));
     }
-    text.push_str("[time]\nend = 0.01\nstep = 0.001\n");
-    (format!("{beams}"), text)
+    text
 }
 
 /// Prints how many a second are answered in the fastest round, and the slowest of them all.
@@ -76,9 +84,13 @@ fn report(
         least = least.min(begin.elapsed().as_secs_f64());
     }
     let slowest = (0..texts.len()).max_by(|&a, &b| each[a].total_cmp(&each[b]));
-    let slowest = slowest.map_or(String::new(), |i| format!("{} {:.2} ms", texts[i].0, each[i] * 1e3));
+    let slowest =
+        slowest.map_or(String::new(), |i| format!("{} {:.2} ms", texts[i].0, each[i] * 1e3));
     let rate = texts.len() as f64 / least;
-    println!("{what:<20} {rate:8.0} a second, {at_fault:5} of {} with faults; slowest {slowest}", texts.len());
+    println!(
+        "{what:<28} {rate:8.0} a second, {at_fault:5} of {} with faults; slowest {slowest}",
+        texts.len()
+    );
 }
 
 /// The files of `scenarios/` that are no studies, with their names.
@@ -88,7 +100,8 @@ fn report(
 fn shipped() -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = Vec::new();
     for folder in ["scenarios", "scenarios/paper"] {
-        let entries = Path::new(folder).read_dir().expect("the folder `scenarios` of the repository");
+        let entries =
+            Path::new(folder).read_dir().expect("the folder `scenarios` of the repository");
         files.extend(entries.map(|entry| entry.expect("a readable folder").path()));
     }
     files.push("crates/percuss-scenario/tests/files/everything.toml".into());

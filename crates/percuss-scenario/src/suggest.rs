@@ -93,8 +93,20 @@ mod tests {
     use super::*;
 
     const WORDS: [&str; 14] = [
-        "a", "ab", "ba", "young", "yuong", "YOUNG", "ünge", "density", "density_of", "e", "m1",
-        "m12", "strikes", "strike",
+        "a",
+        "ab",
+        "ba",
+        "young",
+        "yuong",
+        "YOUNG",
+        "ünge",
+        "density",
+        "density_of",
+        "e",
+        "m1",
+        "m12",
+        "strikes",
+        "strike",
     ];
 
     #[test]

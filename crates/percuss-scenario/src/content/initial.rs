@@ -50,11 +50,10 @@ fn is_own(key: &str) -> bool {
 
 /// Tells of a name that is no beam and no point mass.
 fn check_name(name: &str, node: &Node<'_>, reader: &mut Reader<'_>) {
-    let known = |reader: &Reader<'_>, kind: &'static str| reader.names(kind).contains(&name);
-    if known(reader, "beam") || known(reader, "mass") {
+    if reader.knows("beam", name) || reader.knows("mass", name) {
         return;
     }
-    let (found, expected) = if known(reader, "projectile") {
+    let (found, expected) = if reader.knows("projectile", name) {
         let found = format!("the projectile `{name}`");
         (found, format!("its `velocity` and `spin` in [projectile.{name}]"))
     } else {
