@@ -99,6 +99,14 @@ macro_rules! table {
             $($($(#[doc = $part_doc])* pub $part: $part_type,)+)?
         }
 
+        impl crate::table::Declared for $table {
+            fn declared() -> &'static crate::layout::Layout {
+                static ONCE: std::sync::LazyLock<crate::layout::Layout> =
+                    std::sync::LazyLock::new(<$table as crate::table::Part>::layout);
+                &ONCE
+            }
+        }
+
         impl crate::table::Part for $table {
             fn layout() -> crate::layout::Layout {
                 let layout = layout! {
@@ -202,6 +210,14 @@ macro_rules! kinds {
             }
         }
 
+        impl crate::table::Declared for $choice {
+            fn declared() -> &'static crate::layout::Layout {
+                static ONCE: std::sync::LazyLock<crate::layout::Layout> =
+                    std::sync::LazyLock::new(<$choice as crate::table::Part>::layout);
+                &ONCE
+            }
+        }
+
         impl crate::table::Part for $choice {
             fn layout() -> crate::layout::Layout {
                 crate::layout::Layout {
@@ -212,7 +228,7 @@ macro_rules! kinds {
             }
 
             fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
-                match Self::kinds().read(body, reader)?.word {
+                match <Self as crate::table::Declared>::declared().choices[0].read(body, reader)?.word {
                     $($word => {
                         $($(let $key = read_key!(body, reader, $key, $format $(, $default)?);)*
                         $($(let $part = <$part_type as crate::table::Part>::read(body, reader);)+)?)?

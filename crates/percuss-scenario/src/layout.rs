@@ -11,7 +11,7 @@ use crate::suggest;
 pub(crate) struct Key {
     pub name: &'static str,
     pub about: String,
-    /// Its JSON Schema; made only when asked for, for tables are described whenever one is read.
+    /// Its JSON Schema; made only when asked for, for readers want none.
     pub schema: fn() -> Json,
     /// Whether it must be there.
     pub required: bool,

@@ -66,7 +66,7 @@ impl<K: Kind> Inline for NameOf<K> {
 
 /// Whether a table of that kind has that name; tells the reader otherwise.
 pub(crate) fn known_name(kind: &str, name: &str, node: &Node<'_>, reader: &mut Reader<'_>) -> bool {
-    if reader.names(kind).contains(&name) {
+    if reader.knows(kind, name) {
         return true;
     }
     let expected = if reader.names(kind).is_empty() {

@@ -1,6 +1,6 @@
 //! The spanned tree of a file and the reader that collects its faults.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -131,7 +131,22 @@ pub(crate) struct Reader<'s> {
     pub access: FileAccess,
     /// Other files that were read.
     pub files: usize,
-    names: BTreeMap<&'static str, Vec<&'s str>>,
+    names: BTreeMap<&'static str, Names<'s>>,
+}
+
+/// Names under a kind of table.
+#[derive(Debug, Default)]
+struct Names<'s> {
+    /// In the order of the file.
+    list: Vec<&'s str>,
+    all: HashSet<&'s str>,
+}
+
+impl<'s> Names<'s> {
+    fn new(list: Vec<&'s str>) -> Self {
+        let all = list.iter().copied().collect();
+        Self { list, all }
+    }
 }
 
 impl<'s> Reader<'s> {
@@ -140,7 +155,7 @@ impl<'s> Reader<'s> {
         for kind in ["material", "section", "beam", "mass", "obstacle", "projectile"] {
             let table = root.get(kind).as_ref().and_then(Body::of);
             let keys = table.map(|t| t.keys()).unwrap_or_default();
-            names.insert(kind, keys.into_iter().map(|(name, _)| name).collect());
+            names.insert(kind, Names::new(keys.into_iter().map(|(name, _)| name).collect()));
         }
         let (folder, access) = files;
         Self { text, names, folder: folder.into(), access, ..Self::default() }
@@ -148,12 +163,17 @@ impl<'s> Reader<'s> {
 
     /// Makes names known that values may refer to, by kind of table.
     pub fn name_all(&mut self, names: impl IntoIterator<Item = (&'static str, Vec<&'s str>)>) {
-        self.names.extend(names);
+        self.names.extend(names.into_iter().map(|(kind, list)| (kind, Names::new(list))));
     }
 
     /// Names under a kind of table that others refer to.
     pub fn names(&self, kind: &str) -> &[&'s str] {
-        self.names.get(kind).map_or(&[], Vec::as_slice)
+        self.names.get(kind).map_or(&[], |names| names.list.as_slice())
+    }
+
+    /// Whether a table of that kind has that name.
+    pub fn knows(&self, kind: &str, name: &str) -> bool {
+        self.names.get(kind).is_some_and(|names| names.all.contains(name))
     }
 
     /// Whether `key` stands misspelt in that table.

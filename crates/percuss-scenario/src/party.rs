@@ -50,7 +50,7 @@ impl Format for PartyName {
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Party> {
         let name = Text::read(node, reader)?;
-        let has = |kind: &PartyKind| reader.names(kind.name()).contains(&name.as_str());
+        let has = |kind: &PartyKind| reader.knows(kind.name(), &name);
         let kinds: Vec<PartyKind> = PartyKind::ALL.into_iter().filter(has).collect();
         match kinds[..] {
             [kind] => return Some(Party { kind, name }),

@@ -15,7 +15,7 @@ use crate::node::{About, Body, Raw, Reader};
 use crate::source::{Places, Source};
 use crate::study::is_study;
 use crate::syntax;
-use crate::table::{self, Part};
+use crate::table::{self, Declared, Part};
 use crate::write::Writer;
 
 /// A scenario without reading faults, with every default filled in.
@@ -115,7 +115,7 @@ pub(crate) struct Parsed<T> {
 ///
 /// # Errors
 /// If it is empty or has syntax errors.
-pub(crate) fn parse<T: Part>(
+pub(crate) fn parse<T: Declared>(
     source: &Source,
     files: (&Path, FileAccess),
     expected: &str,

@@ -26,15 +26,21 @@ pub(crate) trait Part: Sized + 'static {
     fn reach<'c>(&'c mut self, path: &[String]) -> Reached<'c>;
 }
 
+/// A part that is declared by itself, as it stands in the source.
+pub(crate) trait Declared: Part {
+    /// The same as [`Part::layout`], made once: whoever reads a table looks at it.
+    fn declared() -> &'static Layout;
+}
+
 /// A part whose keys may all be left out.
-impl<P: Part> Part for Option<P> {
+impl<P: Declared> Part for Option<P> {
     fn layout() -> Layout {
         let layout = P::layout();
         Layout { keys: layout.keys.into_iter().map(Key::optional).collect(), ..layout }
     }
 
     fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {
-        let given = P::layout().keys.iter().any(|key| body.get(key.name).is_some());
+        let given = P::declared().keys.iter().any(|key| body.get(key.name).is_some());
         if given { P::read(body, reader).map(Some) } else { Some(None) }
     }
 
@@ -52,7 +58,7 @@ impl<P: Part> Part for Option<P> {
         if let Some(part) = self {
             return part.reach(path);
         }
-        let keys: Vec<&str> = P::layout().keys.iter().map(|key| key.name).collect();
+        let keys: Vec<&str> = P::declared().keys.iter().map(|key| key.name).collect();
         match path {
             [key, ..] if keys.contains(&key.as_str()) => Err(Lost::Anew),
             [key, ..] => Err(Lost::key(key, keys)),
@@ -92,8 +98,8 @@ pub(crate) fn optional<F: Format>(
 }
 
 /// Reads a table: keys that do not belong, then the keys that do.
-pub(crate) fn read<T: Part>(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<T> {
-    T::layout().check_keys(body, reader);
+pub(crate) fn read<T: Declared>(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<T> {
+    T::declared().check_keys(body, reader);
     T::read(body, reader)
 }
 
@@ -108,7 +114,7 @@ pub(crate) fn exclude(body: &Body<'_>, keys: [&str; 2], reader: &mut Reader<'_>)
 /// A table that stands once: `[time]`.
 pub(crate) struct Single<T>(PhantomData<T>);
 
-impl<T: Part> Format for Single<T> {
+impl<T: Declared> Format for Single<T> {
     type Value = T;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<T> {
@@ -124,7 +130,7 @@ impl<T: Part> Format for Single<T> {
     }
 
     fn expected() -> String {
-        let keys = T::layout().keys;
+        let keys = &T::declared().keys;
         let names = keys.iter().filter(|k| k.required).map(|k| format!("`{}`", k.name));
         format!("a table with {}", names.collect::<Vec<_>>().join(" and "))
     }
@@ -142,7 +148,7 @@ impl<T: Part> Format for Single<T> {
     }
 }
 
-impl<T: Part> Written for Single<T> {
+impl<T: Declared> Written for Single<T> {
     fn write(value: &T, key: &str, out: &mut Writer) {
         out.header(key, None);
         value.write(out);
@@ -156,7 +162,7 @@ impl<T: Part> Written for Single<T> {
 /// A table in braces behind an equals sign, or under a header of its own.
 pub(crate) struct Braces<T>(PhantomData<T>);
 
-impl<T: Part> Format for Braces<T> {
+impl<T: Declared> Format for Braces<T> {
     type Value = T;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<T> {
@@ -172,7 +178,7 @@ impl<T: Part> Format for Braces<T> {
     }
 
     fn expected() -> String {
-        let Layout { keys, choices, .. } = T::layout();
+        let Layout { keys, choices, .. } = T::declared();
         let names = keys.iter().filter(|k| k.required).map(|k| k.name);
         let names: Vec<String> = names.chain(choices.iter().map(|k| k.tag)).map(assigned).collect();
         match names.is_empty() {
@@ -194,7 +200,7 @@ fn assigned(key: &str) -> String {
     format!("{key} = ...")
 }
 
-impl<T: Part> Inline for Braces<T> {
+impl<T: Declared> Inline for Braces<T> {
     fn text(value: &T) -> Option<String> {
         let mut out = Writer::inline();
         value.write(&mut out);
@@ -214,7 +220,7 @@ pub struct Named<T> {
 /// Tables with names: `[beam.girder]`, in the order of the file.
 pub(crate) struct Collection<T>(PhantomData<T>);
 
-impl<T: Part> Format for Collection<T> {
+impl<T: Declared> Format for Collection<T> {
     type Value = Vec<Named<T>>;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
@@ -273,7 +279,7 @@ impl<T: Part> Format for Collection<T> {
     }
 }
 
-impl<T: Part> Written for Collection<T> {
+impl<T: Declared> Written for Collection<T> {
     fn write(value: &Self::Value, key: &str, out: &mut Writer) {
         for one in value {
             out.header(key, Some(&one.name));

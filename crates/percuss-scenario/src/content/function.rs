@@ -9,7 +9,7 @@ use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
 use crate::reach::{self, Reached};
 use crate::suggest;
-use crate::table::{Braces, Part};
+use crate::table::{Braces, Declared, Part};
 use crate::write::{self, Writer};
 
 kinds! {
@@ -82,7 +82,7 @@ pub(crate) struct FunctionText;
 impl FunctionText {
     /// The word alone: enough for a function without keys.
     fn word(node: &Node<'_>, word: &str, reader: &mut Reader<'_>) -> Option<Function> {
-        let kinds = Function::kinds();
+        let kinds = &Function::declared().choices[0];
         let known = kinds.variants.iter().find(|v| v.word == word);
         if known.is_some_and(|v| v.layout.keys.is_empty()) {
             let given = known.is_some_and(|v| v.word == "given");

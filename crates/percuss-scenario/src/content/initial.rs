@@ -10,7 +10,7 @@ use crate::reach::{Lost, Reached};
 use crate::schema;
 use crate::source::join;
 use crate::suggest;
-use crate::table::{Collection, Named, Part, Single};
+use crate::table::{Collection, Declared, Named, Part, Single};
 use crate::write::Writer;
 
 table! {
@@ -45,16 +45,15 @@ pub(crate) struct Starts;
 
 /// Whether a key is one of the motion itself, not a name.
 fn is_own(key: &str) -> bool {
-    InitialMotion::layout().keys.iter().any(|own| own.name == key)
+    InitialMotion::declared().keys.iter().any(|own| own.name == key)
 }
 
 /// Tells of a name that is no beam and no point mass.
 fn check_name(name: &str, node: &Node<'_>, reader: &mut Reader<'_>) {
-    let known = |reader: &Reader<'_>, kind: &'static str| reader.names(kind).contains(&name);
-    if known(reader, "beam") || known(reader, "mass") {
+    if reader.knows("beam", name) || reader.knows("mass", name) {
         return;
     }
-    let (found, expected) = if known(reader, "projectile") {
+    let (found, expected) = if reader.knows("projectile", name) {
         let found = format!("the projectile `{name}`");
         (found, format!("its `velocity` and `spin` in [projectile.{name}]"))
     } else {
@@ -75,7 +74,7 @@ impl Format for Starts {
         let named = |key: &str| !is_own(key) && body.get(key).is_some_and(|n| n.value.is_table());
         let names: Vec<&str> = body.keys().into_iter().map(|k| k.0).filter(|k| named(k)).collect();
         let before = reader.faults.len();
-        InitialMotion::layout().check_keys(&body, reader);
+        InitialMotion::declared().check_keys(&body, reader);
         // To the motion itself the names are unknown keys.
         let later = reader.faults.split_off(before);
         let is_name = |path: &str| names.iter().any(|name| join(&body.path, name) == path);

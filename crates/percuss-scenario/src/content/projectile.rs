@@ -8,7 +8,7 @@ use crate::party::{Strikes, StrikesText};
 use crate::point::{Point, PointText};
 use crate::quantity::{Quantity, Vector};
 use crate::source::join;
-use crate::table::{Braces, Part};
+use crate::table::{Braces, Declared};
 use crate::write::Writer;
 
 kinds! {
@@ -100,7 +100,7 @@ fn settle_projectile(projectile: &mut Projectile, body: &Body<'_>, reader: &mut 
     match projectile.kind {
         ProjectileKind::Rigid { .. } => _ = sliding.get_or_insert_default(),
         ProjectileKind::Elastic { .. } => {
-            let keys = Sliding::layout().keys.into_iter().filter_map(|key| body.get(key.name));
+            let keys = Sliding::declared().keys.iter().filter_map(|key| body.get(key.name));
             for node in keys {
                 let key = node.path.rsplit('.').next().unwrap_or_default();
                 let found = format!("`{key}`, which belongs to kind = \"rigid\"");

@@ -145,8 +145,12 @@ pub fn study_schema() -> Json {
 
 /// Whether a text is meant to be a study and not a scenario: it names a base or parameters.
 pub fn is_study(text: &str) -> bool {
+    const KEYS: [&str; 3] = ["base", "parameter", "design"];
+    // Most scenarios are known by this, without being parsed; a key in quotes may be spelt with escapes.
+    if !KEYS.iter().any(|key| text.contains(key)) && !text.contains('\\') {
+        return false;
+    }
     let (root, _) = DeTable::parse_recoverable(text);
     let root = root.get_ref();
-    ["base", "parameter", "design"].iter().any(|key| root.get(*key).is_some())
-        && root.get("beam").is_none()
+    KEYS.iter().any(|key| root.get(*key).is_some()) && root.get("beam").is_none()
 }

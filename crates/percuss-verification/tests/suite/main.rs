@@ -2,3 +2,4 @@
 
 mod cases;
 mod headlines;
+mod pinned_bits;

@@ -12,7 +12,7 @@ use crate::scalar::{Number, array};
 
 /// Runs side by side (or one, with its derivatives), in a step of their own each.
 #[derive(Clone, Debug)]
-pub struct Engine<S> {
+pub struct Engine<S: Number> {
     pub numbers: Numbers<S>,
     /// Size of the step at hand \[s\].
     pub h: S,
@@ -26,6 +26,8 @@ pub struct Engine<S> {
     pub guides: Vec<GuideState<S>>,
     /// Reactions of the supports in the directions held \[N, N m\].
     pub reactions: Vec<[S; 4]>,
+    /// Lanes whose step is solved, reactions and all, while others go on.
+    pub settled: S::Mask,
     /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the
     /// next one's.
     pub grips: Vec<[Block<S>; 3]>,
@@ -97,6 +99,7 @@ impl<S: Number> Engine<S> {
             start,
             guides,
             reactions: vec![[zero; 4]; numbers.holds.len()],
+            settled: zero.less(zero),
             grips: vec![[[[zero; 4]; 4]; 3]; numbers.holds.len()],
             load_factors: vec![numbers.step.constant(1.0); numbers.loads.len()],
             applied: still.clone(),
@@ -139,7 +142,7 @@ impl<S: Number> Engine<S> {
         self.numbers = self.numbers.with(&numbers);
     }
 
-    /// Residual and reactions at the increment as it stands, and the assembled tangent if `TANGENT`, which still knows held
+    /// Residual and reactions at the increment as it stands (of lanes that are settled reactions stay), and the assembled tangent if `TANGENT`, which still knows held
     /// components.
     #[inline(always)]
     pub fn evaluate<const TANGENT: bool>(&mut self) {
@@ -154,7 +157,8 @@ impl<S: Number> Engine<S> {
             let all = *free;
             hold.project(free);
             for i in 0..4 {
-                self.reactions[k][i] = all[i] - free[i];
+                let mine = &mut self.reactions[k][i];
+                *mine = S::choose(self.settled, *mine, all[i] - free[i]);
             }
         }
     }

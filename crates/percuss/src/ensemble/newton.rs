@@ -96,6 +96,7 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn solve(&mut self, books: &Books<S>, search: &mut Search<S>) {
         search.begin(books.energy_scale, self.h);
+        self.settled = self.h.less(self.h);
         self.predict(search.steady);
         let reach = largest(&self.displacement);
         let momentum = {
@@ -131,7 +132,8 @@ impl<S: Number> Engine<S> {
             corrections += 1;
             let took = search.seeking;
             self.take(search, reach, books, corrections == 1);
-            if self.ends_ahead(search, took, momentum) {
+            self.end_ahead(search, took, momentum);
+            if !search.seeking.any() {
                 break;
             }
             (assemble, seen) = (false, false);
@@ -150,26 +152,24 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Whether the iterations of all lanes end with the correction just taken, by what it foreseeably leaves. Then no forces are
-    /// evaluated any more but those of contacts, which may have opened or closed; reactions follow the correction to first order,
-    /// as the others do that it balances.
+    /// Ends the iterations of lanes that the correction just taken foreseeably leaves nothing to do in. No forces are
+    /// evaluated for them any more but those of contacts, which may have opened or closed; reactions follow the correction to first
+    /// order, as the others do that it balances, and stay so while other lanes go on: a run knows nothing of those beside it.
     #[inline(always)]
-    fn ends_ahead(&mut self, search: &mut Search<S>, took: S::Mask, momentum: S) -> bool {
-        if S::DERIVES || self.striking.is_some() || (search.seeking & !search.foreseen).any() {
-            return false;
+    fn end_ahead(&mut self, search: &mut Search<S>, took: S::Mask, momentum: S) {
+        if S::DERIVES || self.striking.is_some() || !(took & search.foreseen).any() {
+            return;
         }
-        self.correct_reactions(took);
+        // Factors of the correction enter, so before the contacts are looked at.
+        self.correct_reactions(took & search.foreseen);
         let (rate, small) = (self.h.recip(), momentum * UNFORESEEN);
-        let mut balanced = search.foreseen | !search.foreseen;
+        let mut ends = took & search.foreseen;
         for k in 0..self.guides.len() {
             self.push(k, rate);
-            balanced = balanced & (self.guides[k].residual * self.h).abs().at_most(small);
+            ends = ends & (self.guides[k].residual * self.h).abs().at_most(small);
         }
-        if (took & !balanced).any() {
-            return false;
-        }
-        search.seeking = search.seeking & !took;
-        true
+        search.seeking = search.seeking & !ends;
+        self.settled = self.settled | ends;
     }
 
     /// The increments if accelerations stay as they were in a step of the same size, or are zero.

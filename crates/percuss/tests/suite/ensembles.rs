@@ -188,7 +188,8 @@ fn an_ensemble_gives_what_single_runs_give_and_lanes_see_only_themselves() {
             |s: &RunSummary| numbers(s).into_iter().map(|(_, x)| x.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&alone), bits(found), "run {k}");
         assert_eq!(alone.newton_iterations, found.newton_iterations);
-        assert_eq!(alone.energy.residual_max.to_bits(), found.energy.residual_max.to_bits());
+        // As text, in which every float is exact: sums of reactions, too, which once knew whether another lane went on.
+        assert_eq!(format!("{alone:?}"), format!("{found:?}"), "run {k}");
     }
 }
 

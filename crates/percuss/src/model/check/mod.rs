@@ -5,6 +5,8 @@ mod beams;
 mod contacts;
 mod supports;
 
+use std::collections::HashSet;
+
 use super::builder::ModelBuilder;
 use super::definition::*;
 use super::fault::Fault;
@@ -139,14 +141,13 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
 
 fn names(model: &ModelBuilder, out: &mut Faults) {
     fn each<'a>(kind: &str, names: impl Iterator<Item = &'a String>, out: &mut Faults) {
-        let mut seen = Vec::new();
+        let mut seen = HashSet::new();
         for name in names {
             if name.is_empty() {
                 out.add(kind.into(), "an empty name", "a name");
-            } else if seen.contains(&name) {
+            } else if !seen.insert(name) {
                 out.add(format!("{kind}.{name}"), "a name used twice", "each name once");
             }
-            seen.push(name);
         }
     }
     each("material", model.materials.iter().map(|x| &x.name), out);
