@@ -8,11 +8,14 @@ use miette::{
     MietteSpanContents, SourceCode, SourceSpan, SpanContents,
 };
 
+use crate::code::FaultCode;
 use crate::source::Source;
 
 /// One fault of a scenario file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
+    /// What kind of fault it is.
+    pub code: FaultCode,
     /// Line, from 1; 0 where the fault is no place in a file.
     pub line: usize,
     /// Column in characters, from 1; 0 where the fault is no place in a file.
@@ -31,6 +34,7 @@ impl Diagnostic {
     /// A fault of the file as a whole.
     pub(crate) fn of_file(found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self {
+            code: FaultCode::File,
             line: 0,
             column: 0,
             span: 0..0,
@@ -42,6 +46,7 @@ impl Diagnostic {
 
     /// A fault at a place.
     pub(crate) fn at(
+        code: FaultCode,
         source: &Source,
         span: Range<usize>,
         path: impl Into<String>,
@@ -51,12 +56,12 @@ impl Diagnostic {
         let span = source.clamp(span);
         let (line, column) = source.position(span.start);
         let (path, message, help) = (path.into(), found.into(), expected.into());
-        Self { line, column, span, path, message, help }
+        Self { code, line, column, span, path, message, help }
     }
 }
 
 impl fmt::Display for Diagnostic {
-    /// `12:8: section.plank.area: found ..., expected ...`
+    /// `12:8: section.plank.area: found ..., expected ... [E005]`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.line > 0 {
             write!(f, "{}:{}: ", self.line, self.column)?;
@@ -64,7 +69,7 @@ impl fmt::Display for Diagnostic {
         if !self.path.is_empty() {
             write!(f, "{}: ", self.path)?;
         }
-        write!(f, "found {}, expected {}", self.message, self.help)
+        write!(f, "found {}, expected {} [{}]", self.message, self.help, self.code.code())
     }
 }
 
@@ -111,7 +116,9 @@ impl Diagnostics {
                 path => format!("{path}: found {}", one.message),
             };
             let mut report =
-                MietteDiagnostic::new(title).with_help(format!("expected {}", one.help));
+                MietteDiagnostic::new(title)
+                    .with_code(one.code.code())
+                    .with_help(format!("expected {}", one.help));
             if one.line > 0 && !self.source.text.is_empty() {
                 let mark = self.underlined(&one.span);
                 report = report.with_label(LabeledSpan::new_with_span(None, mark));
@@ -141,7 +148,7 @@ impl Diagnostics {
 }
 
 impl fmt::Display for Diagnostics {
-    /// One line for each fault: `file.toml:12:8: section.plank.area: found ..., expected ...`.
+    /// One line for each fault: `file.toml:12:8: section.plank.area: found ..., expected ... [E005]`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, one) in self.all.iter().enumerate() {
             let separator = if one.line > 0 { ":" } else { ": " };

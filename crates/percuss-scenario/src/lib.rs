@@ -48,6 +48,7 @@ mod vary;
 mod words;
 mod write;
 
+pub use code::FaultCode;
 pub use compile::Compiled;
 pub use content::Content;
 pub use diagnostic::{Diagnostic, Diagnostics};

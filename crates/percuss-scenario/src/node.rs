@@ -107,6 +107,7 @@ pub(crate) enum About {
 /// A fault before it has got its line and column.
 #[derive(Clone, Debug)]
 pub(crate) struct Raw {
+    pub code: FaultCode,
     pub about: About,
     pub path: String,
     pub span: Range<usize>,
@@ -188,7 +189,20 @@ impl<'s> Reader<'s> {
         found: impl Into<String>,
         expected: impl Into<String>,
     ) {
-        self.add(About::Value, &node.path, node.span.clone(), found.into(), expected.into());
+        self.wrong_as(FaultCode::ValueType, node, found, expected);
+    }
+
+    /// A fault of a value, of a kind of its own.
+    pub fn wrong_as(
+        &mut self,
+        code: FaultCode,
+        node: &Node<'_>,
+        found: impl Into<String>,
+        expected: impl Into<String>,
+    ) {
+        let (path, span) = (node.path.clone(), node.span.clone());
+        let (found, expected) = (found.into(), expected.into());
+        self.faults.push(Raw { code, about: About::Value, path, span, found, expected });
     }
 
     /// A key that is not there; nothing is said of it where it stands misspelt.
@@ -202,7 +216,7 @@ impl<'s> Reader<'s> {
         let path = join(&body.path, key);
         self.tainted.insert(path.clone());
         if !self.excuses(body, key) {
-            self.misplaced(&path, body.span.clone(), found, expected);
+            self.misplaced_as(FaultCode::MissingKey, &path, body.span.clone(), (found, expected));
         }
     }
 
@@ -214,17 +228,18 @@ impl<'s> Reader<'s> {
         found: impl Into<String>,
         expected: impl Into<String>,
     ) {
-        self.add(About::Context, path, span, found.into(), expected.into());
+        self.misplaced_as(FaultCode::Conflict, path, span, (found, expected));
     }
 
-    fn add(
+    /// A fault of a key or name, of a kind of its own: what was found, and what was expected.
+    pub fn misplaced_as(
         &mut self,
-        about: About,
+        code: FaultCode,
         path: &str,
         span: Range<usize>,
-        found: String,
-        expected: String,
+        (found, expected): (impl Into<String>, impl Into<String>),
     ) {
-        self.faults.push(Raw { about, path: path.into(), span, found, expected });
+        let (path, found, expected) = (path.into(), found.into(), expected.into());
+        self.faults.push(Raw { code, about: About::Context, path, span, found, expected });
     }
 }

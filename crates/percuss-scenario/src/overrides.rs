@@ -34,7 +34,7 @@ pub fn apply_overrides(
     }
     let mut document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| {
         let span = error.span().unwrap_or(0..0);
-        let one = Diagnostic::at(&source, span, "", error.message(), "valid TOML");
+        let one = Diagnostic::at(FaultCode::Syntax, &source, span, "", error.message(), "valid TOML");
         Diagnostics::new(source, vec![one])
     })?;
     let schema = schema();
@@ -47,7 +47,11 @@ pub fn apply_overrides(
 }
 
 fn fault(path: &str, found: impl Into<String>, expected: impl Into<String>) -> Diagnostic {
-    Diagnostic { path: path.into(), ..Diagnostic::of_file(found, expected) }
+    Diagnostic {
+        code: FaultCode::Change,
+        path: path.into(),
+        ..Diagnostic::of_file(found, expected)
+    }
 }
 
 fn apply(document: &mut DocumentMut, schema: &Json, text: &str) -> Result<(), Diagnostic> {

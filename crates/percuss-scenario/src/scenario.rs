@@ -153,7 +153,7 @@ fn read_from(source: Source, files: (&Path, FileAccess)) -> Result<Scenario, Dia
 }
 
 pub(crate) fn place(source: &Source, raw: Raw) -> Diagnostic {
-    Diagnostic::at(source, raw.span, raw.path, raw.found, raw.expected)
+    Diagnostic::at(raw.code, source, raw.span, raw.path, raw.found, raw.expected)
 }
 
 /// With syntax errors, what stands where is uncertain: only values that are wrong in themselves are

@@ -52,7 +52,14 @@ impl Source {
         let source = Self::new(name, &String::from_utf8_lossy(error.as_bytes()));
         let found = format!("the byte 0x{bad:02x}, which is not UTF-8");
         let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
-        let one = Diagnostic::at(&source, at..end, "", found, "a text saved as UTF-8");
+        let one = Diagnostic::at(
+            FaultCode::File,
+            &source,
+            at..end,
+            "",
+            found,
+            "a text saved as UTF-8",
+        );
         Err(Diagnostics::new(source, vec![one]))
     }
 

@@ -24,7 +24,7 @@ fn fault(source: &Source, error: &toml::de::Error) -> Diagnostic {
             (format!("invalid TOML: {found}"), expected.to_string())
         }
     };
-    Diagnostic::at(source, span, "", found, expected)
+    Diagnostic::at(FaultCode::Syntax, source, span, "", found, expected)
 }
 
 /// A value that is no TOML: most often a quantity without its quotes.

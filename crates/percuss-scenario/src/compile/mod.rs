@@ -103,7 +103,7 @@ pub(crate) fn sound_part(
 
 fn locate(fault: Fault, source: &Source, places: &Places) -> Diagnostic {
     let span = places.find(&fault.path).unwrap_or(0..0);
-    Diagnostic::at(source, span, fault.path, fault.found, fault.expected)
+    Diagnostic::at(FaultCode::of_path(&fault.path), source, span, fault.path, fault.found, fault.expected)
 }
 
 fn settings(content: &Content) -> Settings {

@@ -110,7 +110,7 @@ impl StudyFile {
         let more = more.into_iter().filter(|fault| !self.is_tainted(&fault.path));
         all.extend(more.map(|fault| {
             let span = self.places.find(&fault.path).unwrap_or(0..0);
-            Diagnostic::at(&self.source, span, fault.path, fault.found, fault.expected)
+            Diagnostic::at(FaultCode::of_path(&fault.path), &self.source, span, fault.path, fault.found, fault.expected)
         }));
         if all.is_empty() { Ok(()) } else { Err(Diagnostics::new(self.source.clone(), all)) }
     }
