@@ -1,5 +1,7 @@
 //! `--set path=value`: changes to a scenario file, comments kept.
 
+use std::sync::LazyLock;
+
 use serde_json::Value as Json;
 use toml::de::DeTable;
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
@@ -37,8 +39,9 @@ pub fn apply_overrides(
         let one = Diagnostic::at(FaultCode::Syntax, &source, span, "", error.message(), "valid TOML");
         Diagnostics::new(source, vec![one])
     })?;
-    let schema = schema();
-    let apply = |one: &String| apply(&mut document, &schema, one).err();
+    // Made once: it takes longer than all the rest.
+    static SCHEMA: LazyLock<Json> = LazyLock::new(schema);
+    let apply = |one: &String| apply(&mut document, &SCHEMA, one).err();
     let faults: Vec<Diagnostic> = overrides.iter().filter_map(apply).collect();
     if faults.is_empty() {
         return Ok(document.to_string());

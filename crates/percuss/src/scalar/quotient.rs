@@ -44,26 +44,44 @@ fn same<A: Copy + 'static, B: Copy + 'static>(a: A) -> Option<B> {
 
 #[cfg(target_arch = "x86_64")]
 mod estimated {
+    use std::arch::x86_64::{__m512d, _MM_FROUND_NO_EXC, _MM_FROUND_TO_POS_INF};
+
     use pulp::x86::V4;
     use pulp::{Simd, cast, f64x8};
 
     #[inline(always)]
     pub fn reciprocals<const N: usize>(family: V4, x: [f64x8; N]) -> [f64x8; N] {
-        let one = family.splat_f64s(1.0);
-        let mut y = x;
+        let (one, sign) = (family.splat_f64s(1.0), family.splat_f64s(-0.0));
+        let (mut y, mut opposite) = (x, x);
         for i in 0..N {
-            y[i] = cast(family.avx512f._mm512_rcp14_pd(cast(x[i])));
+            opposite[i] = family.or_f64s(x[i], sign);
+            y[i] = cast(family.avx512f._mm512_rcp14_pd(cast(minus(family, opposite[i]))));
         }
-        for _ in 0..3 {
+        for round in 0..3 {
             let mut error = y;
             for i in 0..N {
-                error[i] = family.mul_add_f64s(minus(family, x[i]), y[i], one);
+                error[i] = family.mul_add_f64s(opposite[i], y[i], one);
             }
             for i in 0..N {
-                y[i] = family.mul_add_f64s(y[i], error[i], y[i]);
+                y[i] = match round {
+                    1 => add_product_upwards(family, y[i], error[i]),
+                    _ => family.mul_add_f64s(y[i], error[i], y[i]),
+                };
             }
         }
+        for i in 0..N {
+            y[i] = family.or_f64s(y[i], family.and_f64s(x[i], sign));
+        }
         y
+    }
+
+    /// `y + y e`, rounded up: where the digits of a number are all ones, as those of 1 - 2^-53, which a stretch often is, the last
+    /// step finds the reciprocal from above only (from below it comes upon a tie).
+    #[inline(always)]
+    fn add_product_upwards(family: V4, y: f64x8, e: f64x8) -> f64x8 {
+        const UP: i32 = _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC;
+        let (y, e): (__m512d, __m512d) = (cast(y), cast(e));
+        cast(family.avx512f._mm512_fmadd_round_pd::<UP>(y, e, y))
     }
 
     #[inline(always)]
@@ -123,6 +141,23 @@ mod tests {
             let z: [f64; 8] = cast(family.vectorize(|| roots(family, [cast(x)])));
             prop_assert_eq!(y, x.map(f64::recip));
             prop_assert_eq!(z, x.map(f64::sqrt));
+        }
+    }
+
+    #[test]
+    fn so_they_are_next_to_powers_of_two() {
+        let Some(family) = V4::try_new() else { return };
+        for power in -30..30 {
+            for near in -100..100_i64 {
+                let bits = |i: i64| (2.0_f64.powi(power).to_bits() as i64 + 8 * near + i) as u64;
+                let x: [f64; 8] = std::array::from_fn(|i| f64::from_bits(bits(i as i64)));
+                let z: [f64; 8] = cast(family.vectorize(|| roots(family, [cast(x)])));
+                assert_eq!(z, x.map(f64::sqrt));
+                for x in [x, x.map(|x| -x)] {
+                    let y: [f64; 8] = cast(family.vectorize(|| reciprocals(family, [cast(x)])));
+                    assert_eq!(y, x.map(f64::recip), "{x:?}");
+                }
+            }
         }
     }
 }
