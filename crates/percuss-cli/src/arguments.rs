@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
 use percuss_advice::Topic;
 
+use crate::commands::explain::Explained;
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
 
@@ -134,7 +135,7 @@ pub enum Command {
     /// How far results depend on step and mesh: observed orders, limits with uncertainty, the cheapest settings for an accuracy
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
-    /// Say what a code of the advisor means and what to do; without one, list them
+    /// Say what the code of a finding (W002) or a fault (E006) means and what to do; without one, list them
     Explain(Explain),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
@@ -223,9 +224,9 @@ fn share(text: &str) -> Result<Share, String> {
 /// Arguments of `explain`.
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// A code, such as W002
-    #[arg(value_parser = code)]
-    pub code: Option<Topic>,
+    /// A code, such as W002 or E006
+    #[arg(value_parser = Explained::of_code)]
+    pub code: Option<Explained>,
 }
 
 /// Arguments of `schema`.

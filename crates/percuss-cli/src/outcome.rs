@@ -83,8 +83,8 @@ impl Failure {
                     Some(width) if in_the_file => {
                         terminal::tell(&faults.fancy(terminal::colored(), width));
                     }
-                    Some(_) => terminal::error(&faults.to_string()),
-                    None => terminal::tell(&faults.to_string()),
+                    Some(_) => terminal::error(&faults.coded()),
+                    None => terminal::tell(&faults.coded()),
                 }
                 if *changed && in_the_file {
                     terminal::tell("(lines are those of the file with the --set changes made)");

@@ -131,8 +131,7 @@ impl FaultCode {
             Self::ValueType => ("E005", "a value of the wrong form",
                 "The key takes a value of another type or form: a number, a text in quotes, a list, a table in braces. The message shows an example."),
             Self::Unit => ("E006", "a unit that does not fit",
-                "The unit is not known, or it measures something else than this key means (a length where a mass is asked). Bare numbers are in SI units. \
-                 `percuss units` lists what is known."),
+                "The unit is not known, or it measures something else than this key means (a length where a mass is asked). Bare numbers are in SI units."),
             Self::UnknownName => ("E007", "a name that refers to nothing",
                 "The word or name is none of those that may stand here: a beam, section, material, point or body that the file does not define, or a \
                  kind that does not exist. Names that look alike are suggested."),
@@ -147,31 +146,34 @@ impl FaultCode {
                 "`--set PATH=VALUE` and the parameters of a study name a value by its path in the file, such as `projectile.hammer.mass`. \
                  The table must exist in the file; a key with a default may be set though it is not written."),
             Self::Setting => ("E012", "a setting out of its bounds",
-                "A setting of time, integration, recording or report is out of its bounds, or does not go with another one. The message names the bounds."),
+                "A setting of time, integration, recording or report is out of its bounds, or does not go with another one. The message names what would be right."),
             Self::Section => ("E013", "a material or section that cannot be",
-                "Moduli, densities, areas and dimensions are positive and finite; second moments fit to the shape; a tube's wall is thinner than its radius."),
+                "A modulus, density, area, dimension or second moment is not positive or finite, or the dimensions of a shape contradict each other. The message names \
+                the key and what would be right."),
             Self::Beam => ("E014", "a beam that cannot be",
-                "A beam's axis has two different points at least, its length is above zero, it has at least one element, its axis does not turn back at once, \
-                 and beams that can touch do not begin inside each other."),
+                "The points, elements, ends or section of a beam do not make a beam: too few points, no length, no elements. The message names the key and what \
+                would be right."),
             Self::Connection => ("E015", "a support or connection that cannot be",
-                "Supports, joints, springs and point masses act at nodes of beams or at bodies, hold each coordinate once, and prescribe no motions that \
-                 contradict each other. Statics and modes need a structure that cannot move without strain."),
+                "A support, joint, spring or point mass stands where it cannot act, has a value out of its bounds, or contradicts another one. Statics and modes also \
+                need a structure that cannot move without strain."),
             Self::Body => ("E016", "a projectile or body that cannot be",
-                "Masses, stiffnesses and sizes are positive; a projectile moves towards what it strikes, starts outside of it, and has a restitution from 0 to 1."),
+                "A mass, stiffness, size or restitution of a projectile is out of its bounds, or it cannot strike what it is said to strike. The message names the key \
+                and what would be right."),
             Self::Contact => ("E017", "an obstacle or contact that cannot be",
-                "A contact is between two partners that can touch; what stands in no contact is refused as a likely slip; the law's stiffness is positive and \
-                 its restitution from 0 to 1."),
+                "A contact is between two partners that can touch and that do not overlap at the start; its law has values within bounds. An obstacle that no contact \
+                names is refused as a likely slip."),
             Self::Load => ("E018", "a load or time function that cannot be",
-                "Loads act at points or spans of beams that exist; time functions are defined over the whole run, and motions start where the structure is."),
+                "A load or its time function has a value out of its bounds, or acts at a place that the beam does not have. The message names the key and what would be \
+                right."),
             Self::Initial => ("E019", "an initial state that cannot be",
-                "Initial velocities agree with supports, joints and prescribed motions; a start from equilibrium needs a stable one."),
+                "A velocity is not finite, or [initial.NAME] does not name exactly one beam, or one point mass at a node of its beam."),
             Self::Damping => ("E020", "damping that cannot be",
-                "Damping ratios lie from 0 to below 1, times of relaxation are not negative, and modal damping asks for no more modes than the mesh has."),
+                "Modal damping ratios lie from 0 to below 1; the message names what would be right of other values."),
             Self::Study => ("E021", "a study that cannot be run",
-                "A study varies numbers of its base scenario within bounds or by distributions, with a design that exists, and picks results by paths into \
-                 summary.json."),
+                "A study varies values of its base scenario, with a design that exists, and picks results by paths into summary.json. The message names the key and what \
+                would be right."),
             Self::Analysis => ("E022", "a path or modes that cannot be computed",
-                "An equilibrium path needs a first load factor above zero, at least one point and an end to reach; modes a number that the mesh has."),
+                "An equilibrium path needs a first load factor above zero, at least one point, and an end to reach that is not zero; modes a number that the mesh has."),
         }
     }
 }

@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use serde_json::{Value as Json, json};
 
+use crate::code::FaultCode;
 use crate::files::{FileAccess, is_within};
 use crate::format::{Format, Inline, List};
 use crate::measure::Length;
@@ -24,11 +25,11 @@ fn load(node: &Node<'_>, columns: &str, reader: &mut Reader<'_>) -> Option<Vec<R
     if reader.access == FileAccess::OwnFolder && !is_within(&reader.folder, name) {
         let found = format!("{name:?}, which lies outside the folder of this file");
         let expected = "a file in that folder or below; others are read only where that is allowed (--allow-outside, allow_outside=True)";
-        reader.wrong(node, found, expected);
+        reader.wrong_as(FaultCode::File, node, found, expected);
         return None;
     }
     let rows = read(&reader.folder.join(name), name, columns);
-    rows.map_err(|(found, expected)| reader.wrong(node, found, expected)).ok()
+    rows.map_err(|(found, expected)| reader.wrong_as(FaultCode::Table, node, found, expected)).ok()
 }
 
 fn read(path: &std::path::Path, name: &str, columns: &str) -> Result<Vec<Row>, Clash> {
@@ -182,7 +183,7 @@ impl<C: Columns> Format for File<C> {
         let name = node.value.as_str().unwrap_or_default();
         if rows.len() < 2 {
             let found = format!("{name:?} with {}", count(rows.len(), "row"));
-            reader.wrong(node, found, "at least two rows");
+            reader.wrong_as(FaultCode::Table, node, found, "at least two rows");
             return None;
         }
         let fallen = rows.windows(2).find(|pair| pair[1].1[0] <= pair[0].1[0]);
@@ -192,7 +193,12 @@ impl<C: Columns> Format for File<C> {
                 "{} {unit} after {} {unit} in line {line} of {name:?}",
                 after[0], before[0]
             );
-            reader.wrong(node, found, format!("{what} that increase from row to row"));
+            reader.wrong_as(
+                FaultCode::Table,
+                node,
+                found,
+                format!("{what} that increase from row to row"),
+            );
             return None;
         }
         Some([0, 1].map(|column| rows.iter().map(|row| row.1[column]).collect()))

@@ -61,7 +61,7 @@ impl Diagnostic {
 }
 
 impl fmt::Display for Diagnostic {
-    /// `12:8: section.plank.area: found ..., expected ... [E005]`
+    /// `12:8: section.plank.area: found ..., expected ...`
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.line > 0 {
             write!(f, "{}:{}: ", self.line, self.column)?;
@@ -69,7 +69,7 @@ impl fmt::Display for Diagnostic {
         if !self.path.is_empty() {
             write!(f, "{}: ", self.path)?;
         }
-        write!(f, "found {}, expected {} [{}]", self.message, self.help, self.code.code())
+        write!(f, "found {}, expected {}", self.message, self.help)
     }
 }
 
@@ -115,10 +115,11 @@ impl Diagnostics {
                 "" => format!("found {}", one.message),
                 path => format!("{path}: found {}", one.message),
             };
-            let mut report =
-                MietteDiagnostic::new(title)
-                    .with_code(one.code.code())
-                    .with_help(format!("expected {}", one.help));
+            let mut report = MietteDiagnostic::new(title).with_help(format!(
+                "expected {} [{}]",
+                one.help,
+                one.code.code()
+            ));
             if one.line > 0 && !self.source.text.is_empty() {
                 let mark = self.underlined(&one.span);
                 report = report.with_label(LabeledSpan::new_with_span(None, mark));
@@ -130,6 +131,17 @@ impl Diagnostics {
             }
         }
         out
+    }
+
+    /// One line for each fault, with its code at the end: `file.toml:12:8: section.plank.area: found ..., expected ... [E006]`.
+    pub fn coded(&self) -> String {
+        let lines = self.all.iter().map(|one| format!("{} [{}]", self.line(one), one.code.code()));
+        lines.collect::<Vec<_>>().join("\n")
+    }
+
+    fn line(&self, one: &Diagnostic) -> String {
+        let separator = if one.line > 0 { ":" } else { ": " };
+        format!("{}{separator}{one}", self.source.name)
     }
 
     /// Start and length of the mark: the span up to the end of its line; of an empty span the last
@@ -148,12 +160,11 @@ impl Diagnostics {
 }
 
 impl fmt::Display for Diagnostics {
-    /// One line for each fault: `file.toml:12:8: section.plank.area: found ..., expected ... [E005]`.
+    /// One line for each fault: `file.toml:12:8: section.plank.area: found ..., expected ...`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, one) in self.all.iter().enumerate() {
-            let separator = if one.line > 0 { ":" } else { ": " };
             let end = if i > 0 { "\n" } else { "" };
-            write!(f, "{end}{}{separator}{one}", self.source.name)?;
+            write!(f, "{end}{}", self.line(one))?;
         }
         Ok(())
     }

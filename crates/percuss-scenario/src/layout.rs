@@ -2,6 +2,7 @@
 
 use serde_json::Value as Json;
 
+use crate::code::FaultCode;
 use crate::node::{Body, Reader};
 use crate::source::join;
 use crate::suggest;
@@ -83,7 +84,12 @@ impl Kinds {
         match body.get(self.tag) {
             Some(node) if chosen.is_none() => {
                 let word = node.value.as_str().unwrap_or("");
-                reader.wrong(&node, node.found(), suggest::one_of(word, words()));
+                reader.wrong_as(
+                    FaultCode::UnknownName,
+                    &node,
+                    node.found(),
+                    suggest::one_of(word, words()),
+                );
             }
             None if chosen.is_none() => {
                 let found = format!("no `{}`", self.tag);
@@ -182,7 +188,8 @@ impl Layout {
             let mut refused = active.iter().flat_map(|layout| &layout.refused);
             let instead = refused.find(|(name, _)| *name == key).map(|(_, instead)| *instead);
             let expected = instead.map_or(expected, str::to_string);
-            reader.misplaced(&join(&body.path, key), span, found, expected);
+            let path = join(&body.path, key);
+            reader.misplaced_as(FaultCode::UnknownKey, &path, span, (found, expected));
         }
     }
 }

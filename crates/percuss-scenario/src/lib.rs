@@ -16,6 +16,7 @@
 //! right; the semantics are checked by [`percuss::ModelBuilder::build`], whose faults are mapped back to
 //! the lines of the file.
 
+mod code;
 mod compile;
 #[macro_use]
 mod declare;

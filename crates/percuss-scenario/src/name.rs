@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use serde_json::{Value as Json, json};
 
+use crate::code::FaultCode;
 use crate::format::{Format, Inline, Text};
 use crate::node::{Node, Reader};
 use crate::suggest;
@@ -75,6 +76,6 @@ pub(crate) fn known_name(kind: &str, name: &str, node: &Node<'_>, reader: &mut R
         suggest::one_of(name, reader.names(kind).iter().copied())
     };
     let found = format!("the unknown {kind} {name:?}");
-    reader.misplaced(&node.path, node.span.clone(), found, expected);
+    reader.misplaced_as(FaultCode::UnknownName, &node.path, node.span.clone(), (found, expected));
     false
 }

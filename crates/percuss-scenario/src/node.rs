@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use toml::de::{DeTable, DeValue};
 
+use crate::code::FaultCode;
 use crate::files::FileAccess;
 use crate::source::join;
 

@@ -6,6 +6,7 @@ use serde_json::Value as Json;
 use toml::de::DeTable;
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
+use crate::code::FaultCode;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::reach;
 use crate::schema::schema;
@@ -36,7 +37,8 @@ pub fn apply_overrides(
     }
     let mut document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| {
         let span = error.span().unwrap_or(0..0);
-        let one = Diagnostic::at(FaultCode::Syntax, &source, span, "", error.message(), "valid TOML");
+        let one =
+            Diagnostic::at(FaultCode::Syntax, &source, span, "", error.message(), "valid TOML");
         Diagnostics::new(source, vec![one])
     })?;
     // Made once: it takes longer than all the rest.

@@ -2,6 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
+use crate::code::FaultCode;
 use crate::format::{Format, Inline, Text};
 use crate::name::{BeamName, Kind};
 use crate::node::{Node, Reader};
@@ -59,7 +60,8 @@ impl Format for PartyName {
                 let all: Vec<&str> = all.copied().collect();
                 let found = format!("the unknown beam, obstacle or projectile {name:?}");
                 let expected = suggest::one_of(&name, all.into_iter());
-                reader.misplaced(&node.path, node.span.clone(), found, expected);
+                let span = node.span.clone();
+                reader.misplaced_as(FaultCode::UnknownName, &node.path, span, (found, expected));
             }
             _ => {
                 let header = |kind: &PartyKind| format!("[{}.{name}]", kind.name());

@@ -4,6 +4,7 @@ use percuss::Along;
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
+use crate::code::FaultCode;
 use crate::format::{Format, Inline, Text};
 use crate::measure::{self, Length, Measure, Ratio};
 use crate::name::known_name;
@@ -157,7 +158,10 @@ impl Format for Place {
         let begins = |c: char| c.is_alphabetic();
         along
             .map_err(|(found, expected)| match text.trim().starts_with(begins) {
-                true => reader.wrong(node, node.found(), suggested(text.trim())),
+                true => {
+                    let expected = suggested(text.trim());
+                    reader.wrong_as(FaultCode::UnknownName, node, node.found(), expected)
+                }
                 false => reader.wrong(node, found, expected),
             })
             .ok()

@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 use serde_json::{Value as Json, json};
 use toml::de::{DeInteger, DeValue};
 
+use crate::code::FaultCode;
 use crate::format::{Format, Inline};
 use crate::measure::{self, Measure};
 use crate::node::{Node, Reader};
@@ -104,18 +105,18 @@ fn with_unit<M: Measure>(node: &Node<'_>, text: &str, reader: &mut Reader<'_>) -
             } else {
                 format!("{}: {}", fault.expected, expected::<M>())
             };
-            reader.wrong(&node, fault.found, expected);
+            reader.wrong_as(FaultCode::Unit, &node, fault.found, expected);
             return None;
         }
     };
     if !measure::fits::<M>(quantity.dimension) {
         let found = format!("\"{text}\", which is {}", measure::name(quantity.dimension));
-        reader.wrong(node, found, expected::<M>());
+        reader.wrong_as(FaultCode::Unit, node, found, expected::<M>());
         return None;
     }
     if let Some(unit) = M::REFUSED.iter().find(|unit| text.contains(*unit)) {
         let found = format!("\"{text}\", in {unit}");
-        reader.wrong(node, found, expected::<M>());
+        reader.wrong_as(FaultCode::Unit, node, found, expected::<M>());
         return None;
     }
     Some(quantity.value)

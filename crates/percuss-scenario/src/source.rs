@@ -6,6 +6,7 @@ use std::path::Path;
 
 use toml::de::{DeTable, DeValue};
 
+use crate::code::FaultCode;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 
 /// A scenario file as text, with its name for messages.
@@ -52,14 +53,8 @@ impl Source {
         let source = Self::new(name, &String::from_utf8_lossy(error.as_bytes()));
         let found = format!("the byte 0x{bad:02x}, which is not UTF-8");
         let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
-        let one = Diagnostic::at(
-            FaultCode::File,
-            &source,
-            at..end,
-            "",
-            found,
-            "a text saved as UTF-8",
-        );
+        let one =
+            Diagnostic::at(FaultCode::File, &source, at..end, "", found, "a text saved as UTF-8");
         Err(Diagnostics::new(source, vec![one]))
     }
 

@@ -1,5 +1,6 @@
 //! Syntax errors of TOML, said the way the rest of the faults are.
 
+use crate::code::FaultCode;
 use crate::diagnostic::Diagnostic;
 use crate::source::Source;
 

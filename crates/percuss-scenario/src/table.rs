@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use serde_json::Value as Json;
 
+use crate::code::FaultCode;
 use crate::format::{Format, Inline, Written};
 use crate::layout::{Key, Layout};
 use crate::node::{Body, Node, Reader};
@@ -241,7 +242,8 @@ impl<T: Declared> Format for Collection<T> {
             let Some(node) = body.get(name) else { continue };
             if !is_name(name) {
                 let found = format!("the name {name:?}");
-                reader.misplaced(&node.path, span, found, "a name of letters, digits, `_` and `-`");
+                let expected = "a name of letters, digits, `_` and `-`";
+                reader.misplaced_as(FaultCode::InvalidName, &node.path, span, (found, expected));
             }
             match Single::<T>::read(&node, reader) {
                 Some(table) => all.push(Named { name: name.to_string(), table }),

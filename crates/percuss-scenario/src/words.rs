@@ -9,6 +9,7 @@ use percuss::{
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
+use crate::code::FaultCode;
 use crate::format::{Format, Inline};
 use crate::measure::{Length, LineInertia, Measure, Time};
 use crate::node::{Node, Reader};
@@ -38,7 +39,12 @@ impl<W: Words> Format for Word<W> {
         };
         let found = W::WORDS.iter().find(|w| w.0 == text).map(|w| w.1);
         if found.is_none() {
-            reader.wrong(node, node.found(), suggest::one_of(text, words));
+            reader.wrong_as(
+                FaultCode::UnknownName,
+                node,
+                node.found(),
+                suggest::one_of(text, words),
+            );
         }
         found
     }
@@ -192,7 +198,7 @@ impl Format for Held {
             let near =
                 suggest::nearest(node.value.as_str().unwrap_or(""), HELD.iter().map(|h| h.0));
             let near = near.map(|n| format!(" (did you mean `{n}`?)")).unwrap_or_default();
-            reader.wrong(node, node.found(), Self::expected() + &near);
+            reader.wrong_as(FaultCode::UnknownName, node, node.found(), Self::expected() + &near);
         }
         held
     }

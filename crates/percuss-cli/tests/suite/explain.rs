@@ -108,6 +108,13 @@ fn every_code_can_be_provoked_and_is_explained() {
         assert!(told.stdout.lines().all(|line| line.len() <= 96), "{}", told.stdout);
         assert!(list.contains(&format!("{code}  {name}\n")), "{list}");
     }
+    for fault in percuss_scenario::FaultCode::ALL {
+        let heading = format!("{}  {}\n", fault.code(), fault.name());
+        assert!(list.contains(&heading), "{list}");
+        let told = desk.percuss(&["explain", fault.code()]);
+        told.ends_with(0);
+        assert!(told.stdout.starts_with(&(heading + "\n")), "{}", told.stdout);
+    }
     desk.percuss(&["explain", "W099"]).ends_with(2).tells("no such code");
 }
 

@@ -2,6 +2,7 @@
 
 use serde_json::Value as Json;
 
+use crate::code::FaultCode;
 use crate::format::{Format, Written};
 use crate::measure;
 use crate::node::{Body, Node, Reader};
@@ -61,7 +62,7 @@ fn check_name(name: &str, node: &Node<'_>, reader: &mut Reader<'_>) {
         let found = format!("`{name}`, which is no beam and no point mass");
         (found, suggest::one_of(name, names.iter().copied()))
     };
-    reader.misplaced(&node.path, node.span.clone(), found, expected);
+    reader.misplaced_as(FaultCode::UnknownName, &node.path, node.span.clone(), (found, expected));
 }
 
 impl Format for Starts {

@@ -3,6 +3,7 @@
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
+use crate::code::FaultCode;
 use crate::format::{Format, Inline};
 use crate::node::{Body, Node, Reader};
 use crate::table::{Named, is_name};
@@ -106,7 +107,8 @@ impl Format for NamedTexts {
             let Some(node) = body.get(name) else { continue };
             if !is_name(name) {
                 let found = format!("the name {name:?}");
-                reader.misplaced(&node.path, span, found, "a name of letters, digits, `_` and `-`");
+                let expected = "a name of letters, digits, `_` and `-`";
+                reader.misplaced_as(FaultCode::InvalidName, &node.path, span, (found, expected));
             }
             match node.value.as_str() {
                 Some(text) => all.push(Named { name: name.to_string(), table: text.to_string() }),

@@ -18,6 +18,7 @@ pub use content::{
 };
 pub use given::Given;
 
+use crate::code::FaultCode;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::files::FileAccess;
 use crate::scenario::{folder, parse, place};
@@ -110,7 +111,14 @@ impl StudyFile {
         let more = more.into_iter().filter(|fault| !self.is_tainted(&fault.path));
         all.extend(more.map(|fault| {
             let span = self.places.find(&fault.path).unwrap_or(0..0);
-            Diagnostic::at(FaultCode::of_path(&fault.path), &self.source, span, fault.path, fault.found, fault.expected)
+            Diagnostic::at(
+                FaultCode::of_path(&fault.path),
+                &self.source,
+                span,
+                fault.path,
+                fault.found,
+                fault.expected,
+            )
         }));
         if all.is_empty() { Ok(()) } else { Err(Diagnostics::new(self.source.clone(), all)) }
     }

@@ -82,13 +82,13 @@ fn the_report_underlines_every_fault_in_its_line() {
         " 9 │ area = \"8330 cm^4\"",
         "   ·        ───────────",
         "   ╰────",
-        "  help: expected an area (m^2), such as \"1e3 cm^2\"",
+        "  help: expected an area (m^2), such as \"1e3 cm^2\" [E006]",
         "  × projectile.mass.mass: found the unknown unit `Kg`",
         "    ╭─[f.toml:29:13]",
         " 29 │ mass = \"500 Kg\"",
         "    ·             ──",
         "    ╰────",
-        "  help: expected a known unit (did you mean `kg`?)",
+        "  help: expected a known unit (did you mean `kg`?) [E006]",
     ];
     assert_eq!(report.lines().map(str::trim_end).collect::<Vec<_>>(), expected);
     assert!(read(&text, "f.toml").unwrap_err().fancy(true, 100).contains("\u{1b}["));

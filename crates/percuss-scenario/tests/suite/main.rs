@@ -2,6 +2,7 @@
 
 mod actions;
 mod checkpoints;
+mod codes;
 mod common;
 mod contacts;
 mod everything;
