@@ -81,7 +81,7 @@ pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
             motion: None,
         });
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
-        let between = [Party::Beam(girder), Party::Obstacle(floor)];
+        let between = [ContactPartner::Beam(girder), ContactPartner::Obstacle(floor)];
         b.contact(Contact { points_per_element, ..Contact::new("floor", between, law) });
     }
     let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
@@ -116,7 +116,7 @@ pub fn sliding_discs(count: usize, above: f64) -> Model {
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
         b.contact(Contact::new(
             format!("contact {k}"),
-            [Party::Disc(disc), Party::Beam(girder)],
+            [ContactPartner::Disc(disc), ContactPartner::Beam(girder)],
             law,
         ));
     }

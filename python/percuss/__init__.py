@@ -1,4 +1,4 @@
-"""Percuss: impact on geometrically exact beams, with books that close.
+"""Percuss: impact on geometrically exact beams, with balances that close.
 
     import percuss
 

@@ -25,7 +25,7 @@ class Potential:
     """A contact potential of your own: energy [J] and force [N] at a penetration [m] of zero or above.
 
     The force is the derivative of the energy, zero at no penetration and never a pull; both are checked. The work over a step is
-    the difference of energies, so the books close as with any other law::
+    the difference of energies, so the balances close as with any other law::
 
         scenario["projectile.mass.law"] = percuss.Potential(
             energy=lambda p: 1e7 * p**3, force=lambda p: 3e7 * p**2

@@ -7,7 +7,7 @@ use super::formulas::{
 use super::structure::{BeamPlace, first_hit, gravity, nearest};
 use super::surroundings::Surroundings;
 use percuss::ContactPlace;
-use percuss::inspect::{Body, BodyKind, ContactPartner, ContactView, TargetShape};
+use percuss::inspect::{Body, BodyKind, ContactView, MovingPartner, TargetShape};
 use percuss::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use percuss::{Model, Potential, SmoothLaw, TouchLaw};
 
@@ -150,12 +150,12 @@ fn meeting<'a>(
 ) -> Option<Meeting<'a>> {
     let ([a, b], target) = contact.pairs().next()?;
     let beam = |partner| match partner {
-        ContactPartner::Beam(beam) => Some(beam),
-        ContactPartner::Body(_) => None,
+        MovingPartner::Beam(beam) => Some(beam),
+        MovingPartner::Body(_) => None,
     };
     let body = |partner| match partner {
-        ContactPartner::Body(k) => Some((k, &model.bodies()[k])),
-        ContactPartner::Beam(_) => None,
+        MovingPartner::Body(k) => Some((k, &model.bodies()[k])),
+        MovingPartner::Beam(_) => None,
     };
     match (body(a), body(b)) {
         (Some(one), Some(two)) => bodies(model, [one, two], &target, at),

@@ -4,7 +4,7 @@ use super::structure::BeamPlace;
 use super::words::{digits, quantity};
 use super::{Advice, Topic, Verdict};
 use percuss::Settings;
-use percuss::inspect::{ContactPartner, ContactView};
+use percuss::inspect::{ContactView, MovingPartner};
 use percuss::{ContactRecord, ContactSummary, RunSummary, Termination};
 use percuss::{Model, StrainMeasure};
 
@@ -71,7 +71,7 @@ fn touched(contact: &ContactSummary) -> bool {
 /// elements, 17 with 12, 33 with 24, 43 with 48 and 52 with 96.
 fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
     let strikes = |(view, contact): &(ContactView<'_>, &ContactSummary)| {
-        let is_beam = |partner: &ContactPartner| matches!(partner, ContactPartner::Beam(_));
+        let is_beam = |partner: &MovingPartner| matches!(partner, MovingPartner::Beam(_));
         let on_beam = view.pairs().any(|(partners, _)| partners.iter().any(is_beam));
         on_beam && impacts(contact) > 0
     };

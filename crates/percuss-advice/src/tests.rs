@@ -209,7 +209,11 @@ fn a_bar_leaves_a_wall_when_its_wave_is_back() {
     let velocity = [-0.1, 0.0];
     b.initial_motion(InitialMotion { velocity, ..InitialMotion::default() });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
-    b.contact(Contact::new("end", [Party::Beam(girder), Party::Obstacle(wall)], law));
+    b.contact(Contact::new(
+        "end",
+        [ContactPartner::Beam(girder), ContactPartner::Obstacle(wall)],
+        law,
+    ));
     let all = compared(&b, &Settings::new(0.015, 2e-5));
     let time = row(&all, "elastic bar on a rigid wall", "time from the first touch");
     near(time.by_hand, 6.0 / (0.2e10_f64 / 3e3).sqrt(), 1e-12);
@@ -235,7 +239,11 @@ fn two_discs_meet_by_hertz_formula() {
     let one = b.disc(disc("one", [0.0, 2.0], [1.0, 0.0]));
     let two = b.disc(disc("two", [0.2, 2.0], [0.0, 0.0]));
     let law = SmoothLaw::elastic(Potential::Hertz { stiffness: 1e10 });
-    b.contact(Contact::new("discs", [Party::Disc(one), Party::Disc(two)], TouchLaw::Smooth(law)));
+    b.contact(Contact::new(
+        "discs",
+        [ContactPartner::Disc(one), ContactPartner::Disc(two)],
+        TouchLaw::Smooth(law),
+    ));
     let all = compared(&b, &Settings::new(0.11, 4e-6));
     assert_eq!(all.len(), 2, "{all:#?}");
     for c in &all {
@@ -250,7 +258,7 @@ fn a_disc_is_seen_flying_to_where_it_strikes() {
     let girder = plank(3.0, 30).on(&mut b);
     let ball = b.disc(disc("ball", [0.7, 0.5], [0.0, -2.0]));
     let law = SmoothLaw::elastic(Potential::Hertz { stiffness: 1e8 });
-    let between = [Party::Disc(ball), Party::Beam(girder)];
+    let between = [ContactPartner::Disc(ball), ContactPartner::Beam(girder)];
     b.contact(Contact::new("blow", between, TouchLaw::Smooth(law)));
     let advice = advise(&freeze(&b), &Settings::new(0.2, 1e-5));
     let found = |topic| advice.iter().find(|a| a.topic == topic);

@@ -17,7 +17,7 @@ Exit status:
   1    the system refused (disk full, no permission)
   2    the input is wrong; nothing is written
   3    the solver gave up; everything up to the last step is written
-  4    the books did not close (--strict)
+  4    the balances did not close (--strict)
   130  interrupted; everything up to the last step is written";
 
 const BEGIN: &str = "\
@@ -95,7 +95,7 @@ Examples:
   percuss completions bash > ~/.local/share/bash-completion/completions/percuss
   percuss completions fish > ~/.config/fish/completions/percuss.fish";
 
-/// Simulates impact on geometrically exact beams, with books that close.
+/// Simulates impact on geometrically exact beams, with balances that close.
 #[derive(Debug, Parser)]
 #[command(name = "percuss", version, after_help = BEGIN, max_term_width = 100)]
 pub struct Arguments {

@@ -18,8 +18,8 @@ pub enum Status {
     Input,
     /// The solver gave up, or a verification case does not hold.
     GaveUp,
-    /// The books did not close (`--strict`).
-    BooksOpen,
+    /// The balances did not close (`--strict`).
+    BalanceOpen,
     /// Interrupted.
     Interrupted,
 }
@@ -32,7 +32,7 @@ impl Status {
             Self::System => 1,
             Self::Input => 2,
             Self::GaveUp => 3,
-            Self::BooksOpen => 4,
+            Self::BalanceOpen => 4,
             Self::Interrupted => 130,
         }
     }

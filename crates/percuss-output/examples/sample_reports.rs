@@ -56,10 +56,14 @@ fn table_tennis(out: &Path) -> Result<(), RecorderError> {
     let floor = b.obstacle(Obstacle { name: "floor".to_owned(), shape, motion: None });
     let rigid = TouchLaw::Rigid(RigidLaw { friction: 0.3, ..RigidLaw::frictionless(0.6) });
     let hertz = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Hertz { stiffness: 1e8 }));
-    let beam = Party::Beam(girder);
-    b.contact(Contact::new("bounce", [beam, Party::Disc(ball)], rigid.clone()));
-    b.contact(Contact::new("indentation", [beam, Party::Disc(drop)], hertz));
-    b.contact(Contact::new("floor", [Party::Disc(ball), Party::Obstacle(floor)], rigid));
+    let beam = ContactPartner::Beam(girder);
+    b.contact(Contact::new("bounce", [beam, ContactPartner::Disc(ball)], rigid.clone()));
+    b.contact(Contact::new("indentation", [beam, ContactPartner::Disc(drop)], hertz));
+    b.contact(Contact::new(
+        "floor",
+        [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)],
+        rigid,
+    ));
     let model = b.build().map_err(|faults| format!("{faults:?}"))?;
     let settings = Settings::new(0.8, 5e-5);
     let dir = RunDirectory::create(out)?;

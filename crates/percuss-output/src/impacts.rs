@@ -19,7 +19,7 @@ use crate::files;
 const IMPACTS: &str = "impacts.csv";
 const HEADER: &str = "contact,first,second,kind,start_s,end_s,impulse_N_s,friction_impulse_N_s,\
      force_peak_N,force_peak_time_s,approach_m_per_s,separation_m_per_s,restitution,place_m,x_m,y_m,\
-     given_to_first_J,given_to_second_J,lost_J,stored_J,scheme_J,tamed,points,steps,no_restitution";
+     given_to_first_J,given_to_second_J,lost_J,stored_J,scheme_J,fallback_law,points,steps,no_restitution";
 
 /// A row before it is written; NaN where something does not apply.
 struct Row<'a> {
@@ -32,7 +32,7 @@ struct Row<'a> {
     numbers: [f64; 8],
     place: ContactPlace,
     energy: EnergySplit,
-    tamed: Option<bool>,
+    fallback_law: Option<bool>,
     /// Points of an impact, steps of an interval.
     counts: [Option<usize>; 2],
     /// Why there is no coefficient of restitution.
@@ -82,7 +82,7 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
         ],
         place: i.place,
         energy: i.energy,
-        tamed: Some(i.tamed),
+        fallback_law: Some(i.fallback_law),
         counts: [Some(i.points), None],
         why: i.restitution().err(),
     };
@@ -103,7 +103,7 @@ fn rows(contact: &ContactSummary) -> Vec<Row<'_>> {
         ],
         place: i.place,
         energy: i.energy,
-        tamed: None,
+        fallback_law: None,
         counts: [None, Some(i.steps)],
         why: i.restitution().err(),
     };
@@ -122,7 +122,7 @@ fn row_of_stop<'a>(support: &'a SupportSummary, touch: &StopTouch) -> Row<'a> {
         numbers: [touch.end.unwrap_or(nan), touch.impulse, nan, value, time, nan, nan, nan],
         place: none,
         energy: EnergySplit { given: [nan; 2], lost: nan, stored: nan, scheme: nan },
-        tamed: None,
+        fallback_law: None,
         counts: [None, None],
         why: None,
     }
@@ -146,8 +146,8 @@ impl Row<'_> {
             let number = if value.is_nan() { "" } else { buffer.format(value) };
             let _ = write!(text, ",{number}"); // a String never fails
         }
-        let tamed = self.tamed.map_or("", |tamed| if tamed { "true" } else { "false" });
-        let _ = write!(text, ",{tamed}");
+        let fallback_law = self.fallback_law.map_or("", |law| if law { "true" } else { "false" });
+        let _ = write!(text, ",{fallback_law}");
         for count in self.counts {
             let _ = write!(text, ",{}", count.map_or(String::new(), |n| n.to_string()));
         }

@@ -31,7 +31,7 @@ mod measure;
 mod name;
 mod node;
 mod overrides;
-mod party;
+mod partner;
 mod point;
 mod preset;
 mod quantity;

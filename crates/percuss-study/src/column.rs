@@ -13,7 +13,7 @@ pub enum Role {
     Status,
     /// Why it did not end well; empty if it did.
     Reason,
-    /// Whether the run's books closed, and what it cost.
+    /// Whether the run's balances closed, and what it cost.
     Audit,
 }
 

@@ -1,4 +1,4 @@
-//! What must be conserved: books, momenta, invariances.
+//! What must be conserved: balances, momenta, invariances.
 
 use percuss::*;
 
@@ -42,7 +42,7 @@ fn paper_run(text: &str) -> RunSummary {
 }
 
 /// Energy and momenta in every scenario of `scenarios/paper/`, contact opening and closing included.
-pub fn paper_books() -> Vec<Check> {
+pub fn paper_balances() -> Vec<Check> {
     let mut c = Checks::new();
     for (name, text) in PAPER {
         let summary = paper_run(text);

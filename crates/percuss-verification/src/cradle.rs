@@ -23,7 +23,7 @@ fn cradle(flying: usize, restitution: f64) -> Model {
     let balls: Vec<DiscId> = (0..5).map(|i| b.disc(ball(i))).collect();
     for (i, two) in balls.windows(2).enumerate() {
         let law = TouchLaw::Rigid(RigidLaw::frictionless(restitution));
-        let between = [Party::Disc(two[0]), Party::Disc(two[1])];
+        let between = [ContactPartner::Disc(two[0]), ContactPartner::Disc(two[1])];
         b.contact(Contact::new(format!("touch {i}"), between, law));
     }
     b.build().expect("a sound model")

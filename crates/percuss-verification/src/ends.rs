@@ -33,7 +33,7 @@ pub fn beam_ends() -> Vec<Check> {
         let bar = b.beam(Beam::new("bar", &points, 4, material, section));
         let shape = ObstacleShape::HalfPlane { point: [0.0; 2], normal: [0.0, 1.0] };
         let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
-        let between = [Party::Beam(bar), Party::Obstacle(floor)];
+        let between = [ContactPartner::Beam(bar), ContactPartner::Obstacle(floor)];
         b.contact(Contact::new("fall", between, spring(1e6)));
         let velocity = [0.0, -speed];
         b.initial_motion(InitialMotion { velocity, spin: 0.0, about: [0.0; 2] });
@@ -73,7 +73,11 @@ pub fn beam_ends() -> Vec<Check> {
             velocity: [speed, 0.0],
             spin: 0.0,
         });
-        b.contact(Contact::new("slide", [Party::Disc(ball), Party::Beam(bar)], law));
+        b.contact(Contact::new(
+            "slide",
+            [ContactPartner::Disc(ball), ContactPartner::Beam(bar)],
+            law,
+        ));
         let weight = LoadKind::Gravity { acceleration: [0.0, -gravity] };
         b.load(Load::new("weight", weight));
         let summary = run(&b, 0.4, 1e-4);

@@ -267,10 +267,10 @@ pub const CASES: &[Case] = &[
         run: structures::everything,
     },
     Case {
-        id: "paper-books",
-        title: "Books of every scenario in scenarios/paper",
+        id: "paper-balances",
+        title: "Balances of every scenario in scenarios/paper",
         source: "conservation laws",
-        run: conservation::paper_books,
+        run: conservation::paper_balances,
     },
     Case {
         id: "paper-forms",

@@ -58,9 +58,9 @@ pub fn spin_up() -> Vec<Check> {
             if t > 15.0 {
                 (sum, count) = (sum + along, count + 1.0);
             }
-            let books = &state.books;
+            let ledger = &state.ledger;
             residual =
-                residual.max((books.energy_residual(run.measures()) / books.energy_scale).abs());
+                residual.max((ledger.energy_residual(run.measures()) / ledger.energy_scale).abs());
         }
         let name = |what: &str| format!("{name}: {what}");
         // References of an independent method; published: -.019 at 6.7 s, -.575 at 6.85 s, 5.14e-4.
@@ -101,8 +101,9 @@ pub fn pendulum() -> Vec<Check> {
             period = before.0 + (t - before.0) * before.1 / (before.1 - v);
         }
         before = (t, v);
-        let books = &state.books;
-        residual = residual.max((books.energy_residual(run.measures()) / books.energy_scale).abs());
+        let ledger = &state.ledger;
+        residual =
+            residual.max((ledger.energy_residual(run.measures()) / ledger.energy_scale).abs());
     }
     c.relative("period [s], published 3.28284", period, 3.282_844_15, 1e-6);
     c.at_most("energy residual", residual, 1e-10);

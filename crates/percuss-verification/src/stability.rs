@@ -31,7 +31,11 @@ fn strip_on_floor(height: f64, elements: usize) -> Model {
     let shape = ObstacleShape::HalfPlane { point: [0.0, -height - 1e-3], normal: [0.0, 1.0] };
     let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
-    b.contact(Contact::new("lies", [Party::Beam(strip), Party::Obstacle(floor)], law));
+    b.contact(Contact::new(
+        "lies",
+        [ContactPartner::Beam(strip), ContactPartner::Obstacle(floor)],
+        law,
+    ));
     b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -GRAVITY] }));
     b.build().expect("a verification case builds")
 }

@@ -251,7 +251,11 @@ fn toggle_over(rise: f64, floor: f64) -> Model {
     let shape = ObstacleShape::HalfPlane { point: [0.0, floor], normal: [0.0, 1.0] };
     let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
-    b.contact(Contact::new("on_floor", [Party::Beam(left), Party::Obstacle(floor)], law));
+    b.contact(Contact::new(
+        "on_floor",
+        [ContactPartner::Beam(left), ContactPartner::Obstacle(floor)],
+        law,
+    ));
     let top = at("top", left, 1.0);
     let (force, moment) = ([0.0, -1.0], 0.0);
     let kind = LoadKind::Point { at: top.clone(), force, moment, follower: false };

@@ -67,12 +67,12 @@ pub fn swinging_beam() -> Vec<Check> {
                 leaves = state.time - 1e-5 * u / (u - before);
             }
             before = u;
-            let books = &state.books;
-            let missing = books.energy_residual(run.measures()) / books.energy_scale;
+            let ledger = &state.ledger;
+            let missing = ledger.energy_residual(run.measures()) / ledger.energy_scale;
             residual = residual.max(missing.abs());
         }
         c.at_most(format!("{name}: energy residual"), residual, 1e-10);
-        let loss = run.state().books.loss_damping;
+        let loss = run.state().ledger.loss_damping;
         if is_damped {
             c.at_least(format!("{name}: energy taken by damping [J]"), loss, 1e-2);
         } else {

@@ -1,4 +1,4 @@
-//! Invariants of structures: corners that keep their angle, books that close with everything at work at once.
+//! Invariants of structures: corners that keep their angle, balances that close with everything at work at once.
 
 use percuss::*;
 
@@ -18,7 +18,7 @@ fn angle(state: &State, a: Tangent, b: Tangent) -> f64 {
     (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
 }
 
-/// A flying frame of a bent beam and a branch, struck: angles and places at its joints, and its books.
+/// A flying frame of a bent beam and a branch, struck: angles and places at its joints, and its balances.
 pub fn corners() -> Vec<Check> {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
@@ -81,11 +81,11 @@ pub fn corners() -> Vec<Check> {
             let (u, v) = (state.displacement[a.0], state.displacement[b.0]);
             apart = apart.max((u[0] - v[0]).hypot(u[1] - v[1]));
         }
-        let (books, m) = (&state.books, run.measures());
-        energy = energy.max((books.energy_residual(m) / books.energy_scale).abs());
-        let linear = books.linear_residual(m);
-        momentum = momentum.max(linear[0].hypot(linear[1]) / books.linear_scale);
-        momentum = momentum.max((books.angular_residual(m) / books.angular_scale).abs());
+        let (ledger, m) = (&state.ledger, run.measures());
+        energy = energy.max((ledger.energy_residual(m) / ledger.energy_scale).abs());
+        let linear = ledger.linear_residual(m);
+        momentum = momentum.max(linear[0].hypot(linear[1]) / ledger.linear_scale);
+        momentum = momentum.max((ledger.angular_residual(m) / ledger.angular_scale).abs());
     }
     c.at_most("change of angles [rad]", turned, 1e-12);
     c.at_most("distance of joined places [m]", apart, 1e-12);
@@ -288,24 +288,24 @@ pub fn everything() -> Vec<Check> {
                 reached = false;
                 break;
             }
-            let (books, m) = (&run.state().books, run.measures());
-            energy = energy.max((books.energy_residual(m) / books.energy_scale).abs());
-            let linear = books.linear_residual(m);
-            momentum = momentum.max(linear[0].hypot(linear[1]) / books.linear_scale);
-            momentum = momentum.max((books.angular_residual(m) / books.angular_scale).abs());
-            shrinks = shrinks.max(loss - books.loss_damping);
-            loss = books.loss_damping;
+            let (ledger, m) = (&run.state().ledger, run.measures());
+            energy = energy.max((ledger.energy_residual(m) / ledger.energy_scale).abs());
+            let linear = ledger.linear_residual(m);
+            momentum = momentum.max(linear[0].hypot(linear[1]) / ledger.linear_scale);
+            momentum = momentum.max((ledger.angular_residual(m) / ledger.angular_scale).abs());
+            shrinks = shrinks.max(loss - ledger.loss_damping);
+            loss = ledger.loss_damping;
         }
-        let books = &run.state().books;
+        let ledger = &run.state().ledger;
         c.at_least(format!("{name}: reaches its end"), reached.into(), 1.0);
         c.at_most(format!("{name}: energy residual"), energy, limit);
         c.at_most(format!("{name}: residual of both momenta"), momentum, 1e-10);
         c.at_most(format!("{name}: energy given back by damping [J]"), shrinks, 0.0);
         c.at_least(format!("{name}: energy taken by damping [J]"), loss, 1.0);
-        c.at_least(format!("{name}: energy lost in impacts [J]"), books.loss_impacts, 1.0);
+        c.at_least(format!("{name}: energy lost in impacts [J]"), ledger.loss_impacts, 1.0);
         // That every column takes part: the driven support alone does 0.91 J.
-        c.at_least(format!("{name}: work of supports [J]"), books.work_supports.abs(), 0.5);
-        c.at_least(format!("{name}: work of loads [J]"), books.work_loads.abs(), 1.0);
+        c.at_least(format!("{name}: work of supports [J]"), ledger.work_supports.abs(), 0.5);
+        c.at_least(format!("{name}: work of loads [J]"), ledger.work_loads.abs(), 1.0);
     }
     c.into_vec()
 }

@@ -54,7 +54,7 @@ pub fn sphere_on_a_beam() -> Vec<Check> {
                 velocity: [0.0, -0.01],
                 spin: 0.0,
             });
-            let between = [Party::Disc(sphere), Party::Beam(beam)];
+            let between = [ContactPartner::Disc(sphere), ContactPartner::Beam(beam)];
             b.contact(Contact::new("blow", between, TouchLaw::Smooth(law)));
         }
         let summary = run(&b, 3e-4, 2e-7);
@@ -153,7 +153,7 @@ pub fn oblique_throw() -> Vec<Check> {
             spin: 0.0,
         });
         let law = SmoothLaw { force, ..SmoothLaw::elastic(Potential::Linear { stiffness: 2e4 }) };
-        let between = [Party::Disc(ball), Party::Beam(beam)];
+        let between = [ContactPartner::Disc(ball), ContactPartner::Beam(beam)];
         b.contact(Contact::new("throw", between, TouchLaw::Smooth(law)));
         run(&b, 0.3, 1e-3)
     };

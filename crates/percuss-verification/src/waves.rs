@@ -14,9 +14,9 @@ fn section(area: f64) -> Section {
     section
 }
 
-fn wall(b: &mut ModelBuilder, normal: [f64; 2]) -> Party {
+fn wall(b: &mut ModelBuilder, normal: [f64; 2]) -> ContactPartner {
     let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal };
-    Party::Obstacle(b.obstacle(Obstacle { name: "wall".into(), shape, motion: None }))
+    ContactPartner::Obstacle(b.obstacle(Obstacle { name: "wall".into(), shape, motion: None }))
 }
 
 /// Time, and what a column holds, of a run.
@@ -78,7 +78,7 @@ fn flying_bar(
     let bar = b.beam(Beam::new("bar", &points, elements, material, section));
     let away = [points[1][0] - points[0][0], points[1][1] - points[0][1]];
     let wall = wall(&mut b, away);
-    b.contact(Contact::new("blow", [Party::Beam(bar), wall], law));
+    b.contact(Contact::new("blow", [ContactPartner::Beam(bar), wall], law));
     b.initial_motion(InitialMotion { velocity, spin: 0.0, about: [0.0; 2] });
     b.record_point(at("foot", bar, 0.0));
     b
@@ -139,7 +139,11 @@ pub fn bar_on_a_bar() -> Vec<Check> {
         let flying = b.beam(Beam::new("flying", &[[1.0, 0.0], [2.0, 0.0]], 80, material, square));
         b.support(Support::new("far", at("far", fixed, 0.0), SupportKind::Clamp));
         b.record_point(at("face", flying, 0.0));
-        b.contact(Contact::new("blow", [Party::Beam(fixed), Party::Beam(flying)], law));
+        b.contact(Contact::new(
+            "blow",
+            [ContactPartner::Beam(fixed), ContactPartner::Beam(flying)],
+            law,
+        ));
         let model = b.build().expect("a verification case builds");
         let mut run = Simulation::new(&model, &Settings::new(1e-3, 5e-7)).expect("sound settings");
         let velocity = |name: &str, _: [f64; 2]| [if name == "flying" { -1.0 } else { 0.0 }, 0.0];

@@ -10,8 +10,8 @@ use crate::geometry::pair::Target;
 use crate::math::vec2::{add, norm, rot90, scale, sub};
 pub use crate::model::frozen::ConnectorLaw;
 use crate::model::frozen::{
-    BeamData, Connector, Constraint, ContactData, Coordinate, LoadAction, LoadData, MaterialPoint,
-    NodeHold, Place, Span,
+    BeamData, Connector, ConnectorEnd, Constraint, ContactData, Coordinate, LoadAction, LoadData,
+    MaterialPoint, PrescribedDofs, Span,
 };
 pub use crate::model::striking::{Body, BodyKind};
 use crate::model::{InitialMotion, Model, StrainMeasure, TouchLaw};
@@ -175,9 +175,9 @@ pub struct PrescribedView<'m> {
 }
 
 impl<'m> PrescribedView<'m> {
-    fn of(hold: &'m NodeHold) -> Self {
-        let moves = hold.drives.iter().any(|drive| !drive.is_empty());
-        Self { node: hold.node, support: hold.support, directions: &hold.normals, moves }
+    fn of(dofs: &'m PrescribedDofs) -> Self {
+        let moves = dofs.drives.iter().any(|drive| !drive.is_empty());
+        Self { node: dofs.node, support: dofs.support, directions: &dofs.normals, moves }
     }
 }
 
@@ -225,8 +225,8 @@ impl<'m> ConnectorView<'m> {
         let points: [Option<&'m MaterialPoint>; 2] = match &self.0.coordinate {
             Coordinate::Displacement { point, .. } => [Some(point), None],
             Coordinate::Distance { ends } => ends.each_ref().map(|end| match end {
-                Place::Point(point) => Some(point),
-                Place::Ground(_) => None,
+                ConnectorEnd::Point(point) => Some(point),
+                ConnectorEnd::Ground(_) => None,
             }),
             Coordinate::Angle { a, b, .. } => [Some(a), b.as_deref()],
         };
@@ -244,8 +244,8 @@ impl<'m> ConnectorView<'m> {
             Coordinate::Displacement { .. } => ConnectorCoordinate::Displacement,
             Coordinate::Distance { ends } => {
                 let [a, b] = ends.each_ref().map(|end| match end {
-                    Place::Point(point) => point.position,
-                    Place::Ground(position) => *position,
+                    ConnectorEnd::Point(point) => point.position,
+                    ConnectorEnd::Ground(position) => *position,
                 });
                 ConnectorCoordinate::Distance { reference: norm(sub(a, b)) }
             }
@@ -278,7 +278,7 @@ pub struct GuidedView<'m> {
 
 /// What takes part in a contact and moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ContactPartner {
+pub enum MovingPartner {
     /// The beam of this number.
     Beam(usize),
     /// The body of this number.
@@ -327,11 +327,11 @@ impl<'m> ContactView<'m> {
     /// Its pairs of one round thing and one target: the partners, and the shape of the target.
     pub fn pairs(
         &self,
-    ) -> impl ExactSizeIterator<Item = ([ContactPartner; 2], TargetShape)> + use<'m> {
+    ) -> impl ExactSizeIterator<Item = ([MovingPartner; 2], TargetShape)> + use<'m> {
         let beams = self.model.beams.len();
         let partner = move |mover: usize| match mover.checked_sub(beams) {
-            None => ContactPartner::Beam(mover),
-            Some(body) => ContactPartner::Body(body),
+            None => MovingPartner::Beam(mover),
+            Some(body) => MovingPartner::Body(body),
         };
         let pairs = self.model.pairs[self.data.pairs.clone()].iter();
         pairs.map(move |pair| (pair.movers.map(partner), shape(&pair.target)))
@@ -390,12 +390,12 @@ impl Model {
 
     /// Prescribed degrees of freedom, in the order of the nodes.
     pub fn prescribed(&self) -> impl Iterator<Item = PrescribedView<'_>> {
-        self.holds.iter().map(PrescribedView::of)
+        self.prescribed.iter().map(PrescribedView::of)
     }
 
     /// Prescribed degrees of freedom of a node.
     pub fn prescribed_at(&self, node: usize) -> Option<PrescribedView<'_>> {
-        self.hold_at(node).map(PrescribedView::of)
+        self.dofs_at(node).map(PrescribedView::of)
     }
 
     /// Prescribed degrees of freedom of the body of number `body`.

@@ -1,4 +1,4 @@
-//! Energies and momenta, and the books of what entered and left.
+//! Energies and momenta, and the ledger of what entered and left.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,7 +6,7 @@ use crate::model::Model;
 
 /// What entered and left since the start of the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Books {
+pub struct Ledger {
     /// Total energy at the start \[J\].
     pub energy_initial: f64,
     /// Work of the loads, gravity included \[J\].
@@ -33,11 +33,11 @@ pub struct Books {
     pub impulse_damping: [f64; 2],
     /// Their angular impulse about the origin \[N m s\].
     pub angular_impulse_damping: f64,
-    /// Largest energy in play so far \[J\].
+    /// Energy scale: the largest energy so far \[J\].
     pub energy_scale: f64,
-    /// Largest linear momentum in play so far \[kg m/s\].
+    /// Scale of linear momentum: the largest so far \[kg m/s\].
     pub linear_scale: f64,
-    /// Largest angular momentum in play so far \[kg m^2/s\].
+    /// Scale of angular momentum: the largest so far \[kg m^2/s\].
     pub angular_scale: f64,
     /// Magnitudes of the works, the impulses and the angular impulses of loads and supports, step by step \[J, N s, N m s\]: what passed
     /// through, however little of it stays.
@@ -131,10 +131,10 @@ impl Measures {
     }
 }
 
-impl Books {
-    /// Opens the books on an initial state, the scales no smaller than those of round-off.
+impl Ledger {
+    /// Opens the ledger on an initial state, the scales no smaller than those of round-off.
     pub(crate) fn open(measures: &Measures, round_off: &RoundOff) -> Self {
-        let mut books = Self {
+        let mut ledger = Self {
             energy_initial: measures.total(),
             linear_initial: measures.linear,
             angular_initial: measures.angular,
@@ -144,8 +144,8 @@ impl Books {
             negligible: round_off.negligible,
             ..Self::default()
         };
-        books.rescale(measures);
-        books
+        ledger.rescale(measures);
+        ledger
     }
 
     /// Takes a new state into the scales.
@@ -210,13 +210,13 @@ impl Books {
 
     /// What residuals are relative to: energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\].
     ///
-    /// The largest in play so far, or what passed through if that is more; no less than what is negligible.
+    /// The largest so far, or what passed through if that is more; no less than what is negligible.
     pub fn audit_scales(&self) -> [f64; 3] {
         let scales = [self.energy_scale, self.linear_scale, self.angular_scale];
         std::array::from_fn(|i| scales[i].max(self.passed[i]).max(self.negligible[i]))
     }
 
-    /// What is missing from the energy books \[J\].
+    /// What is missing from the balance of energy \[J\].
     pub fn energy_residual(&self, m: &Measures) -> f64 {
         let [loads, supports, impacts, damping, ..] = self.rest;
         let rest = loads + supports - impacts - damping;
@@ -224,7 +224,7 @@ impl Books {
         m.total() - entered + self.loss_impacts + self.loss_damping - rest
     }
 
-    /// What is missing from the books of linear momentum \[kg m/s\].
+    /// What is missing from the balance of linear momentum \[kg m/s\].
     pub fn linear_residual(&self, m: &Measures) -> [f64; 2] {
         let rest = |i: usize| self.rest[4 + i] + self.rest[6 + i] + self.rest[8 + i];
         std::array::from_fn(|i| {
@@ -234,7 +234,7 @@ impl Books {
         })
     }
 
-    /// What is missing from the books of angular momentum \[kg m^2/s\].
+    /// What is missing from the balance of angular momentum \[kg m^2/s\].
     pub fn angular_residual(&self, m: &Measures) -> f64 {
         let impulse = self.angular_impulse_loads
             + self.angular_impulse_supports
@@ -249,18 +249,18 @@ mod tests {
 
     #[test]
     fn sums_of_a_million_steps_lose_nothing() {
-        let mut books = Books::default();
+        let mut ledger = Ledger::default();
         for _ in 0..1_000_000 {
-            let so_far = books.set_aside();
-            books.work_loads += 0.1;
-            books.impulse_supports[1] -= 0.1;
-            books.put_on(so_far);
+            let so_far = ledger.set_aside();
+            ledger.work_loads += 0.1;
+            ledger.impulse_supports[1] -= 0.1;
+            ledger.put_on(so_far);
         }
         // Added as they come they are 100000.00000133288.
-        assert_eq!((books.work_loads, books.impulse_supports), (1e5, [0.0, -1e5]));
-        assert!((books.passed[0] - 1e5).abs() < 1e-5 && (books.passed[1] - 1e5).abs() < 1e-5);
+        assert_eq!((ledger.work_loads, ledger.impulse_supports), (1e5, [0.0, -1e5]));
+        assert!((ledger.passed[0] - 1e5).abs() < 1e-5 && (ledger.passed[1] - 1e5).abs() < 1e-5);
         let nothing = Measures { linear: [0.0, -1e5], ..Measures::default() };
-        assert!(books.linear_residual(&nothing)[1].abs() < 1e-11);
-        assert!((books.energy_residual(&nothing) + 1e5).abs() < 1e-9);
+        assert!(ledger.linear_residual(&nothing)[1].abs() < 1e-11);
+        assert!((ledger.energy_residual(&nothing) + 1e5).abs() < 1e-9);
     }
 }

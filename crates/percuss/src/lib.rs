@@ -1,4 +1,4 @@
-//! Percuss: impact on geometrically exact beams, with books that close.
+//! Percuss: impact on geometrically exact beams, with balances that close.
 //!
 //! Define beams, supports, projectiles and loads with a [`ModelBuilder`], freeze them into a [`Model`], and [`simulate`] it under
 //! [`Settings`]: rows go to a [`Recorder`], the result is a [`RunSummary`]. [`Simulation`] steps by hand. The library knows no
@@ -43,7 +43,7 @@ pub use ensemble::{
     simulate_batch,
 };
 pub use error::{Error, RecorderError};
-pub use ledger::{Books, Measures};
+pub use ledger::{Ledger, Measures};
 pub use model::*;
 pub use settings::{
     ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,

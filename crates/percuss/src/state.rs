@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair, Target};
 use crate::geometry::touch::Reach;
-use crate::ledger::Books;
+use crate::ledger::Ledger;
 use crate::math::hermite::GAUSS;
 use crate::model::Model;
 use crate::model::frozen::Coordinate;
@@ -71,7 +71,7 @@ impl Reacting {
     }
 }
 
-/// How far the course of a prescribed motion was followed.
+/// How far the time function of a prescribed motion was followed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Followed {
     /// Its value.
@@ -132,8 +132,8 @@ pub struct State {
     pub multiplier: Vec<f64>,
     /// Pairs that can touch, in the model's order.
     pub pairs: Vec<PairState>,
-    /// The running books.
-    pub books: Books,
+    /// The running ledger.
+    pub ledger: Ledger,
 }
 
 impl State {
@@ -180,7 +180,7 @@ impl State {
             reacting: Reacting::none(model.supports.len()),
             multiplier: vec![0.0; model.constraints.len()],
             pairs: vec![PairState::unseen(); model.pairs.len()],
-            books: Books::default(),
+            ledger: Ledger::default(),
         }
         .with_coordinates(model)
         .with_bodies(model)
@@ -202,10 +202,10 @@ impl State {
             let [v1, v2] = body.velocity;
             self.velocity[model.body_node(i)] = [v1, v2, body.spin, 0.0];
         }
-        for hold in model.holds.iter().filter(|h| h.node >= model.beam_node_count()) {
-            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+        for dofs in model.prescribed.iter().filter(|h| h.node >= model.beam_node_count()) {
+            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
                 let start: f64 = drive.iter().map(|(m, a)| a * model.motions[*m].value(0.0)).sum();
-                (0..4).for_each(|k| self.displacement[hold.node][k] += start * normal[k]);
+                (0..4).for_each(|k| self.displacement[dofs.node][k] += start * normal[k]);
             }
         }
         self
@@ -272,7 +272,7 @@ fn followed(model: &Model) -> Vec<Followed> {
     let mut out: Vec<Followed> = model
         .motions
         .iter()
-        .map(|course| course.value(0.0))
+        .map(|function| function.value(0.0))
         .map(|value| Followed { value, origin: value, rate: 0.0, held: false })
         .collect();
     for drive in model.structural_drives() {

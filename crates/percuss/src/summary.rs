@@ -52,20 +52,20 @@ pub struct EnergySummary {
     pub loss_impacts: f64,
     /// Energy taken by damping.
     pub loss_damping: f64,
-    /// Largest energy in play, the scale of `residual_max`.
+    /// Energy scale, the scale of `residual_max`.
     pub scale: f64,
     /// Largest magnitude of the energy residual, relative to `scale`.
     pub residual_max: f64,
 }
 
-/// Momentum residuals of a run, support and load impulses taken into the books.
+/// Momentum residuals of a run, support and load impulses taken into the ledger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MomentumSummary {
-    /// Largest linear momentum in play \[kg m/s\], the scale of `linear_residual_max`.
+    /// Scale of linear momentum \[kg m/s\], the scale of `linear_residual_max`.
     pub linear_scale: f64,
     /// Largest magnitude of the residual of linear momentum, relative.
     pub linear_residual_max: f64,
-    /// Largest angular momentum in play \[kg m^2/s\], the scale of `angular_residual_max`.
+    /// Scale of angular momentum \[kg m^2/s\], the scale of `angular_residual_max`.
     pub angular_scale: f64,
     /// Largest magnitude of the residual of angular momentum about the origin, relative.
     pub angular_residual_max: f64,
@@ -99,7 +99,7 @@ pub struct ProjectileSummary {
 /// Where two things touch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ContactPlace {
-    /// Arc length along the first party, if it is a beam; else NaN \[m\].
+    /// Arc length along the first partner, if it is a beam; else NaN \[m\].
     pub s: f64,
     /// Position in the plane \[m\].
     pub position: [f64; 2],
@@ -116,7 +116,7 @@ impl Default for ContactPlace {
 /// `given[0] + given[1] + lost + stored + scheme` is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySplit {
-    /// Work of the contact on either party: what goes into a beam runs on as waves \[J\].
+    /// Work of the contact on either partner: what goes into a beam runs on as waves \[J\].
     pub given: [f64; 2],
     /// Energy lost in the contact \[J\].
     pub lost: f64,
@@ -268,7 +268,7 @@ pub struct Impact {
     /// Energies.
     pub energy: EnergySplit,
     /// Whether Newton's law would have given energy, so that Moreau's was used.
-    pub tamed: bool,
+    pub fallback_law: bool,
 }
 
 impl Impact {
@@ -307,7 +307,7 @@ pub enum ContactRecord {
         /// Number of impacts, kept or not.
         impact_count: usize,
         /// Impacts in which Newton's law would have given energy, so that Moreau's was used.
-        tamed_count: usize,
+        fallback_count: usize,
         /// Impulse of all impacts and of persistent contact \[N s\].
         impulse_total: f64,
         /// Intervals in which the contact stayed closed (persistent contact); impulse included.
@@ -341,7 +341,7 @@ impl ContactRecord {
 pub struct ContactSummary {
     /// The projectile's or the contact's name.
     pub name: String,
-    /// Names of the two parties; of a guided projectile's contact, the label of the struck point and the projectile.
+    /// Names of the two partners; of a guided projectile's contact, the label of the struck point and the projectile.
     pub between: [String; 2],
     /// Effective mass of what a guided projectile strikes; under a rigid law, of the beams of any other contact where and when it
     /// first struck.

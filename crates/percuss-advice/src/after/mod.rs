@@ -11,7 +11,7 @@ use super::duration::Modes;
 use super::structure::gravity;
 use super::surroundings::Surroundings;
 use super::words::{digits, quantity};
-use percuss::inspect::ContactPartner;
+use percuss::inspect::MovingPartner;
 use percuss::math::vec2::{dot, norm};
 use percuss::{ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, RunSummary};
 use percuss::{Model, TouchLaw};
@@ -251,17 +251,17 @@ impl Desk<'_> {
 
     /// The other contacts of what meets here; beams may be joined, so that all of them count as one.
     fn others(&self) -> impl Iterator<Item = &ContactRecord> {
-        let parties = |k: usize| -> Vec<ContactPartner> {
+        let partners = |k: usize| -> Vec<MovingPartner> {
             let pairs = self.model.contacts().skip(k).take(1).flat_map(|contact| contact.pairs());
             let partners = pairs.take(1).flat_map(|(partners, _)| partners);
             let as_one = |partner| match partner {
-                ContactPartner::Beam(_) => ContactPartner::Beam(0),
+                MovingPartner::Beam(_) => MovingPartner::Beam(0),
                 body => body,
             };
             partners.map(as_one).collect()
         };
-        let own = parties(self.index);
-        let shares = move |k: &usize| parties(*k).iter().any(|party| own.contains(party));
+        let own = partners(self.index);
+        let shares = move |k: &usize| partners(*k).iter().any(|partner| own.contains(partner));
         let all = (0..self.run.contacts.len()).filter(|k| *k != self.index);
         all.filter(shares).map(|k| &self.run.contacts[k].record)
     }

@@ -81,7 +81,11 @@ fn contacts_last_as_long_as_the_modes_say() {
     let shape = ObstacleShape::Disc { centre: [0.5, -0.0305], radius: 0.02 };
     let stop = b.obstacle(Obstacle { name: "stop".into(), shape, motion: None });
     let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
-    b.contact(Contact::new("stop", [Party::Beam(tube), Party::Obstacle(stop)], law));
+    b.contact(Contact::new(
+        "stop",
+        [ContactPartner::Beam(tube), ContactPartner::Obstacle(stop)],
+        law,
+    ));
     let force = [[0.0, -1000.0]; 2];
     let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
     let kind = LoadKind::Distributed { beam: tube, stretch, force, follower: false };
@@ -203,7 +207,11 @@ fn a_flat_end_presses_with_both_corners_on_any_mesh() {
         let shape = ObstacleShape::HalfPlane { point: [-1e-3, 0.0], normal: [1.0, 0.0] };
         let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
-        b.contact(Contact::new("wall", [Party::Beam(flying), Party::Obstacle(wall)], law));
+        b.contact(Contact::new(
+            "wall",
+            [ContactPartner::Beam(flying), ContactPartner::Obstacle(wall)],
+            law,
+        ));
         // Slow enough that nothing beside the end comes near the wall.
         b.initial_motion(InitialMotion { velocity: [-0.2, 0.0], ..InitialMotion::default() });
         let settings = Settings::new(0.03, 2e-5);
@@ -384,7 +392,11 @@ fn a_place_that_never_comes_is_not_told_as_struck() {
     let shape = ObstacleShape::HalfPlane { point: [0.28, -0.0025], normal: [0.0, 1.0] };
     let stop = b.obstacle(Obstacle { name: "stop".into(), shape, motion: None });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.6));
-    b.contact(Contact::new("tap", [Party::Beam(beam), Party::Obstacle(stop)], law));
+    b.contact(Contact::new(
+        "tap",
+        [ContactPartner::Beam(beam), ContactPartner::Obstacle(stop)],
+        law,
+    ));
     let advice = advise(&freeze(&b), &Settings::new(1.0, 1e-4));
     assert_eq!(verdict(&advice, Topic::EffectiveMass), None, "{advice:#?}");
 }
@@ -423,7 +435,7 @@ fn a_disc_gets_the_same_advice_as_a_guided_mass() {
     hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
     let ball = b.disc(disc("ball", 1.0, 0.05, [1.0, 0.0751], [0.0, -1.0]));
     let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
-    b.contact(Contact::new("blow", [Party::Disc(ball), Party::Beam(beam)], law));
+    b.contact(Contact::new("blow", [ContactPartner::Disc(ball), ContactPartner::Beam(beam)], law));
     let [told, found] = durations(&b, &Settings::new(8e-3, 2e-5));
     assert!((told / found - 1.0).abs() < 0.03, "{told} {found}");
 }
@@ -466,7 +478,11 @@ fn the_effective_mass_of_a_stick_on_a_floor_is_told() {
         motion: None,
     });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(1.0));
-    b.contact(Contact::new("drop", [Party::Beam(stick), Party::Obstacle(floor)], law));
+    b.contact(Contact::new(
+        "drop",
+        [ContactPartner::Beam(stick), ContactPartner::Obstacle(floor)],
+        law,
+    ));
     b.initial_motion(InitialMotion { velocity: [0.0, -1.0], ..InitialMotion::default() });
     let model = b.build().unwrap();
     let settings = Settings::new(0.02, 1e-5);

@@ -67,7 +67,11 @@ fn a_disc_presses_a_floor_with_its_weight_too() {
         let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
         gravity(&mut b);
         let law = TouchLaw::Smooth(SmoothLaw::elastic(potential.clone()));
-        b.contact(Contact::new("blow", [Party::Disc(ball), Party::Obstacle(floor)], law));
+        b.contact(Contact::new(
+            "blow",
+            [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)],
+            law,
+        ));
         let all = compared(&b, &Settings::new(0.03, 1e-5));
         let force = row(&all, "two rigid bodies", "largest contact force");
         assert!(!force.holds_if.contains("not met"), "{force:#?}");
@@ -176,7 +180,11 @@ fn a_bar_on_a_wall_stays_as_long_as_its_contact_lets_it() {
         let velocity = [-speed, 0.0];
         b.initial_motion(InitialMotion { velocity, ..InitialMotion::default() });
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
-        b.contact(Contact::new("end", [Party::Beam(beam), Party::Obstacle(wall)], law));
+        b.contact(Contact::new(
+            "end",
+            [ContactPartner::Beam(beam), ContactPartner::Obstacle(wall)],
+            law,
+        ));
         let all = compared(&b, &Settings::new(2400.0 * step, step));
         for quantity in ["largest contact force", "time from the first touch", "impulse"] {
             let c = row(&all, "elastic bar on a rigid wall", quantity);
@@ -195,7 +203,11 @@ fn a_hard_contact_of_a_bar_is_told_as_one_of_the_mesh() {
     let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
     b.initial_motion(InitialMotion { velocity: [-1.0, 0.0], ..InitialMotion::default() });
     let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e12 }));
-    b.contact(Contact::new("end", [Party::Beam(beam), Party::Obstacle(wall)], law));
+    b.contact(Contact::new(
+        "end",
+        [ContactPartner::Beam(beam), ContactPartner::Obstacle(wall)],
+        law,
+    ));
     let (model, settings) = (freeze(&b), Settings::new(2e-3, 4e-6));
     let advice = advise(&model, &settings);
     let rise = advice.iter().find(|a| a.topic == Topic::ForceRise);
@@ -216,7 +228,7 @@ fn energy_lost_is_compared_without_friction_only() {
         let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
         let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
         let law = RigidLaw { friction, ..RigidLaw::frictionless(0.5) };
-        let between = [Party::Disc(ball), Party::Obstacle(floor)];
+        let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)];
         b.contact(Contact::new("blow", between, TouchLaw::Rigid(law)));
         compared(&b, &Settings::new(0.05, 1e-3))
     };
@@ -403,7 +415,11 @@ fn a_bar_that_turns_does_not_meet_the_wall_with_its_whole_section() {
         let shape = ObstacleShape::HalfPlane { point: [-1e-3, 0.0], normal: [1.0, 0.0] };
         let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
-        b.contact(Contact::new("wall", [Party::Beam(beam), Party::Obstacle(wall)], law));
+        b.contact(Contact::new(
+            "wall",
+            [ContactPartner::Beam(beam), ContactPartner::Obstacle(wall)],
+            law,
+        ));
         let all = compared(&b, &Settings::new(0.02, 1e-5));
         let force = row(&all, "elastic bar on a rigid wall", "force");
         assert_eq!(!force.holds_if.contains("not met"), met, "{force:#?}");

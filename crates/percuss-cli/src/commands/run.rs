@@ -1,7 +1,7 @@
 //! `percuss run`.
 
 mod audit;
-mod books;
+mod balance;
 mod checkpoints;
 mod comparison;
 mod recorder;
@@ -323,10 +323,10 @@ fn conclude(
     if arguments.open {
         browser::open(&out.join("report.html"));
     }
-    let mut open = if arguments.strict { books::open(&ended.summary) } else { Vec::new() };
+    let mut open = if arguments.strict { balance::open(&ended.summary) } else { Vec::new() };
     open.extend(ended.denied.iter().cloned());
     open.iter().for_each(|text| terminal::error(text));
-    Ok(if open.is_empty() { Status::Done } else { Status::BooksOpen })
+    Ok(if open.is_empty() { Status::Done } else { Status::BalanceOpen })
 }
 
 fn shows_progress(arguments: &Run) -> bool {

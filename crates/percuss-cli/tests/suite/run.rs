@@ -230,13 +230,13 @@ fn a_run_replaces_the_one_before() {
 }
 
 #[test]
-fn open_books_fail_a_strict_run_and_say_which() {
+fn open_balances_fail_a_strict_run_and_say_which() {
     let desk = Desk::new();
     let set = "integrator.scheme=\"midpoint\"";
     desk.percuss(&["run", "elastic.toml", "--no-report", "--set", set]).ends_with(0);
     desk.percuss(&["run", "elastic.toml", "--no-report", "--set", set, "--strict"])
         .ends_with(4)
-        .tells("the books of energy do not close");
+        .tells("the balance of energy does not close");
     assert_eq!(desk.summary("runs/elastic")["status"], "completed");
 }
 

@@ -1,14 +1,14 @@
 //! The scene as JSON.
 
 use percuss::scene::{
-    BodyShape, OnBeam, Outline, Scene, SceneAnchor, SceneLoadKind, SupportSymbol,
+    BodyShape, ObstacleOutline, OnBeam, Scene, SceneAnchor, SceneLoadKind, SupportSymbol,
 };
 use serde_json::{Value, json};
 
 /// The scene as `scene.json` has it: SI units, `null` where something is not known or never ends.
 pub fn scene_value(scene: &Scene) -> Value {
     let beams = scene.beams.iter().map(|beam| {
-        let column = |f: &dyn Fn(&percuss::scene::Station) -> f64| -> Vec<f64> {
+        let column = |f: &dyn Fn(&percuss::scene::DrawnStation) -> f64| -> Vec<f64> {
             beam.stations.iter().map(f).collect()
         };
         json!({
@@ -37,13 +37,13 @@ pub fn scene_value(scene: &Scene) -> Value {
     });
     let obstacles = scene.obstacles.iter().map(|obstacle| {
         let outline = match &obstacle.outline {
-            Outline::HalfPlane { point, normal } => {
+            ObstacleOutline::HalfPlane { point, normal } => {
                 json!({ "kind": "half-plane", "point": point, "normal": normal })
             }
-            Outline::Disc { centre, radius } => {
+            ObstacleOutline::Disc { centre, radius } => {
                 json!({ "kind": "disc", "centre": centre, "radius": radius })
             }
-            Outline::Walls { ends, thickness } => {
+            ObstacleOutline::Walls { ends, thickness } => {
                 json!({ "kind": "walls", "ends": ends, "thickness": thickness })
             }
         };

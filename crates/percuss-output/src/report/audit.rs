@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::html::table;
 use super::quantity::{number, quantity, without_round_off};
 
-/// A residual below this, relative to the largest amount in play, counts as closed.
+/// A residual below this, relative to the largest amount, counts as closed.
 const CLOSED: f64 = 1e-10;
 
 /// The audit table.

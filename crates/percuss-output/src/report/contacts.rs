@@ -103,8 +103,8 @@ fn curve(canvas: &Canvas<'_>, name: &str, what: Quantity, contact: &Value) -> Op
     let mut draft = canvas.over_time((&id, &title, label), Section::Impact, unit, curves);
     draft.figure.picture = true;
     draft.omit = Omit::Nothing;
-    let party = |k: usize| contact["between"][k].as_str();
-    if let (GAP, Some(first), Some(second)) = (what, party(0), party(1)) {
+    let partner = |k: usize| contact["between"][k].as_str();
+    if let (GAP, Some(first), Some(second)) = (what, partner(0), partner(1)) {
         draft.figure.note = format!("Between {first} and {second}, where they are nearest.");
     }
     Some(Entry::Draft(Draft { floor: 0.0, ..draft }))

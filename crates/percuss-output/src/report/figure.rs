@@ -6,7 +6,7 @@ pub(crate) enum Section {
     /// A projectile and the point it strikes.
     Impact,
     /// Energy and momentum.
-    Books,
+    Balance,
     /// Reactions of supports.
     Supports,
     /// Section forces at recorded points.

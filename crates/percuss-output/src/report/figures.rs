@@ -168,7 +168,7 @@ fn energy(canvas: &Canvas<'_>, data: &ReportData) -> Entry {
         ("energy.total", "total", 0),
     ]);
     let texts = ("energy", "Energy", "energy");
-    let mut draft = canvas.over_time(texts, Section::Books, "J", curves);
+    let mut draft = canvas.over_time(texts, Section::Balance, "J", curves);
     draft.figure.picture = true;
     if lacks_comparison(data) {
         draft.figure.note = "Energies for other restitution coefficients are not compared here: runs \
@@ -206,7 +206,7 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
     let initial = summary["energy"]["initial"].as_f64()?;
     curves.push(Curve::sum("at the start, and work of loads and supports", 0, terms, initial));
     let texts = ("energy-balance", "Balance of energy", "energy");
-    let mut draft = canvas.over_time(texts, Section::Books, "J", curves);
+    let mut draft = canvas.over_time(texts, Section::Balance, "J", curves);
     draft.figure.picture = true;
     draft.figure.note = "Parts lie on each other. The line is what was there at the start and what loads and supports \
          have put in since; what remains between it and the parts is missing."
@@ -218,7 +218,7 @@ fn momentum(canvas: &Canvas<'_>) -> [Entry; 2] {
     let components = canvas
         .curves(&[("momentum.linear_1", "along e1", 1), ("momentum.linear_2", "along e2", 2)]);
     let texts = ("momentum", "Linear momentum", "linear momentum");
-    let mut linear = canvas.over_time(texts, Section::Books, "kg*m/s", components);
+    let mut linear = canvas.over_time(texts, Section::Balance, "kg*m/s", components);
     linear.omit = Omit::RoundOff;
     linear.figure.picture = true;
     linear.figure.note = "Momentum of beams and projectiles together, by the axes' directions. \
@@ -226,7 +226,7 @@ fn momentum(canvas: &Canvas<'_>) -> [Entry; 2] {
         .to_owned();
     let about = canvas.curves(&[("momentum.angular", "about the origin", 4)]);
     let texts = ("momentum-angular", "Angular momentum", "angular momentum");
-    let angular = canvas.over_time(texts, Section::Books, "kg*m^2/s", about);
+    let angular = canvas.over_time(texts, Section::Balance, "kg*m^2/s", about);
     [linear, angular].map(Entry::Draft)
 }
 
@@ -250,7 +250,7 @@ fn restitution(canvas: &Canvas<'_>, data: &ReportData) -> Option<Figure> {
         Table { x: pick(&run.time, canvas.time_scale.factor), series: vec![series] }
     };
     let (title, label) = ("Total energy and restitution", "total energy");
-    let figure = Figure::new(Section::Books, "restitution", title, canvas.time_axis(), label);
+    let figure = Figure::new(Section::Balance, "restitution", title, canvas.time_axis(), label);
     Some(Figure {
         picture: true,
         y: Axis { unit: scale.unit.clone(), ..figure.y.clone() },

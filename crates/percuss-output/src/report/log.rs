@@ -36,13 +36,13 @@ pub(super) fn render(summary: &Value) -> String {
     let contacts = summary["contact"].as_object().unwrap_or(&empty);
     let stops = summary["support"].as_object().unwrap_or(&empty);
     let stops = stops.iter().filter(|(_, s)| !list(s, "intervals").is_empty());
-    let parties: Vec<(&String, &Value)> = contacts.iter().chain(stops).collect();
+    let partners: Vec<(&String, &Value)> = contacts.iter().chain(stops).collect();
     let mut total = 0;
     let mut kept = 0;
     let mut log = Vec::new();
-    for (name, party) in &parties {
-        let touches = touches(name, party, end);
-        total += happened(party).max(touches.len());
+    for (name, partner) in &partners {
+        let touches = touches(name, partner, end);
+        total += happened(partner).max(touches.len());
         kept += touches.len();
         log.extend(grouped(touches, CLOSE * end));
     }
@@ -52,7 +52,7 @@ pub(super) fn render(summary: &Value) -> String {
     log.sort_by(|a, b| a.start.total_cmp(&b.start));
     let shown = &log[..log.len().min(LISTED)];
     let told: usize = shown.iter().map(|e| e.touches.len().max(1)).sum();
-    let columns = columns(shown, parties.len() > 1);
+    let columns = columns(shown, partners.len() > 1);
     let mut rows = Vec::new();
     for (k, entry) in shown.iter().enumerate() {
         rows.extend(rows_of(k + 1, entry, &columns));
@@ -61,7 +61,7 @@ pub(super) fn render(summary: &Value) -> String {
         std::iter::once("").chain(columns.iter().map(|c| c.header.as_str())).collect();
     let mut out = format!("<h2>Impact log</h2>\n{}{}", legend(shown), sorting(shown.len()));
     out += "<div class=\"log\">\n";
-    out += &table_of_rows(&caption(&parties), &header, &rows);
+    out += &table_of_rows(&caption(&partners), &header, &rows);
     out += "</div>\n";
     out + &more(total, kept, told)
 }
@@ -147,7 +147,7 @@ fn chatter(touches: Vec<Entry>) -> Entry {
         "peak_force": peak,
         "approach_velocity": numbers("approach_velocity").reduce(f64::max),
         "place": first.value["place"],
-        "tamed": touches.iter().any(|t| t.value["tamed"] == true),
+        "fallback_law": touches.iter().any(|t| t.value["fallback_law"] == true),
         "energy": {
             "given": [sum_of("/energy/given/0"), sum_of("/energy/given/1")],
             "lost": sum_of("/energy/lost"),
@@ -163,18 +163,19 @@ fn list<'a>(contact: &'a Value, key: &str) -> &'a [Value] {
 }
 
 /// Impacts and intervals of a contact or a stop; `end` is that of the run.
-fn touches(name: &str, party: &Value, end: f64) -> Vec<Entry> {
+fn touches(name: &str, partner: &Value, end: f64) -> Vec<Entry> {
     let entry = |value: &Value, key: &str| {
         let start = value[key].as_f64()?;
         let end = match key {
             "time" => start,
             _ => value["end"].as_f64().unwrap_or(end),
         };
-        let (contact, between, value) = (name.to_owned(), party["between"].clone(), value.clone());
+        let (contact, between, value) =
+            (name.to_owned(), partner["between"].clone(), value.clone());
         Some(Entry { contact, between, start, end, value, touches: Vec::new() })
     };
-    let impacts = list(party, "impacts").iter().filter_map(|v| entry(v, "time"));
-    let intervals = list(party, "intervals").iter().filter_map(|v| entry(v, "start"));
+    let impacts = list(partner, "impacts").iter().filter_map(|v| entry(v, "time"));
+    let intervals = list(partner, "intervals").iter().filter_map(|v| entry(v, "start"));
     impacts.chain(intervals).collect()
 }
 
@@ -192,8 +193,8 @@ fn happened(contact: &Value) -> usize {
     impacts + list(contact, "intervals").len()
 }
 
-fn caption(parties: &[(&String, &Value)]) -> String {
-    match parties {
+fn caption(partners: &[(&String, &Value)]) -> String {
+    match partners {
         [(name, _)] => format!("Contact of {name}"),
         _ => "All contacts and stops".to_owned(),
     }
@@ -345,17 +346,17 @@ fn restitution(entry: &Entry) -> Cell {
         true => "0".to_owned(),
         false => significant(e),
     });
-    let mark = if entry.value["tamed"] == true { "*" } else { "" };
+    let mark = if entry.value["fallback_law"] == true { "*" } else { "" };
     Cell::Text(format!("{text}{mark}"))
 }
 
 /// Parts of what a contact passed on: label, energy, class of the bar's piece.
 fn parts(entry: &Entry) -> Vec<(&str, f64, &'static str)> {
     let energy = &entry.value["energy"];
-    let party = |k: usize| entry.between[k].as_str().unwrap_or("?");
+    let partner = |k: usize| entry.between[k].as_str().unwrap_or("?");
     let all = [
-        (party(0), energy["given"][0].as_f64(), "first"),
-        (party(1), energy["given"][1].as_f64(), "second"),
+        (partner(0), energy["given"][0].as_f64(), "first"),
+        (partner(1), energy["given"][1].as_f64(), "second"),
         ("lost", energy["lost"].as_f64(), "lost"),
         ("stored", energy["stored"].as_f64(), "stored"),
     ];
@@ -406,7 +407,7 @@ fn legend(entries: &[Entry]) -> String {
         );
     }
     out.push('.');
-    if entries.iter().any(|e| e.value["tamed"] == true) {
+    if entries.iter().any(|e| e.value["fallback_law"] == true) {
         out.push_str(" *\u{a0}Newton's law would have given energy; Moreau's was used.");
     }
     out + "</p>\n"

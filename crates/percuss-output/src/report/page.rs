@@ -45,7 +45,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "log" => log::render(summary),
             "hand_formulas" => advice::hand_formulas(summary),
             "advice" => advice::findings(summary),
-            "books" => section(figures, Section::Books, "Energy and momentum"),
+            "balance" => section(figures, Section::Balance, "Energy and momentum"),
             "supports" => section(figures, Section::Supports, "Reactions"),
             "forces" => section(figures, Section::Forces, "Section forces"),
             "envelopes" => envelopes(figures),

@@ -82,7 +82,7 @@ pub(super) fn write(dir: &Path, figures: &[Figure]) -> Result<(), Error> {
     }
     let main: Vec<&Figure> = over_time
         .into_iter()
-        .filter(|f| matches!(f.section, Section::Impact | Section::Books))
+        .filter(|f| matches!(f.section, Section::Impact | Section::Balance))
         .collect();
     if !main.is_empty() {
         jobs.push(("overview".to_owned(), overview(&main, span))); // the longest, taken first

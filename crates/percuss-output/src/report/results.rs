@@ -93,8 +93,8 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         row("impacts", count.to_string());
         row("impulse handed over", quantity(contact["impulse_total"].as_f64(), "N*s"));
     }
-    if let Some(tamed) = contact["tamed_count"].as_u64().filter(|n| *n > 0) {
-        row("impacts under Moreau's law instead of Newton's", tamed.to_string());
+    if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
+        row("impacts under Moreau's law instead of Newton's", count.to_string());
     }
     if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
         row("effective mass of what is struck", quantity(contact["effective_mass"].as_f64(), "kg"));
@@ -106,8 +106,8 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
             format!("Projectile {name}")
         }
         None => {
-            let party = |k: usize| contact["between"][k].as_str().unwrap_or("?");
-            format!("Contact {name}: {} and {}", party(0), party(1))
+            let partner = |k: usize| contact["between"][k].as_str().unwrap_or("?");
+            format!("Contact {name}: {} and {}", partner(0), partner(1))
         }
     };
     table(&title, &[], &rows)

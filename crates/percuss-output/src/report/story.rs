@@ -81,11 +81,11 @@ fn contacts(summary: &Value) -> String {
 
 /// Who struck what, how fast and when; what flies at something is named first.
 fn strike(main: &Touched<'_>, projectiles: &Map<String, Value>) -> String {
-    let party = |k: usize| main.contact["between"][k].as_str().unwrap_or("?");
+    let partner = |k: usize| main.contact["between"][k].as_str().unwrap_or("?");
     let flies = |name: &str| projectiles.contains_key(name);
-    let (a, b) = match (party(0), party(1)) {
+    let (a, b) = match (partner(0), partner(1)) {
         (a, b) if flies(b) && !flies(a) => (b, a),
-        parties => parties,
+        partners => partners,
     };
     let first = first_touch(main.contact);
     let velocity = first["approach_velocity"].as_f64().map(f64::abs).filter(|v| *v > 0.0);
@@ -228,7 +228,7 @@ fn sections(summary: &Value) -> Option<String> {
         let after = if after { ", after the contact" } else { "" };
         format!("{} in {name} at s = {s}, {time}{after}", quantity(Some(value.abs()), unit))
     };
-    // A moment is told beside the energy in play: what is nothing but round-off of it is none.
+    // A moment is told beside the energy scale: what is nothing but round-off of it is none.
     let floor = 1e-12 * summary["energy"]["scale"].as_f64().unwrap_or(0.0);
     let moment = largest("moment")
         .filter(|m| m.2.abs() > floor)

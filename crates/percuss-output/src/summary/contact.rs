@@ -23,14 +23,14 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
         ContactRecord::Nonsmooth {
             impacts,
             impact_count,
-            tamed_count,
+            fallback_count,
             impulse_total,
             intervals,
             penetration,
         } => {
             value["impacts"] = impacts.iter().map(impact).collect();
             value["impact_count"] = Value::from(*impact_count);
-            value["tamed_count"] = Value::from(*tamed_count);
+            value["fallback_count"] = Value::from(*fallback_count);
             value["impulse_total"] = Value::from(*impulse_total);
             value["penetration"] = peak(penetration);
             value["intervals"] = intervals.iter().map(interval).collect();
@@ -72,7 +72,7 @@ fn impact(impact: &Impact) -> Value {
         "points": impact.points,
         "place": place(&impact.place),
         "energy": energy(&impact.energy),
-        "tamed": impact.tamed,
+        "fallback_law": impact.fallback_law,
     });
     add_restitution(&mut value, impact.restitution());
     value

@@ -236,7 +236,7 @@ fn with_every_event(contacts: &[percuss::ContactSummary]) -> Vec<percuss::Contac
         separation_velocity: nan,
         place,
         energy,
-        tamed: false,
+        fallback_law: false,
     };
     let full = |contact: &percuss::ContactSummary| {
         let mut contact = contact.clone();

@@ -32,7 +32,7 @@ fn written_with(
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().ok_or("no header")?.split(',').collect();
     let row = |line: &str| {
-        // Names with commas come quoted; here only the second party's is.
+        // Names with commas come quoted; here only the second partner's is.
         let Some((before, quoted)) = line.split_once('"') else {
             let fields = line.split(',').map(str::to_owned);
             return header.iter().map(|h| (*h).to_owned()).zip(fields).collect();
@@ -86,7 +86,7 @@ fn rows_come_in_the_order_of_time_and_say_where_and_with_what_energies()
         assert_eq!(field(last, column).parse::<f64>()?, value, "{column}");
     }
     assert_eq!(field(&rows[0], "restitution").parse::<f64>()?, 1.0);
-    assert_eq!(field(&rows[0], "tamed"), "false");
+    assert_eq!(field(&rows[0], "fallback_law"), "false");
     Ok(())
 }
 
@@ -111,13 +111,15 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
     let record = ContactRecord::Nonsmooth {
         impacts: Vec::new(),
         impact_count: 0,
-        tamed_count: 0,
+        fallback_count: 0,
         impulse_total: 3.0,
         intervals: vec![interval],
         penetration: Peak::default(),
     };
     let rows = written(&[contact("rest", record)])?;
-    for column in ["force_peak_N", "force_peak_time_s", "restitution", "place_m", "x_m", "tamed"] {
+    for column in
+        ["force_peak_N", "force_peak_time_s", "restitution", "place_m", "x_m", "fallback_law"]
+    {
         assert_eq!(field(&rows[0], column), "", "{column}");
     }
     assert_eq!(field(&rows[0], "friction_impulse_N_s"), "-0.5");

@@ -352,7 +352,7 @@ fn the_log_names_times_places_and_where_the_energy_went() -> Outcome {
     contact["impacts"] = json!([contact["impacts"][0]]);
     contact["impact_count"] = json!(1);
     contact["impacts"][0]["energy"] = json!({ "given": [600.0, -1000.0], "lost": 400.0 });
-    contact["impacts"][0]["tamed"] = json!(true);
+    contact["impacts"][0]["fallback_law"] = json!(true);
     contact["impacts"][0]["tangential_impulse"] = json!(-12.5);
     contact["intervals"] = json!([{ "start": 0.0001, "end": null, "impulse": 3.0 }]);
     let page = page(&data)?;
@@ -370,7 +370,10 @@ fn the_log_names_times_places_and_where_the_energy_went() -> Outcome {
         assert!(log.contains(text), "no {text} in {log}");
     }
     assert!(log.contains("class=\"first\" style=\"width:60.00%\""), "{log}");
-    assert!(log.contains("1*</td>") && log.contains("Moreau"), "tamed impacts are marked");
+    assert!(
+        log.contains("1*</td>") && log.contains("Moreau"),
+        "impacts under the fallback law are marked"
+    );
     assert!(!log.contains("peak\u{a0}force"), "nothing here has a force");
     Ok(())
 }

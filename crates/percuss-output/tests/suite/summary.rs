@@ -92,10 +92,10 @@ fn the_documented_fields_are_there() {
         assert!(impact[key].is_f64(), "{key}");
     }
     assert_eq!(impact["energy"]["given"], json!([79_000.0, -79_000.0]));
-    assert_eq!(impact["tamed"], false);
+    assert_eq!(impact["fallback_law"], false);
     assert!(impact.get("peak_force").is_none(), "an impact has no force");
     assert_eq!(rigid["contact"]["hammer"]["between"], json!(["girder.mid", "hammer"]));
-    assert_eq!(rigid["contact"]["hammer"]["tamed_count"], 0);
+    assert_eq!(rigid["contact"]["hammer"]["fallback_count"], 0);
     assert_eq!(rigid["advice"][1]["verdict"], "warning");
     assert_eq!(rigid["contact"]["hammer"]["impact_count"], 2);
     assert_eq!(rigid["settings"]["scheme"], "generalized-alpha");

@@ -9,7 +9,7 @@ use super::beams::Beams;
 use super::function::function;
 use super::law;
 use crate::content::{
-    Content, ObstacleKind, Party, PartyKind, Projectile, ProjectileKind, Strikes, Touch,
+    Content, ObstacleKind, Partner, PartnerKind, Projectile, ProjectileKind, Strikes, Touch,
 };
 use crate::given::Given;
 use crate::table::Named;
@@ -27,11 +27,11 @@ pub(super) fn add(
 ) {
     let discs = discs(content, beams, builder, faults);
     let obstacles = obstacles(content, given, beams, builder, faults);
-    let parties = Parties { content, beams, discs, obstacles };
+    let partners = Partners { content, beams, discs, obstacles };
     let mut contacts =
         Contacts { given, builder, faults, pairs: HashMap::new(), names: HashMap::new() };
     for Named { name, table } in &content.projectile {
-        contacts.of_projectile(name, table, &parties);
+        contacts.of_projectile(name, table, &partners);
     }
     for Named { name, table } in &content.contact {
         let path = format!("contact.{name}");
@@ -40,7 +40,7 @@ pub(super) fn add(
         let key = "between";
         let wanted =
             Wanted { path: &path, key, name: name.clone(), between, law, points_per_element };
-        contacts.add(wanted, &parties);
+        contacts.add(wanted, &partners);
     }
     untouched(content, faults);
 }
@@ -130,9 +130,11 @@ fn untouched(content: &Content, faults: &mut Vec<Fault>) {
             Touch::Surface { strikes, .. } => strikes.as_ref(),
             Touch::Point { .. } => None,
         });
-    let touched: Vec<&Party> = between.chain(struck.flat_map(|strikes| &strikes.parties)).collect();
+    let touched: Vec<&Partner> =
+        between.chain(struck.flat_map(|strikes| &strikes.partners)).collect();
     for Named { name, .. } in &content.obstacle {
-        let this = |party: &&Party| party.kind == PartyKind::Obstacle && party.name == *name;
+        let this =
+            |partner: &&Partner| partner.kind == PartnerKind::Obstacle && partner.name == *name;
         if !touched.iter().any(this) {
             let expected = "a table [contact.NAME] with it, or a projectile that strikes it";
             let fault = Fault::new(format!("obstacle.{name}"), "nothing that touches it", expected);
@@ -142,33 +144,35 @@ fn untouched(content: &Content, faults: &mut Vec<Fault>) {
 }
 
 /// Everything that can touch, by name.
-struct Parties<'c> {
+struct Partners<'c> {
     content: &'c Content,
     beams: &'c Beams<'c>,
     discs: BTreeMap<&'c str, DiscId>,
     obstacles: BTreeMap<&'c str, ObstacleId>,
 }
 
-impl Parties<'_> {
-    /// A party; `None` for one that could not be read.
-    fn one(&self, party: &Party) -> Result<Option<percuss::Party>, Clash> {
-        let name = party.name.as_str();
-        Ok(match party.kind {
-            PartyKind::Beam => self.beams.known(name).map(percuss::Party::Beam),
-            PartyKind::Obstacle => self.obstacles.get(name).copied().map(percuss::Party::Obstacle),
-            PartyKind::Projectile => match self.discs.get(name) {
+impl Partners<'_> {
+    /// A partner; `None` for one that could not be read.
+    fn one(&self, partner: &Partner) -> Result<Option<percuss::ContactPartner>, Clash> {
+        let name = partner.name.as_str();
+        Ok(match partner.kind {
+            PartnerKind::Beam => self.beams.known(name).map(percuss::ContactPartner::Beam),
+            PartnerKind::Obstacle => {
+                self.obstacles.get(name).copied().map(percuss::ContactPartner::Obstacle)
+            }
+            PartnerKind::Projectile => match self.discs.get(name) {
                 None if self.content.projectile.iter().any(|p| p.name == name) => {
                     let found = format!("the projectile {name:?}, which is guided to a point");
                     return Err((found, "a projectile with contact = \"surface\"".into()));
                 }
-                disc => disc.copied().map(percuss::Party::Disc),
+                disc => disc.copied().map(percuss::ContactPartner::Disc),
             },
         })
     }
 
     /// Two that can touch; `None` where one could not be read.
-    fn pair(&self, between: &[Party; 2]) -> Result<Option<[percuss::Party; 2]>, Clash> {
-        use percuss::Party::{Disc, Obstacle};
+    fn pair(&self, between: &[Partner; 2]) -> Result<Option<[percuss::ContactPartner; 2]>, Clash> {
+        use percuss::ContactPartner::{Disc, Obstacle};
         let (first, second) = (self.one(&between[0])?, self.one(&between[1])?);
         match (first, second) {
             (Some(Obstacle(_)), Some(Obstacle(_))) => {
@@ -183,13 +187,13 @@ impl Parties<'_> {
     }
 
     /// What a free projectile strikes.
-    fn struck(&self, strikes: Option<&Strikes>) -> Vec<Party> {
-        let beam = |name: &str| Party { kind: PartyKind::Beam, name: name.into() };
+    fn struck(&self, strikes: Option<&Strikes>) -> Vec<Partner> {
+        let beam = |name: &str| Partner { kind: PartnerKind::Beam, name: name.into() };
         match strikes {
             None => self.content.beam.iter().map(|named| beam(&named.name)).collect(),
-            Some(Strikes { point, parties }) => {
+            Some(Strikes { point, partners }) => {
                 let aimed = point.iter().map(|point| beam(&point.beam));
-                aimed.chain(parties.iter().cloned()).collect()
+                aimed.chain(partners.iter().cloned()).collect()
             }
         }
     }
@@ -199,10 +203,10 @@ impl Parties<'_> {
 struct Wanted<'a> {
     /// Path of the table.
     path: &'a str,
-    /// Its key that names the parties.
+    /// Its key that names the partners.
     key: &'a str,
     name: String,
-    between: [Party; 2],
+    between: [Partner; 2],
     law: TouchLaw,
     points_per_element: usize,
 }
@@ -213,13 +217,13 @@ struct Contacts<'b> {
     builder: &'b mut ModelBuilder,
     faults: &'b mut Vec<Fault>,
     /// Paths of the tables they come from.
-    pairs: HashMap<[percuss::Party; 2], String>,
+    pairs: HashMap<[percuss::ContactPartner; 2], String>,
     names: HashMap<String, String>,
 }
 
 impl Contacts<'_> {
     /// Those that a free projectile makes: named like it where there is one, else with what is struck behind a dash.
-    fn of_projectile(&mut self, name: &str, table: &Projectile, parties: &Parties<'_>) {
+    fn of_projectile(&mut self, name: &str, table: &Projectile, partners: &Partners<'_>) {
         let Touch::Surface { strikes, sliding, .. } = &table.contact else { return };
         let path = format!("projectile.{name}");
         let law = match &table.kind {
@@ -231,27 +235,27 @@ impl Contacts<'_> {
                 TouchLaw::Rigid(law::rigid(*restitution, &sliding))
             }
         };
-        let own = Party { kind: PartyKind::Projectile, name: name.into() };
-        let struck = parties.struck(strikes.as_ref());
+        let own = Partner { kind: PartnerKind::Projectile, name: name.into() };
+        let struck = partners.struck(strikes.as_ref());
         let alone = struck.len() == 1;
-        for party in struck {
+        for partner in struck {
             let wanted = Wanted {
                 path: &path,
                 key: "strikes",
-                name: if alone { name.into() } else { format!("{name}-{}", party.name) },
-                between: [own.clone(), party],
+                name: if alone { name.into() } else { format!("{name}-{}", partner.name) },
+                between: [own.clone(), partner],
                 law: law.clone(),
                 points_per_element: percuss::Contact::POINTS_PER_ELEMENT,
             };
-            self.add(wanted, parties);
+            self.add(wanted, partners);
         }
     }
 
-    /// Adds a contact, or a fault; nothing where a party could not be read.
-    fn add(&mut self, wanted: Wanted<'_>, parties: &Parties<'_>) {
+    /// Adds a contact, or a fault; nothing where a partner could not be read.
+    fn add(&mut self, wanted: Wanted<'_>, partners: &Partners<'_>) {
         let Wanted { path, key, name, between, law, points_per_element } = wanted;
         let [first, second] = &between;
-        let [a, b] = match parties.pair(&between) {
+        let [a, b] = match partners.pair(&between) {
             Ok(Some(pair)) => pair,
             Ok(None) => return,
             Err((found, expected)) => {

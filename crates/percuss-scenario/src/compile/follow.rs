@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use percuss::Fault;
 
 use crate::content::{
-    Anchor, Beam, Content, LoadKind, ObstacleKind, Party, PartyKind, Shape, Touch,
+    Anchor, Beam, Content, LoadKind, ObstacleKind, Partner, PartnerKind, Shape, Touch,
 };
 use crate::table::Named;
 
@@ -151,11 +151,11 @@ fn struck(contact: &Touch) -> Vec<&str> {
         Touch::Point { strikes, .. } => vec![&strikes.beam],
         Touch::Surface { strikes, .. } => {
             let point = strikes.iter().filter_map(|s| s.point.as_ref()).map(|p| p.beam.as_str());
-            point.chain(strikes.iter().flat_map(|s| &s.parties).filter_map(beam)).collect()
+            point.chain(strikes.iter().flat_map(|s| &s.partners).filter_map(beam)).collect()
         }
     }
 }
 
-fn beam(party: &Party) -> Option<&str> {
-    (party.kind == PartyKind::Beam).then_some(party.name.as_str())
+fn beam(partner: &Partner) -> Option<&str> {
+    (partner.kind == PartnerKind::Beam).then_some(partner.name.as_str())
 }

@@ -42,7 +42,7 @@ fn of_contact(content: &Content, rest: &str) -> String {
     let own = content.contact.iter().any(|named| named.name == name);
     let makes = |maker: &&Named<_>| {
         name.strip_prefix(maker.name.as_str())
-            .is_some_and(|party| party.is_empty() || party.starts_with('-'))
+            .is_some_and(|partner| partner.is_empty() || partner.starts_with('-'))
     };
     let maker = content.projectile.iter().filter(makes).max_by_key(|named| named.name.len());
     let (table, key) = match maker {

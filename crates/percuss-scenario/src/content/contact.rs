@@ -7,7 +7,7 @@ use super::law::Law;
 use crate::format::{Count, Maybe, Pair};
 use crate::measure;
 use crate::node::{Body, Reader};
-use crate::party::{Party, PartyName};
+use crate::partner::{Partner, PartnerName};
 use crate::point::{Point, PointText};
 use crate::quantity::{Quantity, Vector};
 use crate::table::Braces;
@@ -69,7 +69,7 @@ table! {
     pub struct Shift {
         /// Displacement (m).
         displacement: [f64; 2] as Vector<measure::Length> = [0.0, 0.0],
-        /// Its course: "constant" or a table { kind = ... }.
+        /// Its time function: "constant" or a table { kind = ... }.
         function: Function as FunctionText = Function::Constant,
     }
     not {
@@ -81,7 +81,7 @@ table! {
     /// Two things that can touch.
     pub struct Contact {
         /// Their names: beams, obstacles, projectiles with contact = "surface"; twice the same beam for one that touches itself.
-        between: [Party; 2] as Pair<PartyName>,
+        between: [Partner; 2] as Pair<PartnerName>,
         /// Points in each element of a beam that can touch, against anything but a projectile.
         points_per_element: usize as Count = percuss::Contact::POINTS_PER_ELEMENT,
     }

@@ -62,16 +62,16 @@ kinds! {
 
 table! {
     /// A function of time.
-    pub struct Course {}
+    pub struct FunctionTable {}
     with {
         /// Which function.
         kind: Function
     }
-    then settle_course
+    then settle_function
 }
 
-fn settle_course(course: &mut Course, body: &Body<'_>, reader: &mut Reader<'_>) {
-    if let Function::Table { times, values, file, .. } = &mut course.kind {
+fn settle_function(table: &mut FunctionTable, body: &Body<'_>, reader: &mut Reader<'_>) {
+    if let Function::Table { times, values, file, .. } = &mut table.kind {
         csv::settle(file, [("times", times), ("values", values)], body, reader);
     }
 }
@@ -107,7 +107,7 @@ impl Format for FunctionText {
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Function> {
         match (node.value.as_str(), node.value.is_table()) {
             (Some(word), _) => Self::word(node, word, reader),
-            (None, true) => Braces::<Course>::read(node, reader).map(|course| course.kind),
+            (None, true) => Braces::<FunctionTable>::read(node, reader).map(|table| table.kind),
             (None, false) => {
                 reader.wrong(node, node.found(), Self::expected());
                 None
@@ -124,7 +124,7 @@ impl Format for FunctionText {
     }
 
     fn schema() -> Json {
-        json!({ "anyOf": [{ "enum": ["constant", "given"] }, Braces::<Course>::schema()] })
+        json!({ "anyOf": [{ "enum": ["constant", "given"] }, Braces::<FunctionTable>::schema()] })
     }
 
     fn reach<'c>(value: &'c mut Function, path: &[String]) -> Reached<'c> {
@@ -140,7 +140,7 @@ impl Inline for FunctionText {
         match value {
             Function::Constant => Some(write::text("constant")),
             Function::Given => Some(write::text("given")),
-            kind => Braces::<Course>::text(&Course { kind: kind.clone() }),
+            kind => Braces::<FunctionTable>::text(&FunctionTable { kind: kind.clone() }),
         }
     }
 }

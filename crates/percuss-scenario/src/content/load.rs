@@ -55,7 +55,7 @@ table! {
         from: f64 as Quantity<measure::Time> = 0.0,
         /// Acts until this time (s), or "forever".
         until: f64 as OrEndless<Until> = f64::INFINITY,
-        /// Its course, whose time counts from `from`: "constant" or a table { kind = ... }.
+        /// Its time function, whose time counts from `from`: "constant" or a table { kind = ... }.
         function: Function as FunctionText = Function::Constant,
     }
     with {

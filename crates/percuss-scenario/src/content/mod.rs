@@ -24,7 +24,7 @@ pub use section::*;
 pub use structure::*;
 pub use support::*;
 
-pub use crate::party::{Party, PartyKind, Strikes};
+pub use crate::partner::{Partner, PartnerKind, Strikes};
 pub use crate::point::Anchor;
 pub use crate::preset::Preset;
 

@@ -4,7 +4,7 @@ use super::law::{Sliding, Smooth};
 use crate::format::Maybe;
 use crate::measure;
 use crate::node::{Body, Reader};
-use crate::party::{Strikes, StrikesText};
+use crate::partner::{Strikes, StrikesText};
 use crate::point::{Point, PointText};
 use crate::quantity::{Quantity, Vector};
 use crate::source::join;

@@ -79,7 +79,7 @@ table! {
         displacement: [f64; 2] as Vector<measure::Length> = [0.0, 0.0],
         /// Rotation of the tangent, positive counter-clockwise (rad).
         rotation: f64 as Quantity<measure::Angle> = 0.0,
-        /// Its course: "constant" or a table { kind = ... }.
+        /// Its time function: "constant" or a table { kind = ... }.
         function: Function as FunctionText = Function::Constant,
     }
 }

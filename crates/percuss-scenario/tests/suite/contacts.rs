@@ -3,7 +3,7 @@
 use crate::common;
 
 use common::{BEAM, TIME, WALL, bad, contact, elastic, faults, free, good, projectile};
-use percuss_scenario::content::{PartyKind, Touch};
+use percuss_scenario::content::{PartnerKind, Touch};
 use percuss_scenario::{apply_overrides, read};
 
 #[test]
@@ -21,7 +21,7 @@ fn a_free_projectile_begins_at_a_place_or_flies_at_a_point() {
         panic!("not at a point")
     };
     assert_eq!(strikes.point.map(|p| p.label).as_deref(), Some("b@1m"));
-    assert_eq!((strikes.parties, standoff), (vec![], Some(0.0)));
+    assert_eq!((strikes.partners, standoff), (vec![], Some(0.0)));
     bad(
         &free("strikes = \"b\""),
         &["13:1: projectile.p.position: found no `position`, expected `position`, its centre at \
@@ -107,8 +107,8 @@ fn what_is_struck_has_a_name() {
     let Touch::Surface { strikes: Some(strikes), .. } = &content.projectile[0].table.contact else {
         panic!("nothing struck")
     };
-    let kinds: Vec<PartyKind> = strikes.parties.iter().map(|party| party.kind).collect();
-    assert_eq!(kinds, [PartyKind::Beam, PartyKind::Obstacle, PartyKind::Projectile]);
+    let kinds: Vec<PartnerKind> = strikes.partners.iter().map(|partner| partner.kind).collect();
+    assert_eq!(kinds, [PartnerKind::Beam, PartnerKind::Obstacle, PartnerKind::Projectile]);
     let wall = |strikes: &str| with(strikes).replace(WALL, "");
     for (strikes, expected) in [
         (

@@ -1,5 +1,5 @@
 //! Soft thin beams struck so hard that they fold: feet of contacts leap between arms of one beam, and what has gone through is
-//! pushed back. The books close all the same.
+//! pushed back. The balances close all the same.
 
 use percuss::{NoRecorder, RunSummary, Termination, simulate};
 
@@ -8,7 +8,7 @@ fn run(text: &str) -> RunSummary {
     simulate(&compiled.model, &compiled.settings, &mut NoRecorder).unwrap()
 }
 
-fn books_close(summary: &RunSummary) {
+fn balances_close(summary: &RunSummary) {
     let (energy, momentum) = (&summary.energy, &summary.momentum);
     let residuals =
         [energy.residual_max, momentum.linear_residual_max, momentum.angular_residual_max];
@@ -23,23 +23,23 @@ fn completes(summary: &RunSummary) {
 fn a_foot_that_leaps_to_another_arm_of_a_beam_gives_no_energy() {
     let summary = run(include_str!("../violent/folded.toml"));
     completes(&summary);
-    books_close(&summary);
+    balances_close(&summary);
 }
 
 #[test]
 fn an_iteration_that_comes_nearer_slowly_gets_there() {
     let summary = run(include_str!("../violent/crumpled.toml"));
     completes(&summary);
-    books_close(&summary);
+    balances_close(&summary);
 }
 
 #[test]
 fn what_has_gone_through_or_lies_at_a_tight_bend_is_not_overlooked() {
-    books_close(&run(include_str!("../violent/knotted.toml")));
+    balances_close(&run(include_str!("../violent/knotted.toml")));
 }
 
 #[test]
 fn a_foot_does_not_leap_over_a_crest_on_an_element_bent_round_a_disc() {
-    // It gives up when the disc has gone far in, with closed books.
-    books_close(&run(include_str!("../violent/wrapped.toml")));
+    // It gives up when the disc has gone far in, with closed balances.
+    balances_close(&run(include_str!("../violent/wrapped.toml")));
 }

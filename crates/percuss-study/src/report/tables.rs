@@ -190,7 +190,7 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
     blocks
 }
 
-/// Whether the books of the runs closed.
+/// Whether the balance of the runs closed.
 pub(super) fn audit(table: &Table) -> Vec<Block> {
     let columns = table.columns.iter().filter(|column| column.role == Role::Audit);
     let row = |column: &crate::Column| {
@@ -202,7 +202,7 @@ pub(super) fn audit(table: &Table) -> Vec<Block> {
     };
     let rows: Vec<Vec<String>> = columns.filter_map(row).collect();
     let header = texts(&["", "median", "largest"]);
-    let caption = "Books of energy and momentum, relative to what was in play, and what runs cost";
+    let caption = "Balances of energy and momentum, relative to their scales, and what runs cost";
     vec![Block::Heading("Audit".into()), Block::Table { caption: caption.into(), header, rows }]
 }
 

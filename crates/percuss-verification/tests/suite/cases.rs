@@ -65,7 +65,7 @@ cases! {
     everything = "everything",
     section_forces = "section-forces",
     tapered_stress = "tapered-stress",
-    paper_books = "paper-books",
+    paper_balances = "paper-balances",
     paper_forms = "paper-forms",
     strain_history = "strain-history",
     time_reversal = "time-reversal",

@@ -2,7 +2,7 @@
 //!
 //! No instant of contact is located any more. What would end inside something is held over the rest of the step by forces that
 //! push and bring its gap to zero at the end. They give no energy, for the gap closes against them; but a mean rate is all that
-//! they can prescribe, and what covers half of its way to a wall ends with its velocity turned round. So a pulse follows, in which
+//! they can prescribe, and what covers half of its way to a wall ends with its velocity turned round. So an impact interval follows, in which
 //! each contact may take back what its force gave, until both together are the impulses of a plastic impact. It chooses them by
 //! the least energy, and not to act at all is among what it chooses from: it gives none either. Friction that has to shrink with
 //! the impulse along the normal may give back some of what it took over the step, but not more; else it is left as it was.
@@ -24,7 +24,7 @@ impl Simulation<'_> {
         }
         self.accept(size, &held);
         self.release(&held);
-        Ok(size + self.settle_held(size, &held))
+        Ok(size + self.plastic_post_step(size, &held))
     }
 
     /// Solves a step of the given size in which no rigid contact ends inside; returns those that were held for it.
@@ -50,30 +50,30 @@ impl Simulation<'_> {
         }
     }
 
-    /// The pulse after a step in which `held` contacts were held; returns its length, nothing if they are at rest already.
-    fn settle_held(&mut self, size: f64, held: &[ActiveContact]) -> f64 {
+    /// The impact interval after a step in which `held` contacts were held; returns its length, nothing if they are at rest already.
+    fn plastic_post_step(&mut self, size: f64, held: &[ActiveContact]) -> f64 {
         let settles = |contact: &ActiveContact, impulse: [f64; 2]| {
-            let phase = Phase::Settling { carried: impulse };
+            let phase = Phase::PlasticPostStep { carried: impulse };
             (impulse[0] > 0.0).then_some(ActiveContact { phase, ..*contact })
         };
         let found = held.iter().zip(&self.work.rigid);
         let settling: Vec<_> = found.filter_map(|(c, found)| settles(c, found.impulse)).collect();
         let rests =
             |c: &ActiveContact| self.state.pairs[c.pair].rate.abs() <= self.stick_velocity(c.pair);
-        let pulse = self.pulse();
+        let interval = self.impact_interval();
         if settling.iter().all(rests) {
             return 0.0;
         }
         let before = self.work_of_impulses(size);
         let settled = [ImpulseLaw::Newton, ImpulseLaw::Mean].into_iter().any(|law| {
-            self.solve(pulse, &settling, law).is_ok() && !self.impulses_give(pulse, before)
+            self.solve(interval, &settling, law).is_ok() && !self.impulses_give(interval, before)
         });
         if !settled {
             return 0.0; // they stay as they are
         }
-        self.accept(pulse, &settling);
+        self.accept(interval, &settling);
         self.release(&settling);
-        pulse
+        interval
     }
 }
 
@@ -81,8 +81,8 @@ impl Simulation<'_> {
 mod tests {
     use super::*;
     use crate::model::{
-        Beam, Contact, Disc, Material, ModelBuilder, Obstacle, ObstacleShape, Party, RigidLaw,
-        Section, TouchLaw,
+        Beam, Contact, ContactPartner, Disc, Material, ModelBuilder, Obstacle, ObstacleShape,
+        RigidLaw, Section, TouchLaw,
     };
     use crate::settings::Settings;
 
@@ -105,7 +105,7 @@ mod tests {
             let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
             let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
             let law = TouchLaw::Rigid(RigidLaw { friction, ..RigidLaw::frictionless(0.5) });
-            let between = [Party::Disc(ball), Party::Obstacle(floor)];
+            let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)];
             b.contact(Contact::new("c", between, law));
             let model = b.build().unwrap();
             let h = 1e-3;
@@ -115,7 +115,7 @@ mod tests {
             let done = simulation.accumulated_part(h).unwrap();
             assert!((done / h - 1.0).abs() < 1e-5);
             let pair = &simulation.state().pairs[0];
-            // The pulse takes a millionth of the step, in which it leaves by up to a nanometre.
+            // The impact interval takes a millionth of the step, in which it leaves by up to a nanometre.
             assert!(pair.gap.abs() < 1e-9 && pair.rate.abs() < 1e-14 && pair.closed, "{pair:?}");
             let velocity = simulation.state().velocity[model.body_node(0)];
             // Coulomb on the whole impulse of 6 N s; a full disc that comes to roll keeps two thirds. The lever

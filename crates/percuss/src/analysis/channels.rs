@@ -86,14 +86,14 @@ pub fn channels(model: &Model) -> Vec<Channel> {
             add(format!("support.{name}.impulse_moment"), "N*m*s", text);
         }
     }
-    for (name, unit, description) in BOOK_COLUMNS {
+    for (name, unit, description) in BALANCE_COLUMNS {
         add(name.into(), unit, description);
     }
     out
 }
 
 /// Columns every history has.
-const BOOK_COLUMNS: [(&str, &str, &str); 23] = [
+const BALANCE_COLUMNS: [(&str, &str, &str); 23] = [
     ("energy.kinetic", "J", "Kinetic energy"),
     ("energy.kinetic_beams", "J", "Kinetic energy of the beams"),
     ("energy.kinetic_projectiles", "J", "Kinetic energy of the projectiles"),
@@ -107,13 +107,17 @@ const BOOK_COLUMNS: [(&str, &str, &str); 23] = [
     ("energy.work_supports", "J", "Work of the supports so far"),
     ("energy.loss_impacts", "J", "Energy lost in impacts so far"),
     ("energy.loss_damping", "J", "Energy taken by damping so far"),
-    ("energy.residual", "J", "What is missing from the energy books"),
+    ("energy.residual", "J", "What is missing from the balance of energy"),
     ("momentum.linear_1", "kg*m/s", "Linear momentum"),
     ("momentum.linear_2", "kg*m/s", "Linear momentum"),
     ("momentum.angular", "kg*m^2/s", "Angular momentum about the origin"),
-    ("momentum.residual_1", "kg*m/s", "What is missing from the momentum books"),
-    ("momentum.residual_2", "kg*m/s", "What is missing from the momentum books"),
-    ("momentum.residual_angular", "kg*m^2/s", "What is missing from the angular momentum books"),
+    ("momentum.residual_1", "kg*m/s", "What is missing from the balance of momentum"),
+    ("momentum.residual_2", "kg*m/s", "What is missing from the balance of momentum"),
+    (
+        "momentum.residual_angular",
+        "kg*m^2/s",
+        "What is missing from the balance of angular momentum",
+    ),
     ("audit.curvature_drift", "1/m", "Distance of stored bending strains from the configuration"),
     ("audit.membrane_drift", "1", "Distance of stored membrane strains from the configuration"),
     ("solver.newton_iterations", "1", "Newton iterations since the row before"),
@@ -140,15 +144,15 @@ fn slides(model: &Model, contact: &ContactData) -> bool {
 }
 
 /// The nearest pair of a contact: gap, and arc length along the beam where that can change.
-struct Nearest {
+struct NearestPair {
     gap: f64,
     s: f64,
 }
 
 /// The nearest pair of a contact where the state stands; of pairs that sleep, those that could be nearer are looked at.
-fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> Nearest {
+fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> NearestPair {
     let slides = slides(model, contact);
-    let mut best = Nearest { gap: f64::INFINITY, s: f64::NAN };
+    let mut best = NearestPair { gap: f64::INFINITY, s: f64::NAN };
     let at = Configuration::of(&state.displacement);
     for i in contact.pairs.clone() {
         let pair = &model.pairs[i];
@@ -161,7 +165,7 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
             continue;
         }
         let seen = state.pairs[i].memory;
-        // A pair that sleeps may have gone round an end meanwhile: it is on the side where it is seen, its foot wherever it is now.
+        // A pair that sleeps may have gone round an end meanwhile: it is on the side where it is seen, its closest point wherever it is now.
         let (memory, reach) = match least {
             Some(_) => (Memory { side: 0.0, ..seen }, Reach::All),
             None => (seen, Reach::Near),
@@ -170,7 +174,7 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
             && touch.gap < best.gap
         {
             let s = if slides { contact_log::along(pair, &touch) } else { f64::NAN };
-            best = Nearest { gap: touch.gap, s };
+            best = NearestPair { gap: touch.gap, s };
         }
     }
     best
@@ -245,8 +249,8 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             row.extend_from_slice(impulses);
         }
     }
-    let books = &state.books;
-    let residual = books.linear_residual(m);
+    let ledger = &state.ledger;
+    let residual = ledger.linear_residual(m);
     row.extend([
         m.kinetic_beams + m.kinetic_projectiles,
         m.kinetic_beams,
@@ -257,17 +261,17 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         m.contact,
         m.springs,
         m.total(),
-        books.work_loads,
-        books.work_supports,
-        books.loss_impacts,
-        books.loss_damping,
-        books.energy_residual(m),
+        ledger.work_loads,
+        ledger.work_supports,
+        ledger.loss_impacts,
+        ledger.loss_damping,
+        ledger.energy_residual(m),
         m.linear[0],
         m.linear[1],
         m.angular,
         residual[0],
         residual[1],
-        books.angular_residual(m),
+        ledger.angular_residual(m),
         m.curvature_drift,
         m.membrane_drift,
         since.iterations as f64,

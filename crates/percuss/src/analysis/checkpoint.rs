@@ -130,7 +130,7 @@ impl<'m> Simulation<'m> {
             reached: _,
             looked: _,
             persistent: _,
-            tamed: _,
+            fallback_law: _,
         } = self;
         Checkpoint {
             state: state.clone(),

@@ -3,7 +3,7 @@
 //! A contact is made of pairs, but what is told of it is told of their resultant: its force is the sum over all of them at one
 //! instant, an interval lasts from when the first closes until the last opens, and what strikes at one instant is one impact.
 
-mod course;
+mod gap_over_step;
 mod rigid;
 mod smooth;
 
@@ -19,7 +19,7 @@ use crate::model::{Model, TouchLaw};
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak};
-use course::Course;
+use gap_over_step::GapOverStep;
 use rigid::Resting;
 use smooth::{Free, Released};
 
@@ -43,7 +43,7 @@ pub struct ContactLog {
     released: Vec<Released>,
     /// Gaps of the contact at hand that are closed over the step.
     #[serde(skip)]
-    courses: Vec<Course>,
+    gaps: Vec<GapOverStep>,
     /// Persistent contact, one entry a contact; those that have any.
     rests: Vec<Resting>,
     resting: Vec<usize>,
@@ -54,20 +54,20 @@ pub struct ContactLog {
 
 /// Time and size of a step.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct Span {
+struct StepTime {
     start: f64,
     h: f64,
     /// Whether it is as short as an impact, in which rates jump.
-    brief: bool,
+    impulsive: bool,
 }
 
 /// A step from all sides.
 #[derive(Clone, Copy)]
-struct Seen<'a> {
+struct StepViews<'a> {
     model: &'a Model,
     state: &'a State,
     work: &'a Workspace,
-    span: Span,
+    span: StepTime,
 }
 
 impl ContactLog {
@@ -85,7 +85,7 @@ impl ContactLog {
             TouchLaw::Rigid(_) => ContactRecord::Nonsmooth {
                 impacts: Vec::new(),
                 impact_count: 0,
-                tamed_count: 0,
+                fallback_count: 0,
                 impulse_total: 0.0,
                 intervals: Vec::new(),
                 penetration: Peak { value: 0.0, time: f64::NAN },
@@ -101,7 +101,7 @@ impl ContactLog {
             start: state.time,
             free: vec![Free::default(); model.pairs.len()],
             released: Vec::new(),
-            courses: Vec::new(),
+            gaps: Vec::new(),
             rests: vec![Resting::default(); contacts],
             resting: Vec::new(),
             part: 0,
@@ -146,8 +146,8 @@ impl ContactLog {
 
     /// Takes in the end of the step.
     pub fn end_step(&mut self, model: &Model, state: &State, work: &Workspace, part: &Part) {
-        let span = Span { start: self.start, h: part.h, brief: part.brief };
-        let seen = Seen { model, state, work, span };
+        let span = StepTime { start: self.start, h: part.h, impulsive: part.impulsive };
+        let seen = StepViews { model, state, work, span };
         self.part += 1;
         self.smooth_contacts(seen);
         if !part.active.is_empty() {
@@ -166,7 +166,7 @@ impl ContactLog {
     }
 }
 
-impl Seen<'_> {
+impl StepViews<'_> {
     /// Where pair `i` is nearest, a share of the step back from its end.
     fn place(&self, i: usize, back: f64) -> ContactPlace {
         let (model, state) = (self.model, self.state);
@@ -176,19 +176,19 @@ impl Seen<'_> {
         let Some(touch) = pair.touch(model, &at, &state.pairs[i].memory, Reach::Near) else {
             return ContactPlace::default();
         };
-        let position = [0, 1].map(|i| touch.foot_place[i] + touch.radius * touch.normal[i]);
+        let position = [0, 1].map(|i| touch.closest_place[i] + touch.radius * touch.normal[i]);
         ContactPlace { s: along(pair, &touch), position }
     }
 
-    /// Adds the work of a force along a row on either party of a pair.
+    /// Adds the work of a force along a row on either partner of a pair.
     fn add_energy(&self, energy: &mut EnergySplit, pair: &Pair, row: &Row, force: f64) {
         if force == 0.0 {
             return;
         }
         let source = self.model.nodes_of_mover(pair.movers[0]);
         let on_source = force * row.on_some(&self.work.increment, |n| source.contains(&n));
-        energy.given[pair.source_party] += on_source;
-        energy.given[1 - pair.source_party] += force * row.on(&self.work.increment) - on_source;
+        energy.given[pair.source_partner] += on_source;
+        energy.given[1 - pair.source_partner] += force * row.on(&self.work.increment) - on_source;
     }
 }
 
@@ -218,6 +218,6 @@ pub fn touch(model: &Model, state: &State, i: usize, reach: Reach) -> Option<Tou
 
 /// Arc length of a contact along its beam; of two beams, along the first one.
 pub fn along(pair: &Pair, touch: &Touch) -> f64 {
-    let on_source = pair.source_party == 0 && !pair.s.is_nan();
+    let on_source = pair.source_partner == 0 && !pair.s.is_nan();
     if on_source || touch.s.is_nan() { pair.s } else { touch.s }
 }

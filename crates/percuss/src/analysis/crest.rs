@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::math::path::Path;
+use crate::math::interpolant::Interpolant;
 use crate::scalar::{Mask, Number};
 use crate::settings::SAME_INSTANT;
 
@@ -54,38 +54,38 @@ impl<S: Number> Crest<S> {
         self.doubtful.lane(lane) <= self.value.lane(lane).abs()
     }
 
-    /// Takes in a step that starts at `from`; rates of `brief` ones, as short as an impact, jump.
+    /// Takes in a step that starts at `from`; rates of `impulsive` ones, as short as an impact, jump.
     #[inline(always)]
-    pub fn take(&mut self, path: &Path<S>, from: S, brief: S::Mask) {
+    pub fn take(&mut self, path: &Interpolant<S>, from: S, impulsive: S::Mask) {
         let ([u0, v0], [u1, v1]) = (path.start, path.end);
         let bend = (v1 - v0) / path.h;
         let waits = self.awaiting[0].finite();
         if waits.any() {
-            self.confirm(bend, brief);
+            self.confirm(bend, impulsive);
         }
-        self.time = Path::at_event(from, brief, self.time);
+        self.time = Interpolant::at_event(from, impulsive, self.time);
         let known = self.value.abs();
         self.value = known.if_less(u1.abs(), u1, self.value);
-        self.time = known.if_less(u1.abs(), path.at_end(from, brief), self.time);
+        self.time = known.if_less(u1.abs(), path.at_end(from, impulsive), self.time);
         // What lies between stays within the control points of the cubic.
         let third = path.h * (1.0 / 3.0);
         let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
         let inside = self.value.abs().less(c0.max(c1));
         if inside.any() {
             for lane in 0..S::LANES {
-                if inside.lane(lane) && !brief.lane(lane) {
+                if inside.lane(lane) && !impulsive.lane(lane) {
                     self.look_inside(path, from, bend, lane);
                 }
             }
         }
-        self.bend = S::choose(brief, self.bend, bend);
+        self.bend = S::choose(impulsive, self.bend, bend);
     }
 
     /// Crests that awaited this step.
-    fn confirm(&mut self, bend: S, brief: S::Mask) {
+    fn confirm(&mut self, bend: S, impulsive: S::Mask) {
         for lane in 0..S::LANES {
             let value = self.awaiting[0].lane(lane).abs();
-            if !value.is_finite() || brief.lane(lane) {
+            if !value.is_finite() || impulsive.lane(lane) {
                 continue;
             }
             if !agree(self.bend.lane(lane), bend.lane(lane)) {
@@ -101,7 +101,7 @@ impl<S: Number> Crest<S> {
         }
     }
 
-    fn look_inside(&mut self, path: &Path<S>, from: S, bend: S, lane: usize) {
+    fn look_inside(&mut self, path: &Interpolant<S>, from: S, bend: S, lane: usize) {
         let own = path.lane(lane);
         let confirmed = agree(self.bend.lane(lane), bend.lane(lane));
         for t in own.stationary() {

@@ -18,7 +18,7 @@ pub struct FirstTouches<'m> {
 }
 
 /// A pair that is likely to close first, with the displacements in which it does, and whether it approaches.
-struct First<'a> {
+struct FirstTouch<'a> {
     pair: &'a Pair,
     touch: Touch,
     u: Vec<[f64; 4]>,
@@ -42,7 +42,7 @@ impl<'m> FirstTouches<'m> {
             return None;
         }
         let rest = vec![[0.0; 4]; model.node_count()];
-        let First { pair, touch, u, comes } = first_touch(model, pairs)?;
+        let FirstTouch { pair, touch, u, comes } = first_touch(model, pairs)?;
         let mass = self.mass.get_or_insert_with(|| mass_matrix(model, &rest)).as_mut().ok()?;
         let found = EffectiveMass::of_pair(model, mass, &u, pair, &touch)?;
         // Where nothing approaches, the nearest pair may be one that is held and will never close.
@@ -54,7 +54,8 @@ impl<'m> FirstTouches<'m> {
     pub fn closing_rates(&self, contact: usize, motions: &[&[[f64; 4]]]) -> Option<Vec<f64>> {
         let model = self.model;
         let data = &model.contacts[contact];
-        let First { pair, touch, u, .. } = first_touch(model, &model.pairs[data.pairs.clone()])?;
+        let FirstTouch { pair, touch, u, .. } =
+            first_touch(model, &model.pairs[data.pairs.clone()])?;
         let row = pair.normal_row(&touch, &Configuration::of(&u));
         let mut all = vec![[0.0; 4]; model.node_count()];
         let each = motions.iter().map(|motion| {
@@ -83,7 +84,7 @@ impl<'m> FirstTouches<'m> {
 }
 
 /// The pair that closes first in the motion that all things start with; where nothing approaches, the nearest one.
-fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<First<'a>> {
+fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<FirstTouch<'a>> {
     let velocity = velocities(model);
     let mut u = vec![[0.0; 4]; model.node_count()];
     let mut found = None;
@@ -107,7 +108,7 @@ fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<First<'a>> {
             (0..4).for_each(|i| u[i] += time * v[i]);
         }
     }
-    found.map(|(pair, touch, comes)| First { pair, touch, u, comes })
+    found.map(|(pair, touch, comes)| FirstTouch { pair, touch, u, comes })
 }
 
 /// Velocities of all nodes at the start.

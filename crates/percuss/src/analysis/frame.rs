@@ -60,10 +60,10 @@ impl Simulation<'_> {
             };
             let along = scale(tangential, tangent_of(touch.normal));
             let on_source = add(scale(normal, touch.normal), along);
-            let sign = if pair.source_party == 1 { 1.0 } else { -1.0 };
+            let sign = if pair.source_partner == 1 { 1.0 } else { -1.0 };
             out.push(FrameForce {
                 contact: pair.contact,
-                position: add(touch.foot_place, scale(touch.radius, touch.normal)),
+                position: add(touch.closest_place, scale(touch.radius, touch.normal)),
                 force: scale(sign, on_source),
                 impulsive,
             });

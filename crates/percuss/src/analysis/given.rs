@@ -15,7 +15,7 @@ pub(super) struct RowReactions {
     sum: Vec<[f64; 3]>,
     time: f64,
     /// Whether a part was impulsive.
-    impulsive: bool,
+    carries_impulses: bool,
     mean: Vec<[f64; 3]>,
     impulses: Vec<[f64; 3]>,
     /// All that supports had given at the last row, and when it was.
@@ -33,7 +33,7 @@ impl RowReactions {
         Self {
             sum: none.clone(),
             time: 0.0,
-            impulsive: false,
+            carries_impulses: false,
             last: mean.iter().map(|r| (*r, 0)).collect(),
             mean,
             impulses: none.clone(),
@@ -70,11 +70,11 @@ impl RowReactions {
         &mut self,
         state: &State,
         h: f64,
-        impulsive: bool,
+        carries_impulses: bool,
         summary: &mut [SupportSummary],
     ) {
-        if impulsive {
-            self.impulsive = true;
+        if carries_impulses {
+            self.carries_impulses = true;
         } else {
             self.part += 1;
             self.time += h;
@@ -84,7 +84,7 @@ impl RowReactions {
             let (mean, part) = &mut self.last[*support];
             for i in 0..3 {
                 let gain = now[i] - before[i];
-                if impulsive {
+                if carries_impulses {
                     let force = if *part == self.part { mean[i] } else { 0.0 };
                     summary[*support].impulse[i] += gain - h * force;
                 } else {
@@ -92,18 +92,18 @@ impl RowReactions {
                     mean[i] = gain / h;
                 }
             }
-            if !impulsive {
+            if !carries_impulses {
                 *part = self.part;
             }
         }
     }
 
     /// Means and impulses since the last row; means of the row before if nothing but impacts lies between, and parts of a step of no more
-    /// than `brief` altogether, between which a mean force is an impulse in disguise. What they make together over the time since then
+    /// than `shortest` altogether, between which a mean force is an impulse in disguise. What they make together over the time since then
     /// is all that the supports gave.
-    pub fn close(&mut self, state: &State, brief: f64) {
-        if self.time <= brief {
-            self.impulsive |= self.time > 0.0;
+    pub fn close(&mut self, state: &State, shortest: f64) {
+        if self.time <= shortest {
+            self.carries_impulses |= self.time > 0.0;
             self.sum.fill([0.0; 3]);
         } else {
             for (mean, sum) in self.mean.iter_mut().zip(&mut self.sum) {
@@ -115,11 +115,11 @@ impl RowReactions {
         for (k, impulse) in self.impulses.iter_mut().enumerate() {
             let (now, before, mean) = (&state.reactions[k], &self.before[k], &self.mean[k]);
             *impulse = std::array::from_fn(|i| {
-                if self.impulsive { now[i] - before[i] - since * mean[i] } else { 0.0 }
+                if self.carries_impulses { now[i] - before[i] - since * mean[i] } else { 0.0 }
             });
         }
         self.before.clone_from(&state.reactions);
-        (self.time, self.row, self.impulsive) = (0.0, state.time, false);
+        (self.time, self.row, self.carries_impulses) = (0.0, state.time, false);
     }
 }
 

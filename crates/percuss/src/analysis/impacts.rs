@@ -2,8 +2,8 @@
 //!
 //! Event mode: if a step would end with one rigid thing inside another, or if they have passed through each other on the way, the
 //! instant of contact is located by a root search over the step size, each trial a full step; the shortened step is accepted,
-//! and the impulse acts in a pulse, a very short step of its own. The pulse starts half its length before the gap vanishes, so
-//! that its middle is the instant of contact; its impulse obeys the impact law exactly, and its energy is booked exactly.
+//! and the impulse acts in an impact interval, a very short step of its own. The impact interval starts half its length before the gap vanishes, so
+//! that its middle is the instant of contact; its impulse obeys the impact law exactly, and its energy enters the balance exactly.
 //!
 //! Time-stepping mode: the gap is looked at once per step, as in the paper.
 
@@ -17,15 +17,15 @@ use crate::settings::{ImpactResolution, MultipleImpacts};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;
 
-/// Length of a pulse as a share of the step.
-pub(super) const PULSE: f64 = 1e-6;
-/// A contact is located to this share of a pulse.
+/// Length of an impact interval as a share of the step.
+pub(super) const IMPACT_INTERVAL: f64 = 1e-6;
+/// A contact is located to this share of an impact interval.
 const LOCATED: f64 = 1e-3;
 /// Differences of gaps below this share of the size of the structure are round-off.
 const ROUND_OFF: f64 = 1e-15;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
 pub(super) const STICK: f64 = 1e-6;
-/// Nor does approach slower than this share of the velocities in play, which is round-off.
+/// Nor does approach slower than this share of the velocity scale, which is round-off.
 const NO_APPROACH: f64 = 1e-12;
 /// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
 const CREEP: f64 = 1e-5;
@@ -37,9 +37,9 @@ const NO_GAIN: f64 = 1e-12;
 pub(super) struct Advance {
     /// Size of the part to advance by, at most \[s\].
     pub size: f64,
-    /// Share of the step to which failures have cut it; pulses are cut likewise.
+    /// Share of the step to which failures have cut it; impact intervals are cut likewise.
     pub share: f64,
-    /// Events (instants located, pulses) that this step of the given size may still have.
+    /// Events (instants located, impact intervals) that this step of the given size may still have.
     pub events_left: usize,
 }
 
@@ -88,8 +88,8 @@ impl Simulation<'_> {
         }
     }
 
-    pub(super) fn pulse(&self) -> f64 {
-        PULSE * self.settings.step
+    pub(super) fn impact_interval(&self) -> f64 {
+        IMPACT_INTERVAL * self.settings.step
     }
 
     /// Rigid pairs near enough to matter where the state stands.
@@ -109,13 +109,13 @@ impl Simulation<'_> {
         }
     }
 
-    /// Open contacts that would close within the next three quarters of a pulse, and those just located.
+    /// Open contacts that would close within the next three quarters of an impact interval, and those just located.
     fn touching(&mut self) -> Vec<usize> {
         let located = self.located.take();
-        let pulse = self.pulse();
+        let interval = self.impact_interval();
         let near = |i: &usize| {
             let pair = &self.state.pairs[*i];
-            let close = located == Some(*i) || pair.gap < -0.75 * pulse * pair.rate;
+            let close = located == Some(*i) || pair.gap < -0.75 * interval * pair.rate;
             !pair.closed && pair.rate < 0.0 && close
         };
         self.rigid().into_iter().filter(near).collect()
@@ -139,7 +139,7 @@ impl Simulation<'_> {
 
     /// Velocity that goes with the largest energy of the run so far \[m/s\].
     fn velocity_in_play(&self) -> f64 {
-        (2.0 * self.state.books.energy_scale / self.model.total_mass).sqrt()
+        (2.0 * self.state.ledger.energy_scale / self.model.total_mass).sqrt()
     }
 
     /// Contacts that stay closed.
@@ -203,10 +203,10 @@ impl Simulation<'_> {
         self.reached.iter().copied().filter(open).collect()
     }
 
-    /// The gap of pair `i` half a pulse after the end of the step solved last, as [`Self::path`] counts it.
+    /// The gap of pair `i` half an impact interval after the end of the step solved last, as [`Self::path`] counts it.
     fn gap_ahead(&self, h: f64, i: usize) -> f64 {
         let [gap, rate] = self.gap_next(h, i);
-        gap - self.floor(i) + 0.5 * self.pulse() * rate.min(0.0)
+        gap - self.floor(i) + 0.5 * self.impact_interval() * rate.min(0.0)
     }
 
     /// What the gap of pair `i` is below zero by round-off where the step begins.
@@ -260,16 +260,16 @@ impl Simulation<'_> {
             }
         }
         let rate = paths.iter().map(|c| c.start[1].abs().max(c.end[1].abs())).fold(0.0, f64::max);
-        let tolerance = LOCATED * self.pulse();
+        let tolerance = LOCATED * self.impact_interval();
         let near = (tolerance * rate).max(ROUND_OFF * self.size);
         let start = paths
             .iter()
-            .map(|c| c.start[0] + 0.5 * self.pulse() * c.start[1].min(0.0))
+            .map(|c| c.start[0] + 0.5 * self.impact_interval() * c.start[1].min(0.0))
             .fold(f64::INFINITY, f64::min)
             .max(near);
         let guess = end * start / (start - ahead);
         let guess = paths.iter().filter_map(|c| descent(c, end)).reduce(f64::min).unwrap_or(guess);
-        let guess = guess - 0.5 * self.pulse();
+        let guess = guess - 0.5 * self.impact_interval();
         let instant = roots::bracketed((0.0, start), (end, ahead), guess, tolerance, near, |t| {
             self.solve_resting(t, resting)?;
             let (ahead, approaching) = self.nearest_ahead(t, &open);
@@ -284,14 +284,14 @@ impl Simulation<'_> {
         Ok(Some(instant))
     }
 
-    /// The pulse in which the impulses of the touching contacts act.
+    /// The impact interval in which the impulses of the touching contacts act.
     pub(super) fn impact(
         &mut self,
         touching: &[usize],
         advance: &mut Advance,
         recorder: &mut dyn Recorder,
     ) -> Result<Result<f64, Failure>, Error> {
-        let pulse = self.pulse() * advance.share;
+        let interval = self.impact_interval() * advance.share;
         let mut active = self.resting();
         for &i in touching {
             let rate = self.state.pairs[i].rate;
@@ -300,8 +300,8 @@ impl Simulation<'_> {
             let sticks = -rate <= self.stick_velocity(i);
             active.push(self.striking(i, sticks));
         }
-        let tamed = match self.solve_impact(pulse, &active) {
-            Ok(tamed) => tamed,
+        let fallback_law = match self.solve_impact(interval, &active) {
+            Ok(fallback_law) => fallback_law,
             Err(failure) => return Ok(Err(failure)),
         };
         let struck = &self.work.rigid[active.len() - touching.len()..];
@@ -310,18 +310,23 @@ impl Simulation<'_> {
             self.record(recorder)?;
         }
         self.note_shared_blow(&active);
-        self.accept_impact(pulse, &active, tamed);
+        self.accept_impact(interval, &active, fallback_law);
         advance.events_left = advance.events_left.saturating_sub(1);
         if strikes {
             self.record(recorder)?;
         }
-        Ok(Ok(pulse))
+        Ok(Ok(interval))
     }
 
-    /// Accepts the pulse solved last.
-    pub(super) fn accept_impact(&mut self, pulse: f64, active: &[ActiveContact], tamed: bool) {
-        self.tamed = tamed;
-        self.accept(pulse, active);
+    /// Accepts the impact interval solved last.
+    pub(super) fn accept_impact(
+        &mut self,
+        interval: f64,
+        active: &[ActiveContact],
+        fallback_law: bool,
+    ) {
+        self.fallback_law = fallback_law;
+        self.accept(interval, active);
         self.weigh_struck(active);
         self.release(active);
         for contact in active {
@@ -397,7 +402,7 @@ impl Simulation<'_> {
                 active.push(self.striking(i, false));
             }
         }
-        self.tamed = self.solve_impact(size, &active)?;
+        self.fallback_law = self.solve_impact(size, &active)?;
         self.note_shared_blow(&active);
         let reached = std::mem::take(&mut self.reached);
         let passed = self.first_passage(&reached);

@@ -1,12 +1,12 @@
 //! Jumps of prescribed velocities.
 //!
 //! Where the rate of a motion jumps, what it holds gets an impulse, and the rest of the structure the consistent one. Steps are cut
-//! there as at the release of a support, and the jump is made in a pulse, a very short step of its own, whose impulses are kept
+//! there as at the release of a support, and the jump is made in an impact interval, a very short step of its own, whose impulses are kept
 //! apart from forces as those of impacts are.
 
-use super::impacts::PULSE;
+use super::impacts::IMPACT_INTERVAL;
 use super::simulation::Simulation;
-use crate::model::{Course, Model};
+use crate::model::{Model, PreparedFunction};
 use crate::settings::SAME_INSTANT;
 use crate::step::forcing::WIDTH;
 use crate::step::newton::Failure;
@@ -14,22 +14,22 @@ use crate::step::newton::Failure;
 /// Jumps below this share of the rates are none.
 const NO_JUMP: f64 = 1e-9;
 
-/// Times at which steps are cut, increasing: supports let go, or rates of prescribed motions jump at the end of the pulse that begins
+/// Times at which steps are cut, increasing: supports let go, or rates of prescribed motions jump at the end of the impact interval that begins
 /// there \[s\].
 pub(super) fn cuts(model: &Model, step: f64) -> Vec<f64> {
     let mut times: Vec<f64> = model.releases().collect();
     for drive in model.structural_drives() {
         let jumps = drive.iter().flat_map(|(motion, _)| model.motions[*motion].rate_jumps(step));
-        times.extend(jumps.map(|t| t - PULSE * step).filter(|t| *t > 0.0));
+        times.extend(jumps.map(|t| t - IMPACT_INTERVAL * step).filter(|t| *t > 0.0));
     }
     times.sort_by(f64::total_cmp);
     times.dedup();
     times
 }
 
-/// Rate of a course right after a time.
-pub(super) fn rate_after(course: &Course, time: f64, step: f64) -> f64 {
-    course.rate_on(time, time + 2.0 * SAME_INSTANT * step, WIDTH * step)
+/// Rate of a time function right after a time.
+pub(super) fn rate_after(function: &PreparedFunction, time: f64, step: f64) -> f64 {
+    function.rate_on(time, time + 2.0 * SAME_INSTANT * step, WIDTH * step)
 }
 
 impl Simulation<'_> {
@@ -55,17 +55,17 @@ impl Simulation<'_> {
     fn rates_jump(&self) -> bool {
         let (time, step) = (self.state.time, self.settings.step);
         let motions = self.model.motions.iter().zip(&self.state.followed);
-        motions.filter(|(_, followed)| followed.held).any(|(course, followed)| {
-            // A run begins with the jump, any other pulse ends with it.
-            let jump = if time > 0.0 { time + self.pulse() } else { time };
-            let rate = rate_after(course, jump, step);
+        motions.filter(|(_, followed)| followed.held).any(|(function, followed)| {
+            // A run begins with the jump, any other impact interval ends with it.
+            let jump = if time > 0.0 { time + self.impact_interval() } else { time };
+            let rate = rate_after(function, jump, step);
             (rate - followed.rate).abs() > NO_JUMP * rate.abs().max(followed.rate.abs())
         })
     }
 
-    /// The pulse in which prescribed velocities jump; what rests on the structure stays closed.
+    /// The impact interval in which prescribed velocities jump; what rests on the structure stays closed.
     pub(super) fn jump(&mut self, share: f64) -> Result<f64, Failure> {
-        let h = self.pulse() * share;
+        let h = self.impact_interval() * share;
         let mut resting = self.resting();
         self.jumping = true;
         let solved = self.solve_resting(h, &mut resting);

@@ -2,7 +2,9 @@
 
 use nalgebra::Complex;
 
-use super::spectrum::{Eigen, FreeMotions, Held, Layout, Matrix, Nodal, Pair, Pencil, subtract};
+use super::spectrum::{
+    Eigen, FreeMotions, Held, ImagePair, Layout, Matrix, Nodal, Pencil, subtract,
+};
 use super::spectrum::{free_motions, metric, size, strain_share, stress_share};
 use super::static_search::StaticSearch;
 use super::statics::Equilibrium;
@@ -156,7 +158,7 @@ impl<'m> Linearized<'m> {
     fn about(layout: Layout<'m>, search: StaticSearch<'m>, state: &State) -> Self {
         let model = layout.model;
         let tangent = layout.tangent(&search);
-        let held: usize = model.holds.iter().map(|h| h.normals.len()).sum();
+        let held: usize = model.prescribed.iter().map(|h| h.normals.len()).sum();
         let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
         let stressed = state.displacement.as_flattened().iter().any(|u| *u != 0.0)
             || model.connectors.iter().zip(&state.coordinates).any(|(c, q)| c.potential(*q) > 0.0);
@@ -243,10 +245,10 @@ impl<'m> Linearized<'m> {
     }
 
     /// Motions orthonormal in the inner product of the mass; those without mass have no frequency and are left out.
-    fn orthonormal(&self, motions: &[Nodal]) -> Vec<Pair> {
-        let mut out: Vec<Pair> = Vec::new();
+    fn orthonormal(&self, motions: &[Nodal]) -> Vec<ImagePair> {
+        let mut out: Vec<ImagePair> = Vec::new();
         for x in motions {
-            let mut pair = Pair { x: x.clone(), image: self.mass.multiply(x) };
+            let mut pair = ImagePair { x: x.clone(), image: self.mass.multiply(x) };
             let before = inner(&pair.x, &pair.image);
             for _ in 0..2 {
                 for other in &out {

@@ -10,8 +10,8 @@ use super::crest::Crest;
 use super::section_forces::{self, Acting, Lines};
 use super::stop_log;
 use crate::geometry::row::Row;
-use crate::ledger::{Books, Measures};
-use crate::math::path::Path;
+use crate::ledger::{Ledger, Measures};
+use crate::math::interpolant::Interpolant;
 use crate::model::Model;
 use crate::model::frozen::SupportData;
 use crate::state::State;
@@ -27,13 +27,13 @@ pub struct Part<'a> {
     /// Size \[s\].
     pub h: f64,
     /// Whether it is as short as an impact, so that quotients over it are impulsive.
-    pub brief: bool,
+    pub impulsive: bool,
     /// Rigid contacts that took part.
     pub active: &'a [ActiveContact],
     /// Of those that strike in time-stepping, which of them rest; empty otherwise.
     pub persistent: &'a [bool],
     /// Whether Moreau's impact law stood in for Newton's.
-    pub tamed: bool,
+    pub fallback_law: bool,
     /// Pairs that were looked at at its end.
     pub awake: &'a [usize],
 }
@@ -46,7 +46,7 @@ pub struct Solved<'a> {
     /// Loads over it.
     pub forcing: &'a Forcing,
     /// As in [`Part`].
-    pub brief: bool,
+    pub impulsive: bool,
     /// As in [`Part`].
     pub active: &'a [ActiveContact],
     /// As in [`Part`].
@@ -59,7 +59,7 @@ impl Solved<'_> {
         let rests = |i: usize, contact: &ActiveContact| match contact.phase {
             Phase::Resting { .. } => state.pairs[contact.pair].closed,
             Phase::Impact { .. } => self.persistent.get(i).is_some_and(|rests| *rests),
-            Phase::Settling { .. } => false,
+            Phase::PlasticPostStep { .. } => false,
         };
         let given = |found: &RigidContact| found.impulse != [0.0; 2];
         let mut found = self.active.iter().zip(&work.rigid).enumerate();
@@ -76,7 +76,7 @@ fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], 
 
 /// Values at the start of a step that the monitor compares with those at its end.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-struct Start {
+struct StepStart {
     time: f64,
     points: Vec<[[f64; 2]; 2]>,
 }
@@ -84,7 +84,7 @@ struct Start {
 /// Follows one run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Monitor {
-    start: Start,
+    start: StepStart,
     /// What happens at contacts.
     pub contacts: ContactLog,
     /// Extremes of the recorded points.
@@ -96,7 +96,7 @@ pub struct Monitor {
     reacted: Option<Vec<usize>>,
     /// Section forces of the last step without impact, and whether the step in hand is one with.
     lines: Lines,
-    impulsive: bool,
+    jumps: bool,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
     /// Largest sum of the energy at the start and the works so far, all by their magnitudes \[J\].
@@ -119,14 +119,14 @@ impl Monitor {
             .iter()
             .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
         let mut monitor = Self {
-            start: Start::default(),
+            start: StepStart::default(),
             contacts: ContactLog::new(model, state),
             points: points.collect(),
             section_forces: section_forces::unset(model),
             supports: model.supports.iter().map(unset_support).collect(),
             reacted: None,
             lines: Lines::at_rest(model, state, pressed),
-            impulsive: false,
+            jumps: false,
             energy_residual: 0.0,
             energy_came: 0.0,
             linear_residual: 0.0,
@@ -157,8 +157,8 @@ impl Monitor {
     pub fn begin_step(&mut self, model: &Model, state: &State, work: &Workspace, step: &Solved) {
         self.note_start(model, state);
         self.contacts.begin_step(state, work);
-        self.impulsive = step.brief || step.strikes(state, work);
-        if !self.impulsive {
+        self.jumps = step.impulsive || step.strikes(state, work);
+        if !self.jumps {
             let Solved { rule, forcing, .. } = *step;
             let acting = Acting {
                 state,
@@ -187,10 +187,10 @@ impl Monitor {
     /// Takes in the end of a step.
     pub fn end_step(&mut self, model: &Model, state: &State, work: &Workspace, part: &Part) {
         let h = part.h;
-        if !part.brief {
+        if !part.impulsive {
             self.reactions(state, h);
         }
-        if !self.impulsive {
+        if !self.jumps {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
         self.contacts.end_step(model, state, work, part);
@@ -199,8 +199,8 @@ impl Monitor {
             let [u0, v0] = self.start.points[k];
             for c in 0..2 {
                 let from = self.start.time;
-                let path = Path { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
-                self.points[k][c].take(&path, from, part.brief);
+                let path = Interpolant { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
+                self.points[k][c].take(&path, from, part.impulsive);
             }
         }
     }
@@ -239,13 +239,14 @@ impl Monitor {
     }
 
     /// Takes the measures of a new state into the largest residuals.
-    pub fn audit(&mut self, books: &Books, m: &Measures) {
-        let linear = books.linear_residual(m);
-        let came = books.energy_initial.abs() + books.work_loads.abs() + books.work_supports.abs();
+    pub fn audit(&mut self, ledger: &Ledger, m: &Measures) {
+        let linear = ledger.linear_residual(m);
+        let came =
+            ledger.energy_initial.abs() + ledger.work_loads.abs() + ledger.work_supports.abs();
         self.energy_came = self.energy_came.max(came);
-        self.energy_residual = larger(self.energy_residual, books.energy_residual(m));
+        self.energy_residual = larger(self.energy_residual, ledger.energy_residual(m));
         self.linear_residual = larger(self.linear_residual, linear[0].hypot(linear[1]));
-        self.angular_residual = larger(self.angular_residual, books.angular_residual(m));
+        self.angular_residual = larger(self.angular_residual, ledger.angular_residual(m));
         self.curvature_drift = larger(self.curvature_drift, m.curvature_drift);
         self.membrane_drift = larger(self.membrane_drift, m.membrane_drift);
     }
@@ -257,7 +258,7 @@ fn unset_support(support: &SupportData) -> SupportSummary {
     SupportSummary { name, force: [none; 2], moment: none, impulse: [0.0; 3], touches }
 }
 
-/// The larger magnitude; NaN stays, so that a broken book cannot look closed.
+/// The larger magnitude; NaN stays, so that a broken balance cannot look closed.
 fn larger(a: f64, b: f64) -> f64 {
     if b.abs() > a || b.is_nan() { b.abs() } else { a }
 }

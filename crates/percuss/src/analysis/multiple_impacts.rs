@@ -1,8 +1,8 @@
 //! Several touching bodies struck at one instant: the blow passed on from body to body, or shared by the impact law.
 //!
-//! One after another: of all contacts that touch, the one that approaches fastest has an impact of its own, in a pulse of its own
+//! One after another: of all contacts that touch, the one that approaches fastest has an impact of its own, in an impact interval of its own
 //! in which no other contact acts; what that sets in motion approaches its neighbours, and so on, until nothing approaches faster
-//! than what sticks. Each impact obeys the law of its contact, friction included, and its work is booked as that of any other.
+//! than what sticks. Each impact obeys the law of its contact, friction included, and its work enters the balance as that of any other.
 //! What is left, next to nothing, or a sequence that does not end, is settled at once and without restitution.
 
 use super::impacts::{Advance, STICK};
@@ -20,14 +20,14 @@ const MOST_IMPACTS: usize = 1000;
 const COUPLED: f64 = 0.01;
 
 impl Simulation<'_> {
-    /// Impacts one after another, in pulses of their own.
+    /// Impacts one after another, in impact intervals of their own.
     pub(super) fn impacts_in_sequence(
         &mut self,
         touching: &[usize],
         advance: &mut Advance,
         recorder: &mut dyn Recorder,
     ) -> Result<Result<f64, Failure>, Error> {
-        let pulse = self.pulse() * advance.share;
+        let interval = self.impact_interval() * advance.share;
         let resting = self.resting();
         let mut members: Vec<usize> = resting.iter().map(|c| c.pair).collect();
         members.extend_from_slice(touching);
@@ -43,8 +43,8 @@ impl Simulation<'_> {
             pair.closed = false;
             pair.approach_max = pair.approach_max.max(-pair.rate);
             let active = [self.striking(i, false)];
-            let tamed = match self.solve_impact(pulse, &active) {
-                Ok(tamed) => tamed,
+            let fallback_law = match self.solve_impact(interval, &active) {
+                Ok(fallback_law) => fallback_law,
                 Err(failure) if done == 0.0 => return Ok(Err(failure)),
                 Err(_) => break,
             };
@@ -54,11 +54,11 @@ impl Simulation<'_> {
             if done == 0.0 {
                 self.record(recorder)?;
             }
-            self.accept_impact(pulse, &active, tamed);
-            done += pulse;
+            self.accept_impact(interval, &active, fallback_law);
+            done += interval;
         }
         advance.events_left = advance.events_left.saturating_sub(1);
-        match self.settle_rest(&members, pulse) {
+        match self.plastic_remainder(&members, interval) {
             Ok(settled) => done += settled,
             Err(failure) if done == 0.0 => return Ok(Err(failure)),
             Err(_) => {} // the next part of the step finds them as they are
@@ -75,7 +75,7 @@ impl Simulation<'_> {
     }
 
     /// The end of a sequence: what still approaches comes to rest against what it touches; returns the time that takes.
-    fn settle_rest(&mut self, members: &[usize], pulse: f64) -> Result<f64, Failure> {
+    fn plastic_remainder(&mut self, members: &[usize], interval: f64) -> Result<f64, Failure> {
         let slow = self.no_approach();
         let approaches = |i: &&usize| -self.state.pairs[**i].rate > slow;
         let left: Vec<usize> = members.iter().filter(approaches).copied().collect();
@@ -85,9 +85,9 @@ impl Simulation<'_> {
         let mut active = self.resting();
         active.retain(|contact| !left.contains(&contact.pair));
         active.extend(left.iter().map(|i| self.striking(*i, true)));
-        let tamed = self.solve_impact(pulse, &active)?;
-        self.accept_impact(pulse, &active, tamed);
-        Ok(pulse)
+        let fallback_law = self.solve_impact(interval, &active)?;
+        self.accept_impact(interval, &active, fallback_law);
+        Ok(interval)
     }
 
     /// Counts the impact solved last if bodies that touch shared it: if impulses elsewhere changed the velocity of a contact that
@@ -102,7 +102,7 @@ impl Simulation<'_> {
                     self.state.pairs[active[a].pair].rate < -self.stick_velocity(active[a].pair);
                 restitution > 0.0 && impulse(a) > 0.0 && fast
             }
-            Phase::Resting { .. } | Phase::Settling { .. } => false,
+            Phase::Resting { .. } | Phase::PlasticPostStep { .. } => false,
         };
         let mobility = |a: usize, b: usize| problem.delassus[2 * b * m + 2 * a];
         let shares = |a: usize, b: usize| {

@@ -15,13 +15,13 @@ use crate::contact::search::Search;
 use crate::error::Error;
 use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
-use crate::ledger::{Books, Measures, RoundOff};
+use crate::ledger::{Ledger, Measures, RoundOff};
 use crate::math::vec2::{dot, norm, scale};
 use crate::model::frozen::ContactData;
 use crate::model::{Fault, Model};
 use crate::settings::{SAME_INSTANT, Settings, Start};
 use crate::state::State;
-use crate::step::contacts::{ActiveContact, BRIEF};
+use crate::step::contacts::{ActiveContact, IMPULSIVE};
 use crate::step::effective_mass::EffectiveMass;
 use crate::step::forcing::Forcing;
 use crate::step::modal_damping::ModalDamping;
@@ -68,7 +68,7 @@ pub struct Simulation<'m> {
     pub(super) accumulated_steps: usize,
     /// Times at which steps are cut, increasing \[s\].
     pub(super) cuts: Vec<f64>,
-    /// Whether prescribed velocities jump in the pulse at hand.
+    /// Whether prescribed velocities jump in the impact interval at hand.
     pub(super) jumping: bool,
     pub(super) measures: Measures,
     pub(super) rows: usize,
@@ -95,7 +95,7 @@ pub struct Simulation<'m> {
     /// In time-stepping, which of the active contacts rest.
     pub(super) persistent: Vec<bool>,
     /// Whether Moreau's impact law stands in for Newton's in the step solved last.
-    pub(super) tamed: bool,
+    pub(super) fallback_law: bool,
     /// Effective masses of the beams of each contact, once it has struck under a rigid law.
     pub(super) struck_masses: Vec<Option<EffectiveMass>>,
     /// Impacts so far that several touching bodies shared.
@@ -164,7 +164,7 @@ impl<'m> Simulation<'m> {
             reached: Vec::new(),
             looked: Vec::new(),
             persistent: Vec::new(),
-            tamed: false,
+            fallback_law: false,
             struck_masses: vec![None; model.contacts.len()],
             shared_blows: SharedBlows::default(),
             size: size_of(model),
@@ -185,7 +185,7 @@ impl<'m> Simulation<'m> {
         self.damping = modes::modal_damping(self.model, &self.state);
         self.measures = Measures::of(self.model, &self.state, self.search.awake());
         let round_off = RoundOff::new(self.model, self.settings.step);
-        self.state.books = Books::open(&self.measures, &round_off);
+        self.state.ledger = Ledger::open(&self.measures, &round_off);
         self.monitor = Monitor::new(self.model, &self.state, &self.pressed);
         self.monitor.open_reactions(self.row_reactions.mean(), self.state.time);
         self.row_time = f64::NEG_INFINITY;
@@ -323,9 +323,9 @@ impl<'m> Simulation<'m> {
     /// Ends a run whose scheme makes energy out of nothing. What conserves it never comes near: its residual is round-off beside the
     /// largest energy so far.
     fn refuse_growth(&self) -> Result<(), Error> {
-        let books = &self.state.books;
-        let (made, came) = (books.energy_residual(&self.measures), self.monitor.energy_came);
-        let grown = made > MOST_MADE * came && made > 0.5 * books.energy_scale;
+        let ledger = &self.state.ledger;
+        let (made, came) = (ledger.energy_residual(&self.measures), self.monitor.energy_came);
+        let grown = made > MOST_MADE * came && made > 0.5 * ledger.energy_scale;
         if grown || made == f64::INFINITY {
             return Err(Error::grown(self.state.time, made, came));
         }
@@ -335,8 +335,8 @@ impl<'m> Simulation<'m> {
     /// Measures the new state; follows every accepted step.
     pub(super) fn measure(&mut self) {
         self.measures = Measures::of(self.model, &self.state, self.search.awake());
-        self.state.books.rescale(&self.measures);
-        self.monitor.audit(&self.state.books, &self.measures);
+        self.state.ledger.rescale(&self.measures);
+        self.monitor.audit(&self.state.ledger, &self.measures);
     }
 
     /// Hands a row to the recorder, unless this instant has one: an impact at the very end of a step has left it already.
@@ -351,7 +351,7 @@ impl<'m> Simulation<'m> {
         recorder.state(&self.state);
         self.show(recorder);
         if recorder.wants_rows() {
-            self.row_reactions.close(&self.state, BRIEF * self.settings.step);
+            self.row_reactions.close(&self.state, IMPULSIVE * self.settings.step);
             let since = SinceLast {
                 impulse: &self.row_impulse,
                 search: &self.search,
@@ -367,9 +367,9 @@ impl<'m> Simulation<'m> {
         Ok(())
     }
 
-    /// Adds the reactions of an accepted part of a step; those of an `impulsive` one are no forces.
-    pub(super) fn gather_reactions(&mut self, h: f64, impulsive: bool) {
-        self.row_reactions.gather(&self.state, h, impulsive, &mut self.monitor.supports);
+    /// Adds the reactions of an accepted part of a step; those of an `carries_impulses` one are no forces.
+    pub(super) fn gather_reactions(&mut self, h: f64, carries_impulses: bool) {
+        self.row_reactions.gather(&self.state, h, carries_impulses, &mut self.monitor.supports);
     }
 
     /// Adds what striking bodies gave through their contacts in the part of a step that stands solved, before it is accepted.
@@ -417,10 +417,10 @@ impl<'m> Simulation<'m> {
     }
 
     fn summary(self, termination: Termination) -> RunSummary {
-        let books = &self.state.books;
+        let ledger = &self.state.ledger;
         let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
         let effective = self.model.effective_masses();
-        let [energy_scale, linear_scale, angular_scale] = books.audit_scales();
+        let [energy_scale, linear_scale, angular_scale] = ledger.audit_scales();
         RunSummary {
             termination,
             time: self.state.time,
@@ -432,12 +432,12 @@ impl<'m> Simulation<'m> {
             factorizations: self.effort.factorizations,
             rows: self.rows,
             energy: EnergySummary {
-                initial: books.energy_initial,
+                initial: ledger.energy_initial,
                 final_: self.measures.total(),
-                work_loads: books.work_loads,
-                work_supports: books.work_supports,
-                loss_impacts: books.loss_impacts,
-                loss_damping: books.loss_damping,
+                work_loads: ledger.work_loads,
+                work_supports: ledger.work_supports,
+                loss_impacts: ledger.loss_impacts,
+                loss_damping: ledger.loss_damping,
                 scale: energy_scale,
                 residual_max: relative(self.monitor.energy_residual, energy_scale),
             },

@@ -30,7 +30,7 @@ pub fn reference_state(model: &Model) -> Result<State, Vec<Fault>> {
 
 impl Simulation<'_> {
     /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
-    /// of a rigid motion between neighbouring nodes. Opens the books anew.
+    /// of a rigid motion between neighbouring nodes. Opens the ledger anew.
     pub fn set_velocities(&mut self, velocity: impl Fn(&str, [f64; 2]) -> [f64; 2]) {
         for beam in &self.model.beams {
             for span in &self.model.spans[beam.spans.clone()] {
@@ -100,20 +100,20 @@ impl Simulation<'_> {
         crate::step::tangent::project(model, &mut state.velocity);
         // What moves at the start has been driven before: held components have the velocities of their motions.
         let step = self.settings.step;
-        for (course, followed) in model.motions.iter().zip(&mut state.followed) {
-            followed.rate = jumps::rate_after(course, 0.0, step);
+        for (function, followed) in model.motions.iter().zip(&mut state.followed) {
+            followed.rate = jumps::rate_after(function, 0.0, step);
         }
         let beams = model.beam_node_count();
-        for hold in model.holds.iter().filter(|h| h.node < beams) {
-            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+        for dofs in model.prescribed.iter().filter(|h| h.node < beams) {
+            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
                 let along: f64 = drive.iter().map(|(m, a)| a * state.followed[*m].rate).sum();
-                (0..4).for_each(|k| state.velocity[hold.node][k] += along * normal[k]);
+                (0..4).for_each(|k| state.velocity[dofs.node][k] += along * normal[k]);
             }
         }
         commit::spin_from_velocity(self.model, &mut self.state);
     }
 
-    /// Turns every velocity round: without losses the motion runs back. Opens the books anew.
+    /// Turns every velocity round: without losses the motion runs back. Opens the ledger anew.
     pub fn reverse(&mut self) {
         for v in &mut self.state.velocity {
             *v = v.map(|c| -c);
@@ -151,10 +151,10 @@ impl Simulation<'_> {
         }
         // Prescribed accelerations are taken to the other side.
         let mut prescribed = vec![[0.0; 4]; beams];
-        for hold in structure.holds.iter() {
-            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+        for dofs in structure.prescribed.iter() {
+            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
                 let along = forcing.second_rate_at_start(model, drive, step);
-                (0..4).for_each(|k| prescribed[hold.node][k] += along * normal[k]);
+                (0..4).for_each(|k| prescribed[dofs.node][k] += along * normal[k]);
             }
         }
         let mut inertia = vec![[0.0; 4]; beams];
@@ -182,8 +182,8 @@ impl Simulation<'_> {
                 (0..2).for_each(|i| a[i] += f[i] / body.mass);
             }
         }
-        for hold in model.holds.iter().filter(|h| h.node >= beams) {
-            project_node(hold, &mut force[hold.node]);
+        for dofs in model.prescribed.iter().filter(|h| h.node >= beams) {
+            project_node(dofs, &mut force[dofs.node]);
         }
         self.state.acceleration = force;
     }

@@ -393,15 +393,15 @@ impl<'m> StaticSearch<'m> {
         let g_at = |p: &crate::model::frozen::MaterialPoint| {
             add(p.tangent, p.gradient(&state.displacement))
         };
-        for hold in &model.holds {
+        for dofs in &model.prescribed {
             let mut r = [0.0; 4];
-            for n in &hold.normals {
-                let along: f64 = (0..4).map(|k| n[k] * work.residual[hold.node][k]).sum();
+            for n in &dofs.normals {
+                let along: f64 = (0..4).map(|k| n[k] * work.residual[dofs.node][k]).sum();
                 (0..4).for_each(|k| r[k] += along * n[k]);
             }
-            let u = &state.displacement[hold.node];
-            let g = add(model.nodes[hold.node].tangent, [u[2], u[3]]);
-            enter(hold.support, [r[0], r[1]], cross(g, [r[2], r[3]]));
+            let u = &state.displacement[dofs.node];
+            let g = add(model.nodes[dofs.node].tangent, [u[2], u[3]]);
+            enter(dofs.support, [r[0], r[1]], cross(g, [r[2], r[3]]));
         }
         let step = constraint_step(&self.base, &work.increment, &self.forcing);
         for (c, multiplier) in model.constraints.iter().zip(&work.multiplier) {

@@ -8,11 +8,11 @@ use crate::math::vec2::norm;
 use crate::model::TouchLaw;
 use crate::model::frozen::BodyKind;
 use crate::settings::Scheme;
-use crate::step::contacts::{ActiveContact, BRIEF, ImpulseLaw, Phase};
+use crate::step::contacts::{ActiveContact, IMPULSIVE, ImpulseLaw, Phase};
 use crate::step::integration::Integration;
 use crate::step::newton::{Failure, StepProblem};
 use crate::step::workspace::Workspace;
-use crate::step::{books, commit};
+use crate::step::{commit, flows};
 
 /// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
 const AHEAD: f64 = 2.0;
@@ -58,7 +58,7 @@ impl Simulation<'_> {
                 reach,
             };
             let solved = problem.solve(&mut self.work, &mut self.effort);
-            if reach == Reach::Near && !self.feet_stand() {
+            if reach == Reach::Near && !self.closest_points_stand() {
                 reach = Reach::All;
                 continue;
             }
@@ -106,13 +106,13 @@ impl Simulation<'_> {
         self.near.len() == known
     }
 
-    /// Whether nothing has come nearer to smooth contacts, as the step was solved, than the feet it was solved with.
-    fn feet_stand(&self) -> bool {
+    /// Whether nothing has come nearer to smooth contacts, as the step was solved, than the closest points it was solved with.
+    fn closest_points_stand(&self) -> bool {
         let (at, smooth) = (self.end_of_step(), &self.work.smooth);
         let stands = |i: usize| {
             let (pair, seen) = (&self.model.pairs[i], &self.state.pairs[i]);
             match smooth.binary_search_by_key(&i, |c| c.pair) {
-                // A foot that is not followed to the end of the step was not looked for either.
+                // A closest point that is not followed to the end of the step was not looked for either.
                 Ok(k) => smooth[k].end.is_none_or(|end| {
                     !pair.leaps(self.model, &at, &Memory { near: end.near, ..seen.memory })
                 }),
@@ -219,14 +219,14 @@ impl Simulation<'_> {
     /// Accepts the step solved last, with the contacts that took part in it, and measures the new state.
     pub(super) fn accept(&mut self, h: f64, active: &[ActiveContact]) {
         let integration = self.integration(h);
-        let brief = h < BRIEF * self.settings.step;
+        let impulsive = h < IMPULSIVE * self.settings.step;
         let (forcing, persistent) = (&self.forcing, self.persistent.as_slice());
         let solved =
-            super::monitor::Solved { rule: integration, forcing, brief, active, persistent };
+            super::monitor::Solved { rule: integration, forcing, impulsive, active, persistent };
         self.monitor.begin_step(self.model, &self.state, &self.work, &solved);
-        let before = brief.then(|| self.state.multiplier.clone());
+        let before = impulsive.then(|| self.state.multiplier.clone());
         let strikes = |c: &ActiveContact| !matches!(c.phase, Phase::Resting { .. });
-        let impulsive = brief && (self.jumping || active.iter().any(strikes));
+        let carries_impulses = impulsive && (self.jumping || active.iter().any(strikes));
         self.gather_given(h);
         self.note_start_reactions(integration);
         self.remember();
@@ -241,15 +241,15 @@ impl Simulation<'_> {
         self.search.see(self.model, &mut self.state, Reach::Near);
         let part = super::monitor::Part {
             h,
-            brief,
+            impulsive,
             active,
             persistent: &self.persistent,
-            tamed: std::mem::take(&mut self.tamed),
+            fallback_law: std::mem::take(&mut self.fallback_law),
             awake: self.search.awake(),
         };
         self.monitor.end_step(self.model, &self.state, &self.work, &part);
-        self.frames.part = (h, impulsive);
-        self.gather_reactions(h, impulsive);
+        self.frames.part = (h, carries_impulses);
+        self.gather_reactions(h, carries_impulses);
         self.gather_impulses(h, active);
         self.measure();
     }
@@ -278,11 +278,11 @@ impl Simulation<'_> {
             reach: Reach::Near,
         };
         problem.unbalanced(&mut work);
-        let found = books::reactions_at_start(model, state, &at_start, forcing, &work);
+        let found = flows::reactions_at_start(model, state, &at_start, forcing, &work);
         self.state.instant = Some(found);
     }
 
-    /// Sides and feet at the end of the step, as the step has seen them.
+    /// Sides and closest points at the end of the step, as the step has seen them.
     fn remember(&mut self) {
         let (model, state) = (self.model, &mut self.state);
         for &i in self.reached.iter().filter(|i| model.pairs[**i].target.has_sides()) {
@@ -302,21 +302,21 @@ impl Simulation<'_> {
     /// Obstacles have the velocities of their motions, whatever the rule makes of their increments.
     pub(super) fn steer_obstacles(&mut self) {
         let (time, width) = (self.state.time, 0.02 * self.settings.step);
-        for hold in self.model.holds.iter().rev() {
-            let Some(body) = hold.node.checked_sub(self.model.beam_node_count()) else { break };
+        for dofs in self.model.prescribed.iter().rev() {
+            let Some(body) = dofs.node.checked_sub(self.model.beam_node_count()) else { break };
             if self.model.bodies[body].kind != BodyKind::Obstacle {
                 break;
             }
-            if hold.drives.iter().all(Vec::is_empty) {
+            if dofs.drives.iter().all(Vec::is_empty) {
                 continue; // it stands
             }
             let rate = |motion: usize| self.model.motions[motion].rate(time, width);
             let mut velocity = [0.0; 4];
-            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
                 let along: f64 = drive.iter().map(|(m, a)| a * rate(*m)).sum();
                 (0..4).for_each(|k| velocity[k] += along * normal[k]);
             }
-            self.state.velocity[hold.node] = velocity;
+            self.state.velocity[dofs.node] = velocity;
         }
     }
 }

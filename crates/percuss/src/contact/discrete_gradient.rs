@@ -1,8 +1,8 @@
 //! The gap over a step: its projected discrete gradient (theory, section 6).
 //!
-//! The gradient in the middle of the step, where the foot is found anew, is corrected along the part of the increment that is no
+//! The gradient in the middle of the step, where the closest point is found anew, is corrected along the part of the increment that is no
 //! rigid motion, so that on the increment it gives the change of the gap exactly. A force along it does the work of its
-//! potential, and gives no momentum and no angular momentum, wherever the foot slides to.
+//! potential, and gives no momentum and no angular momentum, wherever the closest point slides to.
 
 use super::search::farthest_of;
 use crate::geometry::configuration::Configuration;
@@ -31,7 +31,7 @@ pub struct StepGap {
 }
 
 impl Pair {
-    /// The pair over the step of `at`, from a gap of `gap_0`, its foot at the end looked for within `reach`; `None` where nothing
+    /// The pair over the step of `at`, from a gap of `gap_0`, its closest point at the end looked for within `reach`; `None` where nothing
     /// can touch.
     pub fn over_step(
         &self,
@@ -51,7 +51,7 @@ impl Pair {
             return Some(StepGap { gaps: [gap_0, end.gap], row, middle, end });
         }
         let end = self.at_end_from(model, at, memory, &middle, gap_0, reach)?;
-        // A foot that leaves for an end, or comes from there, opens or closes the pair.
+        // A closest point that leaves for an end, or comes from there, opens or closes the pair.
         let finite = |gap: f64| if gap.is_finite() { gap } else { 0.0 };
         if !gap_0.is_finite() && !end.gap.is_finite() {
             return None;
@@ -62,10 +62,10 @@ impl Pair {
         if projected && !straight {
             let miss = (gaps[1] - gaps[0]) - row.on(at.increment);
             // A difference of gaps is known no better than the positions they are taken from.
-            let place = norm(middle.foot_place) + self.reach;
+            let place = norm(middle.closest_place) + self.reach;
             if miss.abs() > ROUND_OFF * place {
                 // The end of the step may know other nodes.
-                end.foot.nodes().for_each(|n| row.add(n, [0.0; 4]));
+                end.closest.nodes().for_each(|n| row.add(n, [0.0; 4]));
                 correct(model, &mut row, at, miss);
             }
         }
@@ -89,7 +89,7 @@ impl Pair {
         self.at_end_from(model, at, memory, &middle, gap_0, Reach::All)
     }
 
-    /// The foot is followed over the middle of the step; what else is near may be nearer by its end.
+    /// The closest point is followed over the middle of the step; what else is near may be nearer by its end.
     fn at_end_from(
         &self,
         model: &Model,

@@ -176,7 +176,7 @@ impl Search {
         }
     }
 
-    /// Looks at the pairs that have come near, their feet within `reach` of where they were remembered, and lets those that
+    /// Looks at the pairs that have come near, their closest points within `reach` of where they were remembered, and lets those that
     /// have not sleep on.
     pub fn see(&mut self, model: &Model, state: &mut State, reach: Reach) {
         self.awake.clear();

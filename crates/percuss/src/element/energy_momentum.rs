@@ -24,7 +24,7 @@ pub fn response<S: Real, const TANGENT: bool>(
 ) -> PointResponse<S> {
     let start = End::new(law.measure, point.tangent, point.slope_0, point.bend_0);
     let StepPoint { tangent, curvature, d_slope, d_bend, .. } = point;
-    let way = Way { tangent, curvature, start: &start, d_slope: *d_slope, d_bend: *d_bend };
+    let way = PointStep { tangent, curvature, start: &start, d_slope: *d_slope, d_bend: *d_bend };
     let [quotients] = Quotients::of(law.measure, &[way]);
     Step::new(law.measure, &way, &quotients).response::<TANGENT>(law, &start, lag)
 }
@@ -151,7 +151,7 @@ fn divisor<S: Real>(measure: StrainMeasure, a: S, stretch: S) -> S {
 
 /// A Gauss point on its way over a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Way<'a, S> {
+pub struct PointStep<'a, S> {
     /// Reference tangent \[1\] and curvature \[1/m\].
     pub tangent: &'a [S; 2],
     pub curvature: &'a S,
@@ -162,7 +162,7 @@ pub struct Way<'a, S> {
     pub d_bend: [S; 2],
 }
 
-impl<'a, S: Real> Way<'a, S> {
+impl<'a, S: Real> PointStep<'a, S> {
     /// From nodal increments.
     #[inline(always)]
     pub fn new(row: &'a GaussRow<S>, start: &'a End<S>, step: &ElementValues<S>) -> Self {
@@ -195,7 +195,7 @@ impl<S: Real> Quotients<S> {
     /// Those of several Gauss points together: a root and a reciprocal are long chains of operations, each waiting for the one
     /// before, and the points' chains run side by side.
     #[inline(always)]
-    pub fn of<const N: usize>(measure: StrainMeasure, ways: &[Way<S>; N]) -> [Self; N] {
+    pub fn of<const N: usize>(measure: StrainMeasure, ways: &[PointStep<S>; N]) -> [Self; N] {
         let like = *ways[0].curvature;
         let (mut a, mut middle) = ([like; N], [like; N]);
         for i in 0..N {
@@ -238,8 +238,8 @@ pub struct Step<S> {
 impl<S: Real> Step<S> {
     /// A way with its quotients.
     #[inline(always)]
-    pub fn new(measure: StrainMeasure, way: &Way<S>, quotients: &Quotients<S>) -> Self {
-        let Way { tangent, curvature, start, d_slope, d_bend } = *way;
+    pub fn new(measure: StrainMeasure, way: &PointStep<S>, quotients: &Quotients<S>) -> Self {
+        let PointStep { tangent, curvature, start, d_slope, d_bend } = *way;
         let Quotients { stretch, inverse, q, inv_a } = *quotients;
         let [g0, g_mid, g] = way.tangents();
         let shape = (add(start.slope, d_slope), add(start.bend, d_bend));
@@ -260,7 +260,7 @@ impl<S: Real> Step<S> {
         let (g_mid, p_mid) = (self.turn.g, self.p_mid);
         let half = lag.constant(0.5);
         let weights = [half - lag, half + lag];
-        let ends = Ends { start, end: &self.end, bent: &self.bent, q: self.q, weights };
+        let ends = StepStates { start, end: &self.end, bent: &self.bent, q: self.q, weights };
         let (stress, slopes) = match law.measure {
             StrainMeasure::Green => ends.green(law),
             StrainMeasure::Engineering => ends.engineering(law),
@@ -270,7 +270,7 @@ impl<S: Real> Step<S> {
         }
         // Every derivative runs along g1.dg and db1: sums of scalars first, forms last.
         let Stress { axial, moment, alpha, c1, c2 } = stress;
-        let Slopes { axial_a, moment_a, moment_b, alpha_a, c1_a, c2_a, c2_b } = slopes;
+        let StretchSlopes { axial_a, moment_a, moment_b, alpha_a, c1_a, c2_a, c2_b } = slopes;
         let b_form = form_b(self.g, self.end.bend);
         let x = Form::along(
             (axial_a * alpha)
@@ -288,7 +288,7 @@ impl<S: Real> Step<S> {
 }
 
 /// Both ends of the step, and their weights in the stresses.
-struct Ends<'a, S> {
+struct StepStates<'a, S> {
     start: &'a End<S>,
     end: &'a End<S>,
     bent: &'a [Bent<S>; 2],
@@ -298,7 +298,7 @@ struct Ends<'a, S> {
 }
 
 /// Derivatives along `g1.dg` (`_a`) and `db1` (`_b`).
-struct Slopes<S> {
+struct StretchSlopes<S> {
     axial_a: S,
     moment_a: S,
     moment_b: S,
@@ -308,7 +308,7 @@ struct Slopes<S> {
     c2_b: S,
 }
 
-impl<S: Real> Ends<'_, S> {
+impl<S: Real> StepStates<'_, S> {
     /// Axial force and moment from the weighed strains.
     #[inline(always)]
     fn resultants(&self, law: &SectionLaw<S>) -> (S, S) {
@@ -322,7 +322,7 @@ impl<S: Real> Ends<'_, S> {
     }
 
     #[inline(always)]
-    fn green(&self, law: &SectionLaw<S>) -> (Stress<S>, Slopes<S>) {
+    fn green(&self, law: &SectionLaw<S>) -> (Stress<S>, StretchSlopes<S>) {
         let (q0, q1, q) = (self.start.inverse, self.end.inverse, self.q);
         let q1_cubed = q1 * q1 * q1;
         let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
@@ -330,7 +330,7 @@ impl<S: Real> Ends<'_, S> {
         let c2_b = q0 * q1 * q;
         let c2 = (self.bent[0].b + self.bent[1].b) * c2_b;
         let stress = Stress { axial, moment, alpha: c2.constant(1.0), c1: (q0 + q1) * -0.5, c2 };
-        let slopes = Slopes {
+        let slopes = StretchSlopes {
             axial_a: end_ea,
             moment_a: end_ei * self.bent[1].b * q1_cubed,
             moment_b: -(end_ei * q1),
@@ -343,7 +343,7 @@ impl<S: Real> Ends<'_, S> {
     }
 
     #[inline(always)]
-    fn engineering(&self, law: &SectionLaw<S>) -> (Stress<S>, Slopes<S>) {
+    fn engineering(&self, law: &SectionLaw<S>) -> (Stress<S>, StretchSlopes<S>) {
         let (q0, q1, q) = (self.start.inverse, self.end.inverse, self.q);
         let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
         let (axial, moment) = self.resultants(law);
@@ -351,7 +351,7 @@ impl<S: Real> Ends<'_, S> {
         let c2 = (self.bent[0].b + self.bent[1].b) * c2_b;
         let inv_r1 = self.end.stretch * q1;
         let stress = Stress { axial, moment, alpha: q + q, c1: (q0 + q1) * -0.5, c2 };
-        let slopes = Slopes {
+        let slopes = StretchSlopes {
             axial_a: end_ea * inv_r1,
             moment_a: end_ei * self.bent[1].b * q1 * q1 * 2.0,
             moment_b: -(end_ei * q1),

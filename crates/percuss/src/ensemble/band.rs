@@ -7,17 +7,17 @@ use crate::math::vec2::dot4;
 use crate::scalar::Number;
 
 /// A block of the band.
-pub type Block<S> = [[S; 4]; 4];
+pub type LaneBlock<S> = [[S; 4]; 4];
 
 /// A block-tridiagonal matrix, or its factors.
 #[derive(Clone, Debug)]
 pub struct Band<S> {
     /// Diagonal blocks; after factorisation the inverses of the pivots.
-    pub diag: Vec<Block<S>>,
+    pub diag: Vec<LaneBlock<S>>,
     /// Block in row i, column i + 1; after factorisation `pivot^-1 upper`.
-    pub upper: Vec<Block<S>>,
+    pub upper: Vec<LaneBlock<S>>,
     /// Block in row i + 1, column i; after factorisation `lower pivot^-1`.
-    pub lower: Vec<Block<S>>,
+    pub lower: Vec<LaneBlock<S>>,
 }
 
 impl<S: Number> Band<S> {
@@ -80,7 +80,7 @@ impl<S: Number> Band<S> {
 
 /// Inverse by Gauss-Jordan elimination, pivots on the diagonal.
 #[inline(always)]
-fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
+fn inverse<S: Number>(a: &LaneBlock<S>) -> LaneBlock<S> {
     let mut m = *a;
     for k in 0..4 {
         let [pivot] = S::ordinary_recips([m[k][k]]);
@@ -102,7 +102,7 @@ fn inverse<S: Number>(a: &Block<S>) -> Block<S> {
 }
 
 #[inline(always)]
-fn product<S: Number>(a: &Block<S>, b: &Block<S>) -> Block<S> {
+fn product<S: Number>(a: &LaneBlock<S>, b: &LaneBlock<S>) -> LaneBlock<S> {
     let mut c = *a;
     for i in 0..4 {
         for j in 0..4 {
@@ -116,7 +116,7 @@ fn product<S: Number>(a: &Block<S>, b: &Block<S>) -> Block<S> {
 }
 
 #[inline(always)]
-fn subtract_product<S: Number>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
+fn subtract_product<S: Number>(c: &mut LaneBlock<S>, a: &LaneBlock<S>, b: &LaneBlock<S>) {
     for i in 0..4 {
         for j in 0..4 {
             for k in 0..4 {
@@ -128,7 +128,7 @@ fn subtract_product<S: Number>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
 
 /// `x + a y`.
 #[inline(always)]
-pub fn add_applied<S: Number>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
+pub fn add_applied<S: Number>(mut x: [S; 4], a: &LaneBlock<S>, y: &[S; 4]) -> [S; 4] {
     for k in 0..4 {
         for i in 0..4 {
             x[i] = x[i].add_product(a[i][k], y[k]);
@@ -139,7 +139,7 @@ pub fn add_applied<S: Number>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4]
 
 /// `x - a y`.
 #[inline(always)]
-fn less_applied<S: Number>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
+fn less_applied<S: Number>(mut x: [S; 4], a: &LaneBlock<S>, y: &[S; 4]) -> [S; 4] {
     for k in 0..4 {
         for i in 0..4 {
             x[i] = x[i].sub_product(a[i][k], y[k]);
@@ -149,7 +149,7 @@ fn less_applied<S: Number>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
 }
 
 #[inline(always)]
-fn apply<S: Number>(a: &Block<S>, x: &[S; 4]) -> [S; 4] {
+fn apply<S: Number>(a: &LaneBlock<S>, x: &[S; 4]) -> [S; 4] {
     let mut y = *x;
     for i in 0..4 {
         y[i] = dot4(&a[i], x);

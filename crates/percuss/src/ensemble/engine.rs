@@ -1,9 +1,9 @@
 //! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
 
-use super::band::{Band, Block};
-use super::numbers::{GuideNumbers, HoldNumbers, Numbers};
+use super::band::{Band, LaneBlock};
+use super::numbers::{GuideNumbers, Numbers, PrescribedNumbers};
 use crate::element::beam::{ElementSums, ElementValues};
-use crate::element::energy_momentum::{End, Quotients, Step, Way};
+use crate::element::energy_momentum::{End, PointStep, Quotients, Step};
 use crate::element::point::SectionLaw;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{dot, dot4};
@@ -30,7 +30,7 @@ pub struct Engine<S: Number> {
     pub settled: S::Mask,
     /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the
     /// next one's.
-    pub grips: Vec<[Block<S>; 3]>,
+    pub reaction_rows: Vec<[LaneBlock<S>; 3]>,
     /// Mean factors of the loads over the step at hand; what they all apply to the nodes \[N, N m\].
     pub load_factors: Vec<S>,
     pub applied: Vec<[S; 4]>,
@@ -98,9 +98,9 @@ impl<S: Number> Engine<S> {
             spin: vec![[zero; GAUSS]; start.len()],
             start,
             guides,
-            reactions: vec![[zero; 4]; numbers.holds.len()],
+            reactions: vec![[zero; 4]; numbers.prescribed.len()],
             settled: zero.less(zero),
-            grips: vec![[[[zero; 4]; 4]; 3]; numbers.holds.len()],
+            reaction_rows: vec![[[[zero; 4]; 4]; 3]; numbers.prescribed.len()],
             load_factors: vec![numbers.step.constant(1.0); numbers.loads.len()],
             applied: still.clone(),
             increment: still.clone(),
@@ -151,11 +151,11 @@ impl<S: Number> Engine<S> {
             self.resist_loads();
         }
         self.contacts::<TANGENT>();
-        for k in 0..self.numbers.holds.len() {
-            let hold = &self.numbers.holds[k];
-            let free = &mut self.residual[hold.node];
+        for k in 0..self.numbers.prescribed.len() {
+            let dofs = &self.numbers.prescribed[k];
+            let free = &mut self.residual[dofs.node];
             let all = *free;
-            hold.project(free);
+            dofs.project(free);
             for i in 0..4 {
                 let mine = &mut self.reactions[k][i];
                 *mine = S::choose(self.settled, *mine, all[i] - free[i]);
@@ -208,9 +208,9 @@ impl<S: Number> Engine<S> {
             let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
             let mut sums = ElementSums::zero(rate);
             let (rows, starts) = (&table.rows, &self.start[element]);
-            let mut ways = [Way::new(&rows[0], &starts[0], &step); GAUSS];
+            let mut ways = [PointStep::new(&rows[0], &starts[0], &step); GAUSS];
             for j in 1..GAUSS {
-                ways[j] = Way::new(&rows[j], &starts[j], &step);
+                ways[j] = PointStep::new(&rows[j], &starts[j], &step);
             }
             let quotients = Quotients::of(measure, &ways);
             for j in 0..GAUSS {
@@ -315,9 +315,9 @@ impl<S: Number> Engine<S> {
 
     /// Takes held components out of nodal forces.
     #[inline(always)]
-    pub fn project(holds: &[HoldNumbers<S>], nodal: &mut [[S; 4]]) {
-        for hold in holds {
-            hold.project(&mut nodal[hold.node]);
+    pub fn project(holds: &[PrescribedNumbers<S>], nodal: &mut [[S; 4]]) {
+        for dofs in holds {
+            dofs.project(&mut nodal[dofs.node]);
         }
     }
 
@@ -325,14 +325,14 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn factor(&mut self) {
         let last = self.tangent.diag.len() - 1;
-        for hold in &self.numbers.holds {
-            let (n, band) = (hold.node, &mut self.tangent);
+        for dofs in &self.numbers.prescribed {
+            let (n, band) = (dofs.node, &mut self.tangent);
             // Held directions weigh as much as the others, or round-off in them would move.
             let own = &band.diag[n];
             let weight = own[0][0] + own[1][1] + own[2][2] + own[3][3];
-            hold.project_rows(&mut band.diag[n]);
-            hold.project_columns(&mut band.diag[n]);
-            for normal in &hold.normals {
+            dofs.project_rows(&mut band.diag[n]);
+            dofs.project_columns(&mut band.diag[n]);
+            for normal in &dofs.normals {
                 for i in 0..4 {
                     for j in 0..4 {
                         let entry = &mut band.diag[n][i][j];
@@ -341,12 +341,12 @@ impl<S: Number> Engine<S> {
                 }
             }
             if n < last {
-                hold.project_rows(&mut band.upper[n]);
-                hold.project_columns(&mut band.lower[n]);
+                dofs.project_rows(&mut band.upper[n]);
+                dofs.project_columns(&mut band.lower[n]);
             }
             if n > 0 {
-                hold.project_columns(&mut band.upper[n - 1]);
-                hold.project_rows(&mut band.lower[n - 1]);
+                dofs.project_columns(&mut band.upper[n - 1]);
+                dofs.project_rows(&mut band.lower[n - 1]);
             }
         }
         self.tangent.factor();
@@ -368,7 +368,7 @@ impl<S: Number> Engine<S> {
                 *target = target.sub_product(push, *c);
             }
         }
-        Self::project(&self.numbers.holds, &mut self.correction);
+        Self::project(&self.numbers.prescribed, &mut self.correction);
         self.factors.solve(&mut self.correction);
         for k in 0..self.guides.len() {
             let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);

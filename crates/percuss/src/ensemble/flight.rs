@@ -1,9 +1,9 @@
 //! One run with its derivatives, in mid-flight.
 
-use super::books::Books;
 use super::engine::Engine;
+use super::ledger::LaneLedger;
 use super::log::{Log, Struck};
-use super::newton::Search;
+use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
 use super::sensitivity::{Grazing, Horizon};
 use crate::math::roots;
@@ -16,8 +16,8 @@ pub const TOGETHER: usize = 4;
 /// A number with its derivatives; the last one is with respect to the size of the step at hand.
 pub type Derived = Dual<{ TOGETHER + 1 }>;
 
-/// Length of a pulse as a share of the step, and to what share of it an instant is located.
-const PULSE: f64 = 1e-6;
+/// Length of an impact interval as a share of the step, and to what share of it an instant is located.
+const IMPACT_INTERVAL: f64 = 1e-6;
 const LOCATED: f64 = 1e-3;
 /// Impacts in one step beyond which they accumulate.
 const MOST_IMPACTS: usize = 64;
@@ -29,9 +29,9 @@ pub struct Flight<'a> {
     /// Time at which it ends \[s\].
     end: Derived,
     pub engine: Engine<Derived>,
-    pub books: Books<Derived>,
+    pub ledger: LaneLedger<Derived>,
     pub log: Log<Derived>,
-    pub search: Search<Derived>,
+    pub search: LaneNewton<Derived>,
     pub solver_steps: usize,
     /// Projectiles that came near without touching: number, time, gap.
     misses: Vec<(usize, Derived, Derived)>,
@@ -47,11 +47,11 @@ impl<'a> Flight<'a> {
     ) -> Self {
         let mut engine = Engine::new(numbers);
         engine.apply_loads();
-        let mut search = Search::idle(engine.h);
+        let mut search = LaneNewton::idle(engine.h);
         search.set_run(0, true);
-        let (books, log) = (Books::open(&engine), Log::new(&engine));
+        let (ledger, log) = (LaneLedger::open(&engine), Log::new(&engine));
         let misses = Vec::new();
-        Self { model, settings, end, engine, books, log, search, solver_steps: 0, misses }
+        Self { model, settings, end, engine, ledger, log, search, solver_steps: 0, misses }
     }
 
     /// Runs to the end, or as far as derivatives are known.
@@ -122,7 +122,7 @@ impl<'a> Flight<'a> {
             offset += self.engine.h;
             self.accept();
             if let Some(k) = struck {
-                offset += self.pulse(k)?;
+                offset += self.impact_interval(k)?;
                 last = struck;
             }
         }
@@ -139,7 +139,7 @@ impl<'a> Flight<'a> {
         self.solver_steps += 1;
         self.engine.h = h;
         self.engine.striking = striking;
-        self.engine.solve(&self.books, &mut self.search);
+        self.engine.solve(&self.ledger, &mut self.search);
         match self.search.failed {
             true => Err(self.horizon("there the step has to be cut".into())),
             false => Ok(()),
@@ -147,20 +147,20 @@ impl<'a> Flight<'a> {
     }
 
     fn accept(&mut self) {
-        self.books.book(&self.engine);
+        self.ledger.enter(&self.engine);
         self.engine.commit();
         self.log.end(&self.engine);
         if self.engine.striking.is_none() {
             self.misses.extend(self.log.passes(&self.engine));
         }
-        self.books.close(&self.engine);
+        self.ledger.close(&self.engine);
         self.log.time += self.engine.h;
     }
 
-    /// Gap of a rigid projectile half a pulse after the end of the step solved last.
+    /// Gap of a rigid projectile half an impact interval after the end of the step solved last.
     fn ahead(&self, k: usize) -> Derived {
         let [gap, rate] = self.engine.gap_next(k);
-        let half = 0.5 * PULSE * self.settings.step;
+        let half = 0.5 * IMPACT_INTERVAL * self.settings.step;
         if rate.value < 0.0 { gap + rate * half } else { gap }
     }
 
@@ -177,12 +177,12 @@ impl<'a> Flight<'a> {
             return Ok(None);
         };
         let rate = all.iter().map(|k| self.engine.guides[*k].rate.value.abs()).fold(0.0, f64::max);
-        let pulse = PULSE * self.settings.step;
+        let interval = IMPACT_INTERVAL * self.settings.step;
         let start =
             all.iter().map(|k| self.engine.guides[*k].gap.value).fold(f64::INFINITY, f64::min);
-        let start = (start - 0.5 * pulse * rate).max(LOCATED * pulse * rate);
+        let start = (start - 0.5 * interval * rate).max(LOCATED * interval * rate);
         let guess = size.value * start / (start - end.value);
-        let tolerance = LOCATED * pulse;
+        let tolerance = LOCATED * interval;
         let instant = roots::bracketed(
             (0.0, start),
             (size.value, end.value),
@@ -211,9 +211,9 @@ impl<'a> Flight<'a> {
         Ok(Some(k))
     }
 
-    /// The pulse in which the impulse of a projectile acts; returns its length.
-    fn pulse(&mut self, k: usize) -> Result<Derived, Horizon> {
-        let h = self.engine.h.constant(PULSE * self.settings.step);
+    /// The impact interval in which the impulse of a projectile acts; returns its length.
+    fn impact_interval(&mut self, k: usize) -> Result<Derived, Horizon> {
+        let h = self.engine.h.constant(IMPACT_INTERVAL * self.settings.step);
         self.log.begin(&self.engine);
         let start = self.log.time;
         self.solve(h, Some(k))?;

@@ -1,4 +1,4 @@
-//! Impulses of a rigid projectile, and the pulse they act in.
+//! Impulses of a rigid projectile, and the impact interval they act in.
 
 use super::engine::Engine;
 use crate::scalar::Number;
@@ -43,7 +43,7 @@ impl<S: Number> Engine<S> {
         for (i, c) in guide.row().iter().enumerate() {
             self.correction[guide.node + i / 4][i % 4] = *c;
         }
-        Self::project(&self.numbers.holds, &mut self.correction);
+        Self::project(&self.numbers.prescribed, &mut self.correction);
         self.factors.solve(&mut self.correction);
         for (j, (guide, state)) in self.numbers.guides.iter().zip(&mut self.guides).enumerate() {
             let own = if j == k { zero.constant(-1.0) } else { zero };

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::books::Books;
 use super::engine::Engine;
+use super::ledger::LaneLedger;
 use super::numbers::LoadNumbers;
 use crate::math::vec2::{cross, dot, dot4};
 use crate::model::Model;
@@ -77,10 +77,10 @@ impl<S: Number> Engine<S> {
     }
 }
 
-impl<S: Number> Books<S> {
-    /// Books their work and impulses over the step.
+impl<S: Number> LaneLedger<S> {
+    /// Enters their work and impulses over the step.
     #[inline(always)]
-    pub fn book_loads(&mut self, engine: &Engine<S>) {
+    pub fn enter_loads(&mut self, engine: &Engine<S>) {
         let h = engine.h;
         for n in 0..engine.applied.len() {
             let (force, d) = (&engine.applied[n], &engine.increment[n]);

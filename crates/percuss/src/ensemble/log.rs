@@ -4,10 +4,10 @@ use super::engine::Engine;
 use super::numbers::GuideLaw;
 use crate::analysis::crest::Crest;
 use crate::contact::free_gap::FreeGap;
-use crate::math::path::Path;
+use crate::math::interpolant::Interpolant;
 use crate::math::roots;
 use crate::scalar::{Mask, Number};
-use crate::step::contacts::BRIEF;
+use crate::step::contacts::IMPULSIVE;
 
 /// A largest value and when it occurred.
 #[derive(Clone, Copy, Debug)]
@@ -198,13 +198,13 @@ impl<S: Number> Log<S> {
     /// Takes in the end of the step.
     #[inline(always)]
     pub fn end(&mut self, engine: &Engine<S>) {
-        let brief = engine.h.less(engine.numbers.step * BRIEF);
+        let impulsive = engine.h.less(engine.numbers.step * IMPULSIVE);
         for (k, crests) in self.points.iter_mut().enumerate() {
             let ([u0, v0], [u1, v1]) = (self.point_start[k], engine.point(k));
             for c in 0..2 {
                 let (h, from) = (engine.h, self.time);
-                let path = Path { h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
-                crests[c].take(&path, from, brief);
+                let path = Interpolant { h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
+                crests[c].take(&path, from, impulsive);
             }
         }
         for (log, state) in self.guides.iter_mut().zip(&engine.guides) {
@@ -214,13 +214,13 @@ impl<S: Number> Log<S> {
         }
         for k in 0..self.guides.len() {
             if engine.numbers.guides[k].law != GuideLaw::Rigid {
-                self.contact(engine, k, brief);
+                self.contact(engine, k, impulsive);
             }
         }
     }
 
     #[inline(always)]
-    fn contact(&mut self, engine: &Engine<S>, k: usize, brief: S::Mask) {
+    fn contact(&mut self, engine: &Engine<S>, k: usize, impulsive: S::Mask) {
         let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
         let zero = engine.h.constant(0.0);
         let (time, h) = (self.time, engine.h);
@@ -232,7 +232,7 @@ impl<S: Number> Log<S> {
         if !least.any_less(zero) {
             return;
         }
-        let path = Path { h, start: [-gap_0, -rate_0], end: [-state.gap, -state.rate] };
+        let path = Interpolant { h, start: [-gap_0, -rate_0], end: [-state.gap, -state.rate] };
         for lane in 0..S::LANES {
             let (before, after) = (gap_0.lane(lane), state.gap.lane(lane));
             if !log.is_open[lane] && (before < 0.0 || after < 0.0) {
@@ -251,8 +251,8 @@ impl<S: Number> Log<S> {
         log.open.steps += zero.constant(1.0);
         log.open.given[0] += force * guide.along(&engine.increment);
         log.open.given[1] += -(force * state.increment);
-        log.open.deepest.take(&path, time, brief);
-        log.deepest.take(&path, time, brief);
+        log.open.deepest.take(&path, time, impulsive);
+        log.deepest.take(&path, time, impulsive);
         for lane in 0..S::LANES {
             if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
                 let parted = FreeGap { gap: state.gap, rate: -state.rate, acceleration: zero };
@@ -280,7 +280,8 @@ impl<S: Number> Log<S> {
             if !open || rate.lane(0) >= 0.0 || state.rate.lane(0) < 0.0 {
                 return None;
             }
-            let path = Path { h: engine.h, start: [gap, rate], end: [state.gap, state.rate] };
+            let path =
+                Interpolant { h: engine.h, start: [gap, rate], end: [state.gap, state.rate] };
             let own = path.lane(0);
             let least = own.stationary().min_by(|a, b| own.value(*a).total_cmp(&own.value(*b)));
             // The gap is stationary there: that the instant moves with the parameters does not change it to first order.
@@ -344,7 +345,7 @@ impl<S: Number> GuideLog<S> {
     }
 }
 
-impl<S: Number> Path<S> {
+impl<S: Number> Interpolant<S> {
     /// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
     fn touch_down(&self, flight: &FreeGap<S>, lane: usize) -> [S; 2] {
         if flight.gap.lane(lane) >= 0.0 {
@@ -380,10 +381,10 @@ impl<S: Number> Path<S> {
 impl<S: Number> Top<S> {
     /// Takes in a step: the largest value stays that is positive; a lane that stands open leaves no trace.
     #[inline(always)]
-    fn take(&mut self, path: &Path<S>, start: S, brief: S::Mask) {
+    fn take(&mut self, path: &Interpolant<S>, start: S, impulsive: S::Mask) {
         let ([u0, v0], [u1, v1]) = (path.start, path.end);
-        self.time = Path::at_event(start, brief, self.time);
-        self.time = self.value.if_less(u1, path.at_end(start, brief), self.time);
+        self.time = Interpolant::at_event(start, impulsive, self.time);
+        self.time = self.value.if_less(u1, path.at_end(start, impulsive), self.time);
         self.value = self.value.if_less(u1, u1, self.value);
         // What lies between stays within the control points of the cubic.
         let third = path.h * (1.0 / 3.0);
@@ -398,7 +399,7 @@ impl<S: Number> Top<S> {
         }
     }
 
-    fn look_inside(&mut self, path: &Path<S>, start: S, lane: usize) {
+    fn look_inside(&mut self, path: &Interpolant<S>, start: S, lane: usize) {
         let own = path.lane(lane);
         for t in own.stationary() {
             if own.value(t) > self.value.lane(lane) {

@@ -8,17 +8,17 @@
 
 mod band;
 mod batch;
-mod books;
 mod engine;
 mod flight;
-mod holds;
 mod horizon;
 mod impact;
 mod law;
+mod ledger;
 mod loads;
 mod log;
 mod newton;
 mod numbers;
+mod prescribed;
 mod reactions;
 mod run;
 mod sensitivity;

@@ -1,30 +1,30 @@
 //! Newton's iteration of the runs of an ensemble: each converges on its own, by the tests of a single run.
 
-use super::books::Books;
 use super::engine::Engine;
+use super::ledger::LaneLedger;
 use crate::scalar::{Mask, Number};
+use crate::step::convergence::{ConvergenceMonitor, WORK_TOLERANCE};
 use crate::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
-use crate::step::watch::{WORK_TOLERANCE, Watch};
 
 /// Factors of the tangent serve at most so many steps: masses dominate it, so it changes little, and renewing it costs as much as
 /// two corrections.
 const MOST_SERVICE: f64 = 8.0;
 
-/// Impulse left unbalanced at a contact, relative to the momentum in play, that is more than round-off: it has opened or closed with
+/// Impulse left unbalanced at a contact, relative to the momentum scale, that is more than round-off: it has opened or closed with
 /// a correction that was foreseen to be the last.
 const UNFORESEEN: f64 = 1e-13;
 
 /// The iterations of the runs, lane by lane.
 #[derive(Clone, Copy, Debug)]
-pub struct Search<S: Number> {
+pub struct LaneNewton<S: Number> {
     /// Whether there is a run in the lane.
     live: S::Mask,
     /// Whether the step found no solution.
     pub failed: S::Mask,
     /// Still to be corrected.
     seeking: S::Mask,
-    watch: Watch<S>,
-    /// Impulse left unbalanced, relative to the momentum in play.
+    convergence: ConvergenceMonitor<S>,
+    /// Impulse left unbalanced, relative to the momentum scale.
     impulse: S,
     /// Whether the last correction leaves nothing, by its contraction.
     foreseen: S::Mask,
@@ -42,7 +42,7 @@ pub struct Search<S: Number> {
     pub factorizations: S,
 }
 
-impl<S: Number> Search<S> {
+impl<S: Number> LaneNewton<S> {
     /// No lane has a run yet.
     pub fn idle(like: S) -> Self {
         let (zero, never) = (like.constant(0.0), like.constant(f64::NAN));
@@ -51,7 +51,7 @@ impl<S: Number> Search<S> {
             live: no,
             failed: no,
             seeking: no,
-            watch: Watch::new(zero),
+            convergence: ConvergenceMonitor::new(zero),
             impulse: zero,
             foreseen: no,
             factored_for: never,
@@ -94,14 +94,14 @@ struct Unbalanced<S> {
 impl<S: Number> Engine<S> {
     /// Finds the increments of the step at hand; lanes in which there is none are marked.
     #[inline(always)]
-    pub fn solve(&mut self, books: &Books<S>, search: &mut Search<S>) {
-        search.begin(books.energy_scale, self.h);
+    pub fn solve(&mut self, ledger: &LaneLedger<S>, search: &mut LaneNewton<S>) {
+        search.begin(ledger.energy_scale, self.h);
         self.settled = self.h.less(self.h);
         self.predict(search.steady);
         let reach = largest(&self.displacement);
         let momentum = {
-            let play = (self.numbers.total_mass * books.energy_scale * 2.0).sqrt();
-            play.max(books.linear_scale)
+            let play = (self.numbers.total_mass * ledger.energy_scale * 2.0).sqrt();
+            play.max(ledger.linear_scale)
         };
         let (mut assemble, mut seen) = (search.renew.any(), false);
         let mut corrections = 0;
@@ -131,7 +131,7 @@ impl<S: Number> Engine<S> {
             self.correct_and_strike();
             corrections += 1;
             let took = search.seeking;
-            self.take(search, reach, books, corrections == 1);
+            self.take(search, reach, ledger, corrections == 1);
             self.end_ahead(search, took, momentum);
             if !search.seeking.any() {
                 break;
@@ -156,7 +156,7 @@ impl<S: Number> Engine<S> {
     /// evaluated for them any more but those of contacts, which may have opened or closed; reactions follow the correction to first
     /// order, as the others do that it balances, and stay so while other lanes go on: a run knows nothing of those beside it.
     #[inline(always)]
-    fn end_ahead(&mut self, search: &mut Search<S>, took: S::Mask, momentum: S) {
+    fn end_ahead(&mut self, search: &mut LaneNewton<S>, took: S::Mask, momentum: S) {
         if S::DERIVES || self.striking.is_some() || !(took & search.foreseen).any() {
             return;
         }
@@ -183,7 +183,7 @@ impl<S: Number> Engine<S> {
                 self.increment[n][i] = free + S::choose(steady, change, zero);
             }
         }
-        Self::project(&self.numbers.holds, &mut self.increment);
+        Self::project(&self.numbers.prescribed, &mut self.increment);
         for guide in &mut self.guides {
             let free = self.h * guide.velocity;
             guide.increment = free + S::choose(steady, free - guide.increment, zero);
@@ -216,8 +216,8 @@ impl<S: Number> Engine<S> {
 
     /// Factors the tangent as assembled last, for the lanes that want it renewed; in the others the factors stay.
     #[inline(always)]
-    fn renew(&mut self, search: &mut Search<S>) {
-        self.keep_grips(search.renew);
+    fn renew(&mut self, search: &mut LaneNewton<S>) {
+        self.keep_reaction_rows(search.renew);
         self.factor();
         let renew = search.renew;
         if (search.live & !renew).any() {
@@ -236,7 +236,7 @@ impl<S: Number> Engine<S> {
 
     /// Takes the correction into the increments of the lanes that seek.
     #[inline(always)]
-    fn take(&mut self, search: &mut Search<S>, reach: S, books: &Books<S>, first: bool) {
+    fn take(&mut self, search: &mut LaneNewton<S>, reach: S, ledger: &LaneLedger<S>, first: bool) {
         let (zero, seeking) = (self.h.constant(0.0), search.seeking);
         let (mut work, mut size, mut step) = (zero, zero, zero);
         for n in 0..self.increment.len() {
@@ -257,11 +257,11 @@ impl<S: Number> Engine<S> {
             force += guide.force + guide.impulse;
         }
         if first {
-            let scale = books.energy_scale;
-            search.watch.play(zero.if_less(scale, scale, work));
+            let scale = ledger.energy_scale;
+            search.convergence.play(zero.if_less(scale, scale, work));
         }
         let places = zero.if_less(force, self.numbers.size, zero);
-        search.watch.corrected(size, reach, step, work, places);
+        search.convergence.corrected(size, reach, step, work, places);
         search.iterations += S::choose(seeking, zero.constant(1.0), zero);
         search.foresee();
     }
@@ -283,12 +283,12 @@ impl<S: Number> Engine<S> {
     }
 }
 
-impl<S: Number> Search<S> {
+impl<S: Number> LaneNewton<S> {
     /// Begins a step of size `h`.
     #[inline(always)]
     fn begin(&mut self, energy: S, h: S) {
         let no = h.less(h);
-        self.watch = Watch::new(energy);
+        self.convergence = ConvergenceMonitor::new(energy);
         (self.seeking, self.failed) = (self.live, no);
         // Derivatives need the tangent at the solution anyway.
         self.steady = if S::DERIVES { no } else { h.equals(self.size) };
@@ -305,7 +305,7 @@ impl<S: Number> Search<S> {
     /// Wants the tangent renewed if the iteration no longer contracts well.
     #[inline(always)]
     fn judge(&mut self) {
-        self.renew = self.seeking & !self.watch.contracts();
+        self.renew = self.seeking & !self.convergence.contracts();
         let shorter = (self.service * 0.5).max(self.service.constant(1.0));
         self.service = S::choose(self.renew, shorter, self.service);
     }
@@ -325,24 +325,26 @@ impl<S: Number> Search<S> {
     #[inline(always)]
     fn foresee(&mut self) {
         let small = self.impulse.constant(IMPULSE_TOLERANCE);
-        let impulse = self.impulse * self.watch.left_share();
-        let work = self.watch.work_left();
-        self.foreseen = work.at_most(self.watch.energy * WORK_TOLERANCE) & impulse.at_most(small);
+        let impulse = self.impulse * self.convergence.left_share();
+        let work = self.convergence.work_left();
+        self.foreseen =
+            work.at_most(self.convergence.energy * WORK_TOLERANCE) & impulse.at_most(small);
     }
 
     /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done.
     #[inline(always)]
     fn weigh(&mut self, work: S, impulse: S, corrections: usize) {
-        self.watch.unbalanced(work);
+        self.convergence.unbalanced(work);
         self.impulse = impulse;
         self.failed = self.failed | self.seeking & !work.finite();
         self.seeking = self.seeking & work.finite();
         if corrections > 0 {
             let small = work.constant(IMPULSE_TOLERANCE);
             // Where nothing moves the impulse is NaN, and passes.
-            let exact = work.at_most(self.watch.energy * WORK_TOLERANCE) & !small.less(impulse);
+            let exact =
+                work.at_most(self.convergence.energy * WORK_TOLERANCE) & !small.less(impulse);
             let passable = !work.constant(MOST_IMPULSE).less(impulse);
-            let done = exact | (self.foreseen | self.watch.settled()) & passable;
+            let done = exact | (self.foreseen | self.convergence.settled()) & passable;
             self.seeking = self.seeking & !done;
         }
     }

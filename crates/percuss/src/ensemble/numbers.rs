@@ -5,7 +5,7 @@ use crate::element::membrane::MembraneTable;
 use crate::element::point::SectionLaw;
 use crate::model::StrainMeasure;
 
-/// All numbers of a run of a given [`Shape`](super::shape::Shape).
+/// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
 #[derive(Clone, Debug)]
 pub struct Numbers<S> {
     /// Step size \[s\].
@@ -15,7 +15,7 @@ pub struct Numbers<S> {
     /// Reference position and tangent of the beams' nodes.
     pub nodes: Vec<[S; 4]>,
     /// Components held at nodes.
-    pub holds: Vec<HoldNumbers<S>>,
+    pub prescribed: Vec<PrescribedNumbers<S>>,
     /// Guided projectiles.
     pub guides: Vec<GuideNumbers<S>>,
     /// Dead loads.
@@ -52,7 +52,7 @@ pub struct SpanNumbers<S> {
 
 /// Held directions of a node, orthonormal.
 #[derive(Clone, Debug)]
-pub struct HoldNumbers<S> {
+pub struct PrescribedNumbers<S> {
     /// Node.
     pub node: usize,
     /// Components held, where the directions are those of components.
@@ -124,7 +124,7 @@ impl<S: Copy> Numbers<S> {
             step: f(self.step),
             spans: self.spans.iter().map(|s| s.map(f)).collect(),
             nodes: self.nodes.iter().map(|x| x.map(&mut *f)).collect(),
-            holds: self.holds.iter().map(|h| h.map(f)).collect(),
+            prescribed: self.prescribed.iter().map(|h| h.map(f)).collect(),
             guides: self.guides.iter().map(|g| g.map(f)).collect(),
             loads: self.loads.iter().map(|l| l.map(f)).collect(),
             points: (self.points.iter())
@@ -166,10 +166,10 @@ impl<S: Copy> SpanNumbers<S> {
     }
 }
 
-impl<S: Copy> HoldNumbers<S> {
-    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> HoldNumbers<T> {
+impl<S: Copy> PrescribedNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> PrescribedNumbers<T> {
         let normals = self.normals.iter().map(|n| n.map(&mut *f)).collect();
-        HoldNumbers { node: self.node, components: self.components, normals }
+        PrescribedNumbers { node: self.node, components: self.components, normals }
     }
 }
 

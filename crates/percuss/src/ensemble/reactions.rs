@@ -1,22 +1,22 @@
 //! Reactions where an iteration ends without another evaluation: they follow its last correction by the tangent it was found with.
 
-use super::band::{Block, add_applied};
+use super::band::{LaneBlock, add_applied};
 use super::engine::Engine;
 use crate::scalar::Number;
 
 impl<S: Number> Engine<S> {
     /// Keeps the rows of held nodes of the tangent assembled last, in the given lanes.
     #[inline(always)]
-    pub fn keep_grips(&mut self, which: S::Mask) {
+    pub fn keep_reaction_rows(&mut self, which: S::Mask) {
         let (band, last) = (&self.tangent, self.residual.len() - 1);
-        for (grip, hold) in self.grips.iter_mut().zip(&self.numbers.holds) {
-            let n = hold.node;
-            take_block(&mut grip[1], &band.diag[n], which);
+        for (rows, dofs) in self.reaction_rows.iter_mut().zip(&self.numbers.prescribed) {
+            let n = dofs.node;
+            take_block(&mut rows[1], &band.diag[n], which);
             if n > 0 {
-                take_block(&mut grip[0], &band.lower[n - 1], which);
+                take_block(&mut rows[0], &band.lower[n - 1], which);
             }
             if n < last {
-                take_block(&mut grip[2], &band.upper[n], which);
+                take_block(&mut rows[2], &band.upper[n], which);
             }
         }
     }
@@ -25,9 +25,10 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn correct_reactions(&mut self, took: S::Mask) {
         let (zero, last) = (self.h.constant(0.0), self.residual.len() - 1);
-        for k in 0..self.numbers.holds.len() {
-            let (hold, [before, own, after]) = (&self.numbers.holds[k], &self.grips[k]);
-            let n = hold.node;
+        for k in 0..self.numbers.prescribed.len() {
+            let (dofs, [before, own, after]) =
+                (&self.numbers.prescribed[k], &self.reaction_rows[k]);
+            let n = dofs.node;
             let mut change = add_applied([zero; 4], own, &self.correction[n]);
             if n > 0 {
                 change = add_applied(change, before, &self.correction[n - 1]);
@@ -44,7 +45,7 @@ impl<S: Number> Engine<S> {
                 }
             }
             let mut free = change;
-            hold.project(&mut free);
+            dofs.project(&mut free);
             for i in 0..4 {
                 self.reactions[k][i] += S::choose(took, change[i] - free[i], zero);
             }
@@ -53,7 +54,7 @@ impl<S: Number> Engine<S> {
 }
 
 #[inline(always)]
-fn take_block<S: Number>(mine: &mut Block<S>, other: &Block<S>, which: S::Mask) {
+fn take_block<S: Number>(mine: &mut LaneBlock<S>, other: &LaneBlock<S>, which: S::Mask) {
     for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
         *mine = S::choose(which, *other, *mine);
     }

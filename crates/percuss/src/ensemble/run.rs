@@ -1,11 +1,11 @@
 //! Steps ensembles to their ends: lanes whose run has ended take the next one.
 
-use super::books::Books;
 use super::engine::Engine;
+use super::ledger::LaneLedger;
 use super::log::Log;
-use super::newton::Search;
+use super::newton::LaneNewton;
 use super::numbers::Numbers;
-use super::shape::{Shape, numbers};
+use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use crate::model::Model;
 use crate::scalar::{Lanes, Mask, Number};
@@ -21,7 +21,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
     let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {
         let faultless = settings.validate(model).is_empty();
         let numbers = numbers(model, settings).ok().filter(|_| faultless)?;
-        let shape = Shape::of(&numbers);
+        let shape = BatchShape::of(&numbers);
         (!shape.has_rigid_guides()).then_some((i, shape, numbers))
     };
     let mut left: Vec<_> = runs.iter().enumerate().filter_map(known).collect();
@@ -29,9 +29,9 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
         let shape = shape.clone();
         let (group, others): (Vec<_>, Vec<_>) = left.into_iter().partition(|r| r.1 == shape);
         left = others;
-        let group: Vec<Run> = group
+        let group: Vec<LaneRun> = group
             .into_iter()
-            .map(|(index, _, numbers)| Run {
+            .map(|(index, _, numbers)| LaneRun {
                 index,
                 model: runs[index].0,
                 settings: runs[index].1,
@@ -45,7 +45,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
 }
 
 /// A run of an ensemble.
-struct Run<'a> {
+struct LaneRun<'a> {
     /// Its place among all runs asked for.
     index: usize,
     model: &'a Model,
@@ -71,7 +71,7 @@ fn side_by_side(group: SideBySide) {
 
 /// Runs in lanes, compiled for each of the register widths that processors have.
 struct SideBySide<'a, 'r> {
-    runs: &'a [Run<'r>],
+    runs: &'a [LaneRun<'r>],
     keep: &'a mut dyn FnMut(usize, Option<RunSummary>),
 }
 
@@ -86,9 +86,9 @@ impl pulp::WithSimd for SideBySide<'_, '_> {
 /// An ensemble in mid-flight.
 struct Ensemble<S: Number> {
     engine: Engine<S>,
-    books: Books<S>,
+    ledger: LaneLedger<S>,
     log: Log<S>,
-    search: Search<S>,
+    search: LaneNewton<S>,
     /// The run in each lane and its steps done.
     lanes: Vec<Option<(usize, usize)>>,
     /// The first run that no lane has taken yet.
@@ -97,13 +97,13 @@ struct Ensemble<S: Number> {
 
 impl<S: Number> Ensemble<S> {
     #[inline(always)]
-    fn of(runs: &[Run], like: S) -> Self {
+    fn of(runs: &[LaneRun], like: S) -> Self {
         let numbers = runs[0].numbers.map(&mut |x| like.constant(x));
         let engine = Engine::new(numbers);
         Self {
-            books: Books::open(&engine),
+            ledger: LaneLedger::open(&engine),
             log: Log::new(&engine),
-            search: Search::idle(engine.h),
+            search: LaneNewton::idle(engine.h),
             lanes: vec![None; S::LANES],
             next: 0,
             engine,
@@ -112,22 +112,22 @@ impl<S: Number> Ensemble<S> {
 
     /// Runs all to their ends, handing over their summaries.
     #[inline(always)]
-    fn run(mut self, runs: &[Run], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
+    fn run(mut self, runs: &[LaneRun], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
         (0..S::LANES).for_each(|lane| self.fill(lane, runs));
         while self.lanes.iter().any(Option::is_some) {
             self.set_steps(runs);
             self.log.begin(&self.engine);
-            self.engine.solve(&self.books, &mut self.search);
-            self.books.book(&self.engine);
+            self.engine.solve(&self.ledger, &mut self.search);
+            self.ledger.enter(&self.engine);
             self.engine.commit();
             self.log.end(&self.engine);
-            self.books.close(&self.engine);
+            self.ledger.close(&self.engine);
             self.close_step(runs, keep);
         }
     }
 
     /// Puts the next run into a lane.
-    fn fill(&mut self, lane: usize, runs: &[Run]) {
+    fn fill(&mut self, lane: usize, runs: &[LaneRun]) {
         self.search.set_run(lane, self.next < runs.len());
         self.lanes[lane] = None;
         let Some(run) = runs.get(self.next) else { return };
@@ -136,13 +136,13 @@ impl<S: Number> Ensemble<S> {
         let like = self.engine.h;
         let fresh = Engine::new(run.numbers.map(&mut |x| like.constant(x)));
         self.engine.set_lane(lane, &fresh, 0);
-        self.books.set_lane(lane, &Books::open(&fresh), 0);
+        self.ledger.set_lane(lane, &LaneLedger::open(&fresh), 0);
         self.log.reset(lane);
     }
 
     /// Gives every lane the size of its next step, of which the last one may be shorter, and the factors of its loads.
     #[inline(always)]
-    fn set_steps(&mut self, runs: &[Run]) {
+    fn set_steps(&mut self, runs: &[LaneRun]) {
         for lane in 0..S::LANES {
             let Some((run, steps)) = self.lanes[lane] else { continue };
             let settings = runs[run].settings;
@@ -167,7 +167,7 @@ impl<S: Number> Ensemble<S> {
 
     /// Takes in the end of a step: runs that have ended or failed leave their lanes.
     #[inline(always)]
-    fn close_step(&mut self, runs: &[Run], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
+    fn close_step(&mut self, runs: &[LaneRun], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
         let lanes = &self.lanes;
         self.log.time = self.log.time.constants(|lane| {
             lanes[lane].map_or(0.0, |(run, steps)| {
@@ -187,7 +187,7 @@ impl<S: Number> Ensemble<S> {
                 let telling = Telling {
                     model: own.model,
                     engine: &self.engine,
-                    books: &self.books,
+                    ledger: &self.ledger,
                     log: &self.log,
                     search: &self.search,
                     lane,

@@ -7,7 +7,7 @@
 use super::flight::{Derived, Flight, TOGETHER};
 use super::horizon::{agreeing, withdraw};
 use super::numbers::Numbers;
-use super::shape::{Shape, numbers};
+use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use crate::analysis::record::NoRecorder;
 use crate::analysis::simulate;
@@ -118,7 +118,7 @@ pub fn sensitivities(
     let case = Case { model, settings, base, fixed: Fixed::all(model) };
     let mut found =
         Sensitivities { summary, derivatives: Vec::new(), horizon: None, grazing: Vec::new() };
-    let none: &[Slopes] = &[];
+    let none: &[ParameterSlopes] = &[];
     // Without parameters it still tells what grazes.
     let chunks: Vec<_> =
         if parameters.is_empty() { vec![none] } else { parameters.chunks(TOGETHER).collect() };
@@ -138,7 +138,7 @@ fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferent
 }
 
 /// What a parameter changes, by unit of it.
-struct Slopes {
+struct ParameterSlopes {
     /// Numbers of the model.
     numbers: Vec<f64>,
     /// End of the run.
@@ -151,14 +151,14 @@ fn slopes(
     settings: &Settings,
     base: &Numbers<f64>,
     variations: &[Variation],
-) -> Result<Vec<Slopes>, Undifferentiated> {
-    let shape = Shape::of(base);
+) -> Result<Vec<ParameterSlopes>, Undifferentiated> {
+    let shape = BatchShape::of(base);
     let mut all = Vec::new();
     for (i, variation) in variations.iter().enumerate() {
         let mut flat = Vec::new();
         for varied in &variation.models {
             let numbers = known(varied, settings)?;
-            if Shape::of(&numbers) != shape {
+            if BatchShape::of(&numbers) != shape {
                 let why = format!("parameter {} changes the mesh, not numbers alone", i + 1);
                 return Err(why.into());
             }
@@ -176,7 +176,7 @@ fn slopes(
             Fixed::from([0, 1, 2].map(|n| difference(each.map(|numbers| numbers[n]), change)))
         });
         let end = difference(variation.ends, change);
-        all.push(Slopes { numbers: numbers.collect(), end, fixed: fixed.collect() });
+        all.push(ParameterSlopes { numbers: numbers.collect(), end, fixed: fixed.collect() });
     }
     Ok(all)
 }
@@ -196,8 +196,8 @@ struct Case<'a> {
 
 impl Case<'_> {
     /// Adds the derivatives by up to [`TOGETHER`] parameters.
-    fn differentiate(&self, parameters: &[Slopes], found: &mut Sensitivities) {
-        let derived = |value: f64, of: &dyn Fn(&Slopes) -> f64| {
+    fn differentiate(&self, parameters: &[ParameterSlopes], found: &mut Sensitivities) {
+        let derived = |value: f64, of: &dyn Fn(&ParameterSlopes) -> f64| {
             let mut slope = [0.0; TOGETHER + 1];
             parameters.iter().zip(&mut slope).for_each(|(from, to)| *to = of(from));
             Dual { value, slope }
@@ -210,7 +210,7 @@ impl Case<'_> {
         let telling = Telling {
             model: self.model,
             engine: &flight.engine,
-            books: &flight.books,
+            ledger: &flight.ledger,
             log: &flight.log,
             search: &flight.search,
             lane: 0,

@@ -1,7 +1,9 @@
 //! Which runs an ensemble can step, and which of them side by side.
 
 use super::loads::dead_load;
-use super::numbers::{GuideLaw, GuideNumbers, HoldNumbers, Numbers, PointNumbers, SpanNumbers};
+use super::numbers::{
+    GuideLaw, GuideNumbers, Numbers, PointNumbers, PrescribedNumbers, SpanNumbers,
+};
 use crate::ledger::RoundOff;
 use crate::math::vec2::dot;
 use crate::model::frozen::{BodyKind, ProjectileData};
@@ -10,11 +12,11 @@ use crate::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start
 
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shape {
+pub struct BatchShape {
     /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains.
     spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
     /// Node, number of directions held, components.
-    holds: Vec<(usize, usize, Option<[bool; 4]>)>,
+    prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
     /// Struck node and law of each guided projectile.
     pub guides: Vec<(usize, GuideLaw)>,
     /// Nodes of each load.
@@ -23,7 +25,7 @@ pub struct Shape {
     points: Vec<usize>,
 }
 
-impl Shape {
+impl BatchShape {
     /// The shape of a set of numbers.
     pub fn of<S: Copy>(numbers: &Numbers<S>) -> Self {
         let slender = |s: &SpanNumbers<S>| s.tables.iter().map(|t| t.membrane.is_some()).collect();
@@ -31,7 +33,7 @@ impl Shape {
             spans: (numbers.spans.iter())
                 .map(|s| (s.first, s.count, s.measure, s.damped, slender(s)))
                 .collect(),
-            holds: (numbers.holds.iter())
+            prescribed: (numbers.prescribed.iter())
                 .map(|h| (h.node, h.normals.len(), h.components))
                 .collect(),
             guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
@@ -95,9 +97,9 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         nodes: (beams.iter())
             .map(|n| [n.position[0], n.position[1], n.tangent[0], n.tangent[1]])
             .collect(),
-        holds: (model.holds.iter())
+        prescribed: (model.prescribed.iter())
             .filter(|h| h.node < beams.len())
-            .map(|h| HoldNumbers {
+            .map(|h| PrescribedNumbers {
                 node: h.node,
                 components: components(&h.normals),
                 normals: h.normals.clone(),

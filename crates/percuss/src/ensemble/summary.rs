@@ -1,9 +1,9 @@
 //! The summary of a run of an ensemble.
 
-use super::books::Books;
 use super::engine::Engine;
+use super::ledger::LaneLedger;
 use super::log::{Closed, Log, Struck, Top};
-use super::newton::Search;
+use super::newton::LaneNewton;
 use super::numbers::GuideLaw;
 use crate::analysis::crest::{Crest, at_last};
 use crate::model::Model;
@@ -15,9 +15,9 @@ use crate::summary::*;
 pub struct Telling<'a, S: Number> {
     pub model: &'a Model,
     pub engine: &'a Engine<S>,
-    pub books: &'a Books<S>,
+    pub ledger: &'a LaneLedger<S>,
     pub log: &'a Log<S>,
-    pub search: &'a Search<S>,
+    pub search: &'a LaneNewton<S>,
     pub lane: usize,
     /// Steps of the given size, steps of the solver, rows that a recorder would be given.
     pub steps: usize,
@@ -64,14 +64,14 @@ impl Fixed {
 impl<S: Number> Telling<'_, S> {
     /// The summary; section forces and reactions are unset.
     pub fn summary(&self, termination: Termination, reading: &Reading<S>) -> RunSummary {
-        let (books, model, read) = (self.books, self.model, reading.read);
+        let (ledger, model, read) = (self.ledger, self.model, reading.read);
         let error = |value: f64| if reading.derivative { f64::NAN } else { value };
         let relative = |value: S, scale: S| {
             let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
             error(if value == 0.0 { 0.0 } else { value / scale })
         };
         let [energy_scale, linear_scale, angular_scale] =
-            books.audit_scales(&self.engine.numbers.negligible);
+            ledger.audit_scales(&self.engine.numbers.negligible);
         RunSummary {
             termination,
             time: read(self.log.time),
@@ -83,20 +83,20 @@ impl<S: Number> Telling<'_, S> {
             factorizations: self.search.factorizations.lane(self.lane) as usize,
             rows: self.rows,
             energy: EnergySummary {
-                initial: read(books.start.energy),
-                final_: read(books.now.energy),
-                work_loads: read(books.work_loads),
+                initial: read(ledger.start.energy),
+                final_: read(ledger.now.energy),
+                work_loads: read(ledger.work_loads),
                 work_supports: 0.0,
-                loss_impacts: read(books.loss_impacts),
-                loss_damping: read(books.loss_damping),
+                loss_impacts: read(ledger.loss_impacts),
+                loss_damping: read(ledger.loss_damping),
                 scale: read(energy_scale),
-                residual_max: relative(books.energy_residual, energy_scale),
+                residual_max: relative(ledger.energy_residual, energy_scale),
             },
             momentum: MomentumSummary {
                 linear_scale: read(linear_scale),
-                linear_residual_max: relative(books.linear_residual, linear_scale),
+                linear_residual_max: relative(ledger.linear_residual, linear_scale),
                 angular_scale: read(angular_scale),
-                angular_residual_max: relative(books.angular_residual, angular_scale),
+                angular_residual_max: relative(ledger.angular_residual, angular_scale),
             },
             audit: AuditSummary { curvature_drift_max: error(0.0), membrane_drift_max: error(0.0) },
             projectiles: self.projectiles(read),
@@ -149,7 +149,7 @@ impl<S: Number> Telling<'_, S> {
             return ContactRecord::Nonsmooth {
                 impacts: struck.iter().map(|i| self.impact(k, i, reading)).collect(),
                 impact_count: struck.len(),
-                tamed_count: 0,
+                fallback_count: 0,
                 impulse_total: read(total),
                 intervals: Vec::new(),
                 // What is inside something is so by errors of the instant.
@@ -233,7 +233,7 @@ impl<S: Number> Telling<'_, S> {
                 stored: 0.0,
                 scheme: 0.0,
             },
-            tamed: false,
+            fallback_law: false,
         }
     }
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::configuration::Configuration;
-use super::placed::{Ends, Placed};
+use super::placed::{ElementEnds, Placed};
 use crate::element::beam::NodeFrame;
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 
@@ -158,7 +158,7 @@ pub struct AxisEnd {
 
 /// A point of an axis and the element it is on, as it lies.
 #[derive(Clone, Copy)]
-pub struct Foot {
+pub struct ClosestPoint {
     /// The point.
     pub point: AxisPoint,
     /// Its element.
@@ -169,8 +169,8 @@ pub struct Foot {
 #[derive(Clone, Copy)]
 pub struct Nearest {
     /// The point.
-    pub foot: Foot,
-    /// The point nearest in the neighbourhood of the guess, if another one is nearer: the foot leaps between two arms of a
+    pub closest: ClosestPoint,
+    /// The point nearest in the neighbourhood of the guess, if another one is nearer: the closest point leaps between two arms of a
     /// beam.
     pub leapt_from: Option<AxisPoint>,
 }
@@ -190,7 +190,7 @@ pub struct Axis<'a> {
 
 /// A bound of the length of a beam's longest element.
 pub fn longest_arc(elements: &[AxisElement], nodes: &[NodeFrame], at: &Configuration) -> f64 {
-    let squared = |e| Ends::new(e, nodes, at).longest_squared();
+    let squared = |e| ElementEnds::new(e, nodes, at).longest_squared();
     elements.iter().map(squared).fold(0.0, |most, x| if x > most { x } else { most }).sqrt()
 }
 
@@ -231,7 +231,7 @@ impl Axis<'_> {
             best = (near.placed.away(y, near.point.xi), Some(near));
         }
         let local = best.1;
-        let found = local.map(|foot| foot.point.element);
+        let found = local.map(|closest| closest.point.element);
         let mut leaps = false;
         let mut next = self.ends[0].point.element;
         while next <= self.ends[1].point.element {
@@ -242,7 +242,7 @@ impl Axis<'_> {
                 continue;
             }
             let element = &self.elements[k];
-            let ends = Ends::new(element, self.nodes, at);
+            let ends = ElementEnds::new(element, self.nodes, at);
             let within = best.0 + self.elements.deepest;
             let squared = ends.least_distance_squared(y);
             if within < 0.0 || squared > within * within {
@@ -250,7 +250,7 @@ impl Axis<'_> {
                 next += ((squared.sqrt() - within) / self.arc) as usize;
                 continue;
             }
-            if Some(k) == found && ends.has_one_foot(within) {
+            if Some(k) == found && ends.has_one_closest_point(within) {
                 continue;
             }
             let placed = Placed::between(element, &ends);
@@ -258,34 +258,46 @@ impl Axis<'_> {
             let away = placed.away(y, xi);
             // Of two as near, the one found first: at a node both elements say the same.
             if away + SAME * norm(sub(placed.position(xi), y)) < best.0 {
-                best = (away, Some(Foot { point: AxisPoint { element: k, xi }, placed }));
+                best = (away, Some(ClosestPoint { point: AxisPoint { element: k, xi }, placed }));
                 leaps = true;
             }
         }
         if !leaps {
-            return local.map(|foot| Nearest { foot, leapt_from: None });
+            return local.map(|closest| Nearest { closest, leapt_from: None });
         }
-        // The foot that the next search in its neighbourhood will find.
-        let foot = best.1.map(|foot| self.near(y, at, foot.point, side))?;
-        Some(Nearest { foot, leapt_from: local.map(|foot| foot.point) })
+        // The closest point that the next search in its neighbourhood will find.
+        let closest = best.1.map(|closest| self.near(y, at, closest.point, side))?;
+        Some(Nearest { closest, leapt_from: local.map(|closest| closest.point) })
     }
 
-    /// Whether another point is nearer to `y` than `foot`.
-    pub fn has_nearer(&self, y: [f64; 2], at: &Configuration, foot: AxisPoint, side: f64) -> bool {
-        let Some(found) = self.nearest(y, at, foot, side) else { return false };
-        let nearest = found.foot.placed.away(y, found.foot.point.xi);
-        let placed = self.placed(foot.element, at);
-        nearest + SAME * norm(sub(placed.position(foot.xi), y)) < placed.away(y, foot.xi)
+    /// Whether another point is nearer to `y` than `closest`.
+    pub fn has_nearer(
+        &self,
+        y: [f64; 2],
+        at: &Configuration,
+        closest: AxisPoint,
+        side: f64,
+    ) -> bool {
+        let Some(found) = self.nearest(y, at, closest, side) else { return false };
+        let nearest = found.closest.placed.away(y, found.closest.point.xi);
+        let placed = self.placed(closest.element, at);
+        nearest + SAME * norm(sub(placed.position(closest.xi), y)) < placed.away(y, closest.xi)
     }
 
     /// The point nearest to `y` in the neighbourhood of another one: downhill along the axis.
-    pub fn near(&self, y: [f64; 2], at: &Configuration, from: AxisPoint, side: f64) -> Foot {
+    pub fn near(
+        &self,
+        y: [f64; 2],
+        at: &Configuration,
+        from: AxisPoint,
+        side: f64,
+    ) -> ClosestPoint {
         let [first, last] = self.ends.each_ref().map(|end| end.point.element);
         let (mut element, mut guess, mut way) = (from.element.clamp(first, last), from.xi, 0_i8);
         loop {
             let placed = self.placed(element, at);
             let xi = placed.descend(y, guess, side, self.limits(element));
-            let here = Foot { point: AxisPoint { element, xi }, placed };
+            let here = ClosestPoint { point: AxisPoint { element, xi }, placed };
             let slope = |placed: &Placed, xi: f64| placed.slope_at(y, xi, side);
             let (next, start) = if xi == 1.0 && way >= 0 && slope(&placed, xi) < 0.0 {
                 way = 1;
@@ -369,7 +381,7 @@ mod tests {
         /// However the axis is bent: going downhill from anywhere comes nearer, and the nearest point of all is where the search
         /// in its own neighbourhood finds it again.
         #[test]
-        fn feet_are_downhill_and_found_again(
+        fn closest_points_are_downhill_and_found_again(
             nodes in proptest::collection::vec((-1.0..1.0_f64, -1.0..1.0_f64, -2.5..2.5_f64, -2.5..2.5_f64), 4),
             y in (-1.2..1.2_f64, -1.2..1.2_f64),
             (start, xi) in (0..3_usize, 0.0..1.0_f64),
@@ -392,12 +404,12 @@ mod tests {
             let near = bounded.near(y, &at, from, 0.0).point;
             prop_assert!(away(near) <= away(from) + 1e-12, "{} from {}", away(near), away(from));
 
-            let nearest = bounded.nearest(y, &at, from, 0.0).map_or(from, |n| n.foot.point);
+            let nearest = bounded.nearest(y, &at, from, 0.0).map_or(from, |n| n.closest.point);
             let again = bounded.near(y, &at, nearest, 0.0).point;
             prop_assert!((away(again) - away(nearest)).abs() <= 1e-12);
             // Elements skipped by their length would not have been nearer.
             let all = Axis { arc: f64::INFINITY, ..bounded };
-            let unbounded = all.nearest(y, &at, from, 0.0).map_or(from, |n| n.foot.point);
+            let unbounded = all.nearest(y, &at, from, 0.0).map_or(from, |n| n.closest.point);
             prop_assert!((away(unbounded) - away(nearest)).abs() <= 1e-12);
             // No point of a fine sampling is nearer, but by what lies between points of the search's own.
             for k in 0..3 {

@@ -1,6 +1,6 @@
 //! Where the outline of a beam ends: a straight edge across the axis, its corners, and what leaning faces leave between them.
 
-use super::axis::{Axis, AxisEnd, Foot};
+use super::axis::{Axis, AxisEnd, ClosestPoint};
 use super::configuration::Configuration;
 use super::placed::Placed;
 use crate::math::vec2::{add, dot, norm, rot90, scale, sub};
@@ -33,13 +33,13 @@ enum Feature {
 }
 
 /// The frame of an end: the way out of the beam, and across.
-struct Frame {
+struct EndFrame {
     origin: [f64; 2],
     out: [f64; 2],
     across: [f64; 2],
 }
 
-impl Frame {
+impl EndFrame {
     fn new(end: &AxisEnd, placed: &Placed) -> Self {
         let tangent = placed.tangent(end.point.xi);
         let tangent = scale(1.0 / norm(tangent), tangent);
@@ -52,22 +52,22 @@ impl Frame {
     }
 }
 
-/// The place of an end that is nearest to `y`; `None` where that is a place of the axis' faces. `foot` is the nearest point of the
+/// The place of an end that is nearest to `y`; `None` where that is a place of the axis' faces. `closest` is the nearest point of the
 /// axis, `beyond` tells that `y` lies beyond its end, `side` the face that `y` was seen on.
 pub fn nearest(
     axis: &Axis,
     end: &AxisEnd,
-    foot: &Foot,
+    closest: &ClosestPoint,
     y: [f64; 2],
     at: &Configuration,
     [side, seen]: [f64; 2],
 ) -> Option<EdgeTouch> {
-    let placed = if end.point.element == foot.point.element {
-        foot.placed
+    let placed = if end.point.element == closest.point.element {
+        closest.placed
     } else {
         axis.placed_end(end, at)
     };
-    let frame = Frame::new(end, &placed);
+    let frame = EndFrame::new(end, &placed);
     let away = sub(y, frame.origin);
     let (d, e) = (dot(away, frame.out), dot(away, frame.across));
     let (w, sign) = (end.half_width, 1.0_f64.copysign(e));
@@ -82,7 +82,7 @@ pub fn nearest(
         Feature::Corner
     } else if height < 0.0 && d > height && !through {
         Feature::Edge
-    } else if end.lean > 0.0 && foot.point == end.point && !through {
+    } else if end.lean > 0.0 && closest.point == end.point && !through {
         Feature::Face
     } else {
         return None;

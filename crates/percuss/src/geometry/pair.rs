@@ -20,12 +20,12 @@ pub struct Centre {
     /// Node, or node `a` of the element.
     pub node: usize,
     /// How it follows.
-    pub hold: Hold,
+    pub carrier: Carrier,
 }
 
 /// What a point belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Hold {
+pub enum Carrier {
     /// A rigid body: its third degree of freedom is an angle. The point is off its centre by `offset`; that of a body that
     /// turns is its centre.
     Body { offset: [f64; 2] },
@@ -35,7 +35,7 @@ pub enum Hold {
 }
 
 /// A section of a beam in a configuration.
-struct Section<'a> {
+struct PlacedSection<'a> {
     slope: &'a [f64; 4],
     /// Unit tangent and normal of the axis.
     tangent: [f64; 2],
@@ -50,9 +50,9 @@ impl Centre {
     /// Displacement.
     pub fn displacement(&self, at: &Configuration) -> [f64; 2] {
         let a = at.node(self.node);
-        match &self.hold {
-            Hold::Body { .. } => [a[0], a[1]],
-            Hold::Beam { shape, slope, tangent, offset } => {
+        match &self.carrier {
+            Carrier::Body { .. } => [a[0], a[1]],
+            Carrier::Beam { shape, slope, tangent, offset } => {
                 let b = at.node(self.node + 1);
                 let moved = combine(shape, &a, &b);
                 if *offset == [0.0; 2] {
@@ -72,11 +72,11 @@ impl Centre {
 
     /// Adds a force at the point.
     pub fn add_force(&self, row: &mut Row, force: [f64; 2], at: &Configuration) {
-        match &self.hold {
-            Hold::Body { offset } => {
+        match &self.carrier {
+            Carrier::Body { offset } => {
                 row.add(self.node, [force[0], force[1], cross(*offset, force), 0.0]);
             }
-            Hold::Beam { shape, .. } => {
+            Carrier::Beam { shape, .. } => {
                 add_weighted(row, self.node, shape, force);
                 if let Some(section) = self.section(at) {
                     section.add_turn(row, self.node, cross(section.arm, force));
@@ -87,7 +87,7 @@ impl Centre {
 
     /// Whether it moves as the axis of its beam does, or its body; not one that turns with a section.
     pub fn is_on_axis(&self) -> bool {
-        !matches!(self.hold, Hold::Beam { offset, .. } if offset != [0.0; 2])
+        !matches!(self.carrier, Carrier::Beam { offset, .. } if offset != [0.0; 2])
     }
 
     /// Adds the turn of the section that the point is off the axis of.
@@ -110,8 +110,8 @@ impl Centre {
     }
 
     /// Its section as it lies, if the point is off the axis.
-    fn section(&self, at: &Configuration) -> Option<Section<'_>> {
-        let Hold::Beam { slope, tangent, offset, .. } = &self.hold else { return None };
+    fn section(&self, at: &Configuration) -> Option<PlacedSection<'_>> {
+        let Carrier::Beam { slope, tangent, offset, .. } = &self.carrier else { return None };
         if *offset == [0.0; 2] {
             return None;
         }
@@ -120,27 +120,27 @@ impl Centre {
         let stretch = norm(g);
         let tangent = scale(1.0 / stretch, g);
         let arm = carried(g, *offset);
-        Some(Section { slope, tangent, normal: rot90(tangent), stretch, arm })
+        Some(PlacedSection { slope, tangent, normal: rot90(tangent), stretch, arm })
     }
 
     /// Adds a force that does work on the derivative of the point along its axis; nothing on a body.
     pub fn add_slope(&self, row: &mut Row, force: [f64; 2]) {
-        if let Hold::Beam { slope, .. } = &self.hold {
+        if let Carrier::Beam { slope, .. } = &self.carrier {
             add_weighted(row, self.node, slope, force);
         }
     }
 
     /// The node it follows, and the second one if it is on an element.
     pub fn nodes(&self) -> impl Iterator<Item = usize> {
-        let more = usize::from(matches!(self.hold, Hold::Beam { .. }));
+        let more = usize::from(matches!(self.carrier, Carrier::Beam { .. }));
         self.node..=self.node + more
     }
 
     /// Adds a couple; on a beam, by the slopes of its tangent.
     pub fn add_couple(&self, row: &mut Row, couple: f64, at: &Configuration) {
-        match &self.hold {
-            Hold::Body { .. } => row.add(self.node, [0.0, 0.0, couple, 0.0]),
-            Hold::Beam { slope, tangent, .. } => {
+        match &self.carrier {
+            Carrier::Body { .. } => row.add(self.node, [0.0, 0.0, couple, 0.0]),
+            Carrier::Beam { slope, tangent, .. } => {
                 let u = combine(slope, &at.node(self.node), &at.node(self.node + 1));
                 let g = add(*tangent, u);
                 add_weighted(row, self.node, slope, scale(couple / dot(g, g), rot90(g)));
@@ -156,7 +156,7 @@ impl Centre {
     }
 }
 
-impl Section<'_> {
+impl PlacedSection<'_> {
     fn add_turn(&self, row: &mut Row, node: usize, factor: f64) {
         add_weighted(row, node, self.slope, scale(factor / self.stretch, self.normal));
     }
@@ -219,8 +219,8 @@ pub struct Pair {
     pub obstacle: Option<usize>,
     /// Things that move: beams first, then bodies. Source and target.
     pub movers: [usize; 2],
-    /// Which of the contact's two parties the source is.
-    pub source_party: usize,
+    /// Which of the contact's two partners the source is.
+    pub source_partner: usize,
     /// Arc length of the source along its beam; NaN for a body \[m\].
     pub s: f64,
     /// Whether the source belongs to an end of its beam.

@@ -5,23 +5,23 @@ use super::configuration::Configuration;
 use crate::element::beam::NodeFrame;
 use crate::math::vec2::{cross, dot, norm, scale, sub};
 
-/// Iterations after which a foot is closed in on by halves.
+/// Iterations after which a closest point is closed in on by halves.
 const PATIENCE: usize = 40;
-/// A step by which Newton's iteration for a foot has settled: it converges quadratically, so what is left is round-off.
+/// A step by which Newton's iteration for a closest point has settled: it converges quadratically, so what is left is round-off.
 const SETTLED: f64 = 1e-9;
-/// Steps to a foot shorter than this do not leap over a crest of the distance.
+/// Steps to a closest point shorter than this do not leap over a crest of the distance.
 const CREST: f64 = 1e-6;
-/// Places at which the feet on a strongly bent element are looked for.
-const FEET: usize = 32;
+/// Places at which the closest points on a strongly bent element are looked for.
+const SAMPLES: usize = 32;
 
 /// An element in a configuration: position and slope at both ends.
 #[derive(Clone, Copy)]
-pub struct Ends {
+pub struct ElementEnds {
     nodes: [[f64; 4]; 2],
     length: f64,
 }
 
-impl Ends {
+impl ElementEnds {
     /// Of an element.
     pub fn new(element: &AxisElement, nodes: &[NodeFrame], at: &Configuration) -> Self {
         let end = |n: usize| {
@@ -62,7 +62,7 @@ impl Ends {
 
     /// Whether a place at most `away` from it has one point of it that is nearest in its neighbourhood, not several: the square
     /// of the distance is convex throughout. So it is wherever the element is bent by less than about a radian.
-    pub fn has_one_foot(&self, away: f64) -> bool {
+    pub fn has_one_closest_point(&self, away: f64) -> bool {
         let [a, b] = &self.nodes;
         let chord = [b[0] - a[0], b[1] - a[1]];
         let span = norm(chord);
@@ -90,7 +90,7 @@ pub struct Placed {
 
 /// A place of an element as a point sees it.
 #[derive(Clone, Copy)]
-struct Seen {
+struct SeenPlace {
     /// From the point to the place.
     away: [f64; 2],
     /// Derivative with respect to the share.
@@ -100,11 +100,11 @@ struct Seen {
 impl Placed {
     /// Of an element.
     pub fn new(element: &AxisElement, nodes: &[NodeFrame], at: &Configuration) -> Self {
-        Self::between(element, &Ends::new(element, nodes, at))
+        Self::between(element, &ElementEnds::new(element, nodes, at))
     }
 
     /// Of an element whose ends are known.
-    pub fn between(element: &AxisElement, ends: &Ends) -> Self {
+    pub fn between(element: &AxisElement, ends: &ElementEnds) -> Self {
         let [a, b] = &ends.nodes;
         let mut powers = [[0.0; 2]; 4];
         for i in 0..2 {
@@ -155,28 +155,28 @@ impl Placed {
         scale(1.0 / (self.length * self.length), self.turning(xi))
     }
 
-    fn seen(&self, y: [f64; 2], xi: f64) -> Seen {
-        Seen { away: sub(self.position(xi), y), tangent: self.onward(xi) }
+    fn seen(&self, y: [f64; 2], xi: f64) -> SeenPlace {
+        SeenPlace { away: sub(self.position(xi), y), tangent: self.onward(xi) }
     }
 
-    /// The share nearest to `y` of all between two `limits`. Where the element is bent so much that there may be several feet, each is
+    /// The share nearest to `y` of all between two `limits`. Where the element is bent so much that there may be several closest points, each is
     /// looked for.
-    pub fn nearest(&self, ends: &Ends, y: [f64; 2], side: f64, limits: [f64; 2]) -> f64 {
+    pub fn nearest(&self, ends: &ElementEnds, y: [f64; 2], side: f64, limits: [f64; 2]) -> f64 {
         let away = |xi: f64| self.away(y, xi);
         let [low, high] = limits;
         let at = |k: usize, of: usize| low + (high - low) * (k as f64 / of as f64);
         let coarse: [f64; 5] = std::array::from_fn(|k| away(at(k, 4)));
         let (best, least) = least_of(&coarse);
-        if ends.has_one_foot(least + self.half_depth + self.growth.max(0.0)) {
+        if ends.has_one_closest_point(least + self.half_depth + self.growth.max(0.0)) {
             return self.descend(y, at(best, 4), side, limits);
         }
-        let fine: [f64; FEET + 1] = std::array::from_fn(|k| away(at(k, FEET)));
+        let fine: [f64; SAMPLES + 1] = std::array::from_fn(|k| away(at(k, SAMPLES)));
         let nearer = |k: usize, other: Option<&f64>| other.is_none_or(|other| fine[k] <= *other);
-        let valleys = (0..=FEET).filter(|k| {
+        let valleys = (0..=SAMPLES).filter(|k| {
             nearer(*k, k.checked_sub(1).map(|before| &fine[before])) && nearer(*k, fine.get(k + 1))
         });
-        let feet = valleys.map(|k| self.descend(y, at(k, FEET), side, limits));
-        feet.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0.5 * (low + high))
+        let closest = valleys.map(|k| self.descend(y, at(k, SAMPLES), side, limits));
+        closest.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0.5 * (low + high))
     }
 
     /// The share nearest to `y` in the neighbourhood of another one: Newton's iteration on the square of the distance, downhill,
@@ -212,7 +212,7 @@ impl Placed {
                 };
             }
             let mut there = self.seen(y, next);
-            // Beyond a crest lies the neighbourhood of another foot.
+            // Beyond a crest lies the neighbourhood of another closest point.
             while !crawls
                 && (next - xi).abs() > CREST
                 && self.distance(&there, next, side) > self.distance(&seen, xi, side)
@@ -229,8 +229,8 @@ impl Placed {
         xi
     }
 
-    /// What is least at a foot.
-    fn distance(&self, seen: &Seen, xi: f64, side: f64) -> f64 {
+    /// What is least at a closest point.
+    fn distance(&self, seen: &SeenPlace, xi: f64, side: f64) -> f64 {
         let depth = if self.growth == 0.0 { 0.0 } else { self.growth * xi * through(seen, side) };
         norm(seen.away) - depth
     }
@@ -240,7 +240,7 @@ impl Placed {
         self.slope(&self.seen(y, xi), side)
     }
 
-    fn slope(&self, seen: &Seen, side: f64) -> f64 {
+    fn slope(&self, seen: &SeenPlace, side: f64) -> f64 {
         let level = dot(seen.away, seen.tangent);
         if self.growth == 0.0 {
             return level;
@@ -249,7 +249,7 @@ impl Placed {
     }
 
     /// What the taper takes from the derivative of that.
-    fn leaning(&self, seen: &Seen, side: f64) -> f64 {
+    fn leaning(&self, seen: &SeenPlace, side: f64) -> f64 {
         if self.growth == 0.0 {
             return 0.0;
         }
@@ -260,7 +260,7 @@ impl Placed {
 }
 
 /// Whether a point lies on the given side of an axis (1) or has gone through (-1); without a side it lies outside.
-fn through(seen: &Seen, side: f64) -> f64 {
+fn through(seen: &SeenPlace, side: f64) -> f64 {
     if cross(seen.away, seen.tangent) * side < 0.0 { -1.0 } else { 1.0 }
 }
 

@@ -1,6 +1,6 @@
 //! Linear forms over the degrees of freedom of a few nodes: gradients of gaps, directions of contact forces.
 
-/// Most nodes of a row: two of a beam that touches, and those of two elements, where the foot is in the middle and at the end of the
+/// Most nodes of a row: two of a beam that touches, and those of two elements, where the closest point is in the middle and at the end of the
 /// step.
 pub const CAPACITY: usize = 6;
 

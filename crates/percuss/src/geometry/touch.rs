@@ -3,10 +3,10 @@
 //! The gap is signed by the side the source was on: what has gone through is deep inside, not on the other side.
 
 use super::Axes;
-use super::axis::{Axis, AxisEnd, AxisPoint, Foot};
+use super::axis::{Axis, AxisEnd, AxisPoint, ClosestPoint};
 use super::configuration::Configuration;
 use super::edge::{self, EdgeTouch};
-use super::pair::{Centre, Hold, Memory, Pair, Target, carried};
+use super::pair::{Carrier, Centre, Memory, Pair, Target, carried};
 use super::row::Row;
 use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
@@ -24,14 +24,14 @@ pub struct Touch {
     /// Unit normal, from target to source.
     pub normal: [f64; 2],
     /// Point of the target's axis that is nearest.
-    pub foot: Centre,
-    /// Position of the foot \[m\].
-    pub foot_place: [f64; 2],
-    /// Distance of the target's surface from the foot \[m\].
+    pub closest: Centre,
+    /// Position of the closest point \[m\].
+    pub closest_place: [f64; 2],
+    /// Distance of the target's surface from the closest point \[m\].
     pub radius: f64,
     /// What to remember.
     pub memory: Memory,
-    /// Arc length of the foot along its beam; NaN elsewhere \[m\].
+    /// Arc length of the closest point along its beam; NaN elsewhere \[m\].
     pub s: f64,
     /// How the normal turns.
     pub bend: Bend,
@@ -42,15 +42,15 @@ pub struct Touch {
 pub enum Bend {
     /// Not at all.
     Flat,
-    /// About the foot, at this signed distance.
+    /// About the closest point, at this signed distance.
     Round { distance: f64 },
     /// With the section at the end of an axis, at this signed distance.
     Edge { distance: f64 },
-    /// The foot slides along an axis.
+    /// The closest point slides along an axis.
     Curve { distance: f64, tangent: [f64; 2], bend: [f64; 2] },
 }
 
-/// Where the foot of an axis is looked for.
+/// Where the closest point of an axis is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
     /// Everywhere.
@@ -72,9 +72,9 @@ impl Pair {
         let y = add(self.source.position, moved);
         match &self.target {
             Target::Guided { point, normal, standoff } => {
-                let foot = point.displacement(at);
-                let gap = standoff + dot(*normal, sub(moved, foot));
-                Some(self.flat(*point, add(point.position, foot), *normal, gap, memory))
+                let closest = point.displacement(at);
+                let gap = standoff + dot(*normal, sub(moved, closest));
+                Some(self.flat(*point, add(point.position, closest), *normal, gap, memory))
             }
             Target::Line { point, normal } => {
                 let away = dot(*normal, sub(y, point.place(at)));
@@ -85,25 +85,25 @@ impl Pair {
             Target::Segment { ends } => Some(self.segment(ends, y, at, memory)),
             Target::Axis { beam, skip, ends } => {
                 let axis = axis_of(axes, at, *beam, *skip, ends);
-                let (foot, leapt_from) = match reach {
+                let (closest, leapt_from) = match reach {
                     Reach::All => {
                         let found = axis.nearest(y, at, memory.near, memory.side)?;
-                        (found.foot, found.leapt_from)
+                        (found.closest, found.leapt_from)
                     }
                     Reach::Near => (axis.near(y, at, memory.near, memory.side), None),
                 };
                 let side = leapt_from.map_or(memory.side, |from| {
                     // What was outside of one arm is outside of the other, whichever way that one runs.
-                    let [before, after] = [from, foot.point].map(|p| axis.side(y, at, p));
+                    let [before, after] = [from, closest.point].map(|p| axis.side(y, at, p));
                     if before * memory.side < 0.0 { -after } else { after }
                 });
                 let known = Memory { side, ..*memory };
-                Some(self.on_axis(&axis, &foot, y, at, &known))
+                Some(self.on_axis(&axis, &closest, y, at, &known))
             }
         }
     }
 
-    /// Whether another place of the target is nearer than the foot remembered.
+    /// Whether another place of the target is nearer than the closest point remembered.
     pub fn leaps(&self, axes: &impl Axes, at: &Configuration, memory: &Memory) -> bool {
         let Target::Axis { beam, skip, ends } = &self.target else { return false };
         let y = self.source.place(at);
@@ -112,15 +112,25 @@ impl Pair {
 
     fn flat(
         &self,
-        foot: Centre,
-        foot_place: [f64; 2],
+        closest: Centre,
+        closest_place: [f64; 2],
         normal: [f64; 2],
         gap: f64,
         memory: &Memory,
     ) -> Touch {
         let radius = self.target_radius;
         let (memory, s) = (*memory, f64::NAN);
-        Touch { gap, apart: gap, normal, foot, foot_place, radius, memory, s, bend: Bend::Flat }
+        Touch {
+            gap,
+            apart: gap,
+            normal,
+            closest,
+            closest_place,
+            radius,
+            memory,
+            s,
+            bend: Bend::Flat,
+        }
     }
 
     fn round(
@@ -131,16 +141,16 @@ impl Pair {
         at: &Configuration,
         memory: &Memory,
     ) -> Touch {
-        let foot_place = centre.place(at);
-        let away = sub(y, foot_place);
+        let closest_place = centre.place(at);
+        let away = sub(y, closest_place);
         let distance = norm(away);
         let normal = if distance > 0.0 { scale(sign / distance, away) } else { [0.0, 1.0] };
         Touch {
             gap: sign * distance - self.reach,
             apart: distance - self.reach,
             normal,
-            foot: centre,
-            foot_place,
+            closest: centre,
+            closest_place,
             radius: self.target_radius,
             memory: *memory,
             s: f64::NAN,
@@ -174,21 +184,21 @@ impl Pair {
     fn on_axis(
         &self,
         axis: &Axis,
-        foot: &Foot,
+        closest: &ClosestPoint,
         y: [f64; 2],
         at: &Configuration,
         memory: &Memory,
     ) -> Touch {
-        let Foot { point, placed } = *foot;
+        let ClosestPoint { point, placed } = *closest;
         let element = &axis.elements[point.element];
-        let (tangent, foot_place) = (placed.tangent(point.xi), placed.position(point.xi));
-        let away = sub(y, foot_place);
+        let (tangent, closest_place) = (placed.tangent(point.xi), placed.position(point.xi));
+        let away = sub(y, closest_place);
         let distance = norm(away);
         let seen = axis.side_of(away, tangent, at, point);
         let s = element.s + point.xi * element.length;
         if let Some(end) = axis.end_near(s)
             && (end.point == point || distance < element.half_depth(point.xi))
-            && let Some(found) = edge::nearest(axis, end, foot, y, at, [memory.side, seen])
+            && let Some(found) = edge::nearest(axis, end, closest, y, at, [memory.side, seen])
         {
             return self.on_edge(axis, end, &found, point);
         }
@@ -210,8 +220,8 @@ impl Pair {
             gap: if border { f64::INFINITY } else { gap },
             apart: distance.abs() - self.reach - half_depth,
             normal,
-            foot: centre_on(axis, point, [0.0; 2]),
-            foot_place,
+            closest: centre_on(axis, point, [0.0; 2]),
+            closest_place,
             radius: half_depth,
             memory: Memory { side, near: point },
             s,
@@ -232,8 +242,8 @@ impl Pair {
             gap: if left { f64::INFINITY } else { apart },
             apart,
             normal: found.normal,
-            foot: centre_on(axis, end.point, found.offset),
-            foot_place: found.place,
+            closest: centre_on(axis, end.point, found.offset),
+            closest_place: found.place,
             radius: end.rounding,
             memory: Memory { side: found.side, near },
             s: end.s,
@@ -246,18 +256,18 @@ impl Pair {
         let mut row = Row::default();
         let n = touch.normal;
         self.source.add_force(&mut row, n, at);
-        touch.foot.add_force(&mut row, [-n[0], -n[1]], at);
+        touch.closest.add_force(&mut row, [-n[0], -n[1]], at);
         match &self.target {
             // The guide carries the couple of a force off the line of flight.
             Target::Guided { .. } => {
-                let arm = sub(touch.foot_place, self.source.place(at));
+                let arm = sub(touch.closest_place, self.source.place(at));
                 self.source.add_couple(&mut row, cross(arm, n), at);
             }
-            // A foot that is not a point of the body: the force acts at the foot.
+            // A closest point that is not a point of the body: the force acts at the closest point.
             Target::Line { point, .. } | Target::Segment { ends: [point, _] } => {
-                let arm = sub(touch.foot_place, point.place(at));
-                if touch.foot == *point {
-                    touch.foot.add_couple(&mut row, -cross(arm, n), at);
+                let arm = sub(touch.closest_place, point.place(at));
+                if touch.closest == *point {
+                    touch.closest.add_couple(&mut row, -cross(arm, n), at);
                 }
             }
             _ => {}
@@ -269,9 +279,9 @@ impl Pair {
     pub fn tangent_row(&self, touch: &Touch, at: &Configuration) -> Row {
         let mut row = Row::default();
         let t = tangent_of(touch.normal);
-        let surface = [0, 1].map(|i| touch.foot_place[i] + touch.radius * touch.normal[i]);
+        let surface = [0, 1].map(|i| touch.closest_place[i] + touch.radius * touch.normal[i]);
         self.source.add_force_at(&mut row, t, surface, at);
-        touch.foot.add_force_at(&mut row, [-t[0], -t[1]], surface, at);
+        touch.closest.add_force_at(&mut row, [-t[0], -t[1]], surface, at);
         row
     }
 }
@@ -294,8 +304,8 @@ fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
     if offset != [0.0; 2] {
         position = add(position, carried(tangent, offset));
     }
-    let hold = Hold::Beam { shape, slope, tangent, offset };
-    Centre { position, node: element.node, hold }
+    let carrier = Carrier::Beam { shape, slope, tangent, offset };
+    Centre { position, node: element.node, carrier }
 }
 
 /// The axis of a beam, as far as it can be touched.

@@ -19,21 +19,21 @@ impl Pair {
     /// How the gradient of the gap turns with its nodes; `None` where it does not. What points off an axis add to it, stands in
     /// [`Pair::section_turnings`].
     ///
-    /// With A the motion across the normal and O the turn of the axis at the foot, both as forms, the second derivative of the gap is
-    /// `A (x) A / d` at a distance d from a fixed foot. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', adds
+    /// With A the motion across the normal and O the turn of the axis at the closest point, both as forms, the second derivative of the gap is
+    /// `A (x) A / d` at a distance d from a fixed closest point. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', adds
     /// its share (theory, section 6). An edge that turns by O gives `A (x) O + O (x) A - d O (x) O`.
     pub fn turning(&self, touch: &Touch, at: &Configuration) -> Option<Turning> {
         let n = touch.normal;
         let across = rot90(n);
         let mut forms = [Row::default(); 2];
         self.source.add_force(&mut forms[0], across, at);
-        touch.foot.add_force(&mut forms[0], scale(-1.0, across), at);
+        touch.closest.add_force(&mut forms[0], scale(-1.0, across), at);
         let weights = match touch.bend {
             Bend::Round { distance } if distance.abs() > COINCIDENT => {
                 [[1.0 / distance, 0.0], [0.0; 2]]
             }
             Bend::Edge { distance } => {
-                touch.foot.add_turn(&mut forms[1], 1.0, at);
+                touch.closest.add_turn(&mut forms[1], 1.0, at);
                 [[0.0, 1.0], [1.0, -distance]]
             }
             Bend::Curve { distance, tangent, bend } => {
@@ -44,7 +44,7 @@ impl Pair {
                 if slack <= 1e-3 * level * level {
                     return None;
                 }
-                touch.foot.add_slope(&mut forms[1], n);
+                touch.closest.add_slope(&mut forms[1], n);
                 let mixed = -level / slack;
                 [[-turns / slack, mixed], [mixed, -distance / slack]]
             }
@@ -53,9 +53,9 @@ impl Pair {
         Some(Turning { forms, weights })
     }
 
-    /// What the turn of sections adds to it where source or foot are off an axis.
+    /// What the turn of sections adds to it where source or closest point are off an axis.
     pub fn section_turnings(&self, touch: &Touch, at: &Configuration) -> [Option<Turning>; 2] {
         let n = touch.normal;
-        [self.source.turning(n, at), touch.foot.turning(scale(-1.0, n), at)]
+        [self.source.turning(n, at), touch.closest.turning(scale(-1.0, n), at)]
     }
 }

@@ -18,7 +18,7 @@ pub struct Lemke {
     basis: Vec<Variable>,
     outside: Vec<Variable>,
     /// Row in which each w is basic, or column that it has outside the basis.
-    places: Vec<Place>,
+    places: Vec<TableauPlace>,
     ties: Vec<usize>,
     pivot_row: Vec<f64>,
     lu: DenseLu,
@@ -34,7 +34,7 @@ enum Variable {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Place {
+enum TableauPlace {
     Row(usize),
     Column(usize),
 }
@@ -113,7 +113,7 @@ impl Lemke {
         self.outside.extend((0..n).map(Variable::X));
         self.outside.push(Variable::Cover);
         self.places.clear();
-        self.places.extend((0..n).map(Place::Row));
+        self.places.extend((0..n).map(TableauPlace::Row));
     }
 
     fn column_of(&self, variable: Variable) -> usize {
@@ -160,8 +160,8 @@ impl Lemke {
     /// Coefficient of the `k`-th power of the perturbation in a basic variable.
     fn perturbation(&self, row: usize, k: usize) -> f64 {
         match self.places[k] {
-            Place::Row(own) => f64::from(own == row),
-            Place::Column(column) => -self.coefficient(row, column),
+            TableauPlace::Row(own) => f64::from(own == row),
+            TableauPlace::Column(column) => -self.coefficient(row, column),
         }
     }
 
@@ -185,10 +185,10 @@ impl Lemke {
         let left = std::mem::replace(&mut self.basis[row], self.outside[column]);
         self.outside[column] = left;
         if let Variable::W(i) = left {
-            self.places[i] = Place::Column(column);
+            self.places[i] = TableauPlace::Column(column);
         }
         if let Variable::W(i) = self.basis[row] {
-            self.places[i] = Place::Row(row);
+            self.places[i] = TableauPlace::Row(row);
         }
         left
     }
@@ -204,7 +204,7 @@ impl Lemke {
             }
         }
         // Of each pair one is in the basis now: x where w is outside.
-        let outside = |i: &usize| matches!(self.places[*i], Place::Column(_));
+        let outside = |i: &usize| matches!(self.places[*i], TableauPlace::Column(_));
         let active: Vec<usize> = (0..n).filter(outside).collect();
         self.matrix.clear();
         for i in &active {

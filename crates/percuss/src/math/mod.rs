@@ -1,7 +1,7 @@
 //! Mathematics that knows nothing of beams.
 
 pub mod hermite;
-pub(crate) mod path;
+pub(crate) mod interpolant;
 pub(crate) mod roots;
 pub(crate) mod spline;
 pub mod vec2;

@@ -5,7 +5,7 @@ use super::check;
 use super::connect::drive;
 use super::definition::*;
 use super::frozen::*;
-use super::time_function::Course;
+use super::time_function::PreparedFunction;
 use crate::element::beam::NodeFrame;
 use crate::math::vec2::{norm, rot90, scale, sub};
 
@@ -67,12 +67,12 @@ fn guided(projectile: &Projectile, model: &mut Model) {
         model.total_mass += body.mass;
         let node = push(model, position, body);
         let across = rot90(direction);
-        let mut guide = NodeHold::new(node, None);
+        let mut guide = PrescribedDofs::new(node, None);
         for normal in [[across[0], across[1], 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
         {
             guide.hold(normal, Vec::new());
         }
-        model.holds.push(guide);
+        model.prescribed.push(guide);
     }
     if projectile.local_mass > 0.0 {
         model.total_mass += projectile.local_mass;
@@ -90,7 +90,7 @@ fn obstacle(item: &Obstacle, model: &mut Model) {
         ObstacleShape::Clearance { at, .. } => locate(model, at).position,
     };
     let motion = item.motion.as_ref().map(|motion| {
-        model.motions.push(Course::new(&motion.function));
+        model.motions.push(PreparedFunction::new(&motion.function));
         model.motions.len() - 1
     });
     let body = match &item.motion {
@@ -128,10 +128,10 @@ fn held_body(
     };
     let node = push(model, position, body);
     let along = |i: usize| drive(motion, displacement[i]);
-    let mut all = NodeHold::new(node, None);
+    let mut all = PrescribedDofs::new(node, None);
     for (i, drive) in [along(0), along(1), Vec::new(), Vec::new()].into_iter().enumerate() {
         all.hold(std::array::from_fn(|k| f64::from(u8::from(i == k))), drive);
     }
-    model.holds.push(all);
+    model.prescribed.push(all);
     model.bodies.len() - 1
 }

@@ -157,7 +157,7 @@ impl ModelBuilder {
             nodes: Vec::new(),
             beams: Vec::new(),
             spans: Vec::new(),
-            holds: Vec::new(),
+            prescribed: Vec::new(),
             constraints: Vec::new(),
             connectors: Vec::new(),
             masses: Vec::new(),

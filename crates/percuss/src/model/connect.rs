@@ -3,7 +3,7 @@
 use super::builder::{ModelBuilder, locate};
 use super::definition::*;
 use super::frozen::*;
-use super::time_function::Course;
+use super::time_function::PreparedFunction;
 use crate::math::vec2::{cross, dot, norm, rot90, scale, sub};
 
 /// Adds the supports' names, their motions and their springs.
@@ -11,7 +11,7 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
     for (index, support) in builder.supports.iter().enumerate() {
         let point = locate(model, &support.at);
         let motion = support.motion.as_ref().map(|motion| {
-            model.motions.push(Course::new(&motion.function));
+            model.motions.push(PreparedFunction::new(&motion.function));
             model.motions.len() - 1
         });
         let (name, until) = (support.name.clone(), support.until);
@@ -86,8 +86,8 @@ fn push(
 pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
     for spring in &builder.springs {
         let place = |anchor: &Anchor| match anchor {
-            Anchor::Point(p) => Place::Point(locate(model, p)),
-            Anchor::Ground(x) => Place::Ground(*x),
+            Anchor::Point(p) => ConnectorEnd::Point(locate(model, p)),
+            Anchor::Ground(x) => ConnectorEnd::Ground(*x),
         };
         let ends = Box::new([place(&spring.between[0]), place(&spring.between[1])]);
         let distance = norm(sub(ends[0].reference(), ends[1].reference()));
@@ -116,7 +116,7 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
     }
 }
 
-impl Place {
+impl ConnectorEnd {
     /// Position in the reference configuration \[m\].
     pub fn reference(&self) -> [f64; 2] {
         match self {

@@ -31,10 +31,10 @@ pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<F
     };
     for (index, support) in builder.supports.iter().enumerate() {
         if support.until == f64::INFINITY {
-            hold_nodes(index, support, model, &mut independent);
+            prescribe_nodes(index, support, model, &mut independent);
         }
     }
-    model.holds.sort_by_key(|h| h.node);
+    model.prescribed.sort_by_key(|h| h.node);
     for (index, support) in builder.supports.iter().enumerate() {
         if support.until == f64::INFINITY {
             constrain_points(index, support, model, &mut independent);
@@ -92,7 +92,12 @@ fn node_of(point: &MaterialPoint) -> Option<usize> {
 }
 
 /// Holds components of nodes; a prescribed rotation is left to a constraint.
-fn hold_nodes(index: usize, support: &Support, model: &mut Model, independent: &mut Independent) {
+fn prescribe_nodes(
+    index: usize,
+    support: &Support,
+    model: &mut Model,
+    independent: &mut Independent,
+) {
     let Some(point) = model.supports[index].point.clone() else { return };
     let Some(node) = node_of(&point) else { return };
     for held in held_directions(support, point.tangent) {
@@ -121,11 +126,11 @@ fn hold(
     let mut normal = [0.0; 4];
     normal[offset] = held.direction[0];
     normal[offset + 1] = held.direction[1];
-    let index = model.holds.iter().position(|h| h.node == node).unwrap_or_else(|| {
-        model.holds.push(NodeHold::new(node, Some(support)));
-        model.holds.len() - 1
+    let index = model.prescribed.iter().position(|h| h.node == node).unwrap_or_else(|| {
+        model.prescribed.push(PrescribedDofs::new(node, Some(support)));
+        model.prescribed.len() - 1
     });
-    let at = &mut model.holds[index];
+    let at = &mut model.prescribed[index];
     for (n, own) in at.normals.iter().zip(&at.drives) {
         let along: f64 = (0..4).map(|k| n[k] * normal[k]).sum();
         (0..4).for_each(|k| normal[k] -= along * n[k]);
@@ -340,14 +345,14 @@ impl Independent<'_> {
                 add(&points[1], rot90(points[1].tangent), true, -1.0);
             }
         }
-        for hold in &model.holds {
-            if let Some(entry) = row.get_mut(&hold.node) {
-                let owners = self.prescribed.at_nodes.get(&hold.node);
-                for (i, n) in hold.normals.iter().enumerate() {
+        for dofs in &model.prescribed {
+            if let Some(entry) = row.get_mut(&dofs.node) {
+                let owners = self.prescribed.at_nodes.get(&dofs.node);
+                for (i, n) in dofs.normals.iter().enumerate() {
                     let along: f64 = (0..4).map(|k| n[k] * entry[k]).sum();
                     (0..4).for_each(|k| entry[k] -= along * n[k]);
                     let owner = owners.and_then(|o| o.get(i)).map_or(&[][..], std::slice::from_ref);
-                    known.less(along, &hold.drives[i], owner);
+                    known.less(along, &dofs.drives[i], owner);
                 }
             }
         }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::definition::{InitialMotion, StrainMeasure};
 pub(crate) use super::striking::*;
-use super::time_function::Course;
+use super::time_function::PreparedFunction;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
@@ -24,7 +24,7 @@ pub struct Model {
     /// Spans of all beams, in the order of their nodes.
     pub(crate) spans: Vec<Span>,
     /// Components held at nodes, in the order of the nodes.
-    pub(crate) holds: Vec<NodeHold>,
+    pub(crate) prescribed: Vec<PrescribedDofs>,
     /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time.
     pub(crate) constraints: Vec<Constraint>,
     /// Springs and dampers.
@@ -34,7 +34,7 @@ pub struct Model {
     /// Supports, in the order they were defined.
     pub(crate) supports: Vec<SupportData>,
     /// Prescribed motions.
-    pub(crate) motions: Vec<Course>,
+    pub(crate) motions: Vec<PreparedFunction>,
     /// Rigid bodies: guided projectiles, discs, obstacles, in the order of their nodes.
     pub(crate) bodies: Vec<Body>,
     /// Obstacles, in the order they were defined.
@@ -110,7 +110,7 @@ impl Span {
 
 /// Components of a node's displacement that are held, or moved as prescribed.
 #[derive(Clone, Debug)]
-pub(crate) struct NodeHold {
+pub(crate) struct PrescribedDofs {
     pub node: usize,
     /// The support that holds them, the first one where several do; `None` for the guide of a projectile
     /// and for obstacles, whose reactions are those of their contacts.
@@ -123,7 +123,7 @@ pub(crate) struct NodeHold {
     pub free: Block,
 }
 
-impl NodeHold {
+impl PrescribedDofs {
     /// Nothing held yet.
     pub fn new(node: usize, support: Option<usize>) -> Self {
         Self { node, support, normals: Vec::new(), drives: Vec::new(), free: IDENTITY }
@@ -146,7 +146,7 @@ impl NodeHold {
     }
 }
 
-/// A prescribed value: amplitudes times courses of [`Model::motions`].
+/// A prescribed value: amplitudes times time functions of [`Model::motions`].
 pub(crate) type Drive = Vec<(usize, f64)>;
 
 /// A support, for its reactions.
@@ -157,7 +157,7 @@ pub(crate) struct SupportData {
     pub point: Option<MaterialPoint>,
     /// Holds until this time \[s\].
     pub until: f64,
-    /// Its course among [`Model::motions`].
+    /// Its time function among [`Model::motions`].
     pub motion: Option<usize>,
     /// Whether it is a stop, which presses only when its gap is closed.
     pub stops: bool,
@@ -295,7 +295,7 @@ pub(crate) enum Coordinate {
     /// `direction . u(point)` less a prescribed motion.
     Displacement { point: MaterialPoint, direction: [f64; 2], drive: Drive },
     /// Distance between two places.
-    Distance { ends: Box<[Place; 2]> },
+    Distance { ends: Box<[ConnectorEnd; 2]> },
     /// Angle from the tangent at b, or its reference, to that at a, less that in the reference configuration; the rotation R
     /// takes the reference tangent of b to that of a.
     Angle { a: Box<MaterialPoint>, b: Option<Box<MaterialPoint>>, cosine: f64, sine: f64 },
@@ -303,7 +303,7 @@ pub(crate) enum Coordinate {
 
 /// A place on a beam or in space.
 #[derive(Clone, Debug)]
-pub(crate) enum Place {
+pub(crate) enum ConnectorEnd {
     Point(MaterialPoint),
     Ground([f64; 2]),
 }
@@ -345,11 +345,11 @@ pub(crate) struct MassData {
     pub rotary_inertia: f64,
 }
 
-/// A load and its course.
+/// A load and its time function.
 #[derive(Clone, Debug)]
 pub(crate) struct LoadData {
     pub kind: LoadAction,
-    pub course: Course,
+    pub function: PreparedFunction,
     pub from: f64,
     pub until: f64,
 }
@@ -378,7 +378,7 @@ pub(crate) struct FollowerPoint {
 impl LoadData {
     /// Whether it acts throughout, as it is.
     pub fn is_steady(&self) -> bool {
-        self.course.is_constant() && self.from <= 0.0 && self.until == f64::INFINITY
+        self.function.is_constant() && self.from <= 0.0 && self.until == f64::INFINITY
     }
 
     /// Mean factor over the step `[start, start + h]`: its impulse is exact.
@@ -389,7 +389,7 @@ impl LoadData {
         }
         let (lo, hi) = (self.from.max(start), self.until.min(start + h));
         let (lo, length) = if share == 1.0 { (start, h) } else { (lo, hi - lo) };
-        share * self.course.mean(lo - self.from, length)
+        share * self.function.mean(lo - self.from, length)
     }
 }
 
@@ -471,8 +471,8 @@ impl Model {
     }
 
     /// What is held at a node.
-    pub(crate) fn hold_at(&self, node: usize) -> Option<&NodeHold> {
-        self.holds.binary_search_by_key(&node, |h| h.node).ok().map(|i| &self.holds[i])
+    pub(crate) fn dofs_at(&self, node: usize) -> Option<&PrescribedDofs> {
+        self.prescribed.binary_search_by_key(&node, |h| h.node).ok().map(|i| &self.prescribed[i])
     }
 
     /// Names of the supports, in their order.
@@ -491,7 +491,7 @@ impl Model {
         let nodes = self.beam_node_count();
         let mut structure = self.clone();
         structure.nodes.truncate(nodes);
-        structure.holds.retain(|h| h.node < nodes);
+        structure.prescribed.retain(|h| h.node < nodes);
         structure.bodies.clear();
         structure.projectiles.clear();
         structure.obstacles.clear();
@@ -550,7 +550,7 @@ impl Model {
     /// are others.
     pub(crate) fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
         let beams = self.beam_node_count();
-        let held = self.holds.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
+        let held = self.prescribed.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
         held.chain(self.constraints.iter().map(|c| &c.drive))
     }
 }

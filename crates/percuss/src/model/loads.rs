@@ -3,7 +3,7 @@
 use super::builder::{ModelBuilder, locate, point_at};
 use super::definition::*;
 use super::frozen::*;
-use super::time_function::Course;
+use super::time_function::PreparedFunction;
 use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
 
 /// Adds the loads.
@@ -24,8 +24,8 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
                 if *follower { LoadAction::Follower { points } } else { dead(&points) }
             }
         };
-        let course = Course::new(&load.function);
-        model.loads.push(LoadData { kind, course, from: load.from, until: load.until });
+        let function = PreparedFunction::new(&load.function);
+        model.loads.push(LoadData { kind, function, from: load.from, until: load.until });
     }
 }
 

@@ -7,7 +7,7 @@
 
 use super::centre_line::{CentreLine, Piece};
 use super::definition::{Beam, ElementSize, MaterialId, Mesh, SectionId};
-use super::places::Place;
+use super::places::BeamPlace;
 
 /// A span to be meshed.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ const SLIVER: f64 = 1e-3;
 const SLACK: f64 = 1e-6;
 
 /// Spans of a checked beam along its centre line, with nodes at `places`.
-pub fn spans(beam: &Beam, line: &CentreLine, places: &[Place]) -> Vec<SpanPlan> {
+pub fn spans(beam: &Beam, line: &CentreLine, places: &[BeamPlace]) -> Vec<SpanPlan> {
     let mut plans = parts_of(beam, line);
     divide(&beam.mesh, line, &mut plans);
     let grade = Grade::new(&beam.mesh, line);
@@ -49,7 +49,7 @@ pub fn spans(beam: &Beam, line: &CentreLine, places: &[Place]) -> Vec<SpanPlan> 
 }
 
 /// A divided part with nodes at the places inside it, cut where spans end.
-fn with_places(mut plan: SpanPlan, grade: &Grade, places: &[Place]) -> Vec<SpanPlan> {
+fn with_places(mut plan: SpanPlan, grade: &Grade, places: &[BeamPlace]) -> Vec<SpanPlan> {
     let breaks = breaks(&plan.stations, places);
     if breaks.is_empty() {
         return vec![plan];
@@ -73,12 +73,12 @@ fn with_places(mut plan: SpanPlan, grade: &Grade, places: &[Place]) -> Vec<SpanP
 }
 
 /// The places inside a divided part at which nodes shall stand, in their order: at nodes of its own where they are that near.
-fn breaks(stations: &[f64], places: &[Place]) -> Vec<Place> {
+fn breaks(stations: &[f64], places: &[BeamPlace]) -> Vec<BeamPlace> {
     let (first, last) = (stations[0], stations[stations.len() - 1]);
-    let mut inside: Vec<Place> =
+    let mut inside: Vec<BeamPlace> =
         places.iter().copied().filter(|p| p.s > first && p.s < last).collect();
     inside.sort_by(|a, b| a.s.total_cmp(&b.s));
-    let mut kept: Vec<Place> = Vec::new();
+    let mut kept: Vec<BeamPlace> = Vec::new();
     for mut place in inside {
         let next = stations.partition_point(|s| *s <= place.s).clamp(1, stations.len() - 1);
         let (a, b) = (stations[next - 1], stations[next]);
@@ -101,7 +101,7 @@ fn breaks(stations: &[f64], places: &[Place]) -> Vec<Place> {
 }
 
 /// Stations of a part between its breaks, elements no longer than they were.
-fn redivided(stations: &[f64], grade: &Grade, breaks: &[Place]) -> Vec<f64> {
+fn redivided(stations: &[f64], grade: &Grade, breaks: &[BeamPlace]) -> Vec<f64> {
     let (first, last) = (stations[0], stations[stations.len() - 1]);
     let one = grade.count(first, last) / (stations.len() - 1) as f64;
     let mut out = vec![first];
@@ -259,9 +259,9 @@ mod tests {
         let beam = Beam::new("b", &[[0.0, 0.0], [1.0, 0.0]], 4, MaterialId(0), SectionId(0));
         let line = CentreLine::new(&beam).unwrap();
         let meshed = |places: &[(f64, bool)]| {
-            let places: Vec<Place> = places
+            let places: Vec<BeamPlace> = places
                 .iter()
-                .map(|(s, ends_span)| Place { s: *s, ends_span: *ends_span })
+                .map(|(s, ends_span)| BeamPlace { s: *s, ends_span: *ends_span })
                 .collect();
             spans(&beam, &line, &places)
         };

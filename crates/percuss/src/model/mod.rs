@@ -24,5 +24,5 @@ pub use builder::ModelBuilder;
 pub use definition::*;
 pub use fault::Fault;
 pub use frozen::Model;
-pub(crate) use time_function::{Course, SAME_INSTANT};
 pub use time_function::{Function, TimeFunction};
+pub(crate) use time_function::{PreparedFunction, SAME_INSTANT};

@@ -7,7 +7,7 @@ use super::definition::Ends;
 use super::frozen::Model;
 use super::pairs::beam_centre;
 use crate::geometry::axis::AxisEnd;
-use crate::geometry::pair::{Centre, Hold, Target, carried};
+use crate::geometry::pair::{Carrier, Centre, Target, carried};
 use crate::math::vec2::add;
 
 /// Radius of the corners of a flat end against beams, as a share of half the depth there. Two sharp corners that face each other, as
@@ -22,7 +22,7 @@ const INSIDE: f64 = 0.5;
 const SAME: f64 = 1e-9;
 
 /// The outline of a beam.
-pub(super) struct Outline<'a> {
+pub(super) struct BeamOutline<'a> {
     model: &'a Model,
     beam: usize,
     ends: [AxisEnd; 2],
@@ -42,7 +42,7 @@ pub(super) struct Source {
     pub at_end: bool,
 }
 
-impl<'a> Outline<'a> {
+impl<'a> BeamOutline<'a> {
     /// As obstacles and discs see it.
     pub fn exact(builder: &ModelBuilder, model: &'a Model, beam: usize) -> Self {
         Self::new(builder, model, beam, 0.0)
@@ -103,7 +103,7 @@ impl<'a> Outline<'a> {
         let sides: &[f64] = if across > 0.0 { &[1.0, -1.0] } else { &[0.0] };
         for side in sides {
             let mut centre = on_axis;
-            if let Hold::Beam { tangent, offset, .. } = &mut centre.hold
+            if let Carrier::Beam { tangent, offset, .. } = &mut centre.carrier
                 && *side != 0.0
             {
                 *offset = [0.0, side * across];

@@ -4,7 +4,7 @@ use super::Model;
 use super::fault::Fault;
 use super::frozen::ContactData;
 use crate::geometry::configuration::Configuration;
-use crate::geometry::pair::{Hold, Memory, Pair, Target};
+use crate::geometry::pair::{Carrier, Memory, Pair, Target};
 use crate::geometry::placed::Placed;
 use crate::geometry::touch::{Reach, Touch};
 use crate::math::vec2::{cross, scale, sub};
@@ -27,22 +27,23 @@ impl Model {
         for contact in self.contacts.iter().filter(|c| of(c)) {
             let depth = |pair: &Pair| {
                 let touch = pair.touch(self, &at, &Memory::default(), Reach::All)?;
-                (touch.gap < -TOUCHING * self.scale_of(pair)).then_some((touch, pair.source_party))
+                (touch.gap < -TOUCHING * self.scale_of(pair))
+                    .then_some((touch, pair.source_partner))
             };
             let worst = self.pairs[contact.pairs.clone()].iter().filter_map(depth);
             let worst = worst.min_by(|a, b| a.0.gap.total_cmp(&b.0.gap));
-            if let Some((touch, party)) = worst.or_else(|| self.crossing(contact, &at)) {
-                faults.push(overlap(contact, &touch, party));
+            if let Some((touch, partner)) = worst.or_else(|| self.crossing(contact, &at)) {
+                faults.push(overlap(contact, &touch, partner));
             }
         }
         faults
     }
 
     /// What goes right through a beam between the points at which it could touch: the end of it that is least far through, as a
-    /// touch from the other side, and the party it is of.
+    /// touch from the other side, and the partner it is of.
     fn crossing(&self, contact: &ContactData, at: &Configuration) -> Option<(Touch, usize)> {
         let pairs = &self.pairs[contact.pairs.clone()];
-        let mut course: Option<(usize, Vec<[f64; 2]>)> = None;
+        let mut polyline: Option<(usize, Vec<[f64; 2]>)> = None;
         let mut last: Option<&Target> = None;
         let crosses = pairs.iter().any(|pair| {
             let beam = pair.movers[0];
@@ -52,32 +53,32 @@ impl Model {
             last = Some(&pair.target);
             let other = match &pair.target {
                 Target::Segment { ends } => ends.map(|end| end.place(at)).to_vec(),
-                Target::Axis { beam: onto, .. } if *onto != beam => self.course(*onto, at),
+                Target::Axis { beam: onto, .. } if *onto != beam => self.polyline(*onto, at),
                 _ => return false,
             };
-            if course.as_ref().is_none_or(|(of, _)| *of != beam) {
-                course = Some((beam, self.course(beam, at)));
+            if polyline.as_ref().is_none_or(|(of, _)| *of != beam) {
+                polyline = Some((beam, self.polyline(beam, at)));
             }
-            course.as_ref().is_some_and(|(_, own)| cross_each_other(own, &other))
+            polyline.as_ref().is_some_and(|(_, own)| cross_each_other(own, &other))
         });
         if !crosses {
             return None;
         }
         let through = |pair: &Pair| {
-            let end = match &pair.source.hold {
-                Hold::Body { .. } => true,
-                Hold::Beam { .. } => pair.at_end,
+            let end = match &pair.source.carrier {
+                Carrier::Body { .. } => true,
+                Carrier::Beam { .. } => pair.at_end,
             };
             let touch = pair.touch(self, at, &Memory::default(), Reach::All).filter(|_| end)?;
             let depth = touch.gap + 2.0 * pair.thickness(self, &touch.memory);
             let back = Touch { gap: -depth, normal: scale(-1.0, touch.normal), ..touch };
-            depth.is_finite().then_some((back, pair.source_party))
+            depth.is_finite().then_some((back, pair.source_partner))
         };
         pairs.iter().filter_map(through).max_by(|a, b| a.0.gap.total_cmp(&b.0.gap))
     }
 
     /// Places along the axis of a beam.
-    fn course(&self, beam: usize, at: &Configuration) -> Vec<[f64; 2]> {
+    fn polyline(&self, beam: usize, at: &Configuration) -> Vec<[f64; 2]> {
         let axis = &self.beams[beam].axis;
         let along = axis.iter().flat_map(|element| {
             let placed = Placed::new(element, &self.nodes, at);
@@ -95,7 +96,7 @@ impl Model {
     }
 }
 
-/// Whether two courses of straight lines cross.
+/// Whether two polylines cross.
 fn cross_each_other(one: &[[f64; 2]], other: &[[f64; 2]]) -> bool {
     let apart = |a: [f64; 2], b: [f64; 2], line: &[[f64; 2]]| {
         let side = |p: [f64; 2]| cross(sub(b, a), sub(p, a));
@@ -111,12 +112,12 @@ fn legible(x: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-fn overlap(contact: &ContactData, touch: &Touch, party: usize) -> Fault {
+fn overlap(contact: &ContactData, touch: &Touch, partner: usize) -> Fault {
     let depth = -touch.gap;
-    let [x, y] = touch.foot_place.map(legible);
+    let [x, y] = touch.closest_place.map(legible);
     // A little more than enough, so that rounding leaves nothing inside.
     let shift = scale(depth * (1.0 + 1e-6), touch.normal).map(|x| legible(x + 0.0));
-    let (inside, of) = (&contact.between[party], &contact.between[1 - party]);
+    let (inside, of) = (&contact.between[partner], &contact.between[1 - partner]);
     let found = format!("`{inside}` starts {} m inside `{of}`, at [{x}, {y}]", legible(depth));
     let expected = format!(
         "a start without penetration: move `{inside}` by [{}, {}] m, or `{of}` the other way",

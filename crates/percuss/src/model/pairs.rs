@@ -4,8 +4,8 @@ use super::builder::{ModelBuilder, locate};
 use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
-use super::outline::Outline;
-use crate::geometry::pair::{Centre, Hold, Pair, Target};
+use super::outline::BeamOutline;
+use crate::geometry::pair::{Carrier, Centre, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};
 
 /// A beam touches itself no nearer along its axis than this, in elements and in half depths.
@@ -20,7 +20,7 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec
         guided(i, projectile, model);
     }
     for contact in &builder.contacts {
-        let between = contact.between.map(|party| name(builder, party));
+        let between = contact.between.map(|partner| name(builder, partner));
         let first = model.pairs.len();
         let mut pairs = Pairs { builder, model, contact: model.contacts.len(), found: Vec::new() };
         pairs.between(contact);
@@ -54,7 +54,7 @@ fn guided(i: usize, projectile: &Projectile, model: &mut Model) {
         skips_ends: false,
         obstacle: None,
         movers: [model.beams.len() + body, point.beam],
-        source_party: 1,
+        source_partner: 1,
         s: point.s,
         at_end: false,
     };
@@ -71,30 +71,30 @@ fn guided(i: usize, projectile: &Projectile, model: &mut Model) {
 }
 
 fn obstacle_of(contact: &Contact) -> Option<usize> {
-    contact.between.iter().find_map(|party| match party {
-        Party::Obstacle(id) => Some(id.0 as usize),
+    contact.between.iter().find_map(|partner| match partner {
+        ContactPartner::Obstacle(id) => Some(id.0 as usize),
         _ => None,
     })
 }
 
-fn name(builder: &ModelBuilder, party: Party) -> String {
-    match party {
-        Party::Disc(id) => builder.discs[id.0 as usize].name.clone(),
-        Party::Beam(id) => builder.beams[id.0 as usize].name.clone(),
-        Party::Obstacle(id) => builder.obstacles[id.0 as usize].name.clone(),
+fn name(builder: &ModelBuilder, partner: ContactPartner) -> String {
+    match partner {
+        ContactPartner::Disc(id) => builder.discs[id.0 as usize].name.clone(),
+        ContactPartner::Beam(id) => builder.beams[id.0 as usize].name.clone(),
+        ContactPartner::Obstacle(id) => builder.obstacles[id.0 as usize].name.clone(),
     }
 }
 
 fn body_centre(model: &Model, body: usize) -> Centre {
     let node = model.body_node(body);
-    let hold = Hold::Body { offset: [0.0; 2] };
-    Centre { position: model.nodes[node].position, node, hold }
+    let carrier = Carrier::Body { offset: [0.0; 2] };
+    Centre { position: model.nodes[node].position, node, carrier }
 }
 
 pub(super) fn beam_centre(point: &MaterialPoint) -> Centre {
     let MaterialPoint { shape, slope, tangent, .. } = *point;
-    let hold = Hold::Beam { shape, slope, tangent, offset: [0.0; 2] };
-    Centre { position: point.position, node: point.node, hold }
+    let carrier = Carrier::Beam { shape, slope, tangent, offset: [0.0; 2] };
+    Centre { position: point.position, node: point.node, carrier }
 }
 
 /// A shape that does not bend: its body, and what of it can be touched.
@@ -116,15 +116,21 @@ impl Pairs<'_> {
     fn between(&mut self, contact: &Contact) {
         let points = contact.points_per_element;
         match contact.between {
-            [Party::Beam(a), Party::Beam(b)] if a == b => self.itself(a.0 as usize, points),
-            [Party::Beam(a), Party::Beam(b)] => {
+            [ContactPartner::Beam(a), ContactPartner::Beam(b)] if a == b => {
+                self.itself(a.0 as usize, points)
+            }
+            [ContactPartner::Beam(a), ContactPartner::Beam(b)] => {
                 let (a, b) = (a.0 as usize, b.0 as usize);
                 self.points_on_axis(a, b, points, 0, false);
                 // Where both end in points or are round, ends of `b` are touched already, as sources or through the ends of `a`.
                 self.points_on_axis(b, a, points, 1, true);
             }
-            [Party::Beam(beam), other] => self.beam_and_rigid(beam.0 as usize, 0, other, points),
-            [other, Party::Beam(beam)] => self.beam_and_rigid(beam.0 as usize, 1, other, points),
+            [ContactPartner::Beam(beam), other] => {
+                self.beam_and_rigid(beam.0 as usize, 0, other, points)
+            }
+            [other, ContactPartner::Beam(beam)] => {
+                self.beam_and_rigid(beam.0 as usize, 1, other, points)
+            }
             [a, b] => {
                 let (ours, theirs) = (self.shapes(a), self.shapes(b));
                 for x in &ours {
@@ -140,17 +146,17 @@ impl Pairs<'_> {
     }
 
     /// What of a disc or an obstacle can be touched.
-    fn shapes(&self, party: Party) -> Vec<Rigid> {
-        match party {
-            Party::Beam(_) => Vec::new(),
-            Party::Disc(id) => {
+    fn shapes(&self, partner: ContactPartner) -> Vec<Rigid> {
+        match partner {
+            ContactPartner::Beam(_) => Vec::new(),
+            ContactPartner::Disc(id) => {
                 let is_disc = |b: &Body| matches!(b.kind, BodyKind::Disc { .. });
                 let first = self.model.bodies.iter().position(is_disc).unwrap_or_default();
                 let body = first + id.0 as usize;
                 let disc = &self.builder.discs[id.0 as usize];
                 vec![Rigid::Round { body, centre: disc.position, radius: disc.radius }]
             }
-            Party::Obstacle(id) => {
+            ContactPartner::Obstacle(id) => {
                 let ObstacleData { body, .. } = self.model.obstacles[id.0 as usize];
                 match &self.builder.obstacles[id.0 as usize].shape {
                     ObstacleShape::HalfPlane { point, normal } => {
@@ -192,7 +198,7 @@ impl Pairs<'_> {
     fn offset_centre(&self, body: usize, place: [f64; 2]) -> Centre {
         let centre = body_centre(self.model, body);
         let offset = [0, 1].map(|i| place[i] - centre.position[i]);
-        Centre { position: place, hold: Hold::Body { offset }, ..centre }
+        Centre { position: place, carrier: Carrier::Body { offset }, ..centre }
     }
 
     fn target(&self, shape: &Rigid) -> (Target, f64, usize) {
@@ -211,7 +217,7 @@ impl Pairs<'_> {
         }
     }
 
-    fn rigid_pair(&mut self, source: &Rigid, target: &Rigid, source_party: usize) {
+    fn rigid_pair(&mut self, source: &Rigid, target: &Rigid, source_partner: usize) {
         let Rigid::Round { body, centre, radius } = source else { return };
         let (shape, target_radius, other) = self.target(target);
         let beams = self.model.beams.len();
@@ -224,15 +230,21 @@ impl Pairs<'_> {
             skips_ends: false,
             obstacle: None,
             movers: [beams + body, beams + other],
-            source_party,
+            source_partner,
             s: f64::NAN,
             at_end: false,
         });
     }
 
-    /// A beam and a disc or obstacle; `beam_party` tells which of the two the beam is.
-    fn beam_and_rigid(&mut self, beam: usize, beam_party: usize, other: Party, points: usize) {
-        let outline = Outline::exact(self.builder, self.model, beam);
+    /// A beam and a disc or obstacle; `beam_partner` tells which of the two the beam is.
+    fn beam_and_rigid(
+        &mut self,
+        beam: usize,
+        beam_partner: usize,
+        other: ContactPartner,
+        points: usize,
+    ) {
+        let outline = BeamOutline::exact(self.builder, self.model, beam);
         let axis = outline.target([0, 0]);
         let sources = outline.sources(points);
         for shape in self.shapes(other) {
@@ -240,7 +252,7 @@ impl Pairs<'_> {
                 Rigid::Round { body, centre, radius } => {
                     let source = self.offset_centre(*body, *centre);
                     let pair = self.on_axis(source, *radius, *body, axis.clone(), beam);
-                    self.found.push(Pair { source_party: 1 - beam_party, ..pair });
+                    self.found.push(Pair { source_partner: 1 - beam_partner, ..pair });
                 }
                 Rigid::Line { .. } | Rigid::Segment { .. } => {
                     let (target, target_radius, body) = self.target(&shape);
@@ -254,7 +266,7 @@ impl Pairs<'_> {
                             skips_ends: false,
                             obstacle: None,
                             movers: [beam, self.model.beams.len() + body],
-                            source_party: beam_party,
+                            source_partner: beam_partner,
                             s: source.s,
                             at_end: source.at_end,
                         });
@@ -264,8 +276,8 @@ impl Pairs<'_> {
                             let source = self.offset_centre(body, *end);
                             let pair = self.on_axis(source, *radius, body, axis.clone(), beam);
                             // Where the beam ends in a point, that is a source already.
-                            let source_party = 1 - beam_party;
-                            self.found.push(Pair { skips_ends: true, source_party, ..pair });
+                            let source_partner = 1 - beam_partner;
+                            self.found.push(Pair { skips_ends: true, source_partner, ..pair });
                         }
                     }
                 }
@@ -290,7 +302,7 @@ impl Pairs<'_> {
             skips_ends: false,
             obstacle: None,
             movers: [self.model.beams.len() + body, beam],
-            source_party: 0,
+            source_partner: 0,
             s: f64::NAN,
             at_end: false,
         }
@@ -302,11 +314,11 @@ impl Pairs<'_> {
         from: usize,
         onto: usize,
         points: usize,
-        source_party: usize,
+        source_partner: usize,
         skips_ends: bool,
     ) {
-        let target = Outline::rounded(self.builder, self.model, onto).target([0, 0]);
-        for source in Outline::rounded(self.builder, self.model, from).sources(points) {
+        let target = BeamOutline::rounded(self.builder, self.model, onto).target([0, 0]);
+        for source in BeamOutline::rounded(self.builder, self.model, from).sources(points) {
             self.found.push(Pair {
                 contact: self.contact,
                 source: source.centre,
@@ -316,7 +328,7 @@ impl Pairs<'_> {
                 skips_ends,
                 obstacle: None,
                 movers: [from, onto],
-                source_party,
+                source_partner,
                 s: source.s,
                 at_end: source.at_end,
             });

@@ -10,7 +10,7 @@ use crate::math::vec2::{dot, norm, rot90};
 
 /// A place along a beam.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct BeamPlace {
     /// Arc length from the start of the beam \[m\].
     pub s: f64,
     /// Whether the axial force may jump there.
@@ -21,12 +21,12 @@ pub struct Place {
 const ACROSS: f64 = 1e-9;
 
 /// Places of the beam of number `index`, in no order.
-pub fn of_beam(builder: &ModelBuilder, index: usize, line: &CentreLine) -> Vec<Place> {
+pub fn of_beam(builder: &ModelBuilder, index: usize, line: &CentreLine) -> Vec<BeamPlace> {
     let mut found = Vec::new();
     let mut add = |at: &PointRef, ends_span: &dyn Fn([f64; 2]) -> bool| {
         if at.beam.0 as usize == index {
             let s = line.arc(at.along);
-            found.push(Place { s, ends_span: ends_span(line.tangent(s)) });
+            found.push(BeamPlace { s, ends_span: ends_span(line.tangent(s)) });
         }
     };
     for support in &builder.supports {

@@ -45,12 +45,12 @@ pub struct SceneBeam {
     /// Name.
     pub name: String,
     /// Stations, start to end; at a corner or a change of section two of them stand at one place.
-    pub stations: Vec<Station>,
+    pub stations: Vec<DrawnStation>,
 }
 
 /// A node of a beam through which it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Station {
+pub struct DrawnStation {
     /// Arc length from the start of the beam \[m\].
     pub s: f64,
     /// Element that begins here; at the end of a span the one that ends here.
@@ -122,12 +122,12 @@ pub struct SceneObstacle {
     /// Its body among [`Scene::bodies`], if it moves.
     pub body: Option<usize>,
     /// Its outline in the reference configuration.
-    pub outline: Outline,
+    pub outline: ObstacleOutline,
 }
 
 /// Outline of an obstacle.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Outline {
+pub enum ObstacleOutline {
     /// Everything behind a straight line.
     HalfPlane {
         /// A point of the line \[m\].
@@ -368,13 +368,13 @@ impl ModelBuilder {
         for item in &self.obstacles {
             let outline = match &item.shape {
                 ObstacleShape::HalfPlane { point, normal } => {
-                    Outline::HalfPlane { point: *point, normal: unit(*normal) }
+                    ObstacleOutline::HalfPlane { point: *point, normal: unit(*normal) }
                 }
                 ObstacleShape::Disc { centre, radius } => {
-                    Outline::Disc { centre: *centre, radius: *radius }
+                    ObstacleOutline::Disc { centre: *centre, radius: *radius }
                 }
                 ObstacleShape::Segment { ends, thickness } => {
-                    Outline::Walls { ends: vec![*ends], thickness: *thickness }
+                    ObstacleOutline::Walls { ends: vec![*ends], thickness: *thickness }
                 }
                 ObstacleShape::Clearance { at, width, gap, sides } => {
                     let sides: &[f64] = match sides {
@@ -384,7 +384,7 @@ impl ModelBuilder {
                     };
                     let point = locate(model, at);
                     let ends = clearance_segments(model, &point, *width, *gap, sides);
-                    Outline::Walls { ends, thickness: 0.0 }
+                    ObstacleOutline::Walls { ends, thickness: 0.0 }
                 }
             };
             let moving = |b: &SceneBody| b.name == item.name && b.shape == BodyShape::Obstacle;
@@ -433,14 +433,14 @@ fn drawn(span: &Span, stride: usize) -> impl Iterator<Item = usize> {
     (0..last).step_by(stride).chain([last])
 }
 
-fn station(model: &Model, span: &Span, k: usize) -> Station {
+fn station(model: &Model, span: &Span, k: usize) -> DrawnStation {
     let frame = &model.nodes[span.nodes.start + k];
     let ends = k == span.elements.len();
     let element = if ends { k - 1 } else { k };
     let sections = span.sections(element);
     let section = &sections[if ends { 2 } else { 0 }];
     let young = section.law.axial / section.area;
-    Station {
+    DrawnStation {
         s: span.stations[k],
         element: span.elements.start + element,
         ends_span: ends,

@@ -71,7 +71,7 @@ pub(crate) struct ProjectileData {
 #[derive(Clone, Debug)]
 pub(crate) struct ContactData {
     pub name: String,
-    /// Names of the parties.
+    /// Names of the partners.
     pub between: [String; 2],
     pub law: TouchLaw,
     /// Its pairs.

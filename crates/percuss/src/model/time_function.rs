@@ -79,14 +79,14 @@ impl TimeFunction {
 
 /// A [`TimeFunction`] ready for evaluation: it knows its kinks.
 #[derive(Clone, Debug)]
-pub(crate) struct Course {
+pub(crate) struct PreparedFunction {
     function: TimeFunction,
     spline: Option<Spline>,
     /// Times at which the function is not smooth, increasing.
     kinks: Vec<f64>,
 }
 
-impl Course {
+impl PreparedFunction {
     pub fn is_constant(&self) -> bool {
         matches!(self.function, TimeFunction::Constant)
     }
@@ -292,7 +292,7 @@ mod tests {
     use super::*;
 
     /// One of each kind that varies.
-    fn courses() -> [TimeFunction; 7] {
+    fn functions() -> [TimeFunction; 7] {
         let table = |smooth| TimeFunction::Table {
             times: vec![0.0, 0.4, 1.0, 1.5],
             values: vec![0.0, 2.0, -1.0, 0.5],
@@ -311,14 +311,14 @@ mod tests {
 
     #[test]
     fn means_are_integrals() {
-        for f in courses() {
-            let course = Course::new(&f);
+        for f in functions() {
+            let function = PreparedFunction::new(&f);
             for (start, h) in [(-0.1, 0.5), (0.2, 1.1), (1.4, 0.3)] {
                 let n = 20_000;
                 let sum: f64 = (0..n)
-                    .map(|k| course.value(start + (k as f64 + 0.5) / n as f64 * h) / n as f64)
+                    .map(|k| function.value(start + (k as f64 + 0.5) / n as f64 * h) / n as f64)
                     .sum();
-                assert!((course.mean(start, h) - sum).abs() < 1e-4, "{f:?} {start}");
+                assert!((function.mean(start, h) - sum).abs() < 1e-4, "{f:?} {start}");
             }
         }
     }
@@ -326,22 +326,25 @@ mod tests {
     #[test]
     fn rates_are_derivatives() {
         let code = TimeFunction::function(|t| t * t);
-        for f in courses().into_iter().chain([code]) {
-            let course = Course::new(&f);
+        for f in functions().into_iter().chain([code]) {
+            let function = PreparedFunction::new(&f);
             for t in [0.1, 0.35, 0.55, 1.1, 1.3, 2.0] {
-                let difference = (course.value(t + 1e-6) - course.value(t - 1e-6)) / 2e-6;
-                assert!((course.rate(t, 1e-5) - difference).abs() < 1e-5, "{f:?} {t}");
+                let difference = (function.value(t + 1e-6) - function.value(t - 1e-6)) / 2e-6;
+                assert!((function.rate(t, 1e-5) - difference).abs() < 1e-5, "{f:?} {t}");
             }
             // What begins at zero moves from there on.
-            assert!((course.rate(0.0, 1e-5) - course.rate(1e-9, 1e-5)).abs() < 1e-4, "{f:?}");
+            assert!((function.rate(0.0, 1e-5) - function.rate(1e-9, 1e-5)).abs() < 1e-4, "{f:?}");
         }
     }
 
     #[test]
     fn a_tabled_mean_over_a_tiny_interval_is_its_value() {
         let times = vec![0.0, 1.0];
-        let course =
-            Course::new(&TimeFunction::Table { times, values: vec![0.0, 3.0], smooth: false });
-        assert!((course.mean(0.5, 1e-14) - 1.5).abs() < 1e-12);
+        let function = PreparedFunction::new(&TimeFunction::Table {
+            times,
+            values: vec![0.0, 3.0],
+            smooth: false,
+        });
+        assert!((function.mean(0.5, 1e-14) - 1.5).abs() < 1e-12);
     }
 }

@@ -16,7 +16,7 @@ use crate::state::State;
 
 /// Where a Gauss point stands: its element and its number there.
 #[derive(Clone, Copy)]
-struct Place<'a> {
+struct GaussPlace<'a> {
     row: &'a GaussRow,
     /// Node `a` of the element.
     node: usize,
@@ -53,7 +53,7 @@ impl EndForces {
         let zero = vec![[0.0; 4]; model.node_count()];
         let mut residual = zero.clone();
         let integration = &Integration { h: 1.0, rule: Rule::Static };
-        let ends = Ends { model, state, integration, gravity, increment: &zero };
+        let ends = StepState { model, state, integration, gravity, increment: &zero };
         ends.sum::<false>(
             &mut residual,
             &mut Chain::default(),
@@ -79,8 +79,8 @@ pub fn beams<const TANGENT: bool>(
 ) {
     let (chain, forces) = sums;
     let h = integration.h;
-    let ends = Ends { model, state, integration, gravity, increment };
-    let stored = |place: Place| {
+    let ends = StepState { model, state, integration, gravity, increment };
+    let stored = |place: GaussPlace| {
         let [membrane, bending] = state.strain[place.element][place.gauss];
         Strains { membrane, bending }
     };
@@ -156,7 +156,7 @@ pub fn beams<const TANGENT: bool>(
 fn add_rotary<const TANGENT: bool>(
     response: &mut PointResponse<f64>,
     point: &StepPoint<f64>,
-    place: Place,
+    place: GaussPlace,
     state: &State,
     h: f64,
 ) {
@@ -167,7 +167,7 @@ fn add_rotary<const TANGENT: bool>(
 }
 
 /// The start of the step and the increment that leads to its end.
-struct Ends<'a> {
+struct StepState<'a> {
     model: &'a Model,
     state: &'a State,
     integration: &'a Integration,
@@ -175,7 +175,7 @@ struct Ends<'a> {
     increment: &'a [[f64; 4]],
 }
 
-impl Ends<'_> {
+impl StepState<'_> {
     /// Sums over all elements what `response` gives at their Gauss points, `membrane` at the sampling points of slender
     /// ones, and the inertia of their mass.
     #[inline(always)]
@@ -184,8 +184,8 @@ impl Ends<'_> {
         residual: &mut [[f64; 4]],
         chain: &mut Chain,
         forces: &mut EndForces,
-        response: impl Fn(&StepPoint<f64>, Place) -> PointResponse<f64>,
-        membrane: impl Fn(&MembraneStep<f64>, StrainMeasure, Place) -> MembranePoint<f64>,
+        response: impl Fn(&StepPoint<f64>, GaussPlace) -> PointResponse<f64>,
+        membrane: impl Fn(&MembraneStep<f64>, StrainMeasure, GaussPlace) -> MembranePoint<f64>,
     ) {
         let theta = self.integration.theta();
         for span in &self.model.spans {
@@ -209,7 +209,7 @@ impl Ends<'_> {
                 let old = ElementValues::new(&u[a], &u[a + 1]);
                 let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
                 let mut sums = ElementSums::zero(0.0);
-                let place = |row, gauss| Place { row, node: a, element, gauss, lag, damping };
+                let place = |row, gauss| GaussPlace { row, node: a, element, gauss, lag, damping };
                 for gauss in 0..GAUSS {
                     let row = &table.rows[gauss];
                     let point = step_point(row, &old, &step);
@@ -260,7 +260,7 @@ impl Ends<'_> {
         &self,
         response: &mut PointResponse<f64>,
         point: &StepPoint<f64>,
-        place: Place,
+        place: GaussPlace,
     ) {
         let Rule::Alpha(w) = self.integration.rule else { return };
         let theta = 1.0 - w.alpha_f;

@@ -1,6 +1,6 @@
 //! Accepts a solved step: the only writer of [`State`].
 
-use super::books::book;
+use super::flows::enter;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::model::frozen::{Connector, Coordinate};
 use crate::state::State;
 
-/// Moves `state` to the end of the step solved in `work`, works and impulses into its books.
+/// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger.
 pub fn commit(
     model: &Model,
     state: &mut State,
@@ -25,7 +25,7 @@ pub fn commit(
     work: &Workspace,
 ) {
     let h = integration.h;
-    book(model, state, &integration, forcing, damping, work);
+    enter(model, state, &integration, forcing, damping, work);
     advance_histories(model, state, &integration, work);
     advance_masses(model, state, &integration, work);
     let State { displacement, spin, mass_spin, .. } = &mut *state;

@@ -8,7 +8,7 @@ use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::tangent::Tangent;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
-use crate::model::frozen::{Connector, ConnectorLaw, Coordinate, MaterialPoint, Place};
+use crate::model::frozen::{Connector, ConnectorEnd, ConnectorLaw, Coordinate, MaterialPoint};
 use crate::model::{Model, Potential};
 use crate::state::State;
 
@@ -35,22 +35,22 @@ pub struct ConnectorStep {
 }
 
 /// An end of a connector on a beam: its point and whether the coordinate knows the slope there, or the displacement.
-pub type Grip<'a> = (&'a MaterialPoint, bool);
+pub type Attachment<'a> = (&'a MaterialPoint, bool);
 
 impl Connector {
     /// Its ends on beams, with their number.
-    pub fn grips(&self) -> impl Iterator<Item = (usize, Grip<'_>)> {
-        let pair: [Option<Grip<'_>>; 2] = match &self.coordinate {
+    pub fn attachments(&self) -> impl Iterator<Item = (usize, Attachment<'_>)> {
+        let pair: [Option<Attachment<'_>>; 2] = match &self.coordinate {
             Coordinate::Displacement { point, .. } => [Some((point, false)), None],
             Coordinate::Distance { ends } => ends.each_ref().map(|place| match place {
-                Place::Point(p) => Some((p, false)),
-                Place::Ground(_) => None,
+                ConnectorEnd::Point(p) => Some((p, false)),
+                ConnectorEnd::Ground(_) => None,
             }),
             Coordinate::Angle { a, b, .. } => {
                 [Some((a.as_ref(), true)), b.as_deref().map(|b| (b, true))]
             }
         };
-        pair.into_iter().enumerate().filter_map(|(i, grip)| Some((i, grip?)))
+        pair.into_iter().enumerate().filter_map(|(i, attachment)| Some((i, attachment?)))
     }
 
     /// The coordinate in a configuration; an angle is the one nearest to `near`. Without prescribed motion.
@@ -118,7 +118,7 @@ impl Connector {
         let form = match &self.coordinate {
             Coordinate::Displacement { point, direction, drive } => {
                 let moved = dot(*direction, point.value(increment));
-                Form {
+                CoordinateForm {
                     change: moved - forcing.increment(drive),
                     mean: [*direction, [0.0; 2]],
                     end: [*direction, [0.0; 2]],
@@ -162,14 +162,14 @@ impl Connector {
 
 /// The exact change of a coordinate over a step, its form at the middle (`mean`), the derivative at the end (`end`), and the
 /// derivative of `mean` with respect to the end (`bend`).
-struct Form {
+struct CoordinateForm {
     change: f64,
     mean: [[f64; 2]; 2],
     end: [[f64; 2]; 2],
     bend: Blocks,
 }
 
-impl Place {
+impl ConnectorEnd {
     /// Position in a configuration \[m\].
     pub fn position(&self, u: &[[f64; 4]]) -> [f64; 2] {
         match self {
@@ -188,11 +188,11 @@ impl Place {
 
 /// `l1 - l0 = 2 d_m . Dd / (l0 + l1)`.
 fn distance_form(
-    ends: &[Place; 2],
+    ends: &[ConnectorEnd; 2],
     rule: &Integration,
     u: &[[f64; 4]],
     increment: &[[f64; 4]],
-) -> Form {
+) -> CoordinateForm {
     let start = sub(ends[0].position(u), ends[1].position(u));
     let step = sub(ends[0].increment(increment), ends[1].increment(increment));
     let end = add(start, step);
@@ -212,7 +212,7 @@ fn distance_form(
     let inverse = if length > 0.0 { weight / length } else { 0.0 };
     let k = |i: usize, j: usize| (f64::from(u8::from(i == j)) - mean[i] * end_form[j]) * inverse;
     let block = |sign: f64| [[sign * k(0, 0), sign * k(0, 1)], [sign * k(1, 0), sign * k(1, 1)]];
-    Form {
+    CoordinateForm {
         change,
         mean: [mean, scale(-1.0, mean)],
         end: [end_form, scale(-1.0, end_form)],
@@ -228,7 +228,7 @@ fn angle_form(
     joined: bool,
     rule: &Integration,
     [cosine, sine]: [f64; 2],
-) -> Form {
+) -> CoordinateForm {
     let at =
         |share: f64| [add(start[0], scale(share, step[0])), add(start[1], scale(share, step[1]))];
     let (middle, end) = (at(0.5), at(1.0));
@@ -264,7 +264,7 @@ fn angle_form(
             add_to(&mut bend, &product(&dc, &ds1, -0.5 * factor));
             add_to(&mut bend, &cross_blocks(0.5 * factor * c_m, -0.5 * factor * s_m));
             let mean = raw.map(|v| scale(factor, v));
-            Form { change, mean, end: end_form, bend }
+            CoordinateForm { change, mean, end: end_form, bend }
         }
         Rule::Alpha(_) | Rule::Static => {
             let theta = rule.theta();
@@ -277,7 +277,7 @@ fn angle_form(
             add_to(&mut bend, &product(&ds, &dc, theta / size));
             add_to(&mut bend, &product(&dc, &ds, -theta / size));
             add_to(&mut bend, &cross_blocks(theta * c / size, -theta * s / size));
-            Form { change, mean, end: mean, bend }
+            CoordinateForm { change, mean, end: mean, bend }
         }
     };
     // Back from the turned tangent of b to its own: R^T on its side.
@@ -366,7 +366,7 @@ pub fn apply<const TANGENT: bool>(
         }
         let q0 = state.coordinates[i];
         let step = connector.step(rule, forcing, q0, &state.displacement, increment);
-        for (g, (point, gradient)) in connector.grips() {
+        for (g, (point, gradient)) in connector.attachments() {
             let force = scale(step.force, step.forms[g]);
             if gradient {
                 point.spread_gradient(force, residual);

@@ -15,7 +15,7 @@ use crate::linalg::block::ZERO;
 use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
 
 /// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
-pub const BRIEF: f64 = 1e-3;
+pub const IMPULSIVE: f64 = 1e-3;
 
 /// A rigid contact that takes part in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +39,7 @@ pub enum Phase {
     /// It stays closed while it presses; friction acts against the sliding velocity at the end of the step, or against its mean.
     Resting { mean: bool },
     /// After a step that held it by impulses of this size: both together are those of a plastic impact.
-    Settling {
+    PlasticPostStep {
         /// Along normal and tangent \[N s\].
         carried: [f64; 2],
     },
@@ -49,7 +49,7 @@ impl Phase {
     /// Impulses along normal and tangent that have acted before and count in \[N s\].
     pub fn carried(&self) -> [f64; 2] {
         match self {
-            Self::Settling { carried } => *carried,
+            Self::PlasticPostStep { carried } => *carried,
             _ => [0.0; 2],
         }
     }
@@ -192,8 +192,8 @@ impl StepProblem<'_> {
         if TANGENT && force.force > 0.0 {
             let mid = at.at(0.5);
             let middle = pair.normal_row(&step.middle, &mid);
-            // Where the foot crosses into another element the gradients know other nodes; those of the middle will do.
-            let crosses = step.end.foot.node != step.middle.foot.node;
+            // Where the closest point crosses into another element the gradients know other nodes; those of the middle will do.
+            let crosses = step.end.closest.node != step.middle.closest.node;
             let end = if crosses { middle } else { pair.normal_row(&step.end, &at) };
             let (turning, bend) = (pair.turning(&step.middle, &mid), 0.5 * force.force);
             add_tangent(tangent, &middle, &end, force.slope, bend, turning.as_ref());
@@ -244,7 +244,7 @@ impl StepProblem<'_> {
                     pair.over_step(self.model, &at, &seen.memory, seen.gap, true, Reach::All)?;
                 (step.middle, step.row)
             }
-            Phase::Impact { .. } | Phase::Settling { .. } => {
+            Phase::Impact { .. } | Phase::PlasticPostStep { .. } => {
                 let touch = pair.touch(self.model, &mid, &seen.memory, Reach::Near)?;
                 (touch, pair.normal_row(&touch, &mid))
             }
@@ -341,10 +341,12 @@ impl StepProblem<'_> {
                     -restitution * before.min(0.0) - before.max(0.0)
                 }
                 Phase::Resting { .. } => self.resting_bound(contact.pair, before, seen.gap),
-                Phase::Settling { .. } => 0.0,
+                Phase::PlasticPostStep { .. } => 0.0,
             };
             condition.carried = contact.phase.carried();
-            if self.law == ImpulseLaw::Mean && matches!(contact.phase, Phase::Settling { .. }) {
+            if self.law == ImpulseLaw::Mean
+                && matches!(contact.phase, Phase::PlasticPostStep { .. })
+            {
                 // A mean of the sliding velocity that is zero takes no friction back that was carried.
                 condition.friction = 0.0;
             }
@@ -353,7 +355,7 @@ impl StepProblem<'_> {
                 _ if self.law == ImpulseLaw::Mean => -sliding,
                 Phase::Impact { tangential, .. } => -tangential * sliding,
                 Phase::Resting { mean: true } => -sliding,
-                Phase::Resting { mean: false } | Phase::Settling { .. } => 0.0,
+                Phase::Resting { mean: false } | Phase::PlasticPostStep { .. } => 0.0,
             };
         }
     }
@@ -365,7 +367,7 @@ impl StepProblem<'_> {
     /// gives energy, however the normal turns. In steps as short as an impact a gap left over would be a velocity.
     fn resting_bound(&self, pair: usize, before: f64, gap: f64) -> f64 {
         let guided = matches!(self.model.pairs[pair].target, Target::Guided { .. });
-        if guided || self.feedback < BRIEF {
+        if guided || self.feedback < IMPULSIVE {
             -before.max(0.0)
         } else {
             -before - 2.0 * gap.max(0.0) / self.integration.h
@@ -376,7 +378,7 @@ impl StepProblem<'_> {
     fn expand(&self, work: &mut Workspace) -> Result<(), Failure> {
         let each = self.active.iter().filter_map(|c| match c.phase {
             Phase::Impact { restitution, .. } => Some(restitution),
-            Phase::Resting { .. } | Phase::Settling { .. } => None,
+            Phase::Resting { .. } | Phase::PlasticPostStep { .. } => None,
         });
         let e = each.fold(1.0, f64::min);
         for condition in &mut work.impact.contacts {

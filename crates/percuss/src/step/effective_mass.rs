@@ -9,7 +9,7 @@ use super::tangent::{Singular, Tangent};
 use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::point::PointResponse;
 use crate::geometry::configuration::Configuration;
-use crate::geometry::pair::{Hold, Pair};
+use crate::geometry::pair::{Carrier, Pair};
 use crate::geometry::touch::Touch;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{add, cross, dot, norm, scale};
@@ -49,7 +49,7 @@ impl Model {
         let both = |p: &ProjectileData| {
             let on_mesh = on_mesh(self, &mut mass, &p.point, p.direction);
             let MaterialPoint { beam, node, s, tangent, .. } = p.point;
-            let place = Place { beam, node, s, tangent };
+            let place = StruckPlace { beam, node, s, tangent };
             let limit = if on_mesh.is_infinite() {
                 f64::INFINITY
             } else {
@@ -139,7 +139,7 @@ const LEANS: f64 = 1e-3;
 
 /// A place of a beam.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct StruckPlace {
     beam: usize,
     /// First node of its element.
     node: usize,
@@ -149,7 +149,7 @@ struct Place {
     tangent: [f64; 2],
 }
 
-impl Place {
+impl StruckPlace {
     /// Limit of the effective mass for an ever finer mesh \[kg\]: `2 sqrt(rhoA rhoI)` across a beam's interior, half of it
     /// across a free end, what the place carries in itself besides; zero along the beam.
     ///
@@ -200,10 +200,10 @@ impl EffectiveMass {
         let beams = model.beam_node_count();
         let mobility = row.on_some(&x, |n| n < beams);
         let sides =
-            [(pair.movers[0], &pair.source, pair.s), (pair.movers[1], &touch.foot, touch.s)];
+            [(pair.movers[0], &pair.source, pair.s), (pair.movers[1], &touch.closest, touch.s)];
         let (mut softness, mut any) = (0.0, false);
         for (mover, centre, s) in sides {
-            let Hold::Beam { slope, tangent, .. } = &centre.hold else { continue };
+            let Carrier::Beam { slope, tangent, .. } = &centre.carrier else { continue };
             if mover >= model.beams.len() || s.is_nan() {
                 continue;
             }
@@ -217,7 +217,7 @@ impl EffectiveMass {
                 hermite_slope(slope, &at.node(centre.node), &at.node(centre.node + 1)),
             );
             let tangent = scale(1.0 / norm(bent), bent);
-            let place = Place { beam: mover, node: centre.node, s, tangent };
+            let place = StruckPlace { beam: mover, node: centre.node, s, tangent };
             softness += 1.0 / place.limit(model, touch.normal, LEANS);
         }
         let held = mobility <= HELD / model.total_mass;

@@ -12,11 +12,11 @@ pub struct Forcing {
     pub gravity: [f64; 2],
     /// Mean factors of the loads, shape (n_load).
     pub factors: Vec<f64>,
-    /// Increments of the prescribed motions' courses, shape (n_motion).
+    /// Increments of the prescribed motions' time functions, shape (n_motion).
     moved: Vec<f64>,
-    /// What the courses had moved by at the start, shape (n_motion).
+    /// What the time functions had moved by at the start, shape (n_motion).
     started: Vec<f64>,
-    /// Derivatives of the courses at the end, from the left, shape (n_motion) \[1/s\].
+    /// Derivatives of the time functions at the end, from the left, shape (n_motion) \[1/s\].
     rates: Vec<f64>,
     /// Second derivatives at the start, from the right, and at the end, from the left, shape (n_motion) \[1/s^2\].
     second_rates: Vec<[f64; 2]>,
@@ -74,20 +74,20 @@ impl Forcing {
     ) {
         let (end, beside) = (start + h, 2.0 * SAME_INSTANT * step);
         let inside = if after { end + beside } else { end - beside.min(0.5 * h) };
-        for (i, course) in model.motions.iter().enumerate() {
+        for (i, function) in model.motions.iter().enumerate() {
             self.started[i] = reached[i].value - reached[i].origin;
-            self.rates[i] = course.rate_on(end, inside, WIDTH * step);
+            self.rates[i] = function.rate_on(end, inside, WIDTH * step);
             self.second_rates[i] = [
-                course.second_rate_on(start, start + beside.min(0.5 * h), 0.5 * step),
-                course.second_rate_on(end, inside, 0.5 * step),
+                function.second_rate_on(start, start + beside.min(0.5 * h), 0.5 * step),
+                function.second_rate_on(end, inside, 0.5 * step),
             ];
             self.moved[i] = if h >= SHORT * step {
-                course.value(end) - reached[i].value
+                function.value(end) - reached[i].value
             } else if reached[i].held {
                 // A jump of the rate within so short a part is an impulse: velocities change evenly.
                 0.5 * h * (reached[i].rate + self.rates[i])
             } else {
-                h * course.rate(start + 0.5 * h, WIDTH * step)
+                h * function.rate(start + 0.5 * h, WIDTH * step)
             };
         }
     }
@@ -95,9 +95,9 @@ impl Forcing {
     /// Sets a share of what acts at time zero.
     pub fn set_static(&mut self, model: &Model, share: f64) {
         self.set_loads(model, 0.0, 1e-9, share);
-        for (i, course) in model.motions.iter().enumerate() {
+        for (i, function) in model.motions.iter().enumerate() {
             self.started[i] = 0.0;
-            self.moved[i] = share * course.value(0.0);
+            self.moved[i] = share * function.value(0.0);
         }
         self.constrained.fill(true);
         self.connected.fill(true);

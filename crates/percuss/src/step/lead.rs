@@ -4,7 +4,7 @@
 //! are prescribed and agree to second order only; taken from the scheme, the difference would alternate from step to step and
 //! never fade. So the end of a step is given the prescribed velocity (and acceleration), and the lead it takes over that of the scheme
 //! enters the inertia of its neighbours: masses see the increment `d + h c/2` with the lead c. Work and angular momentum
-//! of the difference are the support's, and are booked as such.
+//! of the difference are the support's, and enter the ledger as such.
 
 use super::assemble::EndForces;
 use super::constraint::ConstraintStep;
@@ -29,7 +29,7 @@ pub struct Lead {
     pub acceleration: Vec<[f64; 4]>,
 }
 
-/// What the lead adds to the books of a step.
+/// What the lead adds to the ledger of a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LeadWork {
     /// Work of the supports beyond reaction times increment \[J\].
@@ -40,7 +40,7 @@ pub struct LeadWork {
 
 /// A prescribed value over a step.
 #[derive(Clone, Copy)]
-struct Prescribed {
+struct PrescribedStep {
     increment: f64,
     /// Velocity and acceleration at the start, as the scheme has them.
     start: [f64; 2],
@@ -50,7 +50,7 @@ struct Prescribed {
     second_rates: [f64; 2],
 }
 
-impl Prescribed {
+impl PrescribedStep {
     /// Lead in velocity and acceleration.
     ///
     /// The accelerations that generalized-alpha advances lag behind those of the motion (Arnold, Bruels 2007): weighed by its
@@ -72,7 +72,7 @@ impl Lead {
     pub fn new(model: &Model) -> Self {
         let beams = model.beam_node_count();
         let driven = |drives: &[Vec<(usize, f64)>]| drives.iter().any(|d| !d.is_empty());
-        let holds = model.holds.iter().filter(|h| h.node < beams && driven(&h.drives));
+        let holds = model.prescribed.iter().filter(|h| h.node < beams && driven(&h.drives));
         let mut nodes: Vec<usize> = holds.map(|h| h.node).collect();
         for c in model.constraints.iter().filter(|c| !c.drive.is_empty()) {
             nodes.extend(super::constraint::nodes(c));
@@ -102,14 +102,14 @@ impl Lead {
             return;
         }
         let beams = model.beam_node_count();
-        for hold in model.holds.iter().filter(|h| h.node < beams) {
-            if hold.drives.iter().all(Vec::is_empty) {
+        for dofs in model.prescribed.iter().filter(|h| h.node < beams) {
+            if dofs.drives.iter().all(Vec::is_empty) {
                 continue;
             }
-            let n = hold.node;
-            for (normal, drive) in hold.normals.iter().zip(&hold.drives) {
+            let n = dofs.node;
+            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
                 let on = |x: &[f64; 4]| (0..4).map(|k| normal[k] * x[k]).sum::<f64>();
-                let prescribed = Prescribed {
+                let prescribed = PrescribedStep {
                     increment: forcing.increment(drive),
                     start: [on(&state.velocity[n]), state.acceleration.get(n).map_or(0.0, on)],
                     rate: forcing.rate(drive),
@@ -152,7 +152,7 @@ impl Lead {
                         if x.is_empty() { 0.0 } else { dot(*direction, point.value(x)) }
                     };
                     let start = [on(&state.velocity), on(accelerations)];
-                    let held = Prescribed { increment: turn, start, rate, second_rates };
+                    let held = PrescribedStep { increment: turn, start, rate, second_rates };
                     let weights = [point.shape[0], point.shape[2]];
                     self.add(point.node, 0, weights, *direction, held.lead(rule));
                 }
@@ -167,7 +167,7 @@ impl Lead {
                     };
                     let start = [on(&state.velocity), on(accelerations)];
                     let [before, after] = second_rates;
-                    let held = Prescribed {
+                    let held = PrescribedStep {
                         increment: stretch * turn.sin(),
                         start,
                         rate: at_end * rate,

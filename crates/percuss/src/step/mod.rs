@@ -2,25 +2,25 @@
 //!
 //! [`integration`] says what a scheme makes of an increment, [`assemble`] sums residual and tangent, [`tangent`]
 //! factors and solves them with what ties beams together ([`constraint`], [`connectors`]), [`newton`] iterates
-//! ([`contacts`] couples projectiles in, [`watch`] says when to stop), [`commit`] is the only writer of
+//! ([`contacts`] couples projectiles in, [`convergence`] says when to stop), [`commit`] is the only writer of
 //! [`State`](crate::state::State).
 
 pub mod assemble;
 pub mod bodies;
-pub mod books;
 pub mod commit;
+pub mod condensed_bodies;
 pub mod connectors;
 pub mod constraint;
 pub mod contacts;
+pub mod convergence;
 pub mod effective_mass;
 pub mod external;
+pub mod flows;
 pub mod forcing;
 pub mod integration;
 pub mod lead;
 pub mod masses;
 pub mod modal_damping;
 pub mod newton;
-pub mod satellites;
 pub mod tangent;
-pub mod watch;
 pub mod workspace;

@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::constraint::ConstraintStep;
 use super::contacts::{ActiveContact, ImpulseLaw};
+use super::convergence::{ConvergenceMonitor, ROUND_OFF, WORK_TOLERANCE};
 use super::forcing::Forcing;
 use super::integration::Integration;
 use super::modal_damping::ModalDamping;
 use super::tangent::{Singular, project};
-use super::watch::{ROUND_OFF, WORK_TOLERANCE, Watch};
 use super::workspace::Workspace;
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
@@ -45,7 +45,7 @@ pub struct StepProblem<'a> {
     pub feedback: f64,
     /// Length that no element of a beam exceeds at the start, one a beam; empty if nothing is near a face \[m\].
     pub arcs: &'a [f64],
-    /// Where the feet of smooth contacts at the end of the step are looked for. In the neighbourhood of the last ones is enough
+    /// Where the closest points of smooth contacts at the end of the step are looked for. In the neighbourhood of the last ones is enough
     /// unless something else has come nearer, which only a look at the solved step can tell.
     pub reach: Reach,
 }
@@ -64,7 +64,7 @@ pub struct Effort {
 pub enum Failure {
     /// The iteration did not converge.
     Diverged {
-        /// Unbalanced work relative to the energy in play.
+        /// Unbalanced work relative to the energy scale.
         residual: f64,
         /// Node with the largest unbalanced force.
         node: usize,
@@ -98,7 +98,7 @@ struct Correction {
     work: f64,
 }
 
-/// Most corrections before a step counts as failed, and where they still shrink steadily: at contacts whose foot slides fast or
+/// Most corrections before a step counts as failed, and where they still shrink steadily: at contacts whose closest point slides fast or
 /// leaps, and in collapsing beams, the iteration comes nearer by a constant factor only.
 pub(crate) const MOST_ITERATIONS: usize = 24;
 const MOST_STEADY: usize = 250;
@@ -107,11 +107,11 @@ const SWINGS_FROM: usize = 5;
 /// Corrections below this share of the largest are nothing: ahead of a wave the solution falls off exponentially, into numbers
 /// so small that processors take a hundred times as long for them.
 const QUIET: f64 = 1e-120;
-/// Unbalanced impulse of an accepted step, relative to the momentum in play.
+/// Unbalanced impulse of an accepted step, relative to the momentum scale.
 pub(crate) const IMPULSE_TOLERANCE: f64 = 1e-15;
 /// Impulses times what their forms have turned by with the last correction, of an accepted step, relative likewise.
 const TURNED_TOLERANCE: f64 = 1e-14;
-/// Unbalanced impulse that may pass for round-off, relative to the momentum in play.
+/// Unbalanced impulse that may pass for round-off, relative to the momentum scale.
 pub(crate) const MOST_IMPULSE: f64 = 1e-10;
 
 impl StepProblem<'_> {
@@ -128,22 +128,22 @@ impl StepProblem<'_> {
     fn iterate(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         self.predict(work);
         work.correction_before.clear();
-        let mut watch = Watch::new(self.state.books.energy_scale);
+        let mut convergence = ConvergenceMonitor::new(self.state.ledger.energy_scale);
         let (_, reach) = largest(&self.state.displacement);
         let mut renew = true;
         for iteration in 0..MOST_STEADY {
-            if iteration >= MOST_ITERATIONS && !watch.closes_in() {
+            if iteration >= MOST_ITERATIONS && !convergence.closes_in() {
                 break;
             }
             self.residual(work, renew);
-            watch.unbalanced(self.unbalanced_work(work));
-            if !watch.unbalanced.is_finite() {
+            convergence.unbalanced(self.unbalanced_work(work));
+            if !convergence.unbalanced.is_finite() {
                 break;
             }
-            if iteration > 0 && self.balanced(work, &watch) {
+            if iteration > 0 && self.balanced(work, &convergence) {
                 return Ok(());
             }
-            if !renew && !watch.contracts() {
+            if !renew && !convergence.contracts() {
                 renew = true;
                 self.residual(work, renew);
             }
@@ -155,20 +155,20 @@ impl StepProblem<'_> {
             effort.iterations += 1;
             // What a step brings in by itself, or supports by moving, is known no better than its increment.
             let moves = !self.model.motions.is_empty();
-            if iteration == 0 || moves || watch.energy > self.state.books.energy_scale {
-                watch.play(self.energy_in_play(work, correction.work));
+            if iteration == 0 || moves || convergence.energy > self.state.ledger.energy_scale {
+                convergence.play(self.energy_in_play(work, correction.work));
             }
             let (_, step) = largest(&work.increment);
             let touching =
                 !self.active.is_empty() || work.smooth.iter().any(|c| c.force.force > 0.0);
             let places = if touching { self.size } else { 0.0 };
-            watch.corrected(correction.size, reach, step, correction.work, places);
+            convergence.corrected(correction.size, reach, step, correction.work, places);
             renew = false;
         }
         // Unbalanced forces without reactions.
         self.unbalanced_work(work);
         let (node, _) = largest(&work.correction);
-        Err(Failure::Diverged { residual: watch.unbalanced / watch.energy, node })
+        Err(Failure::Diverged { residual: convergence.unbalanced / convergence.energy, node })
     }
 
     /// The largest energy of the run so far, or what the loads bring in this step; in a first step without either, the work of
@@ -187,25 +187,25 @@ impl StepProblem<'_> {
         let moved = |(c, m): (&Constraint, &f64)| (m * self.forcing.increment(&c.drive)).abs();
         let mut supports: f64 =
             self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
-        for hold in &self.model.holds {
-            for (n, drive) in hold.normals.iter().zip(&hold.drives) {
-                let force: f64 = (0..4).map(|k| n[k] * work.residual[hold.node][k]).sum();
+        for dofs in &self.model.prescribed {
+            for (n, drive) in dofs.normals.iter().zip(&dofs.drives) {
+                let force: f64 = (0..4).map(|k| n[k] * work.residual[dofs.node][k]).sum();
                 supports += (force * self.forcing.increment(drive)).abs();
             }
         }
-        let energy = self.state.books.energy_scale.max(loads.work.abs()).max(supports);
+        let energy = self.state.ledger.energy_scale.max(loads.work.abs()).max(supports);
         if energy > 0.0 { energy } else { correction_work }
     }
 
     /// Whether nothing is left unbalanced, or nothing but round-off.
-    fn balanced(&self, work: &Workspace, watch: &Watch<f64>) -> bool {
-        let impulse = self.unbalanced_impulse(work) / self.momentum_in_play(watch.energy);
-        if watch.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
+    fn balanced(&self, work: &Workspace, convergence: &ConvergenceMonitor<f64>) -> bool {
+        let impulse = self.unbalanced_impulse(work) / self.momentum_in_play(convergence.energy);
+        if convergence.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
             return true;
         }
         // Forces along forms that have turned since may do no work and still have a moment.
-        let turned = work.turned / self.momentum_in_play(watch.energy);
-        watch.unbalanced <= WORK_TOLERANCE * watch.energy
+        let turned = work.turned / self.momentum_in_play(convergence.energy);
+        convergence.unbalanced <= WORK_TOLERANCE * convergence.energy
             && (turned <= TURNED_TOLERANCE || turned.is_nan())
             && (impulse <= IMPULSE_TOLERANCE || impulse.is_nan())
             && self.constraints_met(work)
@@ -340,10 +340,10 @@ impl StepProblem<'_> {
         self.integration.h * sum[0].hypot(sum[1])
     }
 
-    /// The largest momentum of the run so far, or the one that goes with the energy in play; NaN where nothing moves.
+    /// The largest momentum of the run so far, or the one that goes with the energy scale; NaN where nothing moves.
     fn momentum_in_play(&self, energy: f64) -> f64 {
         let scale = (2.0 * self.model.total_mass * energy).sqrt();
-        let scale = scale.max(self.state.books.linear_scale);
+        let scale = scale.max(self.state.ledger.linear_scale);
         if scale > 0.0 { scale } else { f64::NAN }
     }
 
@@ -360,7 +360,7 @@ impl StepProblem<'_> {
     }
 }
 
-/// Share of a correction to be taken: half of one that takes back most of the one before, for that overshot. Where a foot moves
+/// Share of a correction to be taken: half of one that takes back most of the one before, for that overshot. Where a closest point moves
 /// far for a small increment, friction would else turn round in every correction.
 fn share_taken(work: &mut Workspace) -> f64 {
     let Workspace { correction, correction_before: before, .. } = work;
@@ -375,13 +375,13 @@ fn share_taken(work: &mut Workspace) -> f64 {
 
 /// Sets held components to their prescribed increments.
 pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
-    for hold in &model.holds {
-        let x = &mut increment[hold.node];
-        if hold.is_whole() && hold.drives.iter().all(Vec::is_empty) {
+    for dofs in &model.prescribed {
+        let x = &mut increment[dofs.node];
+        if dofs.is_whole() && dofs.drives.iter().all(Vec::is_empty) {
             *x = [0.0; 4];
             continue;
         }
-        for (n, drive) in hold.normals.iter().zip(&hold.drives) {
+        for (n, drive) in dofs.normals.iter().zip(&dofs.drives) {
             let miss = (0..4).map(|k| n[k] * x[k]).sum::<f64>() - forcing.increment(drive);
             (0..4).for_each(|k| x[k] -= miss * n[k]);
         }

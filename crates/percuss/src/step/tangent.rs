@@ -1,16 +1,16 @@
 //! The tangent of a step: the band of the beams with the components held at nodes, what ties it together, and the low-rank
 //! part of modal damping.
 
+use super::condensed_bodies::CondensedBodies;
 use super::constraint::{self, ConstraintStep};
 use super::modal_damping::ModalDamping;
-use super::satellites::Satellites;
 use crate::linalg::block::{Block, IDENTITY, ZERO, mul};
 use crate::linalg::chain::Chain;
 use crate::linalg::condensed::{BorderPattern, Condensed};
 use crate::linalg::dense::DenseLu;
 use crate::model::Model;
 use crate::model::frozen::{
-    BodyKind, Connector, Constraint, ConstraintKind, MaterialPoint, NodeHold,
+    BodyKind, Connector, Constraint, ConstraintKind, MaterialPoint, PrescribedDofs,
 };
 
 /// The tangent, assembled or factored in place.
@@ -22,8 +22,8 @@ pub struct Tangent {
     /// Couplings of contacts, as they come and go: (row node, column node, block).
     contacts: Vec<(usize, usize, Block)>,
     /// Bodies that touch one element only, eliminated first.
-    satellites: Satellites,
-    /// Number of couplings that are always there; those of contacts that no satellite took follow.
+    condensed_bodies: CondensedBodies,
+    /// Number of couplings that are always there; those of contacts that no condensed body took follow.
     permanent: usize,
     /// Number of the first coupling of each connector.
     of_connector: Vec<usize>,
@@ -75,8 +75,9 @@ impl Tangent {
         let (mut of_connector, mut of_constraint) = (Vec::new(), Vec::new());
         for connector in &model.connectors {
             of_connector.push(couplings.len());
-            let grips: Vec<_> = connector.grips().map(|(_, grip)| grip).collect();
-            if let [a, b] = grips[..] {
+            let attachments: Vec<_> =
+                connector.attachments().map(|(_, attachment)| attachment).collect();
+            if let [a, b] = attachments[..] {
                 couplings.extend(pairs(a, b));
             }
         }
@@ -99,7 +100,7 @@ impl Tangent {
             permanent: couplings.len(),
             linked,
             contacts: Vec::new(),
-            satellites: Satellites::default(),
+            condensed_bodies: CondensedBodies::default(),
             of_connector,
             of_constraint,
             right: vec![0.0; model.constraints.len()],
@@ -151,12 +152,12 @@ impl Tangent {
         connector: &Connector,
         blocks: &[[[[f64; 2]; 2]; 2]; 2],
     ) {
-        let grips: Vec<_> = connector.grips().collect();
-        for (g, (p, gradient)) in &grips {
+        let attachments: Vec<_> = connector.attachments().collect();
+        for (g, (p, gradient)) in &attachments {
             let n = if *gradient { &p.slope } else { &p.shape };
             self.matrix.chain.add_outer(p.node, n, n, &blocks[*g][*g]);
         }
-        if let [(_, a), (_, b)] = grips[..] {
+        if let [(_, a), (_, b)] = attachments[..] {
             self.add_between(self.of_connector[i], a, b, &blocks[0][1], &blocks[1][0]);
         }
     }
@@ -215,9 +216,9 @@ impl Tangent {
         }
     }
 
-    /// Leaves the couplings of contacts to satellites and, those that no satellite took, to the condensed matrix.
+    /// Leaves the couplings of contacts to condensed bodies and, those that no condensed body took, to the condensed matrix.
     fn place_contacts(&mut self, model: &Model) -> Result<(), Singular> {
-        self.satellites.clear();
+        self.condensed_bodies.clear();
         if self.contacts.is_empty() {
             return Ok(());
         }
@@ -226,7 +227,7 @@ impl Tangent {
         }
         let first = model.beam_node_count();
         let chain = &mut self.matrix.chain;
-        self.satellites
+        self.condensed_bodies
             .eliminate(chain, &self.linked, first, &mut self.contacts)
             .map_err(Singular::Node)?;
         let known = |m: &Condensed, c: &(usize, usize, Block)| {
@@ -279,8 +280,8 @@ impl Tangent {
         step: &ConstraintStep,
         damping: Option<(&ModalDamping, f64)>,
     ) -> Result<(), Singular> {
-        for hold in &model.holds {
-            hold_block(&mut self.matrix.chain, hold, &self.linked);
+        for dofs in &model.prescribed {
+            prescribe_block(&mut self.matrix.chain, dofs, &self.linked);
         }
         for (a, b, block) in &mut self.matrix.couplings {
             project_coupling(model, *a, *b, block);
@@ -296,8 +297,8 @@ impl Tangent {
                 for (node, value) in vector.iter_mut() {
                     if !acts {
                         *value = [0.0; 4];
-                    } else if let Some(hold) = model.hold_at(*node) {
-                        project_node(hold, value);
+                    } else if let Some(dofs) = model.dofs_at(*node) {
+                        project_node(dofs, value);
                     }
                 }
             }
@@ -335,9 +336,9 @@ impl Tangent {
 
     fn solve_plain(&mut self, model: &Model, x: &mut [[f64; 4]], border: &mut [f64]) {
         project(model, x);
-        self.satellites.before(x);
+        self.condensed_bodies.before(x);
         self.matrix.solve(x, border);
-        self.satellites.after(x);
+        self.condensed_bodies.after(x);
         project(model, x);
     }
 
@@ -423,11 +424,11 @@ fn condensed(model: &Model, linked: &[bool], couplings: &[(usize, usize)]) -> Co
 
 /// Removes held components from a block between two nodes.
 fn project_coupling(model: &Model, a: usize, b: usize, block: &mut Block) {
-    if let Some(hold) = model.hold_at(a) {
-        *block = mul(&hold.free, block);
+    if let Some(dofs) = model.dofs_at(a) {
+        *block = mul(&dofs.free, block);
     }
-    if let Some(hold) = model.hold_at(b) {
-        *block = mul(block, &hold.free);
+    if let Some(dofs) = model.dofs_at(b) {
+        *block = mul(block, &dofs.free);
     }
 }
 
@@ -451,18 +452,18 @@ fn add_block(block: &mut Block, left: &[f64; 2], right: &[f64; 2], k: &[[f64; 2]
 
 /// Removes the held components of nodal values.
 pub fn project(model: &Model, nodal: &mut [[f64; 4]]) {
-    for hold in &model.holds {
-        project_node(hold, &mut nodal[hold.node]);
+    for dofs in &model.prescribed {
+        project_node(dofs, &mut nodal[dofs.node]);
     }
 }
 
 /// Removes the held components of a node's values.
-pub fn project_node(hold: &NodeHold, x: &mut [f64; 4]) {
-    if hold.is_whole() {
+pub fn project_node(dofs: &PrescribedDofs, x: &mut [f64; 4]) {
+    if dofs.is_whole() {
         *x = [0.0; 4];
         return;
     }
-    for n in &hold.normals {
+    for n in &dofs.normals {
         let along = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] + n[3] * x[3];
         for i in 0..4 {
             x[i] -= along * n[i];
@@ -471,16 +472,16 @@ pub fn project_node(hold: &NodeHold, x: &mut [f64; 4]) {
 }
 
 /// Replaces the rows and columns of held components: `P A P + s N N^T` with the scale s of the block.
-fn hold_block(chain: &mut Chain, hold: &NodeHold, linked: &[bool]) {
-    let (i, p) = (hold.node, &hold.free);
-    if hold.is_whole() && !linked[i] && (i == 0 || !linked[i - 1]) {
+fn prescribe_block(chain: &mut Chain, dofs: &PrescribedDofs, linked: &[bool]) {
+    let (i, p) = (dofs.node, &dofs.free);
+    if dofs.is_whole() && !linked[i] && (i == 0 || !linked[i - 1]) {
         chain.diag[i] = IDENTITY;
         return;
     }
     let diag = &chain.diag[i];
     let scale = (0..4).map(|k| diag[k][k].abs()).fold(0.0_f64, f64::max).max(1e-300);
     let mut block = mul(&mul(p, diag), p);
-    for n in &hold.normals {
+    for n in &dofs.normals {
         for r in 0..4 {
             for c in 0..4 {
                 block[r][c] += scale * n[r] * n[c];

@@ -1,4 +1,4 @@
-//! Ends of beams: the outline ends where the beam ends, with two corners that touch, and books close while things roll over them.
+//! Ends of beams: the outline ends where the beam ends, with two corners that touch, and balances close while things roll over them.
 
 use crate::common;
 
@@ -29,9 +29,9 @@ fn rigid(e: f64) -> TouchLaw {
     TouchLaw::Rigid(RigidLaw::frictionless(e))
 }
 
-fn wall(b: &mut ModelBuilder, point: [f64; 2], normal: [f64; 2]) -> Party {
+fn wall(b: &mut ModelBuilder, point: [f64; 2], normal: [f64; 2]) -> ContactPartner {
     let shape = ObstacleShape::HalfPlane { point, normal };
-    Party::Obstacle(b.obstacle(Obstacle { name: "wall".into(), shape, motion: None }))
+    ContactPartner::Obstacle(b.obstacle(Obstacle { name: "wall".into(), shape, motion: None }))
 }
 
 /// A straight bar of 0.1 m depth about a middle, under an angle.
@@ -54,7 +54,7 @@ fn run(b: &ModelBuilder, end: f64, step: f64) -> Result<RunSummary, String> {
     }
 }
 
-/// The largest residual of the books.
+/// The largest residual of the balances.
 fn residual(summary: &RunSummary) -> f64 {
     let m = &summary.momentum;
     summary.energy.residual_max.max(m.linear_residual_max).max(m.angular_residual_max)
@@ -79,7 +79,7 @@ fn throws(count: u64, laws: &[TouchLaw], scene: fn(&mut Dice, TouchLaw) -> Model
                     hits += u64::from(touched(&summary));
                     let residual = residual(&summary);
                     if residual > 1e-10 {
-                        wrong.push(format!("law {k}, seed {seed}: books by {residual:.1e}"));
+                        wrong.push(format!("law {k}, seed {seed}: balance off by {residual:.1e}"));
                     }
                 }
                 Err(text) => wrong.push(format!("law {k}, seed {seed}: {text}")),
@@ -107,7 +107,7 @@ fn a_bar_before_a_wall_starts_where_its_end_is() {
         let mut b = ModelBuilder::new();
         let bar = bar(&mut b, "bar", [0.51, 0.0], 1.0, 0.0);
         let wall = wall(&mut b, [0.0, 0.0], [1.0, 0.0]);
-        b.contact(Contact::new("blow", [Party::Beam(bar), wall], rigid(e)));
+        b.contact(Contact::new("blow", [ContactPartner::Beam(bar), wall], rigid(e)));
         b.initial_motion(InitialMotion { velocity: [-10.0, 0.0], spin: 0.0, about: [0.0; 2] });
         let summary = run(&b, 1.5e-3, 1e-5).expect("sound");
         let ContactRecord::Nonsmooth { impacts, .. } = &summary.contacts[0].record else {
@@ -124,7 +124,7 @@ fn a_bar_that_falls_upright_presses_with_both_corners_alike() {
         let mut b = ModelBuilder::new();
         let bar = bar(&mut b, "bar", [0.0, 0.51], 1.0, 0.5 * PI);
         let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
-        b.contact(Contact::new("fall", [Party::Beam(bar), floor], law));
+        b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], law));
         b.initial_motion(InitialMotion { velocity: [0.0, -3.0], spin: 0.0, about: [0.0; 2] });
         b.record_point(at("top", bar, 1.0));
         let model = b.build().expect("sound");
@@ -151,7 +151,7 @@ fn a_stiff_bar_turns_after_a_blow_on_its_corner_as_a_rigid_one() {
     let (from, to) = ([-half[0], middle[1] - half[1]], [half[0], middle[1] + half[1]]);
     let bar = b.beam(beam("bar", from, to, 4, material, section));
     let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
-    b.contact(Contact::new("fall", [Party::Beam(bar), floor], smooth(1e6)));
+    b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], smooth(1e6)));
     b.initial_motion(InitialMotion { velocity: [0.0, -speed], spin: 0.0, about: [0.0; 2] });
     let summary = run(&b, 0.012, 2e-6).expect("sound");
     let ContactRecord::Smooth { intervals, .. } = &summary.contacts[0].record else { panic!() };
@@ -179,7 +179,11 @@ fn a_disc_that_slides_over_an_end_turns_about_the_corner() {
             b.support(Support::new(name, at(name, bar, share), SupportKind::Clamp));
         }
         let ball = b.disc(disc("ball", 1.0, radius, [-0.002, radius], [speed, 0.0]));
-        b.contact(Contact::new("slide", [Party::Disc(ball), Party::Beam(bar)], law.clone()));
+        b.contact(Contact::new(
+            "slide",
+            [ContactPartner::Disc(ball), ContactPartner::Beam(bar)],
+            law.clone(),
+        ));
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -gravity] }));
         let summary = run(&b, 0.4, 1e-4).expect("sound");
         assert!(residual(&summary) < 1e-10, "{}", residual(&summary));
@@ -201,7 +205,7 @@ fn a_bar_that_stands_on_its_end_carries_a_moment_by_its_corners() {
             let mut b = ModelBuilder::new();
             let bar = bar(&mut b, "bar", [0.0, 0.5], 1.0, 0.5 * PI);
             let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
-            b.contact(Contact::new("stand", [Party::Beam(bar), floor], law.clone()));
+            b.contact(Contact::new("stand", [ContactPartner::Beam(bar), floor], law.clone()));
             let kind = SupportKind::Roller { direction: [0.0, 1.0] };
             b.support(Support::new("side", at("side", bar, 1.0), kind));
             b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
@@ -229,7 +233,7 @@ fn round_ends_stay_within_the_length() {
         let bar = Beam { ends, ..beam("bar", tip, far, 8, material, section) };
         let bar = b.beam(bar);
         let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
-        b.contact(Contact::new("fall", [Party::Beam(bar), floor], rigid(0.0)));
+        b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], rigid(0.0)));
         b.initial_motion(InitialMotion { velocity: [0.0, -10.0], spin: 0.0, about: [0.0; 2] });
         let summary = run(&b, 0.02, 1e-4).expect("sound");
         let ContactRecord::Nonsmooth { impacts, .. } = &summary.contacts[0].record else {
@@ -253,16 +257,20 @@ fn what_ends_in_points_on_either_side_is_refused_with_the_cure() {
     let line = |b: &mut ModelBuilder, depth: Option<f64>| {
         let material = b.material(Material::new("soft", 2e9, 1e3));
         let section = b.section(Section { depth, ..Section::new("line", 1e-2, 8.33e-6) });
-        Party::Beam(b.beam(beam("line", [0.0, 0.0], [1.0, 0.0], 4, material, section)))
+        ContactPartner::Beam(b.beam(beam("line", [0.0, 0.0], [1.0, 0.0], 4, material, section)))
     };
     let point = |b: &mut ModelBuilder, name: &str, x: f64, radius: f64| {
-        Party::Disc(b.disc(disc(name, 1.0, radius, [x, 0.0], [-1.0, 0.0])))
+        ContactPartner::Disc(b.disc(disc(name, 1.0, radius, [x, 0.0], [-1.0, 0.0])))
     };
     let screen = |b: &mut ModelBuilder, thickness: f64| {
         let shape = ObstacleShape::Segment { ends: [[-2.0, 0.0], [-1.0, 0.0]], thickness };
-        Party::Obstacle(b.obstacle(Obstacle { name: "screen".into(), shape, motion: None }))
+        ContactPartner::Obstacle(b.obstacle(Obstacle {
+            name: "screen".into(),
+            shape,
+            motion: None,
+        }))
     };
-    type Scene<'a> = &'a dyn Fn(&mut ModelBuilder, f64) -> [Party; 2];
+    type Scene<'a> = &'a dyn Fn(&mut ModelBuilder, f64) -> [ContactPartner; 2];
     let cases: [(&str, Scene); 4] = [
         ("a disc of radius 0 and a beam whose end", &|b, extent| {
             [point(b, "ball", 2.0, extent), line(b, None)]
@@ -293,19 +301,19 @@ fn what_ends_in_points_on_either_side_is_refused_with_the_cure() {
     let mut b = ModelBuilder::new();
     let line = line(&mut b, None);
     let ball = b.disc(disc("ball", 1.0, 0.0, [0.5, 1.0], [0.0, -1.0]));
-    b.contact(Contact::new("blow", [Party::Disc(ball), line], law()));
+    b.contact(Contact::new("blow", [ContactPartner::Disc(ball), line], law()));
     assert!(b.build().is_ok());
 }
 
 #[test]
-fn bars_thrown_on_a_floor_keep_their_books() {
+fn bars_thrown_on_a_floor_keep_their_balances() {
     fn scene(dice: &mut Dice, law: TouchLaw) -> ModelBuilder {
         let mut b = ModelBuilder::new();
         let angle = dice.between(0.0, PI);
         let low = 0.5 * angle.sin() + 0.05 * angle.cos().abs();
         let bar = bar(&mut b, "bar", [0.0, low + dice.between(0.06, 0.08)], 1.0, angle);
         let floor = wall(&mut b, [0.0, 0.0], [0.1 * dice.roll(), 1.0]);
-        b.contact(Contact::new("fall", [Party::Beam(bar), floor], law));
+        b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], law));
         let velocity = [5.0 * dice.roll(), dice.between(-10.0, -2.0)];
         b.initial_motion(InitialMotion { velocity, spin: 10.0 * dice.roll(), about: [0.0, low] });
         b
@@ -314,7 +322,7 @@ fn bars_thrown_on_a_floor_keep_their_books() {
 }
 
 #[test]
-fn discs_thrown_at_ends_keep_their_books() {
+fn discs_thrown_at_ends_keep_their_balances() {
     fn scene(dice: &mut Dice, law: TouchLaw) -> ModelBuilder {
         let mut b = ModelBuilder::new();
         let bar = bar(&mut b, "bar", [0.0, 0.0], 1.0, 0.0);
@@ -325,7 +333,11 @@ fn discs_thrown_at_ends_keep_their_books() {
         let speed = dice.between(5.0, 20.0);
         let ball =
             b.disc(disc("ball", 2.0, radius, position, [-speed * from.cos(), -speed * from.sin()]));
-        b.contact(Contact::new("throw", [Party::Disc(ball), Party::Beam(bar)], law));
+        b.contact(Contact::new(
+            "throw",
+            [ContactPartner::Disc(ball), ContactPartner::Beam(bar)],
+            law,
+        ));
         b
     }
     throws(6, &laws(), scene, 0.04);
@@ -347,7 +359,7 @@ fn club(b: &mut ModelBuilder, dice: &mut Dice) -> BeamId {
 }
 
 #[test]
-fn discs_thrown_at_ends_of_clubs_keep_their_books() {
+fn discs_thrown_at_ends_of_clubs_keep_their_balances() {
     fn scene(dice: &mut Dice, law: TouchLaw) -> ModelBuilder {
         let mut b = ModelBuilder::new();
         let club = club(&mut b, dice);
@@ -358,7 +370,11 @@ fn discs_thrown_at_ends_of_clubs_keep_their_books() {
         let speed = dice.between(10.0, 30.0);
         let velocity = [-speed * from.cos(), -speed * from.sin()];
         let ball = b.disc(disc("ball", 2.0, radius, position, velocity));
-        b.contact(Contact::new("throw", [Party::Disc(ball), Party::Beam(club)], law));
+        b.contact(Contact::new(
+            "throw",
+            [ContactPartner::Disc(ball), ContactPartner::Beam(club)],
+            law,
+        ));
         b
     }
     throws(6, &laws(), scene, 0.04);
@@ -370,7 +386,11 @@ fn equal_bars_that_meet_end_on_press_with_their_whole_ends() {
         let mut b = ModelBuilder::new();
         let one = bar(&mut b, "one", [0.0, 0.0], 1.0, 0.0);
         let two = bar(&mut b, "two", [1.01, 0.0], 1.0, 0.0);
-        b.contact(Contact::new("blow", [Party::Beam(one), Party::Beam(two)], law));
+        b.contact(Contact::new(
+            "blow",
+            [ContactPartner::Beam(one), ContactPartner::Beam(two)],
+            law,
+        ));
         let velocity = [-10.0, 0.0];
         b.initial_motion_of("two", InitialMotion { velocity, spin: 0.0, about: [0.0; 2] });
         b.record_point(at("mid", one, 0.5));
@@ -403,7 +423,11 @@ fn the_end_of_a_thin_wall_is_stopped_by_a_flat_end() {
         let bar = bar(&mut b, "bar", [0.51, 0.0], 1.0, 0.0);
         let shape = ObstacleShape::Segment { ends: [[-1.0, 0.013], [0.0, 0.013]], thickness: 0.0 };
         let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
-        b.contact(Contact::new("blow", [Party::Beam(bar), Party::Obstacle(wall)], law));
+        b.contact(Contact::new(
+            "blow",
+            [ContactPartner::Beam(bar), ContactPartner::Obstacle(wall)],
+            law,
+        ));
         b.initial_motion(InitialMotion { velocity: [-5.0, 0.0], spin: 0.0, about: [0.0; 2] });
         b.record_point(at("tip", bar, 0.0));
         let model = b.build().expect("sound");
@@ -418,7 +442,7 @@ fn the_end_of_a_thin_wall_is_stopped_by_a_flat_end() {
 }
 
 #[test]
-fn bars_thrown_at_each_other_keep_their_books() {
+fn bars_thrown_at_each_other_keep_their_balances() {
     fn scene(dice: &mut Dice, law: TouchLaw) -> ModelBuilder {
         let mut b = ModelBuilder::new();
         let fixed = bar(&mut b, "one", [0.0, 0.0], 1.0, 0.0);
@@ -430,7 +454,11 @@ fn bars_thrown_at_each_other_keep_their_books() {
         let middle =
             if reach[0] > 0.0 { [aim[0] + 0.13 + reach[0], aim[1] - reach[1]] } else { middle };
         let other = bar(&mut b, "two", middle, 0.5, angle);
-        b.contact(Contact::new("clash", [Party::Beam(fixed), Party::Beam(other)], law));
+        b.contact(Contact::new(
+            "clash",
+            [ContactPartner::Beam(fixed), ContactPartner::Beam(other)],
+            law,
+        ));
         let velocity = [dice.between(-20.0, -5.0), 2.0 * dice.roll()];
         b.initial_motion_of(
             "two",

@@ -1,4 +1,4 @@
-//! Discs, obstacles and beams that touch: books that close while contact slides, opens and closes; nothing passes through.
+//! Discs, obstacles and beams that touch: balances that close while contact slides, opens and closes; nothing passes through.
 
 use crate::common;
 
@@ -17,7 +17,11 @@ fn thrown(radius: f64, velocity: [f64; 2], law: TouchLaw) -> ModelBuilder {
     let mut b = ModelBuilder::new();
     let girder = soft_bar(&mut b);
     let disc = b.disc(disc("ball", 5.0, radius, [0.6, radius + 0.08], velocity));
-    b.contact(Contact::new("throw", [Party::Disc(disc), Party::Beam(girder)], law));
+    b.contact(Contact::new(
+        "throw",
+        [ContactPartner::Disc(disc), ContactPartner::Beam(girder)],
+        law,
+    ));
     b
 }
 
@@ -32,7 +36,7 @@ fn run(b: &ModelBuilder, end: f64, step: f64) -> RunSummary {
     summary
 }
 
-fn books_close(summary: &RunSummary, tolerance: f64) {
+fn balances_close(summary: &RunSummary, tolerance: f64) {
     let residuals = [
         summary.energy.residual_max,
         summary.momentum.linear_residual_max,
@@ -59,7 +63,7 @@ fn a_disc_that_slides_over_element_borders_keeps_energy_and_momenta() {
     ] {
         let law = TouchLaw::Smooth(SmoothLaw::elastic(potential));
         let summary = run(&thrown(0.05, [8.0, -4.0], law), 0.3, 1e-3);
-        books_close(&summary, 1e-11);
+        balances_close(&summary, 1e-11);
         let first = intervals(&summary, 0)[0];
         let slid = (first.place_end.s - first.place.s).abs();
         assert!(slid > 0.3, "slid by {slid} m only, from {}", first.place.s);
@@ -81,9 +85,9 @@ fn a_tapered_beam_is_struck_across_its_leaning_face() {
     let speed = 10.0;
     let disc = b.disc(disc("ball", 0.01, 0.1, [1.1, 0.4], [0.0, -speed]));
     let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(1e5)));
-    b.contact(Contact::new("blow", [Party::Disc(disc), Party::Beam(club)], law));
+    b.contact(Contact::new("blow", [ContactPartner::Disc(disc), ContactPartner::Beam(club)], law));
     let summary = run(&b, 0.02, 1e-5);
-    books_close(&summary, 1e-11);
+    balances_close(&summary, 1e-11);
     // The face encloses circles whose radii grow by an eighth: it leans by asin(1/8), and the disc, a three-thousandth of
     // the beam's mass, is thrown back from it as from a mirror.
     let lean = (0.125_f64).asin();
@@ -110,9 +114,9 @@ fn a_disc_slides_over_the_stations_of_a_tapered_beam() {
     let club = b.beam(beam("club", [0.0, 0.0], [3.0, 0.0], 20, material, section));
     let disc = b.disc(disc("ball", 2.0, 0.1, [0.5, 0.15], [20.0, -2.0]));
     let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(2e5)));
-    b.contact(Contact::new("slide", [Party::Disc(disc), Party::Beam(club)], law));
+    b.contact(Contact::new("slide", [ContactPartner::Disc(disc), ContactPartner::Beam(club)], law));
     let summary = run(&b, 0.15, 1e-4);
-    books_close(&summary, 1e-11);
+    balances_close(&summary, 1e-11);
     let first = &intervals(&summary, 0)[0];
     assert!(first.place_end.s - first.place.s > 0.15, "{first:?}");
 }
@@ -129,18 +133,18 @@ fn the_plain_midpoint_gradient_shows_its_error() {
 }
 
 #[test]
-fn dissipation_takes_what_the_books_say() {
+fn dissipation_takes_what_the_balance_says() {
     let law =
         SmoothLaw { dissipation: 0.1, ..SmoothLaw::elastic(Potential::Hertz { stiffness: 1e6 }) };
     let summary = run(&thrown(0.05, [3.0, -4.0], TouchLaw::Smooth(law)), 0.2, 2e-4);
-    books_close(&summary, 1e-11);
+    balances_close(&summary, 1e-11);
     assert!(summary.energy.loss_damping > 0.5);
     let lost: f64 = intervals(&summary, 0).iter().map(|i| i.energy.lost).sum();
     assert!((lost - summary.energy.loss_damping).abs() < 1e-9 * lost);
 }
 
 #[test]
-fn rigid_discs_bounce_slide_and_rub_with_closed_books() {
+fn rigid_discs_bounce_slide_and_rub_with_closed_balances() {
     for (restitution, friction, tangential) in
         [(1.0, 0.0, 0.0), (0.5, 0.0, 0.0), (0.0, 0.0, 0.0), (0.6, 0.3, 0.0), (0.9, 0.8, 0.5)]
     {
@@ -150,7 +154,7 @@ fn rigid_discs_bounce_slide_and_rub_with_closed_books() {
             ..RigidLaw::frictionless(restitution)
         };
         let summary = run(&thrown(0.05, [5.0, -4.0], TouchLaw::Rigid(law)), 0.2, 1e-4);
-        books_close(&summary, 1e-11);
+        balances_close(&summary, 1e-11);
         assert!(summary.energy.loss_impacts >= -1e-12 * summary.energy.scale);
         if restitution == 1.0 {
             assert!(summary.energy.loss_impacts.abs() < 1e-12 * summary.energy.scale);
@@ -172,7 +176,7 @@ fn what_has_no_thickness_on_either_side_is_refused_with_the_cure() {
         let a = b.beam(beam("a", [0.0, 0.0], [1.0, 0.0], 4, material, near));
         let c = b.beam(beam("c", [1.2, 0.0], [2.0, 0.0], 4, material, far));
         let law = TouchLaw::Rigid(RigidLaw::frictionless(1.0));
-        b.contact(Contact::new("blow", [Party::Beam(a), Party::Beam(c)], law));
+        b.contact(Contact::new("blow", [ContactPartner::Beam(a), ContactPartner::Beam(c)], law));
         b.build().map(|_| ())
     };
     let told = built([None, None]).expect_err("no depth");
@@ -195,13 +199,13 @@ fn two_beams_that_collide_freely_keep_energy_and_momenta() {
         let section = b.section(Section { depth: Some(0.1), ..Section::new("bar", 0.01, 8.33e-6) });
         let a = b.beam(beam("lower", [0.0, 0.0], [3.0, 0.0], 10, material, section));
         let c = b.beam(beam("upper", [1.0, 0.15], [2.5, 1.6], 10, material, section));
-        b.contact(Contact::new("blow", [Party::Beam(a), Party::Beam(c)], law));
+        b.contact(Contact::new("blow", [ContactPartner::Beam(a), ContactPartner::Beam(c)], law));
         let model = b.build().unwrap();
         let mut simulation = Simulation::new(&model, &Settings::new(0.1, 1e-4)).unwrap();
         simulation.set_velocities(|name, _| if name == "upper" { [1.0, -5.0] } else { [0.0; 2] });
         let summary = simulation.run(&mut NoRecorder);
         assert!(matches!(summary.termination, Termination::Completed), "{:?}", summary.termination);
-        books_close(&summary, 1e-11);
+        balances_close(&summary, 1e-11);
         let touched = match &summary.contacts[0].record {
             ContactRecord::Smooth { intervals, .. } => !intervals.is_empty(),
             ContactRecord::Nonsmooth { impact_count, .. } => *impact_count > 0,
@@ -227,11 +231,11 @@ fn a_disc_rolls_down_an_incline_without_slipping() {
     let place = normal.map(|n| radius * n);
     let disc = b.disc(disc("wheel", 2.0, radius, place, [0.0; 2]));
     let law = RigidLaw { friction: 0.5, ..RigidLaw::frictionless(0.0) };
-    let between = [Party::Disc(disc), Party::Obstacle(floor)];
+    let between = [ContactPartner::Disc(disc), ContactPartner::Obstacle(floor)];
     b.contact(Contact::new("roll", between, TouchLaw::Rigid(law)));
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     let summary = run(&b, 1.0, 1e-3);
-    books_close(&summary, 1e-10);
+    balances_close(&summary, 1e-10);
     let v = summary.projectiles[0].velocity_final;
     let expected = 2.0 / 3.0 * 9.81 * slope.sin();
     assert!((v[0].hypot(v[1]) - expected).abs() < 1e-3 * expected, "{v:?} {expected}");
@@ -263,8 +267,16 @@ fn a_start_inside_is_refused_with_depth_place_and_cure() {
         shape: ObstacleShape::HalfPlane { point: [0.0, 0.05], normal: [0.0, 2.0] },
         motion: None,
     });
-    b.contact(Contact::new("floor", [Party::Disc(disc), Party::Obstacle(floor)], law()));
-    b.contact(Contact::new("deep", [Party::Disc(disc), Party::Beam(girder)], law()));
+    b.contact(Contact::new(
+        "floor",
+        [ContactPartner::Disc(disc), ContactPartner::Obstacle(floor)],
+        law(),
+    ));
+    b.contact(Contact::new(
+        "deep",
+        [ContactPartner::Disc(disc), ContactPartner::Beam(girder)],
+        law(),
+    ));
     let found = faults(&b);
     assert_eq!(found.len(), 2, "{found:#?}");
     assert!(found[0].contains("`deep` starts 0.03 m inside `floor`, at [2, 0.05]"));
@@ -315,7 +327,7 @@ fn contradictory_laws_are_faults() {
 }
 
 #[test]
-fn a_moving_wall_does_its_work_on_the_books() {
+fn a_moving_wall_does_its_work_on_the_balance() {
     // A wall that comes at 2 m/s throws a disc at rest off at 4 m/s, and works 8 J on a mass of 1 kg.
     for law in [
         TouchLaw::Rigid(RigidLaw::frictionless(1.0)),
@@ -338,9 +350,13 @@ fn a_moving_wall_does_its_work_on_the_books() {
             }),
         });
         let disc = b.disc(disc("ball", 1.0, 0.1, [0.2, 0.3], [0.0; 2]));
-        b.contact(Contact::new("throw", [Party::Disc(disc), Party::Obstacle(wall)], law));
+        b.contact(Contact::new(
+            "throw",
+            [ContactPartner::Disc(disc), ContactPartner::Obstacle(wall)],
+            law,
+        ));
         let summary = run(&b, 0.2, 1e-4);
-        books_close(&summary, 1e-11);
+        balances_close(&summary, 1e-11);
         let v = summary.projectiles[0].velocity_final;
         assert!((v[0] - 4.0).abs() < 1e-6 && v[1].abs() < 1e-12, "{v:?}");
         assert!((summary.energy.work_supports - 8.0).abs() < 1e-5);
@@ -360,10 +376,14 @@ fn a_stop_gives_what_it_was_given_and_nothing_before_and_after() {
         let shape = ObstacleShape::HalfPlane { point: [x, 0.0], normal: [-1.0, 0.0] };
         let wall = b.obstacle(Obstacle { name: name.into(), shape, motion: None });
         let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(1e6)));
-        b.contact(Contact::new(name, [Party::Disc(ball), Party::Obstacle(wall)], law));
+        b.contact(Contact::new(
+            name,
+            [ContactPartner::Disc(ball), ContactPartner::Obstacle(wall)],
+            law,
+        ));
     }
     let summary = run(&b, 0.1, 1e-5);
-    books_close(&summary, 1e-11);
+    balances_close(&summary, 1e-11);
     let support = |name: &str| summary.supports.iter().find(|s| s.name == name).unwrap();
     let [along, across] = support("struck").force;
     let peak = 3000.0 * 2.0_f64.sqrt();
@@ -390,7 +410,11 @@ fn a_beam_that_is_folded_onto_itself_stops_at_its_own_face() {
         let pin = b.beam(Beam::new("pin", &points, 8, material, section));
         let law = TouchLaw::Smooth(SmoothLaw::elastic(linear(1e5)));
         if touches {
-            b.contact(Contact::new("self", [Party::Beam(pin), Party::Beam(pin)], law));
+            b.contact(Contact::new(
+                "self",
+                [ContactPartner::Beam(pin), ContactPartner::Beam(pin)],
+                law,
+            ));
         }
         let model = b.build().unwrap();
         let mut simulation = Simulation::new(&model, &Settings::new(0.2, 1e-4)).unwrap();
@@ -403,7 +427,7 @@ fn a_beam_that_is_folded_onto_itself_stops_at_its_own_face() {
             least = least.min(0.2 + u[0][1] - u[last][1]);
         }
         let summary = simulation.run(&mut NoRecorder);
-        books_close(&summary, 1e-10);
+        balances_close(&summary, 1e-10);
         least
     };
     let (free, stopped) = (closest(false), closest(true));
@@ -421,7 +445,7 @@ fn two_masses_strike_one_after_the_other() {
         let kind = ProjectileKind::spring(7.5e5);
         b.projectile(Projectile { rear, ..Projectile::new("mass", kind, mass, [0.0, 20.0], mid) });
         let summary = run(&b, 0.15, 1e-4);
-        books_close(&summary, 1e-11);
+        balances_close(&summary, 1e-11);
         assert!(summary.momentum.linear_residual_max < 1e-12);
         summary.projectiles[0].clone()
     };
@@ -436,7 +460,7 @@ fn two_masses_strike_one_after_the_other() {
 }
 
 #[test]
-fn wild_steps_of_a_wall_and_clearances_keep_their_books() {
+fn wild_steps_of_a_wall_and_clearances_keep_their_balances() {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("tube", 2e11, 7.8e3));
     let section = b.section(Section::tube("tube", 0.02, 0.002));
@@ -458,7 +482,7 @@ fn wild_steps_of_a_wall_and_clearances_keep_their_books() {
         let function = TimeFunction::Harmonic { frequency: 30.0, phase: 0.0 };
         let motion = Motion { displacement: [0.0, 2e-4], rotation: 0.0, function };
         let plate = b.obstacle(Obstacle { name: format!("b{k}"), shape, motion: Some(motion) });
-        let between = [Party::Beam(tube), Party::Obstacle(plate)];
+        let between = [ContactPartner::Beam(tube), ContactPartner::Obstacle(plate)];
         b.contact(Contact { points_per_element: 4, ..Contact::new(format!("c{k}"), between, law) });
     }
     let kind = LoadKind::Distributed {
@@ -470,7 +494,7 @@ fn wild_steps_of_a_wall_and_clearances_keep_their_books() {
     let function = TimeFunction::Harmonic { frequency: 40.0, phase: 0.0 };
     b.load(Load { function, ..Load::new("flow", kind) });
     let summary = run(&b, 0.2, 2e-4);
-    books_close(&summary, 1e-10);
+    balances_close(&summary, 1e-10);
     let impacts = match &summary.contacts[0].record {
         ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
         ContactRecord::Smooth { .. } => 0,

@@ -20,7 +20,8 @@ fn strip(points_per_element: usize, lean: f64, stiffness: f64) -> Model {
         motion: None,
     });
     let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
-    let contact = Contact::new("clap", [Party::Beam(strip), Party::Obstacle(floor)], law);
+    let contact =
+        Contact::new("clap", [ContactPartner::Beam(strip), ContactPartner::Obstacle(floor)], law);
     b.contact(Contact { points_per_element, ..contact });
     b.initial_motion(InitialMotion { velocity: [0.3, -2.0], ..InitialMotion::default() });
     b.build().unwrap()
@@ -115,7 +116,11 @@ fn points_that_strike_at_once_are_one_impact() {
             motion: None,
         });
         let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
-        b.contact(Contact::new("clap", [Party::Beam(strip), Party::Obstacle(floor)], law));
+        b.contact(Contact::new(
+            "clap",
+            [ContactPartner::Beam(strip), ContactPartner::Obstacle(floor)],
+            law,
+        ));
         b.initial_motion(InitialMotion { velocity: [0.0, -2.0], ..InitialMotion::default() });
         let model = b.build().unwrap();
         let settings = Settings { impacts, ..Settings::new(1e-3, 1e-5) };

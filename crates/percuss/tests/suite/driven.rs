@@ -288,7 +288,7 @@ fn shaken() -> ModelBuilder {
 
 /// Energy and both momenta stay closed in every step of a run with driven supports, jumps of their velocities included.
 #[test]
-fn books_close_where_supports_are_driven() {
+fn balances_close_where_supports_are_driven() {
     let model = shaken().build().unwrap();
     for scheme in [Scheme::EnergyMomentum, Scheme::StrainRate] {
         let (_, summary) = Rows::of(&model, &Settings { scheme, ..Settings::new(0.08, 5e-4) });
@@ -355,7 +355,11 @@ fn momentum_closes_from_the_columns() {
     let disc = b.disc(common::disc("ball", 10.0, 0.1, [0.45, 0.2], [1.0, -10.0]));
     let law = RigidLaw { friction: 0.3, ..RigidLaw::frictionless(0.5) };
     let touch = TouchLaw::Rigid(law);
-    b.contact(Contact::new("strike", [Party::Disc(disc), Party::Beam(beam)], touch.clone()));
+    b.contact(Contact::new(
+        "strike",
+        [ContactPartner::Disc(disc), ContactPartner::Beam(beam)],
+        touch.clone(),
+    ));
     let (rows, summary) = Rows::of(&b.build().unwrap(), &Settings::new(0.05, 1e-4));
     let places = [("left", [0.0, 0.0]), ("right", [3.0, 0.0])];
     momentum_closes(&rows, &places, [0.0; 2]);
@@ -367,7 +371,11 @@ fn momentum_closes_from_the_columns() {
     let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
     let ball = b.disc(common::disc("ball", 1.0, 0.1, [0.0, 0.3], [0.4, -1.0]));
     clamped_plank_far(&mut b);
-    b.contact(Contact::new("bounce", [Party::Disc(ball), Party::Obstacle(floor)], touch));
+    b.contact(Contact::new(
+        "bounce",
+        [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)],
+        touch,
+    ));
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     let model = b.build().unwrap();
     let (rows, summary) = Rows::of(&model, &Settings::new(0.6, 1e-3));

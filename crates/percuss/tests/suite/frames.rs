@@ -3,7 +3,7 @@
 use crate::common;
 
 use common::{at, beam, elastic, plank, rigid};
-use percuss::scene::{BodyShape, Outline, SupportSymbol};
+use percuss::scene::{BodyShape, ObstacleOutline, SupportSymbol};
 use percuss::*;
 
 /// A frame as it was shown.
@@ -147,9 +147,13 @@ fn a_scene_names_what_stands_there_and_the_nodes_that_place_it() {
     };
     let floor = b.obstacle(floor);
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
-    let parties = [Party::Disc(ball), Party::Obstacle(floor)];
-    b.contact(Contact::new("drop", parties, law.clone()));
-    b.contact(Contact::new("clap", [Party::Disc(ball), Party::Beam(girder)], law));
+    let partners = [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)];
+    b.contact(Contact::new("drop", partners, law.clone()));
+    b.contact(Contact::new(
+        "clap",
+        [ContactPartner::Disc(ball), ContactPartner::Beam(girder)],
+        law,
+    ));
     let model = b.build().unwrap();
     let scene = b.scene(&model);
     assert_eq!(scene.beams[0].stations.len(), 7);
@@ -158,7 +162,7 @@ fn a_scene_names_what_stands_there_and_the_nodes_that_place_it() {
     assert_eq!(scene.nodes.len(), 8);
     assert_eq!(
         scene.obstacles[0].outline,
-        Outline::HalfPlane { point: [0.0, -1.0], normal: [0.0, 1.0] }
+        ObstacleOutline::HalfPlane { point: [0.0, -1.0], normal: [0.0, 1.0] }
     );
     assert!(scene.supports.iter().all(|s| s.symbol == SupportSymbol::Clamp && !s.moves));
     assert_eq!((scene.supports[1].at.beam, scene.supports[1].at.s), (0, 3.0));

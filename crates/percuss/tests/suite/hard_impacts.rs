@@ -1,11 +1,11 @@
-//! Impacts that once hung or broke the books: grazing, repeated, on joints, at rest.
+//! Impacts that once hung or broke the balances: grazing, repeated, on joints, at rest.
 
 use crate::common;
 
 use common::*;
 use percuss::*;
 
-fn assert_books(name: &str, summary: &RunSummary) {
+fn assert_balances(name: &str, summary: &RunSummary) {
     assert!(matches!(summary.termination, Termination::Completed), "{name}: {summary:?}");
     let m = &summary.momentum;
     let worst = summary.energy.residual_max.max(m.linear_residual_max).max(m.angular_residual_max);
@@ -29,7 +29,7 @@ fn weight(b: &mut ModelBuilder) {
 
 fn run(name: &str, model: &Model, end: f64, step: f64) -> RunSummary {
     let summary = simulate(model, &Settings::new(end, step), &mut NoRecorder).unwrap();
-    assert_books(name, &summary);
+    assert_balances(name, &summary);
     // Locating an impact takes a handful of trial steps, and few steps have more than some impacts.
     let most = 200 * summary.steps + 2000;
     assert!(summary.solver_steps < most, "{name}: {} solver steps", summary.solver_steps);
@@ -123,7 +123,7 @@ fn hinge_chain(links: usize, elements: usize, e: f64) -> Model {
 }
 
 #[test]
-fn a_chain_of_hinges_keeps_its_books_at_every_step() {
+fn a_chain_of_hinges_keeps_its_balances_at_every_step() {
     for (links, elements) in [(5, 3), (2, 1), (2, 3)] {
         for e in [0.0, 0.5, 1.0] {
             for step in [1e-3, 1e-4, 3e-5] {
@@ -136,7 +136,7 @@ fn a_chain_of_hinges_keeps_its_books_at_every_step() {
 }
 
 #[test]
-fn a_flying_square_keeps_its_books_at_every_step() {
+fn a_flying_square_keeps_its_balances_at_every_step() {
     for kind in [JointKind::Hinge, JointKind::Rigid] {
         for step in [1e-3, 1e-4, 1e-5, 1e-6] {
             let mut b = ModelBuilder::new();
@@ -184,9 +184,9 @@ mod random {
             ..ProptestConfig::default()
         })]
 
-        /// Whatever strikes wherever: the run ends, its books close, impacts give no energy.
+        /// Whatever strikes wherever: the run ends, its balances close, impacts give no energy.
         #[test]
-        fn scenes_end_with_closed_books(
+        fn scenes_end_with_closed_balances(
             shots in prop::collection::vec(
                 (0.0..1.0_f64, -60.0..60.0_f64, -60.0..60.0_f64, 0.0..1.0_f64, 1.0..500.0_f64, any::<bool>()),
                 1..4,
@@ -219,7 +219,7 @@ mod random {
             // How many steps the solver takes is not limited here: some scenes chatter.
             let model = b.build().unwrap();
             let settings = Settings::new(0.01, 5e-5);
-            assert_books("a random scene", &simulate(&model, &settings, &mut NoRecorder).unwrap());
+            assert_balances("a random scene", &simulate(&model, &settings, &mut NoRecorder).unwrap());
         }
     }
 }
@@ -243,13 +243,13 @@ fn impacts_seen_late_give_no_energy() {
                 let mut lost = 0.0;
                 while simulation.state().step < simulation.step_count() {
                     simulation.advance(&mut NoRecorder).unwrap();
-                    let books = &simulation.state().books;
-                    let gain = lost - books.loss_impacts;
+                    let ledger = &simulation.state().ledger;
+                    let gain = lost - ledger.loss_impacts;
                     assert!(
-                        gain <= 1e-12 * books.energy_scale,
+                        gain <= 1e-12 * ledger.energy_scale,
                         "{step} {speed} {restitution}: {gain}"
                     );
-                    lost = books.loss_impacts;
+                    lost = ledger.loss_impacts;
                 }
             }
         }

@@ -26,7 +26,11 @@ fn with_disc(radius: f64, position: [f64; 2], velocity: [f64; 2]) -> Model {
     held(&mut b, girder);
     let ball = b.disc(disc("ball", 0.01, radius, position, velocity));
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
-    b.contact(Contact::new("touch", [Party::Disc(ball), Party::Beam(girder)], law));
+    b.contact(Contact::new(
+        "touch",
+        [ContactPartner::Disc(ball), ContactPartner::Beam(girder)],
+        law,
+    ));
     b.build().unwrap()
 }
 
@@ -90,7 +94,11 @@ fn a_ball_that_falls_on_a_floor_leaves_as_it_came() {
         let girder = plank(&mut b, 2);
         held(&mut b, girder);
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 2e4 }));
-        b.contact(Contact::new("drop", [Party::Disc(ball), Party::Obstacle(floor)], law));
+        b.contact(Contact::new(
+            "drop",
+            [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)],
+            law,
+        ));
         b.load(Load::new("gravity", LoadKind::Gravity { acceleration: [0.0, -10.0] }));
         let run =
             simulate(&b.build().unwrap(), &Settings::new(0.5, step), &mut NoRecorder).unwrap();
@@ -123,7 +131,11 @@ fn a_ball_leaves_a_floor_that_falls_away_faster_than_it_does() {
         let girder = plank(&mut b, 2);
         held(&mut b, girder);
         let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
-        b.contact(Contact::new("lift", [Party::Disc(ball), Party::Obstacle(floor)], law));
+        b.contact(Contact::new(
+            "lift",
+            [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)],
+            law,
+        ));
         b.load(Load::new("gravity", LoadKind::Gravity { acceleration: [0.0, -gravity] }));
         let run =
             simulate(&b.build().unwrap(), &Settings::new(0.15, step), &mut NoRecorder).unwrap();
@@ -147,7 +159,11 @@ fn a_jump_against_a_rigid_contact_is_refused() {
                 function: TimeFunction::Step { at },
             }),
         });
-        b.contact(Contact::new("touch", [Party::Beam(girder), Party::Obstacle(floor)], law));
+        b.contact(Contact::new(
+            "touch",
+            [ContactPartner::Beam(girder), ContactPartner::Obstacle(floor)],
+            law,
+        ));
         faults(&b)
     };
     let rigid = || TouchLaw::Rigid(RigidLaw::frictionless(0.5));
@@ -178,7 +194,11 @@ fn an_obstacle_that_darts_within_a_step_strikes() {
         }),
     });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
-    b.contact(Contact::new("touch", [Party::Beam(girder), Party::Obstacle(floor)], law));
+    b.contact(Contact::new(
+        "touch",
+        [ContactPartner::Beam(girder), ContactPartner::Obstacle(floor)],
+        law,
+    ));
     let run = simulate(&b.build().unwrap(), &Settings::new(0.012, 1e-3), &mut NoRecorder).unwrap();
     let ContactRecord::Nonsmooth { impact_count, .. } = run.contacts[0].record else { panic!() };
     assert!(impact_count > 0);
@@ -198,7 +218,11 @@ fn what_lies_across_a_beam_is_refused_with_a_cure() {
             motion: None,
         });
         let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
-        b.contact(Contact::new("touch", [Party::Beam(girder), Party::Obstacle(wall)], law));
+        b.contact(Contact::new(
+            "touch",
+            [ContactPartner::Beam(girder), ContactPartner::Obstacle(wall)],
+            law,
+        ));
         faults(&b)
     };
     let found = built([0.0, 0.0]);
@@ -217,7 +241,11 @@ fn what_lies_across_a_beam_is_refused_with_a_cure() {
     let other = beam("other", [0.37, -0.3], [0.33, 0.25], 5, material, section);
     let other = b.beam(other);
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
-    b.contact(Contact::new("crossing", [Party::Beam(girder), Party::Beam(other)], law));
+    b.contact(Contact::new(
+        "crossing",
+        [ContactPartner::Beam(girder), ContactPartner::Beam(other)],
+        law,
+    ));
     let found = faults(&b);
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(found[0].contains("contact.crossing.between"), "{found:?}");
@@ -250,7 +278,11 @@ fn what_is_seen_from_the_other_face_is_not_inside() {
     b.initial_motion(InitialMotion { spin: 30.0, about: [0.35, 0.0], ..InitialMotion::default() });
     let ball = b.disc(disc("ball", 0.01, 0.02, [0.35, 3.0], [0.0; 2]));
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
-    b.contact(Contact::new("miss", [Party::Disc(ball), Party::Beam(girder)], law));
+    b.contact(Contact::new(
+        "miss",
+        [ContactPartner::Disc(ball), ContactPartner::Beam(girder)],
+        law,
+    ));
     let mut gaps = Gaps::default();
     let model = b.build().unwrap();
     simulate(&model, &Settings::new(0.3, 1e-3), &mut gaps).unwrap();
@@ -306,7 +338,11 @@ fn oblique(stiffness: f64, step: f64) -> RunSummary {
     let girder = plank(&mut b, 7);
     held(&mut b, girder);
     let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
-    b.contact(Contact::new("touch", [Party::Disc(ball), Party::Beam(girder)], law));
+    b.contact(Contact::new(
+        "touch",
+        [ContactPartner::Disc(ball), ContactPartner::Beam(girder)],
+        law,
+    ));
     simulate(&b.build().unwrap(), &Settings::new(0.02, step), &mut NoRecorder).unwrap()
 }
 

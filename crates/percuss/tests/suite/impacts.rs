@@ -33,7 +33,7 @@ fn impacts(summary: &RunSummary, i: usize) -> &[Impact] {
     }
 }
 
-fn assert_books(summary: &RunSummary) {
+fn assert_balances(summary: &RunSummary) {
     assert!(summary.energy.residual_max < 1e-10, "{:e}", summary.energy.residual_max);
     assert!(summary.momentum.linear_residual_max < 1e-10);
     assert!(summary.momentum.angular_residual_max < 1e-10);
@@ -45,7 +45,7 @@ fn projectiles_that_arrive_together_strike_together() {
     let down = [0.0, -40.0];
     let model = girder(true, &[(0.25, down, 1.0), (0.75, down, 1.0), (0.5, down, 0.3)]);
     let summary = run(&model, &Settings::new(0.02, 1e-5));
-    assert_books(&summary);
+    assert_balances(&summary);
     for i in 0..3 {
         let first = impacts(&summary, i)[0];
         assert!((first.time - 5e-4).abs() < 1e-12);
@@ -61,12 +61,12 @@ fn projectiles_that_arrive_together_strike_together() {
 fn projectiles_from_both_sides_and_askew() {
     let shots = [(0.2, [10.0, -40.0], 0.7), (0.61, [0.0, 30.0], 1.0), (1.0, [-20.0, 0.0], 0.0)];
     for supported in [true, false] {
-        assert_books(&run(&girder(supported, &shots), &Settings::new(0.01, 1e-5)));
+        assert_balances(&run(&girder(supported, &shots), &Settings::new(0.01, 1e-5)));
         let time_stepping = Settings {
             impacts: ImpactResolution::TimeStepping { closed_tolerance: 1e-9 },
             ..Settings::new(0.01, 1e-5)
         };
-        assert_books(&run(&girder(supported, &shots), &time_stepping));
+        assert_balances(&run(&girder(supported, &shots), &time_stepping));
     }
 }
 
@@ -74,7 +74,7 @@ fn projectiles_from_both_sides_and_askew() {
 fn a_plastic_impact_rides_along_until_the_beam_throws_it_off() {
     let model = girder(true, &[(0.5, [0.0, -4.0], 0.0)]);
     let summary = run(&model, &Settings::new(0.2, 1e-4));
-    assert_books(&summary);
+    assert_balances(&summary);
     let ContactRecord::Nonsmooth { intervals, .. } = &summary.contacts[0].record else { panic!() };
     assert!(!intervals.is_empty());
     assert!(intervals.iter().all(|i| i.impulse > 0.0));
@@ -113,7 +113,7 @@ fn a_projectile_laid_on_a_rigid_beam_rests_there() {
     let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
     b.load(Load::new("weight", kind));
     let summary = run(&b.build().unwrap(), &Settings::new(0.5, 1e-3));
-    assert_books(&summary);
+    assert_balances(&summary);
     let ContactRecord::Nonsmooth { impact_count, impulse_total, .. } = summary.contacts[0].record
     else {
         panic!()

@@ -244,3 +244,36 @@ fn crates_depend_on_each_other_as_the_architecture_says() {
         manifests.filter(|path| path.is_file()).map(|path| dependencies(&path)).collect();
     assert_eq!(found, published);
 }
+
+/// Adds the types that items declare, those of tests left out.
+fn add_types(items: &[syn::Item], names: &mut Vec<String>) {
+    for item in items {
+        match item {
+            syn::Item::Struct(i) => names.push(i.ident.to_string()),
+            syn::Item::Enum(i) => names.push(i.ident.to_string()),
+            syn::Item::Trait(i) => names.push(i.ident.to_string()),
+            syn::Item::Type(i) => names.push(i.ident.to_string()),
+            syn::Item::Mod(i) if !is_test(&i.attrs) => {
+                let inner = i.content.as_ref().map_or(&[][..], |(_, items)| items);
+                add_types(inner, names);
+            }
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn a_name_means_one_type() {
+    let mut files = Vec::new();
+    sources(&root().join("crates/percuss/src"), &mut files);
+    let mut homes: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
+    for path in files {
+        let file = syn::parse_file(&fs::read_to_string(&path).unwrap()).unwrap();
+        let mut names = Vec::new();
+        add_types(&file.items, &mut names);
+        names.into_iter().for_each(|name| homes.entry(name).or_default().push(path.clone()));
+    }
+    assert!(homes.len() > 200, "only {} types found", homes.len());
+    homes.retain(|_, files| files.len() > 1);
+    assert!(homes.is_empty(), "names of more than one type: {homes:#?}");
+}

@@ -18,7 +18,7 @@ fn row(masses: &[f64], flying: usize, law: RigidLaw) -> Model {
     let section = b.section(Section::new("bar", 0.01, 1e-5));
     b.beam(common::beam("far", [0.0, 9.0], [1.0, 9.0], 1, material, section));
     for (i, two) in balls.windows(2).enumerate() {
-        let between = [Party::Disc(two[0]), Party::Disc(two[1])];
+        let between = [ContactPartner::Disc(two[0]), ContactPartner::Disc(two[1])];
         b.contact(Contact::new(format!("touch {i}"), between, TouchLaw::Rigid(law)));
     }
     b.build().unwrap()
@@ -119,11 +119,11 @@ fn sequences_with_friction_and_weight_keep_their_balances() {
         })
         .collect();
     for (i, two) in [[0, 1], [1, 2], [3, 0]].iter().enumerate() {
-        let between = two.map(|k| Party::Disc(balls[k]));
+        let between = two.map(|k| ContactPartner::Disc(balls[k]));
         b.contact(Contact::new(format!("touch {i}"), between, TouchLaw::Rigid(law)));
     }
     for (i, ball) in balls.iter().enumerate() {
-        let between = [Party::Disc(*ball), Party::Obstacle(floor)];
+        let between = [ContactPartner::Disc(*ball), ContactPartner::Obstacle(floor)];
         b.contact(Contact::new(format!("floor {i}"), between, TouchLaw::Rigid(law)));
     }
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
@@ -166,7 +166,11 @@ fn the_effective_mass_of_a_stick_on_a_floor_is_in_the_summary() {
         motion: None,
     });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(1.0));
-    b.contact(Contact::new("drop", [Party::Beam(stick), Party::Obstacle(floor)], law));
+    b.contact(Contact::new(
+        "drop",
+        [ContactPartner::Beam(stick), ContactPartner::Obstacle(floor)],
+        law,
+    ));
     b.initial_motion(InitialMotion { velocity: [0.0, -1.0], ..InitialMotion::default() });
     let model = b.build().unwrap();
     let settings = Settings::new(0.02, 1e-5);

@@ -30,7 +30,7 @@ fn run(model: &Model, scheme: Scheme, end: f64, step: f64) -> RunSummary {
 }
 
 #[test]
-fn energy_momentum_schemes_close_every_book() {
+fn energy_momentum_schemes_close_every_balance() {
     for strain in [StrainMeasure::Green, StrainMeasure::Engineering] {
         for scheme in [Scheme::EnergyMomentum, Scheme::StrainRate] {
             let s = run(&free_beam(strain), scheme, 0.5, 1e-3);
@@ -58,7 +58,7 @@ fn every_scheme_keeps_linear_momentum_and_converges_to_the_same_motion() {
 }
 
 #[test]
-fn other_schemes_show_their_energy_error_in_the_books() {
+fn other_schemes_show_their_energy_error_in_the_balance() {
     let model = free_beam(StrainMeasure::Green);
     for scheme in &SCHEMES[2..] {
         let error = |step: f64| run(&model, *scheme, 0.15, step).energy.residual_max;
@@ -90,7 +90,7 @@ fn accelerations_and_impulses_do_not_mix() {
 }
 
 #[test]
-fn supports_hold_and_their_impulses_are_on_the_books() {
+fn supports_hold_and_their_impulses_are_on_the_balance() {
     let kinds = [
         SupportKind::Clamp,
         SupportKind::Pin,
@@ -129,7 +129,7 @@ fn supports_hold_and_their_impulses_are_on_the_books() {
 }
 
 #[test]
-fn loads_put_their_work_and_impulse_on_the_books() {
+fn loads_put_their_work_and_impulse_on_the_balance() {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 5, material, section));
@@ -157,26 +157,26 @@ fn loads_put_their_work_and_impulse_on_the_books() {
         while simulation.state().step < simulation.step_count() {
             simulation.advance(&mut NoRecorder).unwrap();
         }
-        let (books, measures) = (&simulation.state().books, simulation.measures());
-        assert!(books.work_loads.abs() > 100.0);
-        assert!(books.energy_residual(measures).abs() < 1e-10 * books.energy_scale);
-        assert!(books.angular_residual(measures).abs() < 1e-10 * books.angular_scale);
+        let (ledger, measures) = (&simulation.state().ledger, simulation.measures());
+        assert!(ledger.work_loads.abs() > 100.0);
+        assert!(ledger.energy_residual(measures).abs() < 1e-10 * ledger.energy_scale);
+        assert!(ledger.angular_residual(measures).abs() < 1e-10 * ledger.angular_scale);
         // Closed form of the impulse: mass of beam (900 kg) and projectile times gravity, and the force for as long as it acts.
         let expected = [
             (900.0 + 500.0) * 0.3 + 1e4 * (0.0789 - 0.0123),
             -9.81 * (900.0 + 500.0) * 0.3 - 2e4 * (0.0789 - 0.0123),
         ];
         for i in 0..2 {
-            let impulse = books.impulse_loads[i];
+            let impulse = ledger.impulse_loads[i];
             assert!((impulse - expected[i]).abs() < 1e-9 * expected[i].abs(), "{impulse}");
-            let residual = books.linear_residual(measures)[i];
-            assert!(residual.abs() < 1e-10 * books.linear_scale);
+            let residual = ledger.linear_residual(measures)[i];
+            assert!(residual.abs() < 1e-10 * ledger.linear_scale);
         }
     }
 }
 
 #[test]
-fn a_step_too_long_for_newton_is_cut_and_the_books_still_close() {
+fn a_step_too_long_for_newton_is_cut_and_the_balances_still_close() {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));

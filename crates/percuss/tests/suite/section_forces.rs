@@ -291,7 +291,7 @@ fn forces_at_supports_are_their_reactions_in_motion_under_every_scheme() {
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
         let ball = b.disc(disc("ball", 2.0, 0.1, [0.63, 0.13], [0.4, -1.0]));
         let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e5 }));
-        b.contact(Contact::new("c", [Party::Disc(ball), Party::Beam(arm)], law));
+        b.contact(Contact::new("c", [ContactPartner::Disc(ball), ContactPartner::Beam(arm)], law));
         b.record_point(at("root", arm, 0.0));
         let model = b.build().unwrap();
         let mut log = Columns::default();
@@ -368,7 +368,11 @@ fn forces_of_a_contact_inside_an_element_make_the_shear_force_jump_there() {
     hold(&mut b, at("b", girder, 1.0), SupportKind::Roller { direction: [1.0, 0.0] });
     let law = SmoothLaw::elastic(Potential::Linear { stiffness: 1e5 });
     let ball = b.disc(disc("ball", 10.0, 0.1, [0.37, 0.1251], [0.0; 2]));
-    b.contact(Contact::new("c", [Party::Disc(ball), Party::Beam(girder)], TouchLaw::Smooth(law)));
+    b.contact(Contact::new(
+        "c",
+        [ContactPartner::Disc(ball), ContactPartner::Beam(girder)],
+        TouchLaw::Smooth(law),
+    ));
     b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     let model = b.build().unwrap();
     let run = simulate(&model, &Settings::new(0.02, 1e-4), &mut Columns::default()).unwrap();

@@ -52,7 +52,7 @@ impl Strip {
         b.support(Support::new("root", at("root", strip, 0.0), SupportKind::Clamp));
         // The faces of the strip lie half its depth from its axis.
         let floor = b.obstacle(floor_at(-self.height - 1e-3));
-        let between = [Party::Beam(strip), Party::Obstacle(floor)];
+        let between = [ContactPartner::Beam(strip), ContactPartner::Obstacle(floor)];
         b.contact(Contact::new("on_floor", between, self.law.clone()));
         gravity(&mut b);
         if self.tip != 0.0 {
@@ -208,7 +208,11 @@ fn a_ball_rests_in_the_middle_of_a_beam_and_its_supports_carry_both() {
             let roller = SupportKind::Roller { direction: [1.0, 0.0] };
             b.support(Support::new("right", at("right", bar, 1.0), roller));
             let ball = b.disc(disc("ball", 3.0, 0.05, [x, 0.055 + above], [0.0, 0.0]));
-            b.contact(Contact::new("on_bar", [Party::Disc(ball), Party::Beam(bar)], law.clone()));
+            b.contact(Contact::new(
+                "on_bar",
+                [ContactPartner::Disc(ball), ContactPartner::Beam(bar)],
+                law.clone(),
+            ));
             gravity(&mut b);
             b.record_point(at("mid", bar, 0.5));
             let model = b.build().unwrap();
@@ -249,7 +253,11 @@ fn what_nothing_holds_is_named() {
     let bar = b.beam(beam("bar", [0.0, 0.0], [1.0, 0.0], 4, material, section));
     b.support(Support::new("root", at("root", bar, 0.0), SupportKind::Clamp));
     let ball = b.disc(disc("ball", 3.0, 0.05, [1.5, 0.1], [0.0, 0.0]));
-    b.contact(Contact::new("on_bar", [Party::Disc(ball), Party::Beam(bar)], rigid_law()));
+    b.contact(Contact::new(
+        "on_bar",
+        [ContactPartner::Disc(ball), ContactPartner::Beam(bar)],
+        rigid_law(),
+    ));
     gravity(&mut b);
     let model = b.build().unwrap();
     let error = equilibrium(&model).unwrap_err().to_string();
@@ -274,7 +282,11 @@ fn leaning(law: TouchLaw, gap: f64, force: f64) -> Model {
         "push",
         LoadKind::Point { at: tip, force: [0.0, -force], moment: 0.0, follower: false },
     ));
-    b.contact(Contact::new("lean", [Party::Beam(upper), Party::Beam(lower)], law));
+    b.contact(Contact::new(
+        "lean",
+        [ContactPartner::Beam(upper), ContactPartner::Beam(lower)],
+        law,
+    ));
     b.build().unwrap()
 }
 

@@ -26,7 +26,7 @@ fn strip(b: &mut ModelBuilder, elements: usize) -> BeamId {
 
 fn lies_on(b: &mut ModelBuilder, beam: BeamId, name: &str, shape: ObstacleShape) {
     let obstacle = b.obstacle(Obstacle { name: name.into(), shape, motion: None });
-    let between = [Party::Beam(beam), Party::Obstacle(obstacle)];
+    let between = [ContactPartner::Beam(beam), ContactPartner::Obstacle(obstacle)];
     b.contact(Contact::new(format!("on_{name}"), between, rigid()));
 }
 

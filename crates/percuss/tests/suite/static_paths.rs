@@ -18,7 +18,7 @@ fn floor(b: &mut ModelBuilder, beams: &[BeamId], height: f64, law: TouchLaw) {
     let shape = ObstacleShape::HalfPlane { point: [0.0, height], normal: [0.0, 1.0] };
     let obstacle = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
     for (i, beam) in beams.iter().enumerate() {
-        let between = [Party::Beam(*beam), Party::Obstacle(obstacle)];
+        let between = [ContactPartner::Beam(*beam), ContactPartner::Obstacle(obstacle)];
         b.contact(Contact::new(format!("on_floor{i}"), between, law.clone()));
     }
 }

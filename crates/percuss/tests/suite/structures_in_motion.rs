@@ -11,13 +11,13 @@ fn run<'m>(model: &'m Model, end: f64, step: f64) -> Simulation<'m> {
     let mut simulation = Simulation::new(model, &Settings::new(end, step)).unwrap();
     while simulation.state().step < simulation.step_count() {
         simulation.advance(&mut NoRecorder).unwrap();
-        let (books, m) = (&simulation.state().books, simulation.measures());
-        let missing = books.energy_residual(m).abs();
+        let (ledger, m) = (&simulation.state().ledger, simulation.measures());
+        let missing = ledger.energy_residual(m).abs();
         let t = simulation.state().time;
         assert!(
-            missing <= 1e-11 * books.energy_scale,
+            missing <= 1e-11 * ledger.energy_scale,
             "{missing} of {} at {t}",
-            books.energy_scale
+            ledger.energy_scale
         );
     }
     simulation
@@ -36,8 +36,8 @@ fn mass_proportional_damping_slows_free_flight_exponentially() {
     let mass = DENSITY * AREA * 2.0;
     let slower = (-1.5_f64).exp();
     close(end.measures().linear[0], 3.0 * mass * slower, 1e-5);
-    close(end.state().books.loss_damping, 0.5 * mass * 10.0 * (1.0 - slower * slower), 1e-5);
-    let linear = end.state().books.linear_residual(end.measures());
+    close(end.state().ledger.loss_damping, 0.5 * mass * 10.0 * (1.0 - slower * slower), 1e-5);
+    let linear = end.state().ledger.linear_residual(end.measures());
     assert!(linear[0].abs() < 1e-10 && linear[1].abs() < 1e-10);
 }
 
@@ -102,7 +102,7 @@ fn a_shaken_support_moves_as_prescribed_and_does_the_work() {
     assert!((u[1] - 0.02 * f).abs() < 1e-14 && u[0].abs() < 1e-15);
     let angle = u[3].atan2(1.0 + u[2]);
     assert!((angle - 0.3 * f).abs() < 1e-12, "{angle}");
-    assert!(end.state().books.work_supports > 0.0);
+    assert!(end.state().ledger.work_supports > 0.0);
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn a_ratio_of_zero_leaves_its_mode_alone_and_every_body_is_damped() {
         while simulation.state().step < simulation.step_count() {
             simulation.advance(&mut NoRecorder).unwrap();
         }
-        simulation.state().books.loss_damping
+        simulation.state().ledger.loss_damping
     };
     assert_eq!(bodies(1, vec![0.0]), 0.0);
     let one = bodies(1, vec![0.1]);

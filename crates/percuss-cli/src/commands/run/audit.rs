@@ -20,10 +20,10 @@ const LISTED: usize = 3;
 const HANDED: usize = 6;
 /// Contacts named that never closed.
 const NAMED: usize = 6;
-/// Terms of the balance below this share of the largest energy in play are nothing but rounding.
+/// Terms of the balance below this share of the energy scale are nothing but rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// What happened, whether the books closed, where the results lie.
+/// What happened, whether the balances closed, where the results lie.
 pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let run = &ended.summary;
     let mut rows = vec![("status".to_owned(), status(ended))];
@@ -127,7 +127,7 @@ fn impulses(run: &RunSummary) -> Vec<String> {
 /// A violation of the contact conditions beyond this, relative to the largest velocity, is worth a warning.
 const CONDITIONS: f64 = 1e-8;
 /// Residuals beyond this are worth a warning whatever the scheme.
-const BOOKS_OPEN: f64 = 1e-8;
+const BALANCE_OPEN: f64 = 1e-8;
 
 /// Rigid things further inside each other than this are worth a warning \[m\].
 const INSIDE: f64 = 1e-7;
@@ -149,9 +149,9 @@ pub(super) fn warnings(ended: &Ended) -> Vec<String> {
         ("angular momentum", run.momentum.angular_residual_max),
     ];
     for (what, residual) in residuals {
-        if residual > BOOKS_OPEN || residual.is_nan() {
+        if residual > BALANCE_OPEN || residual.is_nan() {
             let size = small(residual);
-            all.push(format!("the books of {what} do not close: {size} of the largest in play"));
+            all.push(format!("the balance of {what} does not close: {size} of its scale"));
         }
     }
     all
@@ -292,7 +292,7 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
         ContactRecord::Nonsmooth {
             impacts,
             impact_count,
-            tamed_count,
+            fallback_count,
             impulse_total,
             intervals,
             ..
@@ -302,9 +302,9 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
                 vec![format!("{counted}, impulse {} N s in all", number(*impulse_total))];
             lines.extend(listed(impacts, *impact_count, LISTED, impact));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
-            if *tamed_count > 0 {
+            if *fallback_count > 0 {
                 let law = "under Moreau's law, where Newton's would have given energy";
-                lines.push(format!("{} {law}", count(*tamed_count, "impact")));
+                lines.push(format!("{} {law}", count(*fallback_count, "impact")));
             }
             lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
             lines

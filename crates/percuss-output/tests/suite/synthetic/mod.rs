@@ -381,12 +381,12 @@ pub fn impacts(count: usize) -> ContactRecord {
         separation_velocity: 40.0,
         place: place(),
         energy: EnergySplit { given: [79_000.0, -79_000.0], lost: 0.0, stored: 0.0, scheme: 0.0 },
-        tamed: false,
+        fallback_law: false,
     };
     ContactRecord::Nonsmooth {
         impacts: (0..count).map(impact).collect(),
         impact_count: count,
-        tamed_count: 0,
+        fallback_count: 0,
         impulse_total: 3814.98 * count as f64,
         intervals: Vec::new(),
         penetration: Peak { value: 1e-12, time: 1e-3 },

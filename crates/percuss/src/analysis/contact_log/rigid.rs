@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{ContactLog, Seen, opened};
+use super::{ContactLog, StepViews, opened};
 use crate::analysis::monitor::Part;
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
@@ -34,7 +34,7 @@ struct Deed {
 }
 
 impl ContactLog {
-    pub(super) fn rigid_contacts(&mut self, seen: Seen<'_>, part: &Part) {
+    pub(super) fn rigid_contacts(&mut self, seen: StepViews<'_>, part: &Part) {
         for k in 0..part.active.len() {
             let deed = deed(seen, part, k);
             let ContactRecord::Nonsmooth { impulse_total, .. } = &mut self.records[deed.contact]
@@ -47,14 +47,14 @@ impl ContactLog {
             if rests {
                 self.rest(seen, &deed);
             } else if deed.impulse[0] > 0.0 {
-                self.strike(seen, part.tamed, &deed);
+                self.strike(seen, part.fallback_law, &deed);
             }
         }
         self.end_rests(seen);
     }
 
     /// A pair that rests.
-    fn rest(&mut self, seen: Seen<'_>, deed: &Deed) {
+    fn rest(&mut self, seen: StepViews<'_>, deed: &Deed) {
         let (span, now) = (seen.span, self.part);
         let resting = &mut self.rests[deed.contact];
         let ContactRecord::Nonsmooth { intervals, .. } = &mut self.records[deed.contact] else {
@@ -74,13 +74,13 @@ impl ContactLog {
         (0..2).for_each(|p| interval.energy.given[p] += deed.energy.given[p]);
         interval.energy.lost += deed.energy.lost;
         if deed.impulse[0] + deed.phase.carried()[0] > 0.0 {
-            interval.steps += usize::from(resting.pressed != now && !span.brief);
+            interval.steps += usize::from(resting.pressed != now && !span.impulsive);
             (resting.pressed, resting.pair) = (now, deed.pair);
             interval.place_end = seen.place(deed.pair, 0.0);
             return;
         }
-        // Nothing has pressed since the step began; a pulse is the end of what pressed before it.
-        let settles = matches!(deed.phase, Phase::Settling { .. });
+        // Nothing has pressed since the step began; an impact interval is the end of what pressed before it.
+        let settles = matches!(deed.phase, Phase::PlasticPostStep { .. });
         let end = if settles { [seen.state.time, deed.after] } else { [span.start, deed.before] };
         if resting.ceased != now || end[1] < resting.end[1] {
             (resting.ceased, resting.end) = (now, end);
@@ -88,12 +88,12 @@ impl ContactLog {
     }
 
     /// Ends the intervals of contacts of which no pair presses any more.
-    fn end_rests(&mut self, seen: Seen<'_>) {
+    fn end_rests(&mut self, seen: StepViews<'_>) {
         let (now, rests, records) = (self.part, &mut self.rests, &mut self.records);
         self.resting.retain(|contact| {
             let resting = &mut rests[*contact];
             // Short parts of a step may leave out what rests.
-            if resting.pressed == now || (seen.span.brief && resting.ceased != now) {
+            if resting.pressed == now || (seen.span.impulsive && resting.ceased != now) {
                 return true;
             }
             let [end, rate] = if resting.ceased == now {
@@ -113,15 +113,15 @@ impl ContactLog {
     }
 
     /// A pair that strikes; with others of its contact at the same instant it is one impact.
-    fn strike(&mut self, seen: Seen<'_>, tamed: bool, deed: &Deed) {
+    fn strike(&mut self, seen: StepViews<'_>, fallback_law: bool, deed: &Deed) {
         let span = seen.span;
-        let ContactRecord::Nonsmooth { impacts, impact_count, tamed_count, .. } =
+        let ContactRecord::Nonsmooth { impacts, impact_count, fallback_count, .. } =
             &mut self.records[deed.contact]
         else {
             return;
         };
-        // An instant is the middle of a pulse, or the start of a step at which contacts are looked at.
-        let back = if span.brief { 0.5 } else { 1.0 };
+        // An instant is the middle of an impact interval, or the start of a step at which contacts are looked at.
+        let back = if span.impulsive { 0.5 } else { 1.0 };
         let another = std::mem::replace(&mut self.struck[deed.contact], self.part) == self.part;
         let alone = Impact {
             time: span.start + (1.0 - back) * span.h,
@@ -132,11 +132,11 @@ impl ContactLog {
             separation_velocity: deed.after,
             place: seen.place(deed.pair, back),
             energy: deed.energy,
-            tamed,
+            fallback_law,
         };
         if !another {
             *impact_count += 1;
-            *tamed_count += usize::from(tamed);
+            *fallback_count += usize::from(fallback_law);
             if impacts.len() < ContactRecord::IMPACTS_KEPT {
                 impacts.push(alone);
             }
@@ -164,7 +164,7 @@ impl Impact {
     }
 }
 
-fn deed(seen: Seen<'_>, part: &Part, k: usize) -> Deed {
+fn deed(seen: StepViews<'_>, part: &Part, k: usize) -> Deed {
     let (contact, found, h) = (&part.active[k], &seen.work.rigid[k], seen.span.h);
     let pair = &seen.model.pairs[contact.pair];
     // The row on velocities: before from the mean and what comes after.

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
-use super::course::{Course, highest};
-use super::{ContactLog, Seen, Span, opened};
+use super::gap_over_step::{GapOverStep, highest};
+use super::{ContactLog, StepTime, StepViews, opened};
 use crate::contact::free_gap::FreeGap;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::Reach;
@@ -22,7 +22,7 @@ pub(super) struct Released {
     pub interval: usize,
     gap: f64,
     rate: f64,
-    span: Span,
+    span: StepTime,
 }
 
 /// The free motion of a gap.
@@ -35,7 +35,7 @@ pub(super) struct Free {
 }
 
 /// The point that touches first.
-struct First {
+struct FirstPoint {
     /// Time from the start of the step \[s\].
     after: f64,
     approach: f64,
@@ -46,7 +46,7 @@ struct First {
 
 impl ContactLog {
     /// Pairs of one contact follow one another.
-    pub(super) fn smooth_contacts(&mut self, seen: Seen<'_>) {
+    pub(super) fn smooth_contacts(&mut self, seen: StepViews<'_>) {
         let (model, all) = (seen.model, &seen.work.smooth);
         let contact_of = |k: usize| model.pairs[all[k].pair].contact;
         let mut first = 0;
@@ -61,7 +61,7 @@ impl ContactLog {
     }
 
     /// Whether pair `k` of the step at hand was closed in it.
-    fn pressed(&self, seen: Seen<'_>, k: usize) -> bool {
+    fn pressed(&self, seen: StepViews<'_>, k: usize) -> bool {
         let contact = &seen.work.smooth[k];
         let after = &seen.state.pairs[contact.pair];
         self.before[k].gap < 0.0 || after.gap < 0.0 || contact.force.force != 0.0
@@ -69,7 +69,7 @@ impl ContactLog {
 
     fn smooth_contact(
         &mut self,
-        seen: Seen<'_>,
+        seen: StepViews<'_>,
         law: &SmoothLaw,
         contact: usize,
         pairs: Range<usize>,
@@ -81,12 +81,12 @@ impl ContactLog {
         if let Some(released) = self.take_released(|r| r.contact == contact) {
             self.tell(&released, f64::NAN);
         }
-        let mut courses = std::mem::take(&mut self.courses);
-        courses.clear();
+        let mut gaps = std::mem::take(&mut self.gaps);
+        gaps.clear();
         let pressed = pairs.clone().filter(|k| self.pressed(seen, *k));
-        courses.extend(pressed.map(|k| self.course(seen, k)));
-        let peak = highest(&courses, law, seen.span.start);
-        self.courses = courses;
+        gaps.extend(pressed.map(|k| self.gap_over_step(seen, k)));
+        let peak = highest(&gaps, law, seen.span.start);
+        self.gaps = gaps;
         if self.open[contact].is_none() {
             self.open_interval(seen, contact, pairs.clone());
         }
@@ -111,21 +111,21 @@ impl ContactLog {
         }
     }
 
-    fn course(&self, seen: Seen<'_>, k: usize) -> Course {
+    fn gap_over_step(&self, seen: StepViews<'_>, k: usize) -> GapOverStep {
         let after = &seen.state.pairs[seen.work.smooth[k].pair];
-        Course::new(seen.span.h, &self.before[k], after)
+        GapOverStep::new(seen.span.h, &self.before[k], after)
     }
 
     /// Begins an interval with the point that touches first; of several at one instant, with the fastest.
-    fn open_interval(&mut self, seen: Seen<'_>, contact: usize, pairs: Range<usize>) {
+    fn open_interval(&mut self, seen: StepViews<'_>, contact: usize, pairs: Range<usize>) {
         let span = seen.span;
-        let mut first: Option<First> = None;
+        let mut first: Option<FirstPoint> = None;
         for k in pairs.filter(|k| self.pressed(seen, *k)) {
             let pair = seen.work.smooth[k].pair;
             let acceleration = self.free[pair].before(span.start);
-            let [after, approach] = self.course(seen, k).touch_down(acceleration);
+            let [after, approach] = self.gap_over_step(seen, k).touch_down(acceleration);
             let change = acceleration * span.h;
-            let found = First { after, approach, pair, change };
+            let found = FirstPoint { after, approach, pair, change };
             let sooner = first.as_ref().is_none_or(|f| {
                 found.after < f.after || (found.after == f.after && found.approach > f.approach)
             });
@@ -148,7 +148,7 @@ impl ContactLog {
     /// Ends an interval with the point that leaves last.
     fn close_interval(
         &mut self,
-        seen: Seen<'_>,
+        seen: StepViews<'_>,
         contact: usize,
         interval: usize,
         pairs: Range<usize>,
@@ -176,9 +176,9 @@ impl ContactLog {
     }
 
     /// A pair that stood open over a step: its free motion tells with what velocity it parted in the step before.
-    fn open_throughout(&mut self, seen: Seen<'_>, k: usize) {
+    fn open_throughout(&mut self, seen: StepViews<'_>, k: usize) {
         let span = seen.span;
-        if span.brief {
+        if span.impulsive {
             return;
         }
         let i = seen.work.smooth[k].pair;
@@ -245,7 +245,7 @@ impl Free {
 /// Impulses and energies of the pairs of a contact over the step.
 fn add_work(
     interval: &mut ContactInterval,
-    seen: Seen<'_>,
+    seen: StepViews<'_>,
     law: &SmoothLaw,
     pairs: Range<usize>,
     before: &[PairState],

@@ -35,7 +35,7 @@ struct Departure {
 }
 
 /// How the load factor went along an arc.
-pub(super) struct Course {
+pub(super) struct FactorAlongArc {
     /// Whether it turned: an odd number of times.
     pub turned: bool,
     /// Whether the arc tells it well enough for it not to have turned twice unseen.
@@ -183,19 +183,21 @@ impl Tracer<'_> {
     }
 
     /// How the load factor went on the way from a point to the current one.
-    pub(super) fn course(&mut self, before: &Mark) -> Course {
+    pub(super) fn factor_along_arc(&mut self, before: &Mark) -> FactorAlongArc {
         let then = if self.rising { self.slope } else { -self.slope };
         let gone = self.inner(&self.way, &self.way).sqrt();
         let old = self.inner(&before.way, &before.way).sqrt();
         let along = self.inner(&before.way, &self.way);
-        let Some(rises) = self.rises() else { return Course { turned: false, resolved: true } };
+        let Some(rises) = self.rises() else {
+            return FactorAlongArc { turned: false, resolved: true };
+        };
         let length = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
         let now = if rises { 1.0 / length } else { -1.0 / length };
         let mean = (self.factor - before.factor) / gone;
         let turned = then * now < 0.0;
         let straight = old == 0.0 || along >= LEAST_COSINE * gone * old;
         let even = |slope: f64| slope / mean >= 0.0 && slope / mean <= STEEPEST;
-        Course { turned, resolved: straight && (turned || (even(then) && even(now))) }
+        FactorAlongArc { turned, resolved: straight && (turned || (even(then) && even(now))) }
     }
 
     /// Whether the load factor grows along the path at the current point.

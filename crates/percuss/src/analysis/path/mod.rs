@@ -108,9 +108,9 @@ pub fn equilibrium_path_recorded(
             }
             continue;
         };
-        let course = tracer.course(&before);
+        let factor_along_arc = tracer.factor_along_arc(&before);
         // Where the load factor turns, arcs are no longer than the first.
-        if arc > first && (course.turned || !course.resolved) {
+        if arc > first && (factor_along_arc.turned || !factor_along_arc.resolved) {
             tracer.back_to(&before);
             arc = (0.5 * arc).max(first);
             continue;
@@ -129,7 +129,7 @@ pub fn equilibrium_path_recorded(
             path.points.push(tracer.point());
             break;
         }
-        if course.turned {
+        if factor_along_arc.turned {
             let after = tracer.mark();
             if let Some(point) = tracer.limit_point(&before, arc) {
                 tracer.show(recorder, true, path.points.len());

@@ -42,7 +42,7 @@ pub struct Inner {
 
 /// The configuration of an element: its nodes in the reference, their displacements, its length.
 #[derive(Clone, Copy, Debug)]
-pub struct Shape {
+pub struct ElementShape {
     /// Tangents x' at both nodes.
     pub tangents: [[f64; 2]; 2],
     /// From the first node to the second \[m\].
@@ -78,7 +78,7 @@ pub struct SectionForces {
 impl Line {
     /// From the forces of the neighbours on both nodes, and what accelerates the element beyond its loads; `inner` are the
     /// forces inside it, already taken out of both.
-    pub fn new(shape: &Shape, ends: &OnNodes, along: &OnNodes, inner: &mut [Inner]) -> Self {
+    pub fn new(shape: &ElementShape, ends: &OnNodes, along: &OnNodes, inner: &mut [Inner]) -> Self {
         let (l, [ga, gb]) = (shape.length, shape.tangents);
         let mut line = Self::default();
         for i in 0..2 {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::line::{Inner, Line, OnNodes, Shape, place_of, resultant};
+use super::line::{ElementShape, Inner, Line, OnNodes, place_of, resultant};
 use crate::geometry::row::Row;
 use crate::math::vec2::{add, dot, scale};
 use crate::model::Model;
@@ -87,7 +87,7 @@ impl Lines {
         for (span, k, a, element) in model.each_element() {
             let table = span.table(k);
             let (na, nb) = (&model.nodes[a], &model.nodes[a + 1]);
-            let shape = Shape {
+            let shape = ElementShape {
                 tangents: [
                     [0, 1].map(|i| na.tangent[i] + share(a, 2 + i)),
                     [0, 1].map(|i| nb.tangent[i] + share(a + 1, 2 + i)),
@@ -193,7 +193,7 @@ impl Lines {
         self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
     }
 
-    /// A contact along its forms: inside the one element of a beam that it touches. Where a foot has left one element for
+    /// A contact along its forms: inside the one element of a beam that it touches. Where a closest point has left one element for
     /// another within the step, its force counts at the nodes.
     fn push(&mut self, model: &Model, [normal, tangent]: [&Row; 2], forces: [f64; 2]) {
         if forces == [0.0; 2] {

@@ -72,7 +72,8 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
             for k in 0..span.elements.len() {
                 let element = span.elements.start + k;
                 let (line, inner) = lines.of(element);
-                let piece = Piece { span, k, line, inner, strained: strained(span, k, state) };
+                let piece =
+                    ElementForces { span, k, line, inner, strained: strained(span, k, state) };
                 let index = PLACES.len() * (element - beam.elements.start);
                 piece.take(out, index, state.time);
             }
@@ -87,7 +88,7 @@ fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
 }
 
 /// An element with its section forces.
-struct Piece<'a> {
+struct ElementForces<'a> {
     span: &'a Span,
     k: usize,
     line: &'a Line,
@@ -95,7 +96,7 @@ struct Piece<'a> {
     strained: Option<[Strained; 2]>,
 }
 
-impl Piece<'_> {
+impl ElementForces<'_> {
     /// Arc length at a share of the way.
     fn s(&self, xi: f64) -> f64 {
         station(self.span.stations[self.k], self.span.stations[self.k + 1], xi)
@@ -210,7 +211,7 @@ pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoi
     for (node, xi, ahead) in sides(model, point).into_iter().flatten() {
         let (span, k) = model.element_of(node);
         let (line, inner) = lines.of(span.elements.start + k);
-        let piece = Piece { span, k, line, inner, strained: strained(span, k, state) };
+        let piece = ElementForces { span, k, line, inner, strained: strained(span, k, state) };
         let f = line.at(xi, inner, ahead);
         let stress = piece.fibres(xi, &f).map_or(f64::NAN, |fibres| {
             let [least, most] = fibres.stress;

@@ -1,7 +1,7 @@
 //! Motions that strain nothing: of rigid bodies, of mechanisms.
 
 use super::krylov::{Krylov, Nodal};
-use super::matrix::{Layout, Stress};
+use super::matrix::{Layout, StressTerms};
 use super::{metric, size};
 use crate::analysis::static_search::{StaticSearch, largest};
 use crate::step::tangent::inner;
@@ -68,14 +68,14 @@ pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
 pub fn strain_share(layout: &Layout, search: &StaticSearch, x: &Nodal) -> f64 {
     let length = size(layout.model);
     let mut energy = 0.0;
-    layout.each_energy(search, x, Stress::Left(length), |e| energy += e);
+    layout.each_energy(search, x, StressTerms::Left(length), |e| energy += e);
     energy / inner(x, &metric(layout.model, true).multiply(x))
 }
 
 /// What the stiffness `total` of a motion is of the magnitudes of its parts, element by element.
 pub fn stress_share(layout: &Layout, search: &StaticSearch, x: &Nodal, total: f64) -> f64 {
     let mut parts = 0.0;
-    layout.each_energy(search, x, Stress::Taken, |e| parts += e.abs());
+    layout.each_energy(search, x, StressTerms::Taken, |e| parts += e.abs());
     let scale = inner(x, &metric(layout.model, false).multiply(x));
     if parts <= ROUND_OFF * scale { 0.0 } else { total.abs() / parts }
 }

@@ -12,7 +12,7 @@ pub type Nodal = Vec<[f64; 4]>;
 
 /// A vector and its image under the matrix of the inner product.
 #[derive(Clone, Debug)]
-pub struct Pair {
+pub struct ImagePair {
     pub x: Nodal,
     pub image: Nodal,
 }
@@ -31,8 +31,8 @@ pub struct Krylov<'a> {
     /// The operator: from the image of a vector.
     solve: Box<dyn Fn(&Nodal) -> Nodal + 'a>,
     /// Directions left out.
-    deflated: &'a [Pair],
-    basis: Vec<Pair>,
+    deflated: &'a [ImagePair],
+    basis: Vec<ImagePair>,
     /// Images of the basis in it, vector by vector as far as they are formed.
     columns: Vec<Vec<f64>>,
     seed: u64,
@@ -59,7 +59,7 @@ pub struct Ritz {
 impl<'a> Krylov<'a> {
     pub fn new(
         nodes: usize,
-        deflated: &'a [Pair],
+        deflated: &'a [ImagePair],
         image_of: impl Fn(&Nodal) -> Nodal + 'a,
         solve: impl Fn(&Nodal) -> Nodal + 'a,
     ) -> Self {
@@ -81,12 +81,12 @@ impl<'a> Krylov<'a> {
         self.append(pair, &mut Vec::new())
     }
 
-    fn pair(&self, x: Nodal) -> Pair {
+    fn pair(&self, x: Nodal) -> ImagePair {
         let image = (self.image_of)(&x);
-        Pair { x, image }
+        ImagePair { x, image }
     }
 
-    fn deflate(&self, pair: &mut Pair) {
+    fn deflate(&self, pair: &mut ImagePair) {
         for other in self.deflated {
             let along = inner(&pair.x, &other.image);
             subtract(pair, along, other);
@@ -94,7 +94,7 @@ impl<'a> Krylov<'a> {
     }
 
     /// Appends a vector to the basis and tells its coordinates; `false` if it depends on the basis.
-    fn append(&mut self, mut pair: Pair, coordinates: &mut Vec<f64>) -> bool {
+    fn append(&mut self, mut pair: ImagePair, coordinates: &mut Vec<f64>) -> bool {
         coordinates.clear();
         coordinates.resize(self.basis.len(), 0.0);
         let before = inner(&pair.x, &pair.image).max(0.0).sqrt();
@@ -218,10 +218,11 @@ impl<'a> Krylov<'a> {
     }
 
     /// The real part of an eigenvector, turned in the complex plane to where that is largest.
-    pub fn shape(&self, ritz: &Ritz) -> Pair {
+    pub fn shape(&self, ritz: &Ritz) -> ImagePair {
         let square: Complex<f64> = ritz.coordinates.iter().map(|c| c * c).sum();
         let turn = Complex::from_polar(1.0, -0.5 * square.arg());
-        let mut sum = Pair { x: vec![[0.0; 4]; self.nodes], image: vec![[0.0; 4]; self.nodes] };
+        let mut sum =
+            ImagePair { x: vec![[0.0; 4]; self.nodes], image: vec![[0.0; 4]; self.nodes] };
         for (c, v) in ritz.coordinates.iter().zip(&self.basis) {
             subtract(&mut sum, -(c * turn).re, v);
         }
@@ -230,7 +231,7 @@ impl<'a> Krylov<'a> {
 }
 
 /// `pair -= factor other`.
-pub fn subtract(pair: &mut Pair, factor: f64, other: &Pair) {
+pub fn subtract(pair: &mut ImagePair, factor: f64, other: &ImagePair) {
     for (x, y) in [(&mut pair.x, &other.x), (&mut pair.image, &other.image)] {
         for (x, y) in x.as_flattened_mut().iter_mut().zip(y.as_flattened()) {
             *x -= factor * y;

@@ -15,7 +15,7 @@ use crate::linalg::condensed::BorderVector;
 use crate::linalg::elimination::{Factors, Pattern};
 use crate::math::vec2::{dot, dot4};
 use crate::model::Model;
-use crate::model::frozen::{Connector, ConstraintKind, NodeHold, Span};
+use crate::model::frozen::{Connector, ConstraintKind, PrescribedDofs, Span};
 use crate::scalar::Wide;
 use crate::step::connectors::{self, ConnectorStep};
 use crate::step::constraint::{self, ConstraintStep};
@@ -55,17 +55,17 @@ pub struct Layout<'m> {
 /// Whether stress and stiffness are those of the structure, or left out for unit bending stiffness and springs to match beams
 /// of the given length.
 #[derive(Clone, Copy, Debug)]
-pub enum Stress {
+pub enum StressTerms {
     Taken,
     Left(f64),
 }
 
-impl Stress {
+impl StressTerms {
     /// Stiffness of a spring.
     fn of_spring(self, spring: &Connector, stiffness: f64) -> f64 {
         match self {
             Self::Left(length) if stiffness != 0.0 => {
-                let turns = spring.grips().any(|(_, (_, gradient))| gradient);
+                let turns = spring.attachments().any(|(_, (_, gradient))| gradient);
                 length.powi(if turns { -1 } else { -3 })
             }
             _ => stiffness,
@@ -104,7 +104,7 @@ impl<'m> Layout<'m> {
         let band = model.each_element().map(|(_, _, a, _)| (a, a + 1));
         let spanned = model.connectors.iter().flat_map(|c| {
             let nodes: Vec<usize> =
-                c.grips().flat_map(|(_, (p, _))| [p.node, p.node + 1]).collect();
+                c.attachments().flat_map(|(_, (p, _))| [p.node, p.node + 1]).collect();
             let ends = nodes.clone();
             ends.into_iter().flat_map(move |a| nodes.clone().into_iter().map(move |b| (a, b)))
         });
@@ -116,8 +116,8 @@ impl<'m> Layout<'m> {
         let coupled = band.chain(spanned).chain(touching);
         let pattern = Pattern::new(sizes, coupled.map(|(a, b)| (group[a], group[b])));
         let mut hold = vec![None; n];
-        model.holds.iter().enumerate().for_each(|(i, h)| hold[h.node] = Some(i));
-        let free = model.holds.iter().map(projection).collect();
+        model.prescribed.iter().enumerate().for_each(|(i, h)| hold[h.node] = Some(i));
+        let free = model.prescribed.iter().map(projection).collect();
         Self { model, pattern, home, multiplier, free, hold, held }
     }
 
@@ -152,7 +152,7 @@ impl<'m> Layout<'m> {
         let mut matrix = self.zeros();
         self.add_elements(&mut matrix, search, |span, k, _| (unit(span.table(k)), [[0.0; 2]; 3]));
         let add = |c: &Connector, s: &ConnectorStep| {
-            self.add_spring(&mut matrix, c, s, Stress::Left(length).of_spring(c, s.slope));
+            self.add_spring(&mut matrix, c, s, StressTerms::Left(length).of_spring(c, s.slope));
         };
         let mut unused = Tangent::new(self.model);
         let (base, forcing) = (&search.base, &search.forcing);
@@ -184,13 +184,13 @@ impl<'m> Layout<'m> {
         &self,
         search: &StaticSearch,
         x: &[[f64; 4]],
-        stress: Stress,
+        stress: StressTerms,
         mut each: impl FnMut(f64),
     ) {
         for (span, k, a, e) in self.model.each_element() {
             let (factor, stored) = match stress {
-                Stress::Taken => (1.0, search.base.strain[e]),
-                Stress::Left(_) => (unit(span.table(k)).round(), [[0.0; 2]; 3]),
+                StressTerms::Taken => (1.0, search.base.strain[e]),
+                StressTerms::Left(_) => (unit(span.table(k)).round(), [[0.0; 2]; 3]),
             };
             let sums = element(span, k, a, &search.base.displacement, &stored);
             let (p, q) = (&x[a], &x[a + 1]);
@@ -206,19 +206,19 @@ impl<'m> Layout<'m> {
         let mut rest = Tangent::new(self.model);
         let (base, forcing) = (&search.base, &search.forcing);
         let still = vec![[0.0; 4]; base.displacement.len()];
-        if let Stress::Taken = stress {
+        if let StressTerms::Taken = stress {
             self.add_turning(search, &still, &mut rest);
         }
         for held in &self.held {
             let stiffness = match stress {
-                Stress::Taken => held.stiffness,
-                Stress::Left(length) => length.powi(-3),
+                StressTerms::Taken => held.stiffness,
+                StressTerms::Left(length) => length.powi(-3),
             };
             each(stiffness * held.row.on(x).powi(2));
         }
         let add = |c: &Connector, s: &ConnectorStep| {
             let moved: f64 = c
-                .grips()
+                .attachments()
                 .map(|(g, (p, slope))| {
                     dot(s.forms[g], if slope { p.gradient(x) } else { p.value(x) })
                 })
@@ -226,13 +226,13 @@ impl<'m> Layout<'m> {
             each(stress.of_spring(c, s.slope) * moved * moved);
         };
         match stress {
-            Stress::Taken => {
+            StressTerms::Taken => {
                 connectors::apply_turning(self.model, base, &RULE, forcing, &mut rest, add);
                 for (i, j, block) in rest.blocks() {
                     each(dot4(&block::apply(block, &x[j]), &x[i]));
                 }
             }
-            Stress::Left(_) => {
+            StressTerms::Left(_) => {
                 let mut unused = Tangent::new(self.model);
                 connectors::apply_turning(self.model, base, &RULE, forcing, &mut unused, add);
             }
@@ -257,7 +257,7 @@ impl<'m> Layout<'m> {
     /// Adds `stiffness form (x) form`, products in Wide numbers.
     fn add_spring(&self, m: &mut Matrix, c: &Connector, step: &ConnectorStep, stiffness: f64) {
         let ends: Vec<(usize, [Wide; 4])> = c
-            .grips()
+            .attachments()
             .flat_map(|(g, (p, gradient))| {
                 let n = if gradient { &p.slope } else { &p.shape };
                 let (form, n) = (step.forms[g], *n);
@@ -382,7 +382,7 @@ impl<'m> Layout<'m> {
             pairs.extend([(a, a + 1), (a + 1, a)]);
         }
         for c in &self.model.connectors {
-            let nodes = || c.grips().flat_map(|(_, (p, _))| [p.node, p.node + 1]);
+            let nodes = || c.attachments().flat_map(|(_, (p, _))| [p.node, p.node + 1]);
             pairs.extend(nodes().flat_map(|a| nodes().map(move |b| (a, b))));
         }
         for c in &self.model.constraints {
@@ -437,8 +437,8 @@ impl<'m> Layout<'m> {
     /// Factors a matrix; with its negative eigenvalues beside those of constraints if `count`. `None` if it is singular.
     pub fn factor(&self, matrix: &Matrix, count: bool) -> Option<Factored<'_>> {
         let mut values = matrix.values.clone();
-        for (h, hold) in self.model.holds.iter().enumerate() {
-            let (group, at) = self.home[hold.node];
+        for (h, dofs) in self.model.prescribed.iter().enumerate() {
+            let (group, at) = self.home[dofs.node];
             let (start, stride) = self.pattern.place(group, group);
             let place = |r: usize, c: usize| start + (at + r) * stride + at + c;
             let own = (0..4).fold(0.0_f64, |m, k| m.max(values[place(k, k)].round().abs()));
@@ -521,10 +521,10 @@ fn groups(n: usize, tied: &[Vec<usize>]) -> (Vec<usize>, usize) {
 }
 
 /// `I - N N^T` with the held directions N orthonormal to the last digit of Wide numbers.
-fn projection(hold: &NodeHold) -> WideBlock {
+fn projection(dofs: &PrescribedDofs) -> WideBlock {
     let mut free = [[Wide::ZERO; 4]; 4];
     (0..4).for_each(|k| free[k][k] = Wide::ONE);
-    for n in &hold.normals {
+    for n in &dofs.normals {
         let n = times(&n.map(Wide::from), &free);
         let size = n.iter().fold(Wide::ZERO, |sum, x| sum + *x * *x);
         for r in 0..4 {

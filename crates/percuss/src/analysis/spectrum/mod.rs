@@ -11,7 +11,7 @@ mod pencil;
 
 pub use held::Held;
 pub use kinematics::{FreeMotions, free_motions, strain_share, stress_share};
-pub use krylov::{Krylov, Nodal, Pair, Ritz, random, subtract};
+pub use krylov::{ImagePair, Krylov, Nodal, Ritz, random, subtract};
 pub use matrix::{Layout, Matrix};
 pub use pencil::{Eigen, Pencil};
 

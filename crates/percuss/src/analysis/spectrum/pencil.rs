@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::krylov::{Krylov, Nodal, Pair, Ritz};
+use super::krylov::{ImagePair, Krylov, Nodal, Ritz};
 use super::matrix::{Layout, Matrix};
 use crate::linalg::chain::Chain;
 
@@ -26,7 +26,7 @@ pub struct Pencil<'l> {
 #[derive(Clone, Debug)]
 pub struct Eigen {
     pub value: Complex<f64>,
-    pub pair: Pair,
+    pub pair: ImagePair,
 }
 
 impl Pencil<'_> {
@@ -50,7 +50,7 @@ impl Pencil<'_> {
         &self,
         shift: f64,
         springs: &[(usize, usize, f64)],
-        deflated: &[Pair],
+        deflated: &[ImagePair],
         count: usize,
     ) -> Option<Vec<Eigen>> {
         let mut found: Vec<Eigen> = Vec::new();
@@ -79,7 +79,7 @@ impl Pencil<'_> {
         &self,
         shift: f64,
         springs: &[(usize, usize, f64)],
-        deflated: &[Pair],
+        deflated: &[ImagePair],
         count: usize,
     ) -> Option<Vec<Eigen>> {
         let mut matrix = self.shifted(shift);

@@ -18,7 +18,7 @@ const DEEP: f64 = 4.0;
 
 /// A disc at rest.
 #[derive(Clone, Copy, Debug)]
-pub struct Disc {
+pub struct RestingDisc {
     pub body: usize,
     pub node: usize,
     /// Weak spring \[N/m\].
@@ -33,7 +33,7 @@ impl StaticContacts {
 
     /// Whether a correction moves a disc against the force on it, which a tangent that is not positive does; discs are slower then.
     pub fn climb(&mut self, residual: &[[f64; 4]], correction: &[[f64; 4]]) -> bool {
-        let uphill = |d: &Disc| {
+        let uphill = |d: &RestingDisc| {
             let (r, c) = (&residual[d.node], &correction[d.node]);
             r[0] * c[0] + r[1] * c[1] > 0.0
         };
@@ -181,7 +181,7 @@ impl StaticContacts {
             return (0.5 * pair.reach).min(stride);
         }
         let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { return stride };
-        let mass = |disc: &Disc| model.bodies[disc.body].mass;
+        let mass = |disc: &RestingDisc| model.bodies[disc.body].mass;
         let weight = self.discs.iter().map(mass).fold(0.0, f64::max) * model.gravity();
         let mut deep = stride;
         while weight > 0.0 && law.potential.force(deep) > DEEP * weight && deep > self.round_off() {

@@ -25,12 +25,12 @@ use crate::model::{Model, TouchLaw};
 use crate::state::State;
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
-use discs::Disc;
-use place::Place;
+use discs::RestingDisc;
+use place::CandidatePair;
 
-/// Gaps and moves below this share of the positions in play are round-off.
+/// Gaps and moves below this share of the largest coordinate are round-off.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
-/// Gaps below this share of the positions in play are closed: a tenth of what a transient holds to be none.
+/// Gaps below this share of the largest coordinate are closed: a tenth of what a transient holds to be none.
 const CLOSED: f64 = 1e-13;
 /// A rigid contact begins as stiff as a foundation that lets its beam sink in over this share of its length: whole stretches come and go
 /// at once on it, which on a stiff one would one by one.
@@ -67,8 +67,8 @@ pub(super) enum Pressing {
 /// Contacts and discs that take part in statics.
 #[derive(Clone, Debug, Default)]
 pub(super) struct StaticContacts {
-    places: Vec<Place>,
-    discs: Vec<Disc>,
+    places: Vec<CandidatePair>,
+    discs: Vec<RestingDisc>,
     /// Bodies in the model: all of them stand still but those discs.
     has_bodies: bool,
     /// Scale of positions \[m\].
@@ -119,10 +119,10 @@ impl StaticContacts {
         let disc = |body: usize| {
             let weight = model.bodies[body].mass * gravity;
             let weight = if weight > 0.0 { weight } else { WEAK * other };
-            Disc { body, node: model.body_node(body), spring: WEAK * weight / extent }
+            RestingDisc { body, node: model.body_node(body), spring: WEAK * weight / extent }
         };
         let is_disc = |i: &usize| matches!(model.bodies[*i].kind, BodyKind::Disc { .. });
-        let discs: Vec<Disc> = (0..model.bodies.len())
+        let discs: Vec<RestingDisc> = (0..model.bodies.len())
             .filter(is_disc)
             .filter(|i| rests(model, *i))
             .map(disc)
@@ -134,8 +134,8 @@ impl StaticContacts {
             let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
             let memory = touch.map_or(Memory::default(), |t| t.memory);
             let rigid = matches!(model.contacts[pair.contact].law, TouchLaw::Rigid(_));
-            let of_disc = |d: &Disc| pair.movers.contains(&(model.beams.len() + d.body));
-            contacts.places.push(Place {
+            let of_disc = |d: &RestingDisc| pair.movers.contains(&(model.beams.len() + d.body));
+            contacts.places.push(CandidatePair {
                 pair: i,
                 is_exact: rigid && !contacts.discs.iter().any(of_disc),
                 accepted: memory,
@@ -158,7 +158,7 @@ impl StaticContacts {
         contacts
     }
 
-    /// Stiffnesses of a rigid pair, the first and the largest: in units of the softer party's, or of a disc's weight.
+    /// Stiffnesses of a rigid pair, the first and the largest: in units of the softer partner's, or of a disc's weight.
     fn stiffnesses(&self, model: &Model, pair: &Pair) -> [f64; 2] {
         let beams = model.beams.len();
         let of = |mover: &usize| {
@@ -205,7 +205,7 @@ impl StaticContacts {
         self.pressing == Pressing::Exactly && self.places.iter().any(|p| p.is_exact)
     }
 
-    /// The equilibrium at hand is one: sides and feet are those seen in it.
+    /// The equilibrium at hand is one: sides and closest points are those seen in it.
     pub fn accept(&mut self) {
         self.places.iter_mut().for_each(|p| p.accepted = p.seen);
     }
@@ -231,7 +231,7 @@ impl StaticContacts {
         }
         let start = Configuration { start: &base.displacement, increment, share: 1.0, arcs: &[] };
         self.arcs.clear();
-        let on_axis = |p: &Place| matches!(model.pairs[p.pair].target, Target::Axis { .. });
+        let on_axis = |p: &CandidatePair| matches!(model.pairs[p.pair].target, Target::Axis { .. });
         if self.places.iter().any(on_axis) {
             let arcs = model.beams.iter().map(|b| longest_arc(&b.axis, &model.nodes, &start));
             self.arcs.extend(arcs);
@@ -319,7 +319,7 @@ impl StaticContacts {
     pub fn settled(&self) -> bool {
         let most = self.places.iter().map(|p| p.force.abs()).fold(0.0, f64::max);
         let exactly = self.press_exactly();
-        let rests = |p: &Place| {
+        let rests = |p: &CandidatePair| {
             let touches = !p.closed || p.stiffnesses[0] == 0.0 || p.gap.abs() <= CLOSED * self.size;
             let exact = exactly && p.is_exact;
             let (outside, share) = match exact {

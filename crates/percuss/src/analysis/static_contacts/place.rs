@@ -7,18 +7,18 @@ use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::row::Row;
 use crate::geometry::touch::Touch;
 use crate::geometry::turning::Turning;
-use crate::model::frozen::NodeHold;
+use crate::model::frozen::PrescribedDofs;
 use crate::model::{Model, TouchLaw};
 use crate::step::contacts::{add_tangent, add_turning};
 use crate::step::tangent::Tangent;
 
 /// A pair that takes part.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct CandidatePair {
     pub pair: usize,
     /// Rigid, and not of a disc.
     pub is_exact: bool,
-    /// Side and foot in the equilibrium found last, and the foot seen last.
+    /// Side and closest point in the equilibrium found last, and the closest point seen last.
     pub accepted: Memory,
     pub seen: Memory,
     /// Gap at the last look; infinite where nothing can touch \[m\].
@@ -47,7 +47,7 @@ pub struct Place {
     pub change: f64,
 }
 
-impl Place {
+impl CandidatePair {
     /// Whether the pair is compliant.
     pub fn is_compliant(&self) -> bool {
         self.stiffnesses[0] == 0.0
@@ -124,7 +124,7 @@ impl Place {
 pub fn moving(model: &Model, row: &Row) -> Row {
     let mut out = Row::default();
     for (node, c) in row.iter() {
-        if !model.hold_at(node).is_some_and(NodeHold::is_whole) {
+        if !model.dofs_at(node).is_some_and(PrescribedDofs::is_whole) {
             out.add(node, *c);
         }
     }

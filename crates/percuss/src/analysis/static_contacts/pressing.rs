@@ -10,7 +10,7 @@
 
 use super::super::static_search::{StaticSearch, largest};
 use super::StaticContacts;
-use super::place::{Place, moving};
+use super::place::{CandidatePair, moving};
 use crate::geometry::row::Row;
 use crate::model::Model;
 use crate::step::contacts::add_tangent;
@@ -19,13 +19,13 @@ use crate::step::tangent::Tangent;
 /// Changes of the closed set about the same multipliers, and changes of multipliers, of one correction.
 const MOST_SETS: usize = 200;
 const MOST_ROUNDS: usize = 40;
-/// Gaps below the first share of the positions in play are none; what a correction leaves is held to be none below the second. A gap
+/// Gaps below the first share of the largest coordinate are none; what a correction leaves is held to be none below the second. A gap
 /// that comes and goes by round-off would change the forces of neighbours by far more.
 const ZERO_GAP: f64 = 16.0 * f64::EPSILON;
 const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 /// Forces below this share of the largest come and go by round-off.
 const ROUND_OFF_OF_FORCES: f64 = 1e-13;
-/// How deep a compliant contact that just touches is pressed in, as a share of the positions in play.
+/// How deep a compliant contact that just touches is pressed in, as a share of the largest coordinate.
 const TOUCHING: f64 = 1e-9;
 /// Gaps that a correction may leave, as a share of the largest move: the next is smaller by itself.
 const INEXACT: f64 = 1e-7;
@@ -142,7 +142,7 @@ impl StaticContacts {
 
     /// Which contacts press, by place; of rigid ones those whose forces corrections find.
     pub fn pressing(&self) -> Vec<bool> {
-        self.places.iter().map(Place::presses).collect()
+        self.places.iter().map(CandidatePair::presses).collect()
     }
 
     /// How fast, in a response, what has begun to press since does so more, or what has let go since moves off; nothing where the
@@ -165,9 +165,9 @@ impl StaticContacts {
 
     /// The open contact that closes first as the load factor changes the way `rise` tells, by the response to it.
     pub fn next_to_close(&self, response: &Response, rise: f64) -> Option<usize> {
-        let followed = |p: &Place| p.is_exact || p.is_compliant();
-        let open = |p: &Place| followed(p) && !p.presses() && p.gap.is_finite();
-        let closing = |(i, p): (usize, &Place)| {
+        let followed = |p: &CandidatePair| p.is_exact || p.is_compliant();
+        let open = |p: &CandidatePair| followed(p) && !p.presses() && p.gap.is_finite();
+        let closing = |(i, p): (usize, &CandidatePair)| {
             let rate = -rise.signum() * p.row.on(&response.nodal);
             (rate > 0.0).then_some((i, p.gap.max(0.0) / rate))
         };
@@ -193,7 +193,8 @@ impl StaticContacts {
 
     /// The open contact that is furthest inside, if any is.
     pub fn innermost(&self) -> Option<usize> {
-        let inside = |(_, p): &(usize, &Place)| p.is_exact && p.gap < -super::CLOSED * self.size;
+        let inside =
+            |(_, p): &(usize, &CandidatePair)| p.is_exact && p.gap < -super::CLOSED * self.size;
         let all = self.places.iter().enumerate().filter(inside);
         all.min_by(|a, b| a.1.gap.total_cmp(&b.1.gap)).map(|(i, _)| i)
     }
@@ -215,10 +216,10 @@ impl StaticContacts {
 
 impl Programme {
     fn new(model: &Model, contacts: &StaticContacts) -> Self {
-        let near = |p: &&Place| p.is_exact && p.gap.is_finite();
+        let near = |p: &&CandidatePair| p.is_exact && p.gap.is_finite();
         let all = || contacts.places.iter().filter(near);
         let round_off = ZERO_GAP * contacts.size;
-        let gap = |p: &Place| if p.gap.abs() <= round_off { 0.0 } else { p.gap };
+        let gap = |p: &CandidatePair| if p.gap.abs() <= round_off { 0.0 } else { p.gap };
         let numbers = contacts.places.iter().enumerate().filter(|(_, p)| near(p));
         Self {
             places: numbers.map(|(i, _)| i).collect(),

@@ -1,6 +1,6 @@
 //! What contacts at rest transmit, for those who read it.
 
-use super::place::{Place, moving};
+use super::place::{CandidatePair, moving};
 use super::{NEXT_TO_NOTHING, StaticContacts};
 use crate::analysis::record::FrameForce;
 use crate::analysis::spectrum::Held;
@@ -18,11 +18,11 @@ use crate::state::State;
 pub struct StaticContact {
     /// Its name.
     pub name: String,
-    /// Its parties.
+    /// Its partners.
     pub between: [String; 2],
     /// Forces along the normals, summed \[N\].
     pub force: f64,
-    /// Resultant on the first of the two parties \[N\].
+    /// Resultant on the first of the two partners \[N\].
     pub resultant: [f64; 2],
     /// Least gap \[m\]; negative where a compliant contact is pressed in, infinite where nothing can touch.
     pub gap: f64,
@@ -42,14 +42,14 @@ impl StaticContacts {
     /// Forces of the pairs in a state, where they act.
     pub fn frame_forces(&self, model: &Model, state: &State) -> Vec<FrameForce> {
         let at = Configuration { arcs: &self.arcs, ..Configuration::of(&state.displacement) };
-        let one = |place: &Place| {
+        let one = |place: &CandidatePair| {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };
             let touch = pair.touch(model, &at, &memory, Reach::All)?;
-            let sign = if pair.source_party == 1 { 1.0 } else { -1.0 };
+            let sign = if pair.source_partner == 1 { 1.0 } else { -1.0 };
             Some(FrameForce {
                 contact: pair.contact,
-                position: add(touch.foot_place, scale(touch.radius, touch.normal)),
+                position: add(touch.closest_place, scale(touch.radius, touch.normal)),
                 force: scale(sign * place.force, touch.normal),
                 impulsive: false,
             })
@@ -61,7 +61,7 @@ impl StaticContacts {
     pub fn held(&self, model: &Model, state: &State) -> Vec<Held> {
         let beams = model.beam_node_count();
         let at = Configuration { arcs: &self.arcs, ..Configuration::of(&state.displacement) };
-        let held = |place: &Place| {
+        let held = |place: &CandidatePair| {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };
             let touch = pair.touch(model, &at, &memory, Reach::All)?;
@@ -79,7 +79,7 @@ impl StaticContacts {
         };
         // What presses by round-off alone may as well open.
         let most = self.places.iter().map(|p| p.force).fold(0.0, f64::max);
-        let presses = |p: &&Place| p.force > NEXT_TO_NOTHING * most;
+        let presses = |p: &&CandidatePair| p.force > NEXT_TO_NOTHING * most;
         self.places.iter().filter(presses).filter_map(held).collect()
     }
 
@@ -117,7 +117,7 @@ impl StaticContacts {
             let before = if found.centre.is_nan() { 0.0 } else { found.centre };
             found.centre = before + (place.s - before) * place.force / found.force;
             let nodes = model.nodes_of_mover(pair.movers[0]);
-            let sign = if pair.source_party == 0 { 1.0 } else { -1.0 };
+            let sign = if pair.source_partner == 0 { 1.0 } else { -1.0 };
             // Shape functions of values sum to one: so do the parts of a force.
             for (_, c) in place.row.iter().filter(|(n, _)| nodes.contains(n)) {
                 (0..2).for_each(|i| found.resultant[i] += sign * place.force * c[i]);

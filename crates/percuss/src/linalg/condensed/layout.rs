@@ -2,7 +2,7 @@
 
 use super::super::block::ZERO;
 use super::super::cluster::Cluster;
-use super::{BorderPattern, Condensed, LARGEST_CLUSTER, Run};
+use super::{BorderPattern, Condensed, LARGEST_CLUSTER, NodeRun};
 
 impl Condensed {
     /// Pairs of slots that share a block in the interface system.
@@ -75,7 +75,7 @@ impl Condensed {
     }
 
     /// Places of the reduced system that are not zero.
-    pub(super) fn core_entries(&self) -> Vec<(usize, usize)> {
+    pub(super) fn schur_entries(&self) -> Vec<(usize, usize)> {
         let mut pairs: Vec<(usize, usize)> =
             self.blocks.iter().map(|(a, b, _)| (self.home[*a].0, self.home[*b].0)).collect();
         pairs.sort_unstable();
@@ -101,7 +101,7 @@ impl Condensed {
 }
 
 /// Runs of nodes between interface nodes, cut where the band is not linked.
-pub(super) fn runs(n: usize, links: &impl Fn(usize) -> bool, interface: &[usize]) -> Vec<Run> {
+pub(super) fn runs(n: usize, links: &impl Fn(usize) -> bool, interface: &[usize]) -> Vec<NodeRun> {
     let slot = |node: usize| interface.binary_search(&node).ok();
     let mut runs = Vec::new();
     let mut i = 0;
@@ -116,7 +116,7 @@ pub(super) fn runs(n: usize, links: &impl Fn(usize) -> bool, interface: &[usize]
         }
         let left = if start > 0 && links(start - 1) { slot(start - 1) } else { None };
         let right = if i + 1 < n && links(i) { slot(i + 1) } else { None };
-        runs.push(Run { start, end: i + 1, left, right });
+        runs.push(NodeRun { start, end: i + 1, left, right });
         i += 1;
     }
     runs

@@ -12,7 +12,7 @@ mod tests;
 use super::block::{self, Block, ZERO};
 use super::chain::{Chain, SingularPivot};
 use super::cluster::Cluster;
-use super::core::Core;
+use super::schur::SchurComplement;
 use layout::runs;
 
 /// A row or column of the border: its coefficients at nodes.
@@ -23,7 +23,7 @@ const LARGEST_CLUSTER: usize = 64;
 
 /// A run of nodes that touch nothing beyond the band.
 #[derive(Clone, Debug)]
-struct Run {
+struct NodeRun {
     start: usize,
     end: usize,
     /// Interface nodes (their slots) before and after it.
@@ -44,7 +44,7 @@ pub struct Condensed {
     pub rows: Vec<BorderVector>,
     /// Border diagonal: zero for a constraint, one for one that does not act.
     pub corner: Vec<f64>,
-    runs: Vec<Run>,
+    runs: Vec<NodeRun>,
     /// Interface nodes, ascending.
     interface: Vec<usize>,
     /// Whether interface node i and i + 1 are neighbours in the band.
@@ -61,7 +61,7 @@ pub struct Condensed {
     home: Vec<(usize, usize)>,
     /// Constraints that no cluster took.
     border: Vec<usize>,
-    core: Core,
+    schur: SchurComplement,
     scratch: Scratch,
 }
 
@@ -115,12 +115,12 @@ impl Condensed {
             clusters: Vec::new(),
             home: Vec::new(),
             border: Vec::new(),
-            core: Core::Empty,
+            schur: SchurComplement::Empty,
             scratch: Scratch::default(),
         };
         condensed.find_blocks();
         condensed.find_clusters(border);
-        condensed.core = Core::new(condensed.order(), || condensed.core_entries());
+        condensed.schur = SchurComplement::new(condensed.order(), || condensed.schur_entries());
         condensed
     }
 
@@ -168,7 +168,7 @@ impl Condensed {
             return Err(None);
         }
         self.fill_core();
-        if self.core.factor() { Ok(()) } else { Err(None) }
+        if self.schur.factor() { Ok(()) } else { Err(None) }
     }
 
     /// Adds `sign` times a block to the interface matrix.
@@ -181,8 +181,8 @@ impl Condensed {
 
     /// Reduces the interface matrix, `Tm^T A T1`, with what is left of the border.
     fn fill_core(&mut self) {
-        let mut core = std::mem::replace(&mut self.core, Core::Empty);
-        core.clear();
+        let mut schur = std::mem::replace(&mut self.schur, SchurComplement::Empty);
+        schur.clear();
         for (a, b, block) in &self.blocks {
             let ((ca, na), (cb, nb)) = (self.home[*a], self.home[*b]);
             let (left, right) = (&self.clusters[ca], &self.clusters[cb]);
@@ -194,19 +194,19 @@ impl Condensed {
                 if column == [0.0; 4] {
                     continue;
                 }
-                core.add_column(left.first, right.first + j, fa, |i| {
+                schur.add_column(left.first, right.first + j, fa, |i| {
                     (0..4).map(|r| test[r * fa + i] * column[r]).sum()
                 });
             }
         }
         let first = self.reduced_nodes();
         for (k, c) in self.border.iter().enumerate() {
-            core.add_column(first + k, first + k, 1, |_| self.corner[*c]);
+            schur.add_column(first + k, first + k, 1, |_| self.corner[*c]);
             for (node, values) in &self.columns[*c] {
                 let (cluster, at) = self.home[self.slot(*node)];
                 let cluster = &self.clusters[cluster];
                 let (f, test) = (cluster.size(), cluster.test(at));
-                core.add_column(cluster.first, first + k, f, |i| {
+                schur.add_column(cluster.first, first + k, f, |i| {
                     (0..4).map(|r| test[r * f + i] * values[r]).sum()
                 });
             }
@@ -216,15 +216,15 @@ impl Condensed {
                 let (f, trial) = (cluster.size(), cluster.trial(at));
                 for j in 0..f {
                     let value = (0..4).map(|r| values[r] * trial[r * f + j]).sum();
-                    core.add_column(first + k, cluster.first + j, 1, |_| value);
+                    schur.add_column(first + k, cluster.first + j, 1, |_| value);
                 }
             }
         }
-        self.core = core;
+        self.schur = schur;
     }
 
     /// Eliminates the nodes of a run onto the interface nodes at its ends.
-    fn eliminate(&mut self, run: &Run) -> Result<(), SingularPivot> {
+    fn eliminate(&mut self, run: &NodeRun) -> Result<(), SingularPivot> {
         let (mut to_left, mut from_left) = (ZERO, ZERO);
         if run.left.is_some() {
             let chain = &self.chain;
@@ -291,7 +291,7 @@ impl Condensed {
         self.clusters.iter().for_each(|c| c.add_particular(border, nodal));
         self.leave_over(right, nodal, left_over);
         self.reduce_right(border, nodal, left_over, reduced);
-        self.core.solve(reduced);
+        self.schur.solve(reduced);
         self.expand(reduced, nodal);
         self.leave_over(right, nodal, left_over);
         let first = self.reduced_nodes();
@@ -361,7 +361,7 @@ impl Condensed {
         }
     }
 
-    fn forward(&self, run: &Run, x: &mut [[f64; 4]], right: &mut [f64]) {
+    fn forward(&self, run: &NodeRun, x: &mut [[f64; 4]], right: &mut [f64]) {
         let chain = &self.chain;
         let mut carry = [0.0; 4];
         for i in run.start..run.end {
@@ -380,7 +380,7 @@ impl Condensed {
         }
     }
 
-    fn backward(&self, run: &Run, x: &mut [[f64; 4]], right: &[f64]) {
+    fn backward(&self, run: &NodeRun, x: &mut [[f64; 4]], right: &[f64]) {
         let value = |slot: Option<usize>| {
             slot.map(|s| std::array::from_fn::<f64, 4, _>(|k| right[4 * s + k]))
         };

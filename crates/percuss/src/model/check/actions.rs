@@ -1,4 +1,4 @@
-//! Faults of loads, their courses in time, and projectiles.
+//! Faults of loads, their time functions, and projectiles.
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;

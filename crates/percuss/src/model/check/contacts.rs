@@ -57,8 +57,8 @@ pub(super) fn check_obstacle(model: &ModelBuilder, obstacle: &Obstacle, out: &mu
         }
     }
     let touched = |c: &Contact| {
-        c.between.iter().any(|party| match party {
-            Party::Obstacle(id) => {
+        c.between.iter().any(|partner| match partner {
+            ContactPartner::Obstacle(id) => {
                 model.obstacles.get(id.0 as usize).is_some_and(|o| o.name == obstacle.name)
             }
             _ => false,
@@ -72,11 +72,11 @@ pub(super) fn check_obstacle(model: &ModelBuilder, obstacle: &Obstacle, out: &mu
 
 pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut Faults) {
     let path = |field: &str| format!("contact.{}.{field}", contact.name);
-    for party in contact.between {
-        let known = match party {
-            Party::Disc(id) => (id.0 as usize) < model.discs.len(),
-            Party::Beam(id) => (id.0 as usize) < model.beams.len(),
-            Party::Obstacle(id) => (id.0 as usize) < model.obstacles.len(),
+    for partner in contact.between {
+        let known = match partner {
+            ContactPartner::Disc(id) => (id.0 as usize) < model.discs.len(),
+            ContactPartner::Beam(id) => (id.0 as usize) < model.beams.len(),
+            ContactPartner::Obstacle(id) => (id.0 as usize) < model.obstacles.len(),
         };
         if !known {
             let expected = "beams, discs and obstacles of this model";
@@ -84,11 +84,11 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
         }
     }
     match contact.between {
-        [Party::Obstacle(_), Party::Obstacle(_)] => {
+        [ContactPartner::Obstacle(_), ContactPartner::Obstacle(_)] => {
             let expected = "a beam or a projectile, and what it touches";
             out.add(path("between"), "two obstacles, which do not move each other", expected);
         }
-        [Party::Disc(a), Party::Disc(b)] if a == b => {
+        [ContactPartner::Disc(a), ContactPartner::Disc(b)] if a == b => {
             out.add(path("between"), "a disc and itself", "two different things");
         }
         [one, other] => check_thickness(model, [one, other], path("between"), out),
@@ -108,8 +108,13 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
 
 /// Two things that end in points pass through each other end on: no path but one leads from one point to another. Two points, and
 /// two beams, are refused in any case; where one has a side that can be met, only if the other stands right before its end.
-fn check_thickness(model: &ModelBuilder, between: [Party; 2], path: String, out: &mut Faults) {
-    let [Some(one), Some(other)] = between.map(|party| bare(model, party)) else { return };
+fn check_thickness(
+    model: &ModelBuilder,
+    between: [ContactPartner; 2],
+    path: String,
+    out: &mut Faults,
+) {
+    let [Some(one), Some(other)] = between.map(|partner| bare(model, partner)) else { return };
     if !meets_end_on(model, between) {
         return;
     }
@@ -124,16 +129,16 @@ fn check_thickness(model: &ModelBuilder, between: [Party; 2], path: String, out:
 }
 
 /// Whether two bare things can meet in no other way, or will as they are placed.
-fn meets_end_on(model: &ModelBuilder, between: [Party; 2]) -> bool {
+fn meets_end_on(model: &ModelBuilder, between: [ContactPartner; 2]) -> bool {
     match between {
-        [Party::Disc(disc), other] | [other, Party::Disc(disc)] => match other {
-            Party::Disc(_) => true,
-            Party::Beam(_) | Party::Obstacle(_) => {
+        [ContactPartner::Disc(disc), other] | [other, ContactPartner::Disc(disc)] => match other {
+            ContactPartner::Disc(_) => true,
+            ContactPartner::Beam(_) | ContactPartner::Obstacle(_) => {
                 let at = model.discs.get(disc.0 as usize).map_or([f64::NAN; 2], |d| d.position);
                 ends_of(model, other).iter().any(|end| is_right_before(at, end))
             }
         },
-        [Party::Beam(_), Party::Beam(_)] => true,
+        [ContactPartner::Beam(_), ContactPartner::Beam(_)] => true,
         [one, other] => {
             let (one, other) = (ends_of(model, one), ends_of(model, other));
             one.iter().any(|a| other.iter().any(|b| is_right_before(a[0], b)))
@@ -142,22 +147,24 @@ fn meets_end_on(model: &ModelBuilder, between: [Party; 2]) -> bool {
 }
 
 /// Ends of a beam or a wall: place, and direction out of it.
-fn ends_of(model: &ModelBuilder, party: Party) -> Vec<[[f64; 2]; 2]> {
-    match party {
-        Party::Beam(id) => {
+fn ends_of(model: &ModelBuilder, partner: ContactPartner) -> Vec<[[f64; 2]; 2]> {
+    match partner {
+        ContactPartner::Beam(id) => {
             let Some(beam) = model.beams.get(id.0 as usize) else { return Vec::new() };
             let end = |fraction: f64| beam.line_point(Along::Fraction(fraction));
             let (start, last) = (end(0.0), end(1.0));
             let start = start.map(|p| [p.position, scale(-1.0, p.tangent)]);
             start.into_iter().chain(last.map(|p| [p.position, p.tangent])).collect()
         }
-        Party::Obstacle(id) => match model.obstacles.get(id.0 as usize).map(|o| &o.shape) {
-            Some(ObstacleShape::Segment { ends: [a, b], .. }) => {
-                vec![[*a, sub(*a, *b)], [*b, sub(*b, *a)]]
+        ContactPartner::Obstacle(id) => {
+            match model.obstacles.get(id.0 as usize).map(|o| &o.shape) {
+                Some(ObstacleShape::Segment { ends: [a, b], .. }) => {
+                    vec![[*a, sub(*a, *b)], [*b, sub(*b, *a)]]
+                }
+                _ => Vec::new(),
             }
-            _ => Vec::new(),
-        },
-        Party::Disc(_) => Vec::new(),
+        }
+        ContactPartner::Disc(_) => Vec::new(),
     }
 }
 
@@ -168,9 +175,12 @@ fn is_right_before(at: [f64; 2], [end, out]: &[[f64; 2]; 2]) -> bool {
 }
 
 /// One and several of what ends in a point, in words, and what would give it an extent there; `None` for all else.
-fn bare(model: &ModelBuilder, party: Party) -> Option<(&'static str, &'static str, &'static str)> {
-    match party {
-        Party::Beam(id) => {
+fn bare(
+    model: &ModelBuilder,
+    partner: ContactPartner,
+) -> Option<(&'static str, &'static str, &'static str)> {
+    match partner {
+        ContactPartner::Beam(id) => {
             let beam = model.beams.get(id.0 as usize)?;
             let cure = "a section with a `depth`, such as sqrt(12 I/A)";
             ends_bare(model, beam).then_some((
@@ -179,13 +189,13 @@ fn bare(model: &ModelBuilder, party: Party) -> Option<(&'static str, &'static st
                 cure,
             ))
         }
-        Party::Disc(id) => {
+        ContactPartner::Disc(id) => {
             let disc = model.discs.get(id.0 as usize)?;
             let words = ("a disc of radius 0", "discs of radius 0", "a `radius` of the disc");
             (disc.radius == 0.0).then_some(words)
         }
         // A clearance stands beside its beam.
-        Party::Obstacle(id) => match model.obstacles.get(id.0 as usize)?.shape {
+        ContactPartner::Obstacle(id) => match model.obstacles.get(id.0 as usize)?.shape {
             ObstacleShape::Segment { thickness: 0.0, .. } => {
                 Some(("a wall of thickness 0", "walls of thickness 0", "a `thickness` of the wall"))
             }
@@ -207,8 +217,8 @@ fn ends_bare(model: &ModelBuilder, beam: &Beam) -> bool {
 
 /// Impacts of rigid things follow from velocities, and a jump has none.
 fn check_jumps(model: &ModelBuilder, contact: &Contact, out: &mut Faults) {
-    for party in contact.between {
-        let Party::Obstacle(id) = party else { continue };
+    for partner in contact.between {
+        let ContactPartner::Obstacle(id) = partner else { continue };
         let Some(obstacle) = model.obstacles.get(id.0 as usize) else { continue };
         let function = obstacle.motion.as_ref().map(|m| &m.function);
         if let Some(TimeFunction::Step { at }) = function
@@ -236,7 +246,7 @@ pub(super) fn check_smooth(law: &SmoothLaw, path: &impl Fn(&str) -> String, out:
     out.not_negative(path("dissipation"), law.dissipation, "a factor", "s/m");
     if law.dissipation > 0.0 && law.force == ContactForce::Midpoint {
         let found = "dissipation with the force in the middle of the step";
-        out.add(path("force"), found, "a conserving force: its books close");
+        out.add(path("force"), found, "a conserving force: its balance closes");
     }
 }
 

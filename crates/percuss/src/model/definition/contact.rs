@@ -95,7 +95,7 @@ pub struct Obstacle {
 
 /// One of two things that can touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Party {
+pub enum ContactPartner {
     /// A disc.
     Disc(DiscId),
     /// A beam, on either face; twice the same for a beam against itself.
@@ -221,7 +221,7 @@ pub struct Contact {
     /// The user's name for it.
     pub name: String,
     /// What touches.
-    pub between: [Party; 2],
+    pub between: [ContactPartner; 2],
     /// What acts.
     pub law: TouchLaw,
     /// Points of a beam's element that can touch.
@@ -252,7 +252,7 @@ impl Contact {
     pub const POINTS_PER_ELEMENT: usize = 2;
 
     /// A contact with the default number of points.
-    pub fn new(name: impl Into<String>, between: [Party; 2], law: TouchLaw) -> Self {
+    pub fn new(name: impl Into<String>, between: [ContactPartner; 2], law: TouchLaw) -> Self {
         let points_per_element = Self::POINTS_PER_ELEMENT;
         Self { name: name.into(), between, law, points_per_element }
     }

@@ -43,7 +43,7 @@ pub struct Load {
     pub name: String,
     /// What it applies.
     pub kind: LoadKind,
-    /// Its course, beginning at `from`.
+    /// Its time function, beginning at `from`.
     pub function: TimeFunction,
     /// Acts from this time on \[s\].
     pub from: f64,

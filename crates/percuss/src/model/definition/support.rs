@@ -66,7 +66,7 @@ pub struct Motion {
     pub displacement: [f64; 2],
     /// Rotation of the tangent, positive counter-clockwise \[rad\].
     pub rotation: f64,
-    /// Its course.
+    /// Its time function.
     pub function: TimeFunction,
 }
 

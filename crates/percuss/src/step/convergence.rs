@@ -4,10 +4,10 @@ use crate::scalar::Number;
 
 /// The tangent is renewed when unbalanced work shrinks by less than this factor per correction.
 const CONTRACTION: f64 = 0.02;
-/// Unbalanced work of an accepted step, relative to the energy in play: far below 1e-10 even if every step of a long run
+/// Unbalanced work of an accepted step, relative to the energy scale: far below 1e-10 even if every step of a long run
 /// errs to the same side.
 pub const WORK_TOLERANCE: f64 = 1e-16;
-/// Unbalanced work that may pass for round-off, relative to the energy in play. It is a sum of magnitudes: on 60 000 elements
+/// Unbalanced work that may pass for round-off, relative to the energy scale. It is a sum of magnitudes: on 60 000 elements
 /// of 0.05 mm, moved by 0.1 m, round-off alone is of the order of 1e-4, though its signed sum is not.
 const MOST_ROUND_OFF: f64 = 1e-2;
 /// Corrections below this share of the step are near its end.
@@ -19,12 +19,12 @@ const STALLED: f64 = 1e-10;
 /// A correction below so many units in the last place of the displacements moves nothing any more.
 pub const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
-/// Watches an iteration: how fast it contracts, and whether it has reached the last digit.
+/// Follows an iteration: how fast it contracts, and whether it has reached the last digit.
 ///
-/// The iterations of runs side by side begin together; one that has ended is watched on to no effect.
+/// The iterations of runs side by side begin together; one that has ended is followed on to no effect.
 #[derive(Clone, Copy, Debug)]
-pub struct Watch<S: Number> {
-    /// Largest energy in play \[J\].
+pub struct ConvergenceMonitor<S: Number> {
+    /// Energy scale \[J\].
     pub energy: S,
     /// Unbalanced work now, and before the last correction \[J\].
     pub unbalanced: S,
@@ -43,8 +43,8 @@ pub struct Watch<S: Number> {
     settled: S::Mask,
 }
 
-impl<S: Number> Watch<S> {
-    /// Nothing seen yet; `energy` is the largest in play so far.
+impl<S: Number> ConvergenceMonitor<S> {
+    /// Nothing seen yet; `energy` is the largest so far.
     #[inline(always)]
     pub fn new(energy: S) -> Self {
         let infinity = energy.constant(f64::INFINITY);
@@ -104,7 +104,7 @@ impl<S: Number> Watch<S> {
         self.unbalanced * self.left_share()
     }
 
-    /// Takes in the energy in play, once the first correction has shown it.
+    /// Takes in the energy scale, once the first correction has shown it.
     #[inline(always)]
     pub fn play(&mut self, energy: S) {
         self.energy = energy;

@@ -1,10 +1,10 @@
 //! Supports at nodes: held directions are taken out of nodal values and of blocks of the tangent.
 
-use super::numbers::HoldNumbers;
+use super::numbers::PrescribedNumbers;
 use crate::math::vec2::dot4;
 use crate::scalar::{Number, array};
 
-impl<S: Number> HoldNumbers<S> {
+impl<S: Number> PrescribedNumbers<S> {
     /// Takes held components out of a node's values.
     #[inline(always)]
     pub fn project(&self, x: &mut [S; 4]) {

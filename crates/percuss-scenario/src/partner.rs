@@ -1,4 +1,4 @@
-//! What can touch, by name: beams, obstacles and projectiles share one room of names.
+//! What can touch, by name: beams, obstacles and projectiles share one namespace.
 
 use serde_json::{Value as Json, json};
 
@@ -12,7 +12,7 @@ use crate::write;
 
 /// What something that can touch is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PartyKind {
+pub enum PartnerKind {
     /// A beam.
     Beam,
     /// An obstacle.
@@ -21,7 +21,7 @@ pub enum PartyKind {
     Projectile,
 }
 
-impl PartyKind {
+impl PartnerKind {
     const ALL: [Self; 3] = [Self::Beam, Self::Obstacle, Self::Projectile];
 
     /// Its name in the file.
@@ -36,27 +36,27 @@ impl PartyKind {
 
 /// Something that can touch.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Party {
+pub struct Partner {
     /// What it is.
-    pub kind: PartyKind,
+    pub kind: PartnerKind,
     /// The user's name for it.
     pub name: String,
 }
 
 /// The name of something that can touch.
-pub(crate) struct PartyName;
+pub(crate) struct PartnerName;
 
-impl Format for PartyName {
-    type Value = Party;
+impl Format for PartnerName {
+    type Value = Partner;
 
-    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Party> {
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Partner> {
         let name = Text::read(node, reader)?;
-        let has = |kind: &PartyKind| reader.knows(kind.name(), &name);
-        let kinds: Vec<PartyKind> = PartyKind::ALL.into_iter().filter(has).collect();
+        let has = |kind: &PartnerKind| reader.knows(kind.name(), &name);
+        let kinds: Vec<PartnerKind> = PartnerKind::ALL.into_iter().filter(has).collect();
         match kinds[..] {
-            [kind] => return Some(Party { kind, name }),
+            [kind] => return Some(Partner { kind, name }),
             [] => {
-                let all = PartyKind::ALL.iter().flat_map(|kind| reader.names(kind.name()));
+                let all = PartnerKind::ALL.iter().flat_map(|kind| reader.names(kind.name()));
                 let all: Vec<&str> = all.copied().collect();
                 let found = format!("the unknown beam, obstacle or projectile {name:?}");
                 let expected = suggest::one_of(&name, all.into_iter());
@@ -64,7 +64,7 @@ impl Format for PartyName {
                 reader.misplaced_as(FaultCode::UnknownName, &node.path, span, (found, expected));
             }
             _ => {
-                let header = |kind: &PartyKind| format!("[{}.{name}]", kind.name());
+                let header = |kind: &PartnerKind| format!("[{}.{name}]", kind.name());
                 let headers: Vec<String> = kinds.iter().map(header).collect();
                 let found = format!("{name:?}, the name of {}", headers.join(" and "));
                 let expected = "a name that no two of them share";
@@ -74,8 +74,8 @@ impl Format for PartyName {
         None
     }
 
-    fn placeholder() -> Party {
-        Party { kind: PartyKind::Beam, name: String::new() }
+    fn placeholder() -> Partner {
+        Partner { kind: PartnerKind::Beam, name: String::new() }
     }
 
     fn expected() -> String {
@@ -87,8 +87,8 @@ impl Format for PartyName {
     }
 }
 
-impl Inline for PartyName {
-    fn text(value: &Party) -> Option<String> {
+impl Inline for PartnerName {
+    fn text(value: &Partner) -> Option<String> {
         Some(write::text(&value.name))
     }
 }
@@ -99,7 +99,7 @@ pub struct Strikes {
     /// The point it flies at; its beam is struck.
     pub point: Option<Point>,
     /// What is struck besides.
-    pub parties: Vec<Party>,
+    pub partners: Vec<Partner>,
 }
 
 /// A point, a name, or a list of names that may begin with a point.
@@ -133,25 +133,25 @@ impl Format for StrikesText {
         };
         // Every entry is read before the first one at fault ends it.
         let point = point.map(|node| PointText::read(node, reader));
-        let mut parties = Vec::new();
+        let mut partners = Vec::new();
         for node in names {
             if Self::is_point(node) {
                 reader.wrong(node, node.found(), "the point first, names after it");
-                parties.push(None);
+                partners.push(None);
             } else {
-                parties.push(PartyName::read(node, reader));
+                partners.push(PartnerName::read(node, reader));
             }
         }
         let point = match point {
             Some(point) => Some(point?),
             None => None,
         };
-        let parties = parties.into_iter().collect::<Option<Vec<Party>>>()?;
-        Some(Strikes { point, parties })
+        let partners = partners.into_iter().collect::<Option<Vec<Partner>>>()?;
+        Some(Strikes { point, partners })
     }
 
     fn placeholder() -> Strikes {
-        Strikes { point: Some(PointText::placeholder()), parties: Vec::new() }
+        Strikes { point: Some(PointText::placeholder()), partners: Vec::new() }
     }
 
     fn expected() -> String {
@@ -161,7 +161,7 @@ impl Format for StrikesText {
     }
 
     fn schema() -> Json {
-        let list = json!({ "type": "array", "items": PartyName::schema(), "minItems": 1 });
+        let list = json!({ "type": "array", "items": PartnerName::schema(), "minItems": 1 });
         json!({ "anyOf": [{ "type": "string" }, list] })
     }
 }
@@ -169,7 +169,7 @@ impl Format for StrikesText {
 impl Inline for StrikesText {
     fn text(value: &Strikes) -> Option<String> {
         let point = value.point.iter().filter_map(PointText::text);
-        let names = value.parties.iter().filter_map(PartyName::text);
+        let names = value.partners.iter().filter_map(PartnerName::text);
         let all: Vec<String> = point.chain(names).collect();
         Some(if all.len() == 1 { all[0].clone() } else { format!("[{}]", all.join(", ")) })
     }

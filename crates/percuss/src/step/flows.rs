@@ -1,4 +1,4 @@
-//! Books of a solved step: what loads, supports, damping and impacts brought and took.
+//! Flows of a solved step: what loads, supports, damping and impacts brought and took.
 
 use super::bodies::rear_spring;
 use super::constraint::ConstraintStep;
@@ -15,12 +15,12 @@ use crate::element::strain_rate;
 use crate::geometry::row::Row;
 use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::Model;
-use crate::model::frozen::{Coordinate, MaterialPoint, Place, Span};
+use crate::model::frozen::{ConnectorEnd, Coordinate, MaterialPoint, Span};
 use crate::settings::Scheme;
 use crate::state::{Instant, State};
 
-/// Books the step from `state` that stands solved in `work`.
-pub fn book(
+/// Enters the step from `state` that stands solved in `work`.
+pub fn enter(
     model: &Model,
     state: &mut State,
     rule: &Integration,
@@ -30,18 +30,18 @@ pub fn book(
 ) {
     let done = external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
     state.reacting.begin();
-    let so_far = state.books.set_aside();
+    let so_far = state.ledger.set_aside();
     let before = supports_so_far(state);
-    let books = &mut state.books;
-    books.work_loads += done.work;
-    books.impulse_loads = add(books.impulse_loads, done.impulse);
-    books.angular_impulse_loads += done.angular_impulse;
+    let ledger = &mut state.ledger;
+    ledger.work_loads += done.work;
+    ledger.impulse_loads = add(ledger.impulse_loads, done.impulse);
+    ledger.angular_impulse_loads += done.angular_impulse;
     let led = work.lead.work(model, state, &work.increment, rule);
-    let books = &mut state.books;
-    books.work_supports += led.work;
-    books.angular_impulse_supports += led.angular_impulse;
+    let ledger = &mut state.ledger;
+    ledger.work_supports += led.work;
+    ledger.angular_impulse_supports += led.angular_impulse;
     let mut entry = Entry { model, state, rule, forcing, work };
-    entry.holds();
+    entry.prescribed();
     entry.constraints();
     entry.connectors();
     entry.spans();
@@ -53,16 +53,16 @@ pub fn book(
     } else {
         state.instant = None;
     }
-    state.books.put_on(so_far);
+    state.ledger.put_on(so_far);
 }
 
 /// Impulse and angular impulse of all supports and guides so far.
 fn supports_so_far(state: &State) -> [f64; 3] {
-    let [x, y] = state.books.impulse_supports;
-    [x, y, state.books.angular_impulse_supports]
+    let [x, y] = state.ledger.impulse_supports;
+    [x, y, state.ledger.angular_impulse_supports]
 }
 
-/// Reactions that the part at hand has booked, as those of an instant.
+/// Reactions that the part at hand has entered in the ledger, as those of an instant.
 fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> Instant {
     let mut reactions = vec![[0.0; 3]; state.reactions.len()];
     for (support, before) in state.reacting.list() {
@@ -90,9 +90,9 @@ fn average_reactions(state: &mut State, rule: &Integration, before: [f64; 3]) {
             }
         }
         let (t, l) = (now.total, last.total);
-        let books = &mut state.books;
-        (0..2).for_each(|i| books.impulse_supports[i] -= back(t[i], l[i]));
-        books.angular_impulse_supports -= back(t[2], l[2]);
+        let ledger = &mut state.ledger;
+        (0..2).for_each(|i| ledger.impulse_supports[i] -= back(t[i], l[i]));
+        ledger.angular_impulse_supports -= back(t[2], l[2]);
     }
     state.instant = Some(now);
 }
@@ -109,7 +109,7 @@ pub fn reactions_at_start(
     scratch.reacting.begin();
     let before = supports_so_far(&scratch);
     let mut entry = Entry { model, state: &mut scratch, rule, forcing, work };
-    entry.holds();
+    entry.prescribed();
     entry.constraints();
     entry.connectors();
     instant(&scratch, rule.h, before, 0.0)
@@ -134,12 +134,12 @@ impl Entry<'_> {
         )
     }
 
-    /// Books a force and a couple of a support, a guide or the ground on a point; supports have reactions of their own.
+    /// Enters a force and a couple of a support, a guide or the ground on a point; supports have reactions of their own.
     fn reaction(&mut self, support: Option<usize>, x: [f64; 2], force: [f64; 2], moment: f64) {
         let h = self.rule.h;
-        let books = &mut self.state.books;
-        books.impulse_supports = add(books.impulse_supports, scale(h, force));
-        books.angular_impulse_supports += h * (cross(x, force) + moment);
+        let ledger = &mut self.state.ledger;
+        ledger.impulse_supports = add(ledger.impulse_supports, scale(h, force));
+        ledger.angular_impulse_supports += h * (cross(x, force) + moment);
         let Some(support) = support else { return };
         let own = self.state.reaction_mut(support);
         own[0] += h * force[0];
@@ -148,13 +148,13 @@ impl Entry<'_> {
     }
 
     /// Reactions at nodes are what the residual leaves at held components.
-    fn holds(&mut self) {
+    fn prescribed(&mut self) {
         let (model, work) = (self.model, self.work);
-        for hold in &model.holds {
-            let (n, r) = (hold.node, &work.residual[hold.node]);
+        for dofs in &model.prescribed {
+            let (n, r) = (dofs.node, &work.residual[dofs.node]);
             let (frame, u, d) = (&model.nodes[n], &self.state.displacement[n], &work.increment[n]);
             let mut reaction = [0.0; 4];
-            for normal in &hold.normals {
+            for normal in &dofs.normals {
                 let along: f64 = (0..4).map(|k| normal[k] * r[k]).sum();
                 (0..4).for_each(|k| reaction[k] += along * normal[k]);
             }
@@ -165,8 +165,8 @@ impl Entry<'_> {
             } else {
                 reaction[2]
             };
-            self.state.books.work_supports += (0..4).map(|k| reaction[k] * d[k]).sum::<f64>();
-            self.reaction(hold.support, x, [reaction[0], reaction[1]], moment);
+            self.state.ledger.work_supports += (0..4).map(|k| reaction[k] * d[k]).sum::<f64>();
+            self.reaction(dofs.support, x, [reaction[0], reaction[1]], moment);
         }
     }
 
@@ -185,10 +185,10 @@ impl Entry<'_> {
             let (form, gradient) = step.support_form(c);
             let force = scale(-multiplier, form);
             if gradient {
-                self.state.books.work_supports += dot(force, point.gradient(&work.increment));
+                self.state.ledger.work_supports += dot(force, point.gradient(&work.increment));
                 self.reaction(support, x, [0.0; 2], cross(g, force));
             } else {
-                self.state.books.work_supports += dot(force, point.value(&work.increment));
+                self.state.ledger.work_supports += dot(force, point.value(&work.increment));
                 self.reaction(support, x, force, 0.0);
             }
         }
@@ -200,16 +200,16 @@ impl Entry<'_> {
         for (i, c) in model.connectors.iter().enumerate() {
             if !forcing.connected[i] {
                 // A support that lets go takes the energy of its springs with it.
-                self.state.books.work_supports -= c.potential(self.state.coordinates[i]);
+                self.state.ledger.work_supports -= c.potential(self.state.coordinates[i]);
                 continue;
             }
             let u = &self.state.displacement;
             let step = c.step(self.rule, forcing, self.state.coordinates[i], u, &work.increment);
-            self.state.books.loss_damping += step.damper * step.change;
+            self.state.ledger.loss_damping += step.damper * step.change;
             let force = |g: usize| scale(-step.force, step.forms[g]);
             match &c.coordinate {
                 Coordinate::Displacement { point, drive, .. } => {
-                    self.state.books.work_supports -= step.force * forcing.increment(drive);
+                    self.state.ledger.work_supports -= step.force * forcing.increment(drive);
                     let (x, _) = self.middle(point);
                     self.reaction(c.support, x, force(0), 0.0);
                 }
@@ -222,7 +222,7 @@ impl Entry<'_> {
                     for (k, (end, other)) in
                         [(&ends[0], &ends[1]), (&ends[1], &ends[0])].iter().enumerate()
                     {
-                        if let (Place::Point(p), Place::Ground(_)) = (end, other) {
+                        if let (ConnectorEnd::Point(p), ConnectorEnd::Ground(_)) = (end, other) {
                             let (x, _) = self.middle(p);
                             self.reaction(None, x, force(k), 0.0);
                         }
@@ -242,7 +242,7 @@ impl Entry<'_> {
                     self.mass_damping(span, k, &mut sum);
                 }
                 if span.retardation > 0.0 {
-                    self.state.books.loss_damping +=
+                    self.state.ledger.loss_damping +=
                         self.viscous_loss(span, k) * span.retardation / h;
                 }
             }
@@ -252,10 +252,10 @@ impl Entry<'_> {
 
     /// Enters the work of damping forces as a loss.
     fn damped(&mut self, sum: &LoadWork) {
-        let books = &mut self.state.books;
-        books.loss_damping -= sum.work;
-        books.impulse_damping = add(books.impulse_damping, sum.impulse);
-        books.angular_impulse_damping += sum.angular_impulse;
+        let ledger = &mut self.state.ledger;
+        ledger.loss_damping -= sum.work;
+        ledger.impulse_damping = add(ledger.impulse_damping, sum.impulse);
+        ledger.angular_impulse_damping += sum.angular_impulse;
     }
 
     fn mass_damping(&self, span: &Span, k: usize, sum: &mut LoadWork) {
@@ -353,7 +353,7 @@ impl Entry<'_> {
             let (node, u) = (self.model.body_node(i), &self.state.displacement);
             if let Some(spring) = rear_spring(&body.kind, node, self.rule, u, &self.work.increment)
             {
-                self.state.books.loss_damping += spring.damper * spring.change;
+                self.state.ledger.loss_damping += spring.damper * spring.change;
             }
         }
     }
@@ -384,20 +384,20 @@ impl Entry<'_> {
             self.obstacle(work.rigid_pairs[k], &found.normal, found.impulse[0]);
             self.obstacle(work.rigid_pairs[k], &found.tangent, found.impulse[1]);
         }
-        let books = &mut self.state.books;
+        let ledger = &mut self.state.ledger;
         for contact in &work.smooth {
             if contact.force.dissipated != 0.0 {
                 let closed = -contact.row.on(&work.increment);
-                books.loss_damping += contact.force.dissipated * closed;
+                ledger.loss_damping += contact.force.dissipated * closed;
             }
         }
         for contact in &work.rigid {
             // Work of an impulse: L (z0 + z1)/2, the mean rate over the step.
             let mean = |row: &Row| row.on(&work.increment) / self.rule.h;
             let [normal, tangent] = contact.impulse;
-            books.loss_impacts -= normal * mean(&contact.normal);
+            ledger.loss_impacts -= normal * mean(&contact.normal);
             if tangent != 0.0 {
-                books.loss_impacts -= tangent * mean(&contact.tangent);
+                ledger.loss_impacts -= tangent * mean(&contact.tangent);
             }
         }
     }

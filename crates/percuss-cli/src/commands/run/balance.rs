@@ -1,10 +1,10 @@
-//! Whether the books closed.
+//! Whether the balances closed.
 
 use percuss::RunSummary;
 
 use crate::number::small;
 
-/// Largest residual of closed books, relative to the largest amount in play.
+/// Largest residual of closed balances, relative to the largest amount.
 const CLOSED: f64 = 1e-10;
 
 /// What did not close, in words.
@@ -17,7 +17,7 @@ pub fn open(run: &RunSummary) -> Vec<String> {
     let closed = |residual: f64| residual.abs() <= CLOSED; // NaN is not closed
     let open = residuals.into_iter().filter(|(_, residual)| !closed(*residual));
     open.map(|(what, residual)| {
-        format!("the books of {what} do not close: relative residual {}, at most {CLOSED:e} with --strict", small(residual))
+        format!("the balance of {what} does not close: relative residual {}, at most {CLOSED:e} with --strict", small(residual))
     })
     .collect()
 }

@@ -8,13 +8,13 @@ const DENSE: usize = 36;
 
 /// The reduced interface system.
 #[derive(Clone, Debug)]
-pub enum Core {
+pub enum SchurComplement {
     Empty,
     Dense { order: usize, matrix: Vec<f64>, lu: DenseLu },
     Sparse { lu: Box<SparseLu> },
 }
 
-impl Core {
+impl SchurComplement {
     /// A zero system of order `n` with entries at the given (row, column) pairs.
     pub fn new(n: usize, entries: impl FnOnce() -> Vec<(usize, usize)>) -> Self {
         let dense = || Self::Dense { order: n, matrix: vec![0.0; n * n], lu: DenseLu::default() };

@@ -6,12 +6,12 @@ use crate::linalg::chain::Chain;
 
 /// The bodies eliminated, with what is needed to solve for them.
 #[derive(Clone, Debug, Default)]
-pub struct Satellites {
-    bodies: Vec<Satellite>,
+pub struct CondensedBodies {
+    bodies: Vec<CondensedBody>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Satellite {
+struct CondensedBody {
     body: usize,
     nodes: [usize; 2],
     count: usize,
@@ -21,7 +21,7 @@ struct Satellite {
     from: [Block; 2],
 }
 
-impl Satellites {
+impl CondensedBodies {
     /// Forgets all.
     pub fn clear(&mut self) {
         self.bodies.clear();
@@ -43,7 +43,7 @@ impl Satellites {
             if body < first || self.bodies.iter().any(|s| s.body == body) {
                 continue;
             }
-            if let Some(found) = satellite(body, linked, first, couplings) {
+            if let Some(found) = condensed_body(body, linked, first, couplings) {
                 self.bodies.push(found);
             }
         }
@@ -94,13 +94,13 @@ impl Satellites {
     }
 }
 
-/// The body as a satellite, if it is linked to nothing and touches no more than one element.
-fn satellite(
+/// The body as a condensed body, if it is linked to nothing and touches no more than one element.
+fn condensed_body(
     body: usize,
     linked: &[bool],
     first: usize,
     couplings: &[(usize, usize, Block)],
-) -> Option<Satellite> {
+) -> Option<CondensedBody> {
     if linked[body] || linked[body - 1] {
         return None;
     }
@@ -123,5 +123,5 @@ fn satellite(
         return None;
     }
     let blocks = [ZERO; 2];
-    Some(Satellite { body, nodes, count, onto: blocks, from: blocks })
+    Some(CondensedBody { body, nodes, count, onto: blocks, from: blocks })
 }

@@ -12,11 +12,11 @@ const LOOKS: u32 = 16;
 
 /// The gap of a closed pair over a step: a cubic through gaps and rates at its ends.
 #[derive(Clone, Copy, Debug)]
-pub struct Course {
+pub struct GapOverStep {
     gap: Cubic,
 }
 
-impl Course {
+impl GapOverStep {
     /// Between the ends of a step of size `h`.
     pub fn new(h: f64, before: &PairState, after: &PairState) -> Self {
         let gap = Cubic { h, start: [before.gap, before.rate], end: [after.gap, after.rate] };
@@ -64,10 +64,10 @@ impl Course {
 }
 
 /// The largest force of some pairs together within a step that begins at `start`.
-pub fn highest(courses: &[Course], law: &SmoothLaw, start: f64) -> Peak {
-    let Some(first) = courses.first() else { return Peak { value: 0.0, time: f64::NAN } };
+pub fn highest(gaps: &[GapOverStep], law: &SmoothLaw, start: f64) -> Peak {
+    let Some(first) = gaps.first() else { return Peak { value: 0.0, time: f64::NAN } };
     let h = first.gap.h;
-    let force = |t: f64| courses.iter().map(|c| c.force(law, t)).sum::<f64>();
+    let force = |t: f64| gaps.iter().map(|c| c.force(law, t)).sum::<f64>();
     let mut best = Peak { value: force(h), time: h };
     let mut take = |t: f64| {
         let value = force(t);
@@ -75,10 +75,10 @@ pub fn highest(courses: &[Course], law: &SmoothLaw, start: f64) -> Peak {
             best = Peak { value, time: t };
         }
     };
-    if courses.len() == 1 && first.is_known() {
+    if gaps.len() == 1 && first.is_known() {
         first.gap.stationary().for_each(&mut take);
     }
-    if courses.len() > 1 || law.dissipation > 0.0 {
+    if gaps.len() > 1 || law.dissipation > 0.0 {
         let wide = h / f64::from(LOOKS);
         (1..LOOKS).for_each(|k| take(wide * f64::from(k)));
         let about = best.time;

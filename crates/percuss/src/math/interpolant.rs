@@ -5,7 +5,7 @@ use crate::scalar::Number;
 
 /// Between the ends of a step of size `h`.
 #[derive(Clone, Copy, Debug)]
-pub struct Path<S> {
+pub struct Interpolant<S> {
     /// Size of the step \[s\].
     pub h: S,
     /// Value and rate at its start.
@@ -14,7 +14,7 @@ pub struct Path<S> {
     pub end: [S; 2],
 }
 
-impl<S: Number> Path<S> {
+impl<S: Number> Interpolant<S> {
     /// The one of a lane.
     pub fn lane(&self, i: usize) -> Cubic {
         let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
@@ -55,15 +55,15 @@ impl<S: Number> Path<S> {
         if S::DERIVES { t - self.slope(t) / self.bend(t) } else { t }
     }
 
-    /// When a quantity that is largest at the end of the step is so: an event if the step, or the next one, is as brief as an
+    /// When a quantity that is largest at the end of the step is so: an event if the step, or the next one, is as impulsive as an
     /// impact. Else that instant is one of the grid, not of the motion, and what parameters do to it is not known.
-    pub fn at_end(&self, from: S, brief: S::Mask) -> S {
+    pub fn at_end(&self, from: S, impulsive: S::Mask) -> S {
         let end = from + self.h;
-        if S::DERIVES { S::choose(brief, end, end.underived()) } else { end }
+        if S::DERIVES { S::choose(impulsive, end, end.underived()) } else { end }
     }
 
-    /// The same once the step at hand is known to be brief: it begins with an event at `from`.
-    pub fn at_event(from: S, brief: S::Mask, time: S) -> S {
-        if S::DERIVES { S::choose(brief & time.equals(from), from, time) } else { time }
+    /// The same once the step at hand is known to be impulsive: it begins with an event at `from`.
+    pub fn at_event(from: S, impulsive: S::Mask, time: S) -> S {
+        if S::DERIVES { S::choose(impulsive & time.equals(from), from, time) } else { time }
     }
 }

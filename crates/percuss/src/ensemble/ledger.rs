@@ -11,7 +11,7 @@ use crate::scalar::{Number, array};
 
 /// Energies and momenta of a state.
 #[derive(Clone, Copy, Debug)]
-pub struct Measures<S> {
+pub struct LaneMeasures<S> {
     /// Energy \[J\].
     pub energy: S,
     /// Linear momentum, and the sum of its magnitudes \[kg m/s\].
@@ -24,9 +24,9 @@ pub struct Measures<S> {
 
 /// What entered and left since the start, and the largest residuals.
 #[derive(Clone, Copy, Debug)]
-pub struct Books<S> {
-    pub start: Measures<S>,
-    pub now: Measures<S>,
+pub struct LaneLedger<S> {
+    pub start: LaneMeasures<S>,
+    pub now: LaneMeasures<S>,
     pub energy_scale: S,
     pub linear_scale: S,
     pub angular_scale: S,
@@ -50,14 +50,14 @@ pub struct Books<S> {
     pub angular_residual: S,
 }
 
-impl<S: Number> Books<S> {
-    /// Opens the books of a state.
+impl<S: Number> LaneLedger<S> {
+    /// Opens the ledger of a state.
     #[inline(always)]
     pub fn open(engine: &Engine<S>) -> Self {
         let zero = engine.h.constant(0.0);
         let start = engine.measure();
         let [energy, linear, angular] = engine.numbers.round_off;
-        let mut books = Self {
+        let mut ledger = Self {
             start,
             now: start,
             energy_scale: energy,
@@ -78,11 +78,11 @@ impl<S: Number> Books<S> {
             linear_residual: zero,
             angular_residual: zero,
         };
-        books.rescale();
-        books
+        ledger.rescale();
+        ledger
     }
 
-    /// Takes over a lane of other books.
+    /// Takes over a lane of another ledger.
     pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
         for (mine, other) in self.each().into_iter().zip({ *from }.each()) {
             mine.set_lane(lane, *other, from_lane);
@@ -139,13 +139,13 @@ impl<S: Number> Books<S> {
         self.angular_scale = self.angular_scale.max(m.angular_size).max(impulses);
     }
 
-    /// Books a solved step: reactions, guides, losses, loads.
+    /// Enters a solved step: reactions, guides, losses, loads.
     #[inline(always)]
-    pub fn book(&mut self, engine: &Engine<S>) {
+    pub fn enter(&mut self, engine: &Engine<S>) {
         let h = engine.h;
         for k in 0..engine.reactions.len() {
             let reaction = engine.reactions[k];
-            let (x, g) = engine.middle(engine.numbers.holds[k].node);
+            let (x, g) = engine.middle(engine.numbers.prescribed[k].node);
             let moment = cross(g, [reaction[2], reaction[3]]);
             self.impulse = array(|i| self.impulse[i] + h * reaction[i]);
             self.angular_impulse += h * (cross(x, [reaction[0], reaction[1]]) + moment);
@@ -164,13 +164,13 @@ impl<S: Number> Books<S> {
             self.loss_impacts += -(state.impulse * state.gap_change / h);
         }
         if !engine.numbers.loads.is_empty() {
-            self.book_loads(engine);
+            self.enter_loads(engine);
         }
         let mut element = 0;
         for span in &engine.numbers.spans {
             if span.damped {
                 for k in 0..span.count {
-                    self.book_damping(engine, span, k, element + k);
+                    self.enter_damping(engine, span, k, element + k);
                 }
             }
             element += span.count;
@@ -179,7 +179,7 @@ impl<S: Number> Books<S> {
 
     /// What damping takes of an element: `tau/h (EA (Deps)^2 + EI (Dkappa)^2)`, and the work of the forces in proportion to mass.
     #[inline(always)]
-    fn book_damping(
+    fn enter_damping(
         &mut self,
         engine: &Engine<S>,
         span: &SpanNumbers<S>,
@@ -263,9 +263,9 @@ impl<S: Number> Engine<S> {
 
     /// Energies and momenta of the state.
     #[inline(always)]
-    pub fn measure(&self) -> Measures<S> {
+    pub fn measure(&self) -> LaneMeasures<S> {
         let zero = self.h.constant(0.0);
-        let mut m = Measures {
+        let mut m = LaneMeasures {
             energy: zero,
             linear: [zero; 2],
             linear_size: zero,
