@@ -12,6 +12,7 @@ mod contact;
 mod element;
 mod ensemble;
 mod error;
+mod frame;
 mod geometry;
 pub mod inspect;
 mod ledger;
@@ -19,6 +20,7 @@ mod linalg;
 pub mod math;
 mod measures;
 mod model;
+mod run;
 mod scalar;
 mod settings;
 mod state;
@@ -28,23 +30,24 @@ mod summary;
 /// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
-pub use analysis::record::{
-    Channel, Flow, Frame, FrameForce, MemoryRecorder, NoRecorder, Recorder,
-};
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Checkpoint, Equilibrium, FirstTouches, FollowerStability,
-    LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, Preview, ResumeError,
-    Simulation, StaticContact, buckling, buckling_in_contact, equilibrium, equilibrium_in,
-    equilibrium_path, equilibrium_path_recorded, massless, mechanisms, modes_about,
-    modes_about_equilibrium, natural_frequencies, preview, reference_state, simulate,
+    BucklingMode, BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Mode, ModeKind,
+    Path, PathPoint, PathRecorder, StaticContact, buckling, buckling_in_contact, equilibrium,
+    equilibrium_in, equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about,
+    modes_about_equilibrium, natural_frequencies,
 };
 pub use ensemble::{
     Detail, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,
     simulate_batch,
 };
 pub use error::{Error, RecorderError};
+pub use frame::{Frame, FrameForce};
 pub use ledger::{Ledger, Measures};
 pub use model::*;
+pub use run::{
+    Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Preview, Recorder,
+    ResumeError, Simulation, massless, preview, reference_state, simulate,
+};
 pub use settings::{
     ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,
 };

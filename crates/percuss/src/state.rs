@@ -132,6 +132,8 @@ pub struct State {
     pub multiplier: Vec<f64>,
     /// Pairs that can touch, in the model's order.
     pub pairs: Vec<PairState>,
+    /// The one whose instant of contact this is, if the state stands at one.
+    pub(crate) located: Option<usize>,
     /// The running ledger.
     pub ledger: Ledger,
 }
@@ -153,6 +155,7 @@ impl State {
             _ => true,
         };
         shape(self) == shape(other)
+            && self.located.is_none_or(|pair| pair < self.pairs.len())
             && instant(self).is_none_or(|n| n == supports)
             && self.reacting.list.iter().all(|(support, _)| *support < supports)
             && model.pairs.iter().zip(&self.pairs).all(on_axis)
@@ -180,6 +183,7 @@ impl State {
             reacting: Reacting::none(model.supports.len()),
             multiplier: vec![0.0; model.constraints.len()],
             pairs: vec![PairState::unseen(); model.pairs.len()],
+            located: None,
             ledger: Ledger::default(),
         }
         .with_coordinates(model)

@@ -1,43 +1,18 @@
-//! Analyses: what is done with steps.
+//! Analyses at rest: equilibria and load paths, modes, buckling, section forces.
 
-mod accumulation;
 mod buckling;
-mod channels;
-mod checkpoint;
-mod contact_log;
-pub(crate) mod crest;
-mod first_touch;
 mod flutter;
-mod frame;
-mod given;
-mod giving_up;
-mod impacts;
-mod jumps;
-mod modes;
-mod monitor;
-mod multiple_impacts;
+pub(crate) mod modes;
 mod path;
-mod preview;
-pub(crate) mod record;
-mod section_forces;
-mod simulation;
+pub(crate) mod section_forces;
 mod spectrum;
-mod start;
-mod static_contacts;
-mod static_search;
+pub(crate) mod static_contacts;
+pub(crate) mod static_search;
 mod statics;
-mod stop_log;
-mod struck_mass;
-mod trial;
 
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
-pub use checkpoint::{Checkpoint, ResumeError};
-pub use first_touch::FirstTouches;
 pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
 pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path_recorded};
-pub use preview::{Preview, preview};
-pub use simulation::{Simulation, simulate};
-pub use start::{massless, reference_state};
 pub use static_contacts::StaticContact;
 pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};

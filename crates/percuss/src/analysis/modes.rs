@@ -103,7 +103,7 @@ pub fn natural_frequencies(model: &Model, count: usize) -> Vec<f64> {
 }
 
 /// Damping of the flexible modes about `state`.
-pub(super) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
+pub(crate) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
     let ratios = &model.modal_damping;
     if ratios.is_empty() {
         return ModalDamping::default();

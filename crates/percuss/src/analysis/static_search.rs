@@ -6,6 +6,7 @@ use super::static_contacts::{Pressing, StaticContacts};
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
 use crate::element::membrane::green_or_engineering;
+use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, ConstraintKind, Coordinate};
@@ -452,4 +453,26 @@ pub(super) fn linearized<'m>(model: &'m Model, state: &State) -> StaticSearch<'m
     let mut search = StaticSearch::at(model, state);
     search.assemble::<true>();
     search
+}
+
+/// What loads and inner forces leave unbalanced at the nodes of a structure at rest, supports and constraints not counted,
+/// shape (n_node) \[N, N m\].
+pub(crate) fn unbalanced_forces(
+    structure: &Model,
+    state: &State,
+    forcing: &Forcing,
+) -> Vec<[f64; 4]> {
+    let mut search = StaticSearch::at(structure, state);
+    search.forcing.clone_from(forcing);
+    search.forcing.rest_motions();
+    search.work.multiplier.fill(0.0);
+    search.assemble::<false>();
+    search.work.residual.iter().map(|f| f.map(|c| -c)).collect()
+}
+
+/// Strains of a configuration, as the scheme that stores them keeps them, shape (n_elem, n_gauss) \[1, 1/m\].
+pub(crate) fn stored_strains(structure: &Model, state: &State) -> Vec<[[f64; 2]; GAUSS]> {
+    let mut search = StaticSearch::at(structure, state);
+    search.foresee(true);
+    search.base.strain
 }

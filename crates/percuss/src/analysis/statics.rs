@@ -3,8 +3,8 @@
 use super::spectrum::{Held, Layout, free_motions, is_stable};
 use super::static_contacts::{StaticContact, takes_part};
 use super::static_search::{StaticSearch, largest};
-use crate::analysis::record::{Frame, FrameForce};
 use crate::error::Error;
+use crate::frame::{Frame, FrameForce};
 use crate::geometry::row::Row;
 use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model, StrainMeasure, TouchLaw};

@@ -1,9 +1,9 @@
 //! Many runs, nothing recorded but their summaries.
 
 use super::run::simulate_ensemble;
-use crate::analysis::record::NoRecorder;
-use crate::analysis::simulate;
 use crate::model::{Fault, Model};
+use crate::run::record::NoRecorder;
+use crate::run::simulate;
 use crate::settings::Settings;
 use crate::summary::RunSummary;
 

@@ -2,10 +2,10 @@
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
-use crate::analysis::crest::Crest;
 use crate::contact::free_gap::FreeGap;
 use crate::math::interpolant::Interpolant;
 use crate::math::roots;
+use crate::run::crest::Crest;
 use crate::scalar::{Mask, Number};
 use crate::step::contacts::IMPULSIVE;
 

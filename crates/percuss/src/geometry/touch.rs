@@ -60,6 +60,12 @@ pub enum Reach {
 }
 
 impl Pair {
+    /// Arc length of a contact along its beam; of two beams, along the first one \[m\].
+    pub fn along(&self, touch: &Touch) -> f64 {
+        let on_source = self.source_partner == 0 && !self.s.is_nan();
+        if on_source || touch.s.is_nan() { self.s } else { touch.s }
+    }
+
     /// The pair in a configuration; `None` where nothing of the target can be touched.
     pub fn touch(
         &self,

@@ -10,6 +10,7 @@ use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
 use crate::linalg::block::{Block, IDENTITY};
+use crate::math::vec2::norm;
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
 ///
@@ -484,6 +485,14 @@ impl Model {
     pub(crate) fn node_length(&self, node: usize) -> f64 {
         let (span, k) = self.element_of(node);
         span.table(k).length
+    }
+
+    /// Size of the structure: its longest beam, or the largest distance of a node from the first one \[m\].
+    pub(crate) fn extent(&self) -> f64 {
+        let from = self.nodes.first().map_or([0.0; 2], |n| n.position);
+        let away = |x: [f64; 2]| norm([x[0] - from[0], x[1] - from[1]]);
+        let lengths = self.beams.iter().map(|b| b.length);
+        lengths.chain(self.nodes.iter().map(|n| away(n.position))).fold(0.0, f64::max)
     }
 
     /// The beams with all that holds them, without bodies and contacts: what statics and vibrations know.

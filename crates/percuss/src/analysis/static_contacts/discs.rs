@@ -126,7 +126,7 @@ impl StaticContacts {
 
     /// Weak springs at components of nodes, in units of the weight of everything over the size of the structure.
     pub fn hold_loosely(&mut self, model: &Model, stops: Vec<(usize, usize)>) {
-        let extent = crate::analysis::trial::size_of(model).max(f64::MIN_POSITIVE);
+        let extent = model.extent().max(f64::MIN_POSITIVE);
         let tables = model.each_element().map(|(span, k, _, _)| span.table(k));
         let mass: f64 = tables.map(|t| t.mass[0][0] + 2.0 * t.mass[0][2] + t.mass[2][2]).sum();
         let weight = mass * model.gravity();

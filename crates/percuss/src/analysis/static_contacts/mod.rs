@@ -98,7 +98,7 @@ fn rests(model: &Model, body: usize) -> bool {
 }
 
 /// Whether a pair takes part.
-pub(super) fn takes_part(model: &Model, pair: &Pair) -> bool {
+pub(crate) fn takes_part(model: &Model, pair: &Pair) -> bool {
     let beams = model.beams.len();
     !matches!(pair.target, Target::Guided { .. })
         && pair.movers.iter().all(|m| *m < beams || rests(model, m - beams))
@@ -108,8 +108,8 @@ impl StaticContacts {
     /// Contacts as they stand in `base`.
     pub fn new(model: &Model, base: &State) -> Self {
         let nodes = model.nodes.iter().map(|n| norm(n.position)).fold(0.0, f64::max);
-        let size = super::trial::size_of(model).max(nodes);
-        let extent = super::trial::size_of(model).max(f64::MIN_POSITIVE);
+        let size = model.extent().max(nodes);
+        let extent = model.extent().max(f64::MIN_POSITIVE);
         let gravity = model.gravity();
         let bending = model.beams.iter().map(|b| {
             let law = &model.spans[b.spans.start].table(0).rows[1].section;

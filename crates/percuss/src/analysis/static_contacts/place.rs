@@ -1,7 +1,6 @@
 //! A pair of a contact at rest: its gap, its force, its part in the tangent.
 
 use super::{Pressing, ROUND_OFF};
-use crate::analysis::contact_log;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::row::Row;
@@ -68,7 +67,7 @@ impl CandidatePair {
         pressing: Pressing,
     ) {
         self.gap = touch.gap;
-        self.s = contact_log::along(pair, touch);
+        self.s = pair.along(touch);
         match &model.contacts[pair.contact].law {
             TouchLaw::Smooth(law) => {
                 self.force = law.potential.force(-touch.gap);

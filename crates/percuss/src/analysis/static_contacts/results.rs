@@ -2,8 +2,8 @@
 
 use super::place::{CandidatePair, moving};
 use super::{NEXT_TO_NOTHING, StaticContacts};
-use crate::analysis::record::FrameForce;
 use crate::analysis::spectrum::Held;
+use crate::frame::FrameForce;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Memory;
 use crate::geometry::row::Row;

@@ -5,11 +5,11 @@
 //! than what sticks. Each impact obeys the law of its contact, friction included, and its work enters the balance as that of any other.
 //! What is left, next to nothing, or a sequence that does not end, is settled at once and without restitution.
 
-use super::impacts::{Advance, STICK};
+use super::contact_status::STICK;
 use super::simulation::Simulation;
-use crate::analysis::record::Recorder;
-use crate::error::Error;
-use crate::step::contacts::{ActiveContact, Phase};
+use super::step::Part;
+use super::trial::{PartKind, Trial};
+use crate::step::contacts::Phase;
 use crate::step::newton::Failure;
 
 /// Impacts in a sequence for each contact that touches: with restitution they die out like a geometric series.
@@ -19,80 +19,87 @@ const MOST_IMPACTS: usize = 1000;
 /// What changes the velocity of a contact by less than this share of its own impulse's is no part of its blow.
 const COUPLED: f64 = 0.01;
 
+/// A sequence of impacts under way.
+#[derive(Clone, Debug)]
+pub(super) struct Sequence {
+    /// Length of an impact interval \[s\].
+    interval: f64,
+    /// Contacts that take part: those that touched at its beginning, and those that rested.
+    members: Vec<usize>,
+    /// What approaches slower than this has no impact of its own \[m/s\].
+    least: f64,
+    /// Impacts that it may still have.
+    left: usize,
+}
+
 impl Simulation<'_> {
-    /// Impacts one after another, in impact intervals of their own.
-    pub(super) fn impacts_in_sequence(
+    /// The first impact of a sequence: that of the contact which approaches fastest. All at once if nothing bounces.
+    pub(super) fn strike_fastest(
         &mut self,
         touching: &[usize],
-        advance: &mut Advance,
-        recorder: &mut dyn Recorder,
-    ) -> Result<Result<f64, Failure>, Error> {
-        let interval = self.impact_interval() * advance.share;
-        let resting = self.resting();
-        let mut members: Vec<usize> = resting.iter().map(|c| c.pair).collect();
+        part: &Part,
+    ) -> Result<Trial, Failure> {
+        let mut members: Vec<usize> = self.resting().iter().map(|c| c.pair).collect();
         members.extend_from_slice(touching);
-        let blow = touching.iter().map(|i| -self.state.pairs[*i].rate).fold(0.0, f64::max);
-        if self.fastest(&members, STICK * blow).is_none() {
-            return self.impact(touching, advance, recorder); // all of them stick
+        let fastest = touching.iter().map(|i| -self.state.pairs[*i].rate).fold(0.0, f64::max);
+        let sequence = Sequence {
+            interval: self.impact_interval() * part.share,
+            least: STICK * fastest,
+            left: MOST_IMPACTS.min(IMPACTS_EACH * members.len()),
+            members,
+        };
+        match self.fastest(&sequence) {
+            None => self.strike(touching, part),
+            Some(i) => match self.strike_alone(i, sequence.clone())? {
+                Some(trial) => Ok(trial),
+                None => self.end_of_sequence(&sequence)?.ok_or(Failure::Impact),
+            },
         }
-        let mut done = 0.0;
-        let most = MOST_IMPACTS.min(IMPACTS_EACH * members.len());
-        for _ in 0..most {
-            let Some(i) = self.fastest(&members, STICK * blow) else { break };
-            let pair = &mut self.state.pairs[i];
-            pair.closed = false;
-            pair.approach_max = pair.approach_max.max(-pair.rate);
-            let active = [self.striking(i, false)];
-            let fallback_law = match self.solve_impact(interval, &active) {
-                Ok(fallback_law) => fallback_law,
-                Err(failure) if done == 0.0 => return Ok(Err(failure)),
-                Err(_) => break,
-            };
-            if self.work.rigid[0].impulse[0] <= 0.0 {
-                break; // held on both sides
-            }
-            if done == 0.0 {
-                self.record(recorder)?;
-            }
-            self.accept_impact(interval, &active, fallback_law);
-            done += interval;
-        }
-        advance.events_left = advance.events_left.saturating_sub(1);
-        match self.plastic_remainder(&members, interval) {
-            Ok(settled) => done += settled,
-            Err(failure) if done == 0.0 => return Ok(Err(failure)),
-            Err(_) => {} // the next part of the step finds them as they are
-        }
-        self.record(recorder)?;
-        Ok(Ok(done))
+    }
+
+    /// The next impact of a sequence, or its end; what no impulses can settle the next part of the step finds as it is.
+    pub(super) fn next_of(&mut self, sequence: Sequence) -> Option<Trial> {
+        let fastest = self.fastest(&sequence).filter(|_| sequence.left > 0);
+        let next = fastest.and_then(|i| self.strike_alone(i, sequence.clone()).ok().flatten());
+        next.or_else(|| self.end_of_sequence(&sequence).ok().flatten())
     }
 
     /// The contact that approaches fastest, if that is an approach; the first one of several that are equally fast.
-    fn fastest(&self, members: &[usize], least: f64) -> Option<usize> {
+    fn fastest(&self, sequence: &Sequence) -> Option<usize> {
         let rate = |i: &usize| self.state.pairs[*i].rate;
-        let approaches = |i: &&usize| -rate(i) > self.stick_velocity(**i).max(least);
-        members.iter().filter(approaches).min_by(|a, b| rate(a).total_cmp(&rate(b))).copied()
+        let approaches = |i: &&usize| -rate(i) > self.stick_velocity(**i).max(sequence.least);
+        let members = sequence.members.iter().filter(approaches);
+        members.min_by(|a, b| rate(a).total_cmp(&rate(b))).copied()
     }
 
-    /// The end of a sequence: what still approaches comes to rest against what it touches; returns the time that takes.
-    fn plastic_remainder(&mut self, members: &[usize], interval: f64) -> Result<f64, Failure> {
+    /// The impact of one contact alone; none if it is held on both sides.
+    fn strike_alone(&mut self, i: usize, sequence: Sequence) -> Result<Option<Trial>, Failure> {
+        let kind = PartKind::InSequence(Sequence { left: sequence.left - 1, ..sequence });
+        let trial = self.solve_impact(sequence.interval, vec![self.striking(i, false)], kind)?;
+        Ok((self.work.rigid[0].impulse[0] > 0.0).then_some(trial))
+    }
+
+    /// The end of a sequence: what still approaches comes to rest against what it touches; none if nothing does.
+    fn end_of_sequence(&mut self, sequence: &Sequence) -> Result<Option<Trial>, Failure> {
         let slow = self.no_approach();
         let approaches = |i: &&usize| -self.state.pairs[**i].rate > slow;
-        let left: Vec<usize> = members.iter().filter(approaches).copied().collect();
+        let left: Vec<usize> = sequence.members.iter().filter(approaches).copied().collect();
         if left.is_empty() {
-            return Ok(0.0);
+            return Ok(None);
         }
         let mut active = self.resting();
         active.retain(|contact| !left.contains(&contact.pair));
         active.extend(left.iter().map(|i| self.striking(*i, true)));
-        let fallback_law = self.solve_impact(interval, &active)?;
-        self.accept_impact(interval, &active, fallback_law);
-        Ok(interval)
+        self.solve_impact(sequence.interval, active, PartKind::EndOfSequence).map(Some)
     }
 
     /// Counts the impact solved last if bodies that touch shared it: if impulses elsewhere changed the velocity of a contact that
     /// bounces.
-    pub(super) fn note_shared_blow(&mut self, active: &[ActiveContact]) {
+    pub(super) fn note_shared_blow(&mut self, trial: &Trial) {
+        if !matches!(trial.kind, PartKind::Impact | PartKind::TimeStepping { .. }) {
+            return;
+        }
+        let active = &trial.active;
         let (problem, m) = (&self.work.impact, 2 * active.len());
         let impulse = |a: usize| self.work.rigid[a].impulse[0];
         let contact = |a: usize| self.model.pairs[active[a].pair].contact;

@@ -1,8 +1,7 @@
 //! The columns of the history and their values at a state.
 
-use super::contact_log;
-use super::section_forces::{self, Lines};
-use crate::analysis::record::Channel;
+use super::record::Channel;
+use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Memory;
@@ -173,7 +172,7 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
         if let Some(touch) = pair.touch(model, &at, &memory, reach)
             && touch.gap < best.gap
         {
-            let s = if slides { contact_log::along(pair, &touch) } else { f64::NAN };
+            let s = if slides { pair.along(&touch) } else { f64::NAN };
             best = NearestPair { gap: touch.gap, s };
         }
     }

@@ -1,7 +1,8 @@
 //! Frames of a run: its configuration at an instant, with the forces that belong to it, for drawings.
 
+use super::record::Recorder;
 use super::simulation::Simulation;
-use crate::analysis::record::{Frame, FrameForce, Recorder};
+use crate::frame::{Frame, FrameForce};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{ContactLog, StepViews, opened};
-use crate::analysis::monitor::Part;
+use crate::run::monitor::PartEnd;
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
 
@@ -34,8 +34,8 @@ struct Deed {
 }
 
 impl ContactLog {
-    pub(super) fn rigid_contacts(&mut self, seen: StepViews<'_>, part: &Part) {
-        for k in 0..part.active.len() {
+    pub(super) fn rigid_contacts(&mut self, seen: StepViews<'_>, part: &PartEnd) {
+        for k in 0..part.trial.active.len() {
             let deed = deed(seen, part, k);
             let ContactRecord::Nonsmooth { impulse_total, .. } = &mut self.records[deed.contact]
             else {
@@ -43,11 +43,11 @@ impl ContactLog {
             };
             *impulse_total += deed.impulse[0];
             let rests = !matches!(deed.phase, Phase::Impact { .. })
-                || part.persistent.get(k).is_some_and(|rests| *rests);
+                || part.trial.persistent().get(k).is_some_and(|rests| *rests);
             if rests {
                 self.rest(seen, &deed);
             } else if deed.impulse[0] > 0.0 {
-                self.strike(seen, part.fallback_law, &deed);
+                self.strike(seen, part.trial.fallback_law, &deed);
             }
         }
         self.end_rests(seen);
@@ -164,8 +164,8 @@ impl Impact {
     }
 }
 
-fn deed(seen: StepViews<'_>, part: &Part, k: usize) -> Deed {
-    let (contact, found, h) = (&part.active[k], &seen.work.rigid[k], seen.span.h);
+fn deed(seen: StepViews<'_>, part: &PartEnd, k: usize) -> Deed {
+    let (contact, found, h) = (&part.trial.active[k], &seen.work.rigid[k], seen.span.h);
     let pair = &seen.model.pairs[contact.pair];
     // The row on velocities: before from the mean and what comes after.
     let after = found.normal.on(&seen.state.velocity);

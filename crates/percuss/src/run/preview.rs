@@ -1,7 +1,7 @@
 //! The beginning of a run, up to where a contact has opened again.
 
+use super::record::{Flow, Recorder};
 use super::simulation::Simulation;
-use crate::analysis::record::{Flow, Recorder};
 use crate::model::Model;
 use crate::settings::Settings;
 use crate::summary::ContactRecord;

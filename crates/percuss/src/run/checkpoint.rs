@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::given::{Given, RowReactions};
+use super::given::Given;
 use super::monitor::Monitor;
+use super::rows::Rows;
 use super::simulation::Simulation;
 use crate::contact::search::Search;
 use crate::ledger::Measures;
@@ -27,13 +28,8 @@ pub struct Checkpoint {
     step_cuts: usize,
     accumulated_steps: usize,
     measures: Measures,
-    rows: usize,
-    row_impulse: Vec<[f64; 2]>,
-    row_reactions: RowReactions,
+    rows: Rows,
     given: Vec<Given>,
-    row_iterations: usize,
-    row_time: f64,
-    located: Option<usize>,
     search: Search,
     struck_masses: Vec<Option<EffectiveMass>>,
     shared_blows: SharedBlows,
@@ -66,7 +62,7 @@ impl Checkpoint {
 
     /// Rows recorded so far.
     pub fn rows(&self) -> usize {
-        self.rows
+        self.rows.count
     }
 
     /// Whether all that belongs to nodes, elements, pairs, supports, ... is there, once for each.
@@ -74,20 +70,18 @@ impl Checkpoint {
         let same = self.state.fits(&fresh.state, fresh.model)
             && self.monitor.fits(&fresh.monitor, fresh.model)
             && self.search.fits(fresh.model)
-            && self.row_reactions.fits(fresh.model.supports.len());
-        let located = self.located.is_none_or(|pair| pair < fresh.model.pairs.len());
+            && self.rows.fits(fresh.model);
         let nodes = fresh.model.node_count();
         let effort = [self.effort.iterations, self.effort.factorizations, self.solver_steps];
-        let counts = [self.step_cuts, self.accumulated_steps, self.rows];
+        let counts = [self.step_cuts, self.accumulated_steps, self.rows.count];
         let counted = effort.iter().chain(&counts).all(|n| *n < MOST_COUNTED)
-            && self.row_iterations <= self.effort.iterations;
+            && self.rows.iterations <= self.effort.iterations;
         let tied = self.ties.iter().all(|(a, b)| *a < nodes && *b < nodes);
         let lengths = [
-            (self.row_impulse.len(), fresh.row_impulse.len()),
             (self.given.len(), fresh.given.len()),
             (self.struck_masses.len(), fresh.struck_masses.len()),
         ];
-        same && located && tied && counted && lengths.iter().all(|(a, b)| a == b)
+        same && tied && counted && lengths.iter().all(|(a, b)| a == b)
     }
 }
 
@@ -104,12 +98,7 @@ impl<'m> Simulation<'m> {
             accumulated_steps,
             measures,
             rows,
-            row_impulse,
-            row_reactions,
             given,
-            row_iterations,
-            row_time,
-            located,
             search,
             work,
             struck_masses,
@@ -123,14 +112,8 @@ impl<'m> Simulation<'m> {
             size: _,
             // ... and these are set anew in every part of a step.
             forcing: _,
-            jumping: _,
-            row: _,
+            encounters: _,
             frames: _,
-            near: _,
-            reached: _,
-            looked: _,
-            persistent: _,
-            fallback_law: _,
         } = self;
         Checkpoint {
             state: state.clone(),
@@ -140,13 +123,8 @@ impl<'m> Simulation<'m> {
             step_cuts: *step_cuts,
             accumulated_steps: *accumulated_steps,
             measures: *measures,
-            rows: *rows,
-            row_impulse: row_impulse.clone(),
-            row_reactions: row_reactions.clone(),
+            rows: rows.clone(),
             given: given.clone(),
-            row_iterations: *row_iterations,
-            row_time: *row_time,
-            located: *located,
             search: search.clone(),
             struck_masses: struck_masses.clone(),
             shared_blows: *shared_blows,
@@ -176,12 +154,7 @@ impl<'m> Simulation<'m> {
         run.accumulated_steps = checkpoint.accumulated_steps;
         run.measures = checkpoint.measures;
         run.rows = checkpoint.rows;
-        run.row_impulse = checkpoint.row_impulse;
-        run.row_reactions = checkpoint.row_reactions;
         run.given = checkpoint.given;
-        run.row_iterations = checkpoint.row_iterations;
-        run.row_time = checkpoint.row_time;
-        run.located = checkpoint.located;
         run.search = checkpoint.search;
         run.struck_masses = checkpoint.struck_masses;
         run.shared_blows = checkpoint.shared_blows;

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::jumps;
 use super::simulation::Simulation;
-use super::static_search::StaticSearch;
-use super::statics::{equilibrium, mechanisms};
+use crate::analysis::static_search::{stored_strains, unbalanced_forces};
+use crate::analysis::{equilibrium, mechanisms};
 use crate::error::Error;
 use crate::geometry::row::Row;
 use crate::math::vec2::{dot, rot90, scale};
@@ -140,15 +140,7 @@ impl Simulation<'_> {
         let Ok(mut mass) = effective_mass::mass_matrix(&structure, &state.displacement) else {
             return;
         };
-        let mut search = StaticSearch::at(&structure, &state);
-        search.forcing.clone_from(forcing);
-        search.forcing.rest_motions();
-        search.work.multiplier.fill(0.0);
-        search.assemble::<false>();
-        let mut force = search.work.residual;
-        for f in &mut force {
-            *f = f.map(|c| -c);
-        }
+        let mut force = unbalanced_forces(&structure, &state, forcing);
         // Prescribed accelerations are taken to the other side.
         let mut prescribed = vec![[0.0; 4]; beams];
         for dofs in structure.prescribed.iter() {
@@ -249,16 +241,14 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
             }
         }
         if !state.strain.is_empty() {
-            stored_strains(model, &mut state);
+            keep_strains(model, &mut state);
         }
     }
     Ok(Initial { state, reactions, pressed })
 }
 
 /// Stores the strains of the configuration, for the scheme that keeps them.
-fn stored_strains(model: &Model, state: &mut State) {
+fn keep_strains(model: &Model, state: &mut State) {
     let structure = model.structure();
-    let mut search = StaticSearch::at(&structure, &state.of_structure(&structure));
-    search.foresee(true);
-    state.strain = search.base.strain;
+    state.strain = stored_strains(&structure, &state.of_structure(&structure));
 }

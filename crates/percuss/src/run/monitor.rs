@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::contact_log::ContactLog;
 use super::crest::Crest;
-use super::section_forces::{self, Acting, Lines};
 use super::stop_log;
+use super::trial::Trial;
+use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::geometry::row::Row;
 use crate::ledger::{Ledger, Measures};
 use crate::math::interpolant::Interpolant;
@@ -21,48 +22,41 @@ use crate::step::integration::Integration;
 use crate::step::workspace::Workspace;
 use crate::summary::{Range, SectionForceSummary, SupportSummary};
 
-/// An accepted part of a step.
+/// A trial that was accepted.
 #[derive(Clone, Copy, Debug)]
-pub struct Part<'a> {
-    /// Size \[s\].
-    pub h: f64,
+pub(super) struct PartEnd<'a> {
+    /// The trial.
+    pub trial: &'a Trial,
     /// Whether it is as short as an impact, so that quotients over it are impulsive.
     pub impulsive: bool,
-    /// Rigid contacts that took part.
-    pub active: &'a [ActiveContact],
-    /// Of those that strike in time-stepping, which of them rest; empty otherwise.
-    pub persistent: &'a [bool],
-    /// Whether Moreau's impact law stood in for Newton's.
-    pub fallback_law: bool,
     /// Pairs that were looked at at its end.
     pub awake: &'a [usize],
 }
 
-/// A solved step that is about to be accepted.
+/// A trial that is about to be accepted.
 #[derive(Clone, Copy, Debug)]
-pub struct Solved<'a> {
+pub(super) struct Solved<'a> {
+    /// The trial.
+    pub trial: &'a Trial,
     /// Scheme and size.
     pub rule: Integration,
     /// Loads over it.
     pub forcing: &'a Forcing,
-    /// As in [`Part`].
+    /// As in [`PartEnd`].
     pub impulsive: bool,
-    /// As in [`Part`].
-    pub active: &'a [ActiveContact],
-    /// As in [`Part`].
-    pub persistent: &'a [bool],
 }
 
 impl Solved<'_> {
     /// Whether something strikes in it: whether a contact that was not at rest gives an impulse.
     fn strikes(&self, state: &State, work: &Workspace) -> bool {
+        let persistent = self.trial.persistent();
         let rests = |i: usize, contact: &ActiveContact| match contact.phase {
             Phase::Resting { .. } => state.pairs[contact.pair].closed,
-            Phase::Impact { .. } => self.persistent.get(i).is_some_and(|rests| *rests),
+            Phase::Impact { .. } => persistent.get(i).is_some_and(|rests| *rests),
             Phase::PlasticPostStep { .. } => false,
         };
         let given = |found: &RigidContact| found.impulse != [0.0; 2];
-        let mut found = self.active.iter().zip(&work.rigid).enumerate();
+        let mut found = self.trial.active.iter().zip(&work.rigid).enumerate();
         found.any(|(i, (contact, found))| given(found) && !rests(i, contact))
     }
 }
@@ -154,7 +148,13 @@ impl Monitor {
     }
 
     /// Notes the start of a step that stands solved in `work`.
-    pub fn begin_step(&mut self, model: &Model, state: &State, work: &Workspace, step: &Solved) {
+    pub(super) fn begin_step(
+        &mut self,
+        model: &Model,
+        state: &State,
+        work: &Workspace,
+        step: &Solved,
+    ) {
         self.note_start(model, state);
         self.contacts.begin_step(state, work);
         self.jumps = step.impulsive || step.strikes(state, work);
@@ -185,8 +185,14 @@ impl Monitor {
     }
 
     /// Takes in the end of a step.
-    pub fn end_step(&mut self, model: &Model, state: &State, work: &Workspace, part: &Part) {
-        let h = part.h;
+    pub(super) fn end_step(
+        &mut self,
+        model: &Model,
+        state: &State,
+        work: &Workspace,
+        part: &PartEnd,
+    ) {
+        let h = part.trial.h;
         if !part.impulsive {
             self.reactions(state, h);
         }

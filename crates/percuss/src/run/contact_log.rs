@@ -9,7 +9,7 @@ mod smooth;
 
 use serde::{Deserialize, Serialize};
 
-use super::monitor::Part;
+use super::monitor::PartEnd;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Pair;
 use crate::geometry::row::Row;
@@ -145,12 +145,18 @@ impl ContactLog {
     }
 
     /// Takes in the end of the step.
-    pub fn end_step(&mut self, model: &Model, state: &State, work: &Workspace, part: &Part) {
-        let span = StepTime { start: self.start, h: part.h, impulsive: part.impulsive };
+    pub(super) fn end_step(
+        &mut self,
+        model: &Model,
+        state: &State,
+        work: &Workspace,
+        part: &PartEnd,
+    ) {
+        let span = StepTime { start: self.start, h: part.trial.h, impulsive: part.impulsive };
         let seen = StepViews { model, state, work, span };
         self.part += 1;
         self.smooth_contacts(seen);
-        if !part.active.is_empty() {
+        if !part.trial.active.is_empty() {
             self.residual = self.residual.max(work.impact_residual);
         }
         self.rigid_contacts(seen, part);
@@ -177,7 +183,7 @@ impl StepViews<'_> {
             return ContactPlace::default();
         };
         let position = [0, 1].map(|i| touch.closest_place[i] + touch.radius * touch.normal[i]);
-        ContactPlace { s: along(pair, &touch), position }
+        ContactPlace { s: pair.along(&touch), position }
     }
 
     /// Adds the work of a force along a row on either partner of a pair.
@@ -214,10 +220,4 @@ fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInt
 pub fn touch(model: &Model, state: &State, i: usize, reach: Reach) -> Option<Touch> {
     let at = Configuration::of(&state.displacement);
     model.pairs[i].touch(model, &at, &state.pairs[i].memory, reach)
-}
-
-/// Arc length of a contact along its beam; of two beams, along the first one.
-pub fn along(pair: &Pair, touch: &Touch) -> f64 {
-    let on_source = pair.source_partner == 0 && !pair.s.is_nan();
-    if on_source || touch.s.is_nan() { pair.s } else { touch.s }
 }

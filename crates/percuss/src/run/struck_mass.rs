@@ -2,16 +2,17 @@
 
 use super::contact_log;
 use super::simulation::Simulation;
+use super::trial::Trial;
 use crate::geometry::touch::Reach;
-use crate::step::contacts::{ActiveContact, Phase};
+use crate::step::contacts::Phase;
 use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 
 impl Simulation<'_> {
     /// Looks at the contacts that struck for the first time in the step accepted last; guided projectiles are known without a run.
-    pub(super) fn weigh_struck(&mut self, active: &[ActiveContact]) {
+    pub(super) fn weigh_struck(&mut self, trial: &Trial) {
         let mut mass = None;
         let (model, beams) = (self.model, self.model.beams.len());
-        for (k, contact) in active.iter().enumerate() {
+        for (k, contact) in trial.active.iter().enumerate() {
             let pair = &model.pairs[contact.pair];
             let impulse = self.work.rigid[k].impulse[0];
             let strikes = matches!(contact.phase, Phase::Impact { .. }) && impulse > 0.0;

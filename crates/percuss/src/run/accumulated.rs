@@ -8,6 +8,9 @@
 //! the impulse along the normal may give back some of what it took over the step, but not more; else it is left as it was.
 
 use super::simulation::Simulation;
+use super::solve::Attempt;
+use super::step::Part;
+use super::trial::{PartKind, Trial};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::newton::Failure;
 
@@ -15,65 +18,53 @@ use crate::step::newton::Failure;
 const INSIDE: f64 = 1e-12;
 
 impl Simulation<'_> {
-    /// The rest of a step, of the given size, in which impacts have accumulated; returns how far it went.
-    pub(super) fn accumulated_part(&mut self, size: f64) -> Result<f64, Failure> {
-        let held = self.hold(size)?;
-        for contact in &held {
-            let pair = &mut self.state.pairs[contact.pair];
-            pair.approach_max = pair.approach_max.max(-pair.rate);
-        }
-        self.accept(size, &held);
-        self.release(&held);
-        Ok(size + self.plastic_post_step(size, &held))
-    }
-
-    /// Solves a step of the given size in which no rigid contact ends inside; returns those that were held for it.
-    fn hold(&mut self, size: f64) -> Result<Vec<ActiveContact>, Failure> {
-        let mut held = self.resting();
+    /// A part, of its whole size, in which no rigid contact ends inside another: those that would are held.
+    pub(super) fn hold(&mut self, part: &Part) -> Result<Trial, Failure> {
+        let h = part.size;
+        let mut active = self.resting();
         let closes = |i: &usize| {
             let pair = &self.state.pairs[*i];
-            !pair.closed && pair.gap + size * pair.rate < 0.0
+            !pair.closed && pair.gap + h * pair.rate < 0.0
         };
-        held.extend(self.rigid().into_iter().filter(closes).map(ActiveContact::resting));
+        active.extend(self.rigid().into_iter().filter(closes).map(ActiveContact::resting));
         loop {
-            self.solve_resting(size, &mut held)?;
+            self.solve_resting(&Attempt::free(h), &mut active)?;
             let mut others = self.open_contacts();
-            others.retain(|i| held.iter().all(|contact| contact.pair != *i));
+            others.retain(|i| active.iter().all(|contact| contact.pair != *i));
             let depth = INSIDE * self.size;
-            let inside = |i: &&usize| self.gap_next(size, **i)[0] < -depth;
+            let inside = |i: &&usize| self.gap_next(h, **i)[0] < -depth;
             let inside: Vec<usize> = others.iter().filter(inside).copied().collect();
             if inside.is_empty() {
-                let passed = self.first_passage(&others).is_some();
-                return if passed { Err(Failure::Passed) } else { Ok(held) };
+                return match self.first_passage(&others) {
+                    Some(_) => Err(Failure::Passed),
+                    None => Ok(Trial { h, active, fallback_law: false, kind: PartKind::Held }),
+                };
             }
-            held.extend(inside.into_iter().map(ActiveContact::resting));
+            active.extend(inside.into_iter().map(ActiveContact::resting));
         }
     }
 
-    /// The impact interval after a step in which `held` contacts were held; returns its length, nothing if they are at rest already.
-    fn plastic_post_step(&mut self, size: f64, held: &[ActiveContact]) -> f64 {
+    /// The impact interval after a part in which contacts were held; none if they are at rest already, or if no impulses bring them
+    /// to rest: then they stay as they are.
+    pub(super) fn plastic_post_step(&mut self, held: &Trial) -> Option<Trial> {
         let settles = |contact: &ActiveContact, impulse: [f64; 2]| {
             let phase = Phase::PlasticPostStep { carried: impulse };
             (impulse[0] > 0.0).then_some(ActiveContact { phase, ..*contact })
         };
-        let found = held.iter().zip(&self.work.rigid);
-        let settling: Vec<_> = found.filter_map(|(c, found)| settles(c, found.impulse)).collect();
+        let found = held.active.iter().zip(&self.work.rigid);
+        let active: Vec<_> = found.filter_map(|(c, found)| settles(c, found.impulse)).collect();
         let rests =
             |c: &ActiveContact| self.state.pairs[c.pair].rate.abs() <= self.stick_velocity(c.pair);
-        let interval = self.impact_interval();
-        if settling.iter().all(rests) {
-            return 0.0;
+        if active.iter().all(rests) {
+            return None;
         }
-        let before = self.work_of_impulses(size);
+        let (h, before) = (self.impact_interval(), self.work_of_impulses(held.h));
         let settled = [ImpulseLaw::Newton, ImpulseLaw::Mean].into_iter().any(|law| {
-            self.solve(interval, &settling, law).is_ok() && !self.impulses_give(interval, before)
+            let solved = self.solve(&Attempt::impact(h, law), &active);
+            solved.is_ok() && !self.impulses_give(h, before)
         });
-        if !settled {
-            return 0.0; // they stay as they are
-        }
-        self.accept(interval, &settling);
-        self.release(&settling);
-        interval
+        let trial = Trial { h, active, fallback_law: false, kind: PartKind::PlasticPostStep };
+        settled.then_some(trial)
     }
 }
 
@@ -112,8 +103,11 @@ mod tests {
             let mut simulation = Simulation::new(&model, &Settings::new(1.0, h)).unwrap();
             let energy = |s: &Simulation<'_>| s.measures().total();
             let before = energy(&simulation);
-            let done = simulation.accumulated_part(h).unwrap();
-            assert!((done / h - 1.0).abs() < 1e-5);
+            let held = simulation.hold(&Part { size: h, share: 1.0 }).unwrap();
+            simulation.accept(&held);
+            let post_step = simulation.plastic_post_step(&held).unwrap();
+            simulation.accept(&post_step);
+            assert!((simulation.state().time / h - 1.0).abs() < 1e-5);
             let pair = &simulation.state().pairs[0];
             // The impact interval takes a millionth of the step, in which it leaves by up to a nanometre.
             assert!(pair.gap.abs() < 1e-9 && pair.rate.abs() < 1e-14 && pair.closed, "{pair:?}");

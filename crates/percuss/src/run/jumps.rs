@@ -4,8 +4,11 @@
 //! there as at the release of a support, and the jump is made in an impact interval, a very short step of its own, whose impulses are kept
 //! apart from forces as those of impacts are.
 
-use super::impacts::IMPACT_INTERVAL;
+use super::contact_status::IMPACT_INTERVAL;
 use super::simulation::Simulation;
+use super::solve::Attempt;
+use super::step::Part;
+use super::trial::{PartKind, Trial};
 use crate::model::{Model, PreparedFunction};
 use crate::settings::SAME_INSTANT;
 use crate::step::forcing::WIDTH;
@@ -34,14 +37,14 @@ pub(super) fn rate_after(function: &PreparedFunction, time: f64, step: f64) -> f
 
 impl Simulation<'_> {
     /// Time to the next cut that does not lie at the end of this part of the step \[s\].
-    pub(super) fn until_cut(&self) -> f64 {
+    pub(super) fn time_to_cut(&self) -> f64 {
         let slack = SAME_INSTANT * self.settings.step;
         let next = self.cuts.partition_point(|t| t - self.state.time <= slack);
         self.cuts.get(next).map_or(f64::INFINITY, |t| t - self.state.time)
     }
 
     /// Whether the rate of a motion jumps at this instant.
-    pub(super) fn jumps(&self) -> bool {
+    pub(super) fn velocities_jump(&self) -> bool {
         if self.work.lead.is_empty() {
             return false;
         }
@@ -64,16 +67,10 @@ impl Simulation<'_> {
     }
 
     /// The impact interval in which prescribed velocities jump; what rests on the structure stays closed.
-    pub(super) fn jump(&mut self, share: f64) -> Result<f64, Failure> {
-        let h = self.impact_interval() * share;
-        let mut resting = self.resting();
-        self.jumping = true;
-        let solved = self.solve_resting(h, &mut resting);
-        if solved.is_ok() {
-            self.accept(h, &resting);
-            self.release(&resting);
-        }
-        self.jumping = false;
-        solved.map(|()| h)
+    pub(super) fn jump(&mut self, part: &Part) -> Result<Trial, Failure> {
+        let h = self.impact_interval() * part.share;
+        let mut active = self.resting();
+        self.solve_resting(&Attempt { jumps: true, ..Attempt::free(h) }, &mut active)?;
+        Ok(Trial { h, active, fallback_law: false, kind: PartKind::Jump })
     }
 }

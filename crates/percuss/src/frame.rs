@@ -1,0 +1,32 @@
+//! What is drawn of an instant: configuration and forces.
+
+/// A force, or in an impact an impulse, of one contact at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameForce {
+    /// Number of the contact in the model.
+    pub contact: usize,
+    /// Where the two touch \[m\].
+    pub position: [f64; 2],
+    /// On the second of its two partners, the mean over the last step \[N\], or \[N s\] in an impact.
+    pub force: [f64; 2],
+    /// Whether it is an impulse.
+    pub impulsive: bool,
+}
+
+/// The configuration at an instant, and the forces that belong to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// Time \[s\].
+    pub time: f64,
+    /// Displacements (u1, u2, u1', u2') of beams' nodes, (u1, u2, angle, 0) of bodies; shape (n_node) \[m, 1, rad\].
+    pub displacement: &'a [[f64; 4]],
+    /// Velocities of the same; shape (n_node) \[m/s, 1/s, rad/s\].
+    pub velocity: &'a [[f64; 4]],
+    /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an
+    /// impact; shape (n_elem) \[N, N, N m\].
+    pub section_forces: &'a [[[f64; 3]; 2]],
+    /// Forces of everything that touches.
+    pub contact_forces: &'a [FrameForce],
+    /// Factors of the loads, means over the last step; shape (n_load).
+    pub load_factors: &'a [f64],
+}

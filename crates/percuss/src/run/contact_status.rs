@@ -1,0 +1,122 @@
+//! Which rigid contacts touch, rest or could close, and what a part of a step is therefore solved as.
+
+use super::simulation::Simulation;
+use super::step::Budget;
+use crate::model::{RigidLaw, TouchLaw};
+use crate::settings::{ImpactResolution, MultipleImpacts};
+use crate::step::contacts::ActiveContact;
+
+/// Length of an impact interval as a share of the step.
+pub(super) const IMPACT_INTERVAL: f64 = 1e-6;
+/// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
+pub(super) const STICK: f64 = 1e-6;
+/// Nor does approach slower than this share of the velocity scale, which is round-off.
+const NO_APPROACH: f64 = 1e-12;
+/// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
+const CREEP: f64 = 1e-5;
+
+/// What a part of a step is solved as.
+#[derive(Clone, Debug)]
+pub(super) enum Resolution {
+    /// Prescribed velocities jump.
+    Jump,
+    /// Nothing touches: up to the first contact, or its whole size.
+    Free,
+    /// These pairs touch; all strike at once.
+    Impact(Vec<usize>),
+    /// These pairs touch; they strike one after another.
+    Sequence(Vec<usize>),
+    /// Too many impacts have happened in the step for them to be followed one by one.
+    Accumulated,
+    /// As in the paper, gaps are looked at once; those below `closed` are closed \[m\].
+    TimeStepping { closed: f64 },
+}
+
+impl Simulation<'_> {
+    /// What the next part of a step is solved as, where the state stands.
+    pub(super) fn resolution(&self, budget: &Budget) -> Resolution {
+        if self.velocities_jump() {
+            return Resolution::Jump;
+        }
+        if let ImpactResolution::TimeStepping { closed_tolerance: closed } = self.settings.impacts {
+            return Resolution::TimeStepping { closed };
+        }
+        if budget.events_left == 0 {
+            return Resolution::Accumulated;
+        }
+        let touching = self.touching();
+        match self.settings.multiple_impacts {
+            _ if touching.is_empty() => Resolution::Free,
+            MultipleImpacts::Sequential => Resolution::Sequence(touching),
+            _ => Resolution::Impact(touching),
+        }
+    }
+
+    /// Law of pair `i`, if it is a rigid one.
+    pub(super) fn rigid_law(&self, i: usize) -> Option<RigidLaw> {
+        match &self.model.contacts[self.model.pairs[i].contact].law {
+            TouchLaw::Rigid(law) => Some(*law),
+            TouchLaw::Smooth(_) => None,
+        }
+    }
+
+    /// Length of an impact interval \[s\].
+    pub(super) fn impact_interval(&self) -> f64 {
+        IMPACT_INTERVAL * self.settings.step
+    }
+
+    /// Rigid pairs near enough to matter where the state stands.
+    pub(super) fn rigid(&self) -> Vec<usize> {
+        let awake = self.search.awake().iter().copied();
+        awake.filter(|i| self.rigid_law(*i).is_some()).collect()
+    }
+
+    /// Rigid pairs that touch, at rest but for what is no approach, count as closed.
+    pub(super) fn close_at_rest(&mut self) {
+        let (slow, reach) = (self.no_approach(), self.no_gap());
+        for i in self.rigid() {
+            let pair = &mut self.state.pairs[i];
+            if pair.gap <= reach && pair.rate.abs() <= slow {
+                pair.closed = true;
+            }
+        }
+    }
+
+    /// Open contacts that would close within the next three quarters of an impact interval, and the one just located.
+    fn touching(&self) -> Vec<usize> {
+        let interval = self.impact_interval();
+        let near = |i: &usize| {
+            let pair = &self.state.pairs[*i];
+            let close = self.state.located == Some(*i) || pair.gap < -0.75 * interval * pair.rate;
+            !pair.closed && pair.rate < 0.0 && close
+        };
+        self.rigid().into_iter().filter(near).collect()
+    }
+
+    /// Approach velocities of pair `i` up to this one do not bounce \[m/s\].
+    pub(super) fn stick_velocity(&self, i: usize) -> f64 {
+        (STICK * self.state.pairs[i].approach_max).max(self.no_approach())
+    }
+
+    /// Velocities up to this one are none between things that touch \[m/s\].
+    pub(super) fn no_approach(&self) -> f64 {
+        let creep = CREEP * self.model.gravity() * self.settings.step;
+        creep.max(NO_APPROACH * self.velocity_scale())
+    }
+
+    /// Gaps up to this one are none between things that do not approach \[m\].
+    pub(super) fn no_gap(&self) -> f64 {
+        (1e-12 * self.size).max(self.no_approach() * self.settings.step)
+    }
+
+    /// Velocity that goes with the largest energy of the run so far \[m/s\].
+    fn velocity_scale(&self) -> f64 {
+        (2.0 * self.state.ledger.energy_scale / self.model.total_mass).sqrt()
+    }
+
+    /// Contacts that stay closed.
+    pub(super) fn resting(&self) -> Vec<ActiveContact> {
+        let closed = self.rigid().into_iter().filter(|i| self.state.pairs[*i].closed);
+        closed.map(ActiveContact::resting).collect()
+    }
+}

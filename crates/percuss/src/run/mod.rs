@@ -1,0 +1,40 @@
+//! A transient run.
+//!
+//! [`step`] is one step: its parts are solved ([`solve`], [`passage`]) as their contacts ask for ([`contact_status`]), up to the
+//! first contact ([`locate`]), at impact ([`strike`], [`sequence`]), accumulated ([`accumulated`]) or at a jump of prescribed
+//! velocities ([`jumps`]), and accepted ([`trial`]). [`monitor`] gathers what the summary tells.
+
+mod accumulated;
+mod channels;
+mod checkpoint;
+mod contact_log;
+mod contact_status;
+pub(crate) mod crest;
+mod first_touch;
+mod frame;
+mod given;
+mod giving_up;
+mod jumps;
+mod locate;
+mod monitor;
+mod passage;
+mod preview;
+pub(crate) mod record;
+mod rows;
+mod sequence;
+mod simulation;
+mod solve;
+mod start;
+mod step;
+mod stop_log;
+mod strike;
+mod struck_mass;
+mod summarize;
+mod trial;
+
+pub use checkpoint::{Checkpoint, ResumeError};
+pub use first_touch::FirstTouches;
+pub use preview::{Preview, preview};
+pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder};
+pub use simulation::{Simulation, simulate};
+pub use start::{massless, reference_state};

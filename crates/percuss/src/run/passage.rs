@@ -1,0 +1,77 @@
+//! Whether a pair has passed through each other within a part of a step, unseen at its ends.
+
+use super::simulation::Simulation;
+use crate::geometry::pair::Memory;
+use crate::geometry::touch::Reach;
+use crate::step::newton::Failure;
+
+/// Looks along a path; what has not been seen inside by then is taken to slide along the face.
+const LOOKS: usize = 200;
+/// What is inside for less of its way than this share of the distance at which centre and axis touch has only grazed the face,
+/// no deeper than about a thousandth of that distance.
+const GRAZE: f64 = 0.1;
+
+impl Simulation<'_> {
+    /// Fails if a smooth pair has passed through unseen.
+    pub(super) fn smooth_passage(&mut self) -> Result<(), Failure> {
+        let reached = self.encounters.reached.iter().copied();
+        let smooth: Vec<usize> = reached.filter(|i| self.is_smooth(*i)).collect();
+        if self.first_passage(&smooth).is_some() { Err(Failure::Passed) } else { Ok(()) }
+    }
+
+    /// The share of the step solved last at which the first of the given open pairs is inside another, though at its end it is
+    /// outside again, or inside from the other side: one has passed through the other. The side it came from is remembered
+    /// if it was not known.
+    pub(super) fn first_passage(&mut self, pairs: &[usize]) -> Option<f64> {
+        let mut first: Option<f64> = None;
+        for &i in pairs {
+            if let Some((share, memory)) = self.passage(i) {
+                let seen = &mut self.state.pairs[i].memory;
+                if seen.side == 0.0 {
+                    seen.side = memory.side;
+                }
+                first = Some(first.map_or(share, |f| f.min(share)));
+            }
+        }
+        first
+    }
+
+    /// Follows pair `i` along the straight path of the step, never further than it is apart.
+    fn passage(&self, i: usize) -> Option<(f64, Memory)> {
+        let pair = &self.model.pairs[i];
+        let seen = &self.state.pairs[i];
+        if !pair.target.has_sides() || seen.gap <= 0.0 || seen.gap.is_nan() {
+            return None;
+        }
+        let at = self.end_of_step();
+        let way = self.search.way(&pair.movers);
+        let mut memory = seen.memory;
+        let chord = GRAZE * pair.thickness(self.model, &memory);
+        if seen.gap + chord > way {
+            return None;
+        }
+        let last = pair.at_end(self.model, &at, &memory, seen.gap)?;
+        // Inside where it is looked for, or outside at both ends and not fast enough to have been inside.
+        let inside = last.gap <= 0.0;
+        let entered = inside && last.memory.side == memory.side;
+        if entered || seen.gap + chord + last.apart.max(0.0) > way {
+            return None;
+        }
+        let floor = chord.max(1e-6 * way).max(1e-9 * seen.gap);
+        let (mut share, mut apart) = (0.0, seen.gap);
+        for _ in 0..LOOKS {
+            share += apart.max(floor) / way;
+            if share >= 1.0 {
+                return None;
+            }
+            let touch = pair.touch(self.model, &at.at(share), &memory, Reach::All)?;
+            if touch.gap < 0.0 {
+                let side = touch.memory.side;
+                let meant = inside && (side == last.memory.side || side == 0.0);
+                return (!meant).then_some((share, memory));
+            }
+            (apart, memory) = (touch.apart, touch.memory);
+        }
+        None
+    }
+}

@@ -1,0 +1,208 @@
+//! Solving a part of a step: with the pairs that could touch, and again where it brought others near.
+
+use super::simulation::Simulation;
+use crate::geometry::configuration::Configuration;
+use crate::geometry::pair::{Memory, Target};
+use crate::geometry::touch::Reach;
+use crate::model::TouchLaw;
+use crate::settings::Scheme;
+use crate::step::contacts::{ActiveContact, IMPULSIVE, ImpulseLaw, Phase};
+use crate::step::integration::Integration;
+use crate::step::newton::{Failure, StepProblem};
+use crate::step::workspace::Workspace;
+
+/// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
+const AHEAD: f64 = 2.0;
+
+/// What a part of a step is solved as.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attempt {
+    /// Its size \[s\].
+    pub h: f64,
+    /// What the impulses of rigid contacts obey.
+    pub law: ImpulseLaw,
+    /// Whether prescribed velocities jump in it.
+    pub jumps: bool,
+}
+
+impl Attempt {
+    /// Nothing strikes in it.
+    pub fn free(h: f64) -> Self {
+        Self { h, law: ImpulseLaw::Newton, jumps: false }
+    }
+
+    /// Contacts strike in it.
+    pub fn impact(h: f64, law: ImpulseLaw) -> Self {
+        Self { h, law, jumps: false }
+    }
+}
+
+/// Pairs of the part of a step solved last.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Encounters {
+    /// Those taken into it.
+    pub near: Vec<usize>,
+    /// Those that its motion brought within reach of each other.
+    pub reached: Vec<usize>,
+    /// Sleeping ones that were looked at on that account.
+    pub looked: Vec<usize>,
+}
+
+impl Simulation<'_> {
+    /// Solves a part of a step without accepting it.
+    pub(super) fn solve(
+        &mut self,
+        attempt: &Attempt,
+        active: &[ActiveContact],
+    ) -> Result<(), Failure> {
+        self.solver_steps += 1;
+        let h = attempt.h;
+        let (time, step) = (self.state.time, self.settings.step);
+        self.forcing.set(self.model, time, h, step, &self.state.followed);
+        if attempt.jumps {
+            self.forcing.set_motions(self.model, time, h, step, &self.state.followed, true);
+        }
+        self.search.within(self.model, &self.state.velocity, AHEAD * h, &mut self.encounters.near);
+        (0..self.encounters.near.len()).for_each(|k| self.look(self.encounters.near[k]));
+        let mut reach = Reach::Near;
+        loop {
+            let problem = StepProblem {
+                model: self.model,
+                state: &self.state,
+                integration: self.integration(attempt),
+                forcing: &self.forcing,
+                damping: &self.damping,
+                size: self.size,
+                near: &self.encounters.near,
+                active,
+                law: attempt.law,
+                feedback: (h / self.settings.step).min(1.0),
+                arcs: self.search.arcs(),
+                reach,
+            };
+            let solved = problem.solve(&mut self.work, &mut self.effort);
+            if reach == Reach::Near && !self.closest_points_stand() {
+                reach = Reach::All;
+                continue;
+            }
+            solved?;
+            let reached = &mut self.encounters.reached;
+            self.search.within(self.model, &self.work.increment, 1.0, reached);
+            (0..self.encounters.reached.len()).for_each(|k| self.look(self.encounters.reached[k]));
+            if self.near_enough(h) {
+                break;
+            }
+        }
+        self.smooth_passage()
+    }
+
+    /// Solves a part in which nothing strikes but `resting` contacts stay closed; friction on them never gives energy.
+    pub(super) fn solve_resting(
+        &mut self,
+        attempt: &Attempt,
+        resting: &mut [ActiveContact],
+    ) -> Result<(), Failure> {
+        loop {
+            self.solve(attempt, resting)?;
+            let mut again = false;
+            for (contact, found) in resting.iter_mut().zip(&self.work.rigid) {
+                let work = found.impulse[1] * found.tangent.on(&self.work.increment) / attempt.h;
+                if work > 0.0 && contact.phase == (Phase::Resting { mean: false }) {
+                    contact.phase = Phase::Resting { mean: true };
+                    again = true;
+                }
+            }
+            if !again {
+                return Ok(());
+            }
+        }
+    }
+
+    /// The scheme on a part; accelerations know no impulses, so jumps of velocity are made by the midpoint rule.
+    pub(super) fn integration(&self, attempt: &Attempt) -> Integration {
+        let by_midpoint = attempt.jumps && self.settings.scheme.advances_accelerations();
+        let scheme = if by_midpoint { Scheme::Midpoint } else { self.settings.scheme };
+        Integration::new(scheme, attempt.h)
+    }
+
+    /// Whether a part is as short as an impact.
+    pub(super) fn is_impulsive(&self, h: f64) -> bool {
+        h < IMPULSIVE * self.settings.step
+    }
+
+    /// Looks at a pair that still sleeps, where the state stands. It has not touched since it fell asleep, so it is on the side
+    /// where it is seen.
+    fn look(&mut self, i: usize) {
+        if self.search.awake().binary_search(&i).is_err() && !self.encounters.looked.contains(&i) {
+            self.state.pairs[i].memory.side = 0.0;
+            self.state.see(self.model, i, Reach::All);
+            self.encounters.looked.push(i);
+        }
+    }
+
+    /// Whether every smooth pair that came within reach was looked at; if not, they will be.
+    fn near_enough(&mut self, h: f64) -> bool {
+        let known = self.encounters.near.len();
+        for k in 0..self.encounters.reached.len() {
+            let i = self.encounters.reached[k];
+            let unseen = self.is_smooth(i) && !self.encounters.near[..known].contains(&i);
+            if unseen && self.gap_next(h, i)[0] < 0.0 {
+                self.encounters.near.push(i);
+            }
+        }
+        self.encounters.near.sort_unstable();
+        self.encounters.near.len() == known
+    }
+
+    /// Whether nothing has come nearer to smooth contacts, as the step was solved, than the closest points it was solved with.
+    fn closest_points_stand(&self) -> bool {
+        let (at, smooth) = (self.end_of_step(), &self.work.smooth);
+        let stands = |i: usize| {
+            let (pair, seen) = (&self.model.pairs[i], &self.state.pairs[i]);
+            match smooth.binary_search_by_key(&i, |c| c.pair) {
+                // A closest point that is not followed to the end of the step was not looked for either.
+                Ok(k) => smooth[k].end.is_none_or(|end| {
+                    !pair.leaps(self.model, &at, &Memory { near: end.near, ..seen.memory })
+                }),
+                // It stayed beyond an end that is left to others.
+                Err(_) => {
+                    let end = pair.at_end(self.model, &at, &seen.memory, seen.gap);
+                    end.is_none_or(|touch| touch.gap.is_infinite())
+                }
+            }
+        };
+        let on_axis = |i: &usize| matches!(self.model.pairs[*i].target, Target::Axis { .. });
+        self.encounters
+            .near
+            .iter()
+            .copied()
+            .filter(on_axis)
+            .filter(|i| self.is_smooth(*i))
+            .all(stands)
+    }
+
+    pub(super) fn is_smooth(&self, i: usize) -> bool {
+        let contact = &self.model.contacts[self.model.pairs[i].contact];
+        matches!(contact.law, TouchLaw::Smooth(_))
+    }
+
+    /// The end of the step solved last.
+    pub(super) fn end_of_step(&self) -> Configuration<'_> {
+        let Workspace { increment, arcs, .. } = &self.work;
+        Configuration { start: &self.state.displacement, increment, share: 1.0, arcs }
+    }
+
+    /// Gap of pair `i` at the end of the step solved last, and its rate.
+    pub(super) fn gap_next(&self, h: f64, i: usize) -> [f64; 2] {
+        let (pair, d) = (&self.model.pairs[i], &self.work.increment);
+        let at = self.end_of_step();
+        let seen = &self.state.pairs[i];
+        let Some(touch) = pair.at_end(self.model, &at, &seen.memory, seen.gap) else {
+            return [f64::INFINITY, 0.0];
+        };
+        let row = pair.normal_row(&touch, &at);
+        let lead = &self.work.lead;
+        let leads = if lead.is_empty() { 0.0 } else { row.on(&lead.velocity) };
+        [touch.gap, 2.0 * row.on(d) / h - row.on(&self.state.velocity) + leads]
+    }
+}

@@ -1,0 +1,167 @@
+//! One step of a run.
+//!
+//! Its parts end at impacts, at releases of supports and at jumps of prescribed velocities. Each is solved as its contacts ask for,
+//! accepted by the only writer of the state, and recorded before and after an impact. A part that has no solution is cut in half; where
+//! that does not help, the run gives up with its reason.
+
+use super::contact_status::Resolution;
+use super::record::{Flow, Recorder};
+use super::simulation::Simulation;
+use super::trial::{PartKind, Trial};
+use crate::error::Error;
+use crate::settings::{SAME_INSTANT, Settings};
+use crate::state::State;
+use crate::step::newton::Failure;
+
+/// A step is cut down to this share of its size before the run gives up.
+const SMALLEST_SHARE: f64 = 1e-4;
+/// Parts of a step, impacts and cuts included, before the run gives up: more would not end.
+const MOST_PARTS: usize = 20_000;
+/// More instants located and impacts than this in one step count as accumulated: for the rest of it what touches stays together.
+const MOST_EVENTS: usize = 128;
+
+impl Simulation<'_> {
+    /// Advances by one step of the given size; rows before and after an impact go to `recorder`, which may stop it between
+    /// two parts of the step.
+    ///
+    /// # Errors
+    /// If no solution is found even for very short steps; the state is the last one accepted.
+    pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<Flow, Error> {
+        let mut budget = Budget::new(&self.settings, &self.state);
+        while let Some(part) = budget.next(self.state.offset, self.time_to_cut()) {
+            let trial = match self.resolution(&budget) {
+                Resolution::Jump => self.jump(&part),
+                Resolution::Free => self.advance_to_contact(&part),
+                Resolution::Impact(touching) => self.strike(&touching, &part),
+                Resolution::Sequence(touching) => self.strike_fastest(&touching, &part),
+                Resolution::Accumulated => self.hold(&part),
+                Resolution::TimeStepping { closed } => self.step_in_time(&part, closed),
+            };
+            match trial {
+                Ok(trial) => {
+                    budget.spend(&trial).map_err(|why| self.give_up(why, part.size))?;
+                    self.accept_all(trial, recorder)?;
+                    let goes_on = budget.remains(self.state.offset);
+                    if goes_on && recorder.progress(self.state.time) == Flow::Stop {
+                        return Ok(Flow::Stop);
+                    }
+                }
+                Err(failure) => {
+                    self.step_cuts += 1;
+                    budget.halve(&part, failure).map_err(|why| self.give_up(why, part.size))?;
+                }
+            }
+        }
+        self.close_step(&budget)?;
+        Ok(recorder.progress(self.state.time))
+    }
+
+    /// Accepts a trial and what follows from it at once, with rows before and after an impact.
+    fn accept_all(&mut self, trial: Trial, recorder: &mut dyn Recorder) -> Result<(), Error> {
+        let strikes = trial.strikes(&self.work);
+        if strikes {
+            self.record(recorder)?;
+        }
+        let mut next = Some(trial);
+        while let Some(trial) = next {
+            self.accept(&trial);
+            next = self.follow_up(trial);
+        }
+        if strikes { self.record(recorder) } else { Ok(()) }
+    }
+
+    /// What an accepted trial leaves to be done at its end: the next impact of a sequence, or bringing what was held to rest.
+    fn follow_up(&mut self, trial: Trial) -> Option<Trial> {
+        match trial.kind {
+            PartKind::InSequence(sequence) => self.next_of(sequence),
+            PartKind::Held => self.plastic_post_step(&trial),
+            _ => None,
+        }
+    }
+
+    /// Counts the step; its end is on the grid of steps, or behind an impact that went beyond.
+    fn close_step(&mut self, budget: &Budget) -> Result<(), Error> {
+        let step = self.settings.step;
+        self.accumulated_steps += usize::from(budget.events_left == 0);
+        self.state.step += 1;
+        self.state.offset -= budget.target;
+        if self.state.offset.abs() <= SAME_INSTANT * step {
+            self.state.offset = 0.0;
+        }
+        let grid = self.state.step as f64 * step;
+        // Never back, not even by the last bit, behind an impact at the end of the step.
+        let time = grid.min(self.settings.end) + self.state.offset;
+        self.state.time = if self.state.offset > 0.0 { time.max(self.state.time) } else { time };
+        self.refuse_growth()
+    }
+}
+
+/// A part of a step that is to be solved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    /// Its size at most \[s\].
+    pub size: f64,
+    /// Share of the step to which failures have cut it; impact intervals are cut likewise.
+    pub share: f64,
+}
+
+/// What is left of a step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Budget {
+    /// Size of the step: the one given, or what is left up to the end of the run \[s\].
+    target: f64,
+    /// Size of its next part at most \[s\].
+    size: f64,
+    /// Size below which parts are not cut any further \[s\].
+    smallest: f64,
+    /// Instants located and impacts that it may still have.
+    pub events_left: usize,
+    parts_left: usize,
+}
+
+impl Budget {
+    fn new(settings: &Settings, state: &State) -> Self {
+        let step = settings.step;
+        let target = step.min(settings.end - state.step as f64 * step);
+        let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
+        let smallest = SMALLEST_SHARE * step;
+        Self { target, size: target, smallest, events_left: MOST_EVENTS, parts_left: MOST_PARTS }
+    }
+
+    /// Whether something is left of the step, `offset` of it done.
+    fn remains(&self, offset: f64) -> bool {
+        offset < self.target * (1.0 - SAME_INSTANT)
+    }
+
+    /// The next part, `offset` of the step done; it ends at the next cut at the latest, which is `cut` away.
+    fn next(&self, offset: f64, cut: f64) -> Option<Part> {
+        let size = self.size.min(self.target - offset).min(cut);
+        self.remains(offset).then_some(Part { size, share: self.size / self.target })
+    }
+
+    /// Takes a part off that ends with a trial; the next one may be larger again.
+    ///
+    /// # Errors
+    /// If the step has had too many parts.
+    fn spend(&mut self, trial: &Trial) -> Result<(), Failure> {
+        self.events_left = self.events_left.saturating_sub(usize::from(trial.is_event()));
+        self.size = (2.0 * self.size).min(self.target);
+        self.count().ok_or(Failure::Impact)
+    }
+
+    /// Cuts the size of a part that has failed in half.
+    ///
+    /// # Errors
+    /// The failure, if the step cannot be cut any further.
+    fn halve(&mut self, part: &Part, failure: Failure) -> Result<(), Failure> {
+        self.size = 0.5 * part.size;
+        let counted = self.count().filter(|()| self.size >= self.smallest);
+        counted.ok_or(failure)
+    }
+
+    /// Counts a part; nothing if the step may have no more.
+    fn count(&mut self) -> Option<()> {
+        self.parts_left = self.parts_left.checked_sub(1)?;
+        Some(())
+    }
+}

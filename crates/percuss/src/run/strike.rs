@@ -1,0 +1,100 @@
+//! Impacts: impulses that obey the contacts' impact law, over an impact interval or, as in the paper, over a whole step.
+
+use super::simulation::Simulation;
+use super::solve::Attempt;
+use super::step::Part;
+use super::trial::{PartKind, Trial};
+use crate::model::{ImpactLaw, RigidLaw};
+use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
+use crate::step::newton::Failure;
+
+/// Energy that impulses may give, relative to the work they do: round-off.
+const NO_GAIN: f64 = 1e-12;
+
+impl Simulation<'_> {
+    /// The impact interval in which all contacts that touch strike; those that rest stay closed.
+    pub(super) fn strike(&mut self, touching: &[usize], part: &Part) -> Result<Trial, Failure> {
+        let h = self.impact_interval() * part.share;
+        let mut active = self.resting();
+        for &i in touching {
+            let sticks = -self.state.pairs[i].rate <= self.stick_velocity(i);
+            active.push(self.striking(i, sticks));
+        }
+        self.solve_impact(h, active, PartKind::Impact)
+    }
+
+    /// A step of the paper's: contacts closed at its start obey the impact law over the whole step.
+    pub(super) fn step_in_time(&mut self, part: &Part, closed: f64) -> Result<Trial, Failure> {
+        // What separates already is not struck: an impulse on its way out would give energy.
+        let strikes = |i: &usize| {
+            let pair = &self.state.pairs[*i];
+            pair.gap <= closed && pair.rate <= self.stick_velocity(*i)
+        };
+        let struck = self.rigid().into_iter().filter(strikes);
+        let active: Vec<_> = struck.map(|i| self.striking(i, false)).collect();
+        let rests =
+            |c: &ActiveContact| -self.state.pairs[c.pair].rate <= self.stick_velocity(c.pair);
+        let persistent = active.iter().map(rests).collect();
+        let trial = self.solve_impact(part.size, active, PartKind::TimeStepping { persistent })?;
+        let reached = self.encounters.reached.clone();
+        match self.first_passage(&reached) {
+            Some(_) => Err(Failure::Passed),
+            None => Ok(trial),
+        }
+    }
+
+    /// Pair `i` as it strikes; without restitution where it sticks.
+    pub(super) fn striking(&self, i: usize, sticks: bool) -> ActiveContact {
+        let law = self.rigid_law(i);
+        let e = |law: RigidLaw| (law.restitution, law.tangential_restitution);
+        let (restitution, tangential) = law.filter(|_| !sticks).map_or((0.0, 0.0), e);
+        ActiveContact { pair: i, phase: Phase::Impact { restitution, tangential } }
+    }
+
+    /// Solves a part with impulses by the contacts' impact law, or by another one where that would give energy.
+    pub(super) fn solve_impact(
+        &mut self,
+        h: f64,
+        active: Vec<ActiveContact>,
+        kind: PartKind,
+    ) -> Result<Trial, Failure> {
+        let moreau = |c: &ActiveContact| {
+            self.rigid_law(c.pair).is_some_and(|law| law.impact == ImpactLaw::Moreau)
+        };
+        let laws: &[ImpulseLaw] = if active.iter().any(moreau) {
+            &[ImpulseLaw::Moreau, ImpulseLaw::Mean]
+        } else {
+            &[ImpulseLaw::Newton, ImpulseLaw::Moreau, ImpulseLaw::Mean]
+        };
+        let mut outcome = Err(Failure::Impact);
+        for (k, law) in laws.iter().enumerate() {
+            outcome = self.solve(&Attempt::impact(h, *law), &active).map(|()| k > 0);
+            // With friction, a law may also have no solution.
+            let unsolved = outcome == Err(Failure::Impact);
+            if !unsolved && (outcome.is_err() || !self.impulses_give(h, 0.0)) {
+                break;
+            }
+        }
+        outcome.map(|fallback_law| Trial { h, active, fallback_law, kind })
+    }
+
+    /// Whether the impulses of the step solved last, and those before that did so much work, give energy.
+    pub(super) fn impulses_give(&self, h: f64, before: f64) -> bool {
+        let mut size = 0.0_f64;
+        for found in &self.work.rigid {
+            for (impulse, row) in found.impulse.iter().zip([&found.normal, &found.tangent]) {
+                size += (impulse * row.on(&self.state.velocity)).abs();
+            }
+        }
+        self.work_of_impulses(h) + before > NO_GAIN * size
+    }
+
+    /// Work of the impulses of the step of size `h` solved last \[J\].
+    pub(super) fn work_of_impulses(&self, h: f64) -> f64 {
+        let work = |found: &RigidContact| {
+            let rows = found.impulse.iter().zip([&found.normal, &found.tangent]);
+            rows.map(|(impulse, row)| impulse * row.on(&self.work.increment) / h).sum::<f64>()
+        };
+        self.work.rigid.iter().map(work).sum()
+    }
+}
