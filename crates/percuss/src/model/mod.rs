@@ -7,6 +7,7 @@ mod check;
 mod connect;
 mod constrain;
 mod definition;
+mod draw;
 mod fault;
 pub(crate) mod frozen;
 mod loads;
@@ -18,6 +19,7 @@ mod places;
 mod prescribed;
 pub mod scene;
 pub(crate) mod striking;
+pub(crate) mod ties;
 mod time_function;
 
 pub use builder::ModelBuilder;

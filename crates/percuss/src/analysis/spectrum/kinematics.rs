@@ -1,7 +1,8 @@
 //! Motions that strain nothing: of rigid bodies, of mechanisms.
 
 use super::krylov::{Krylov, Nodal};
-use super::matrix::{Layout, StressTerms};
+use super::matrix::Layout;
+use super::stiffness::StressTerms;
 use super::{metric, size};
 use crate::analysis::static_search::{StaticSearch, largest};
 use crate::step::tangent::inner;

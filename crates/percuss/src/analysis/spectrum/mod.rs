@@ -3,11 +3,14 @@
 //! Matrices are formed and factored in [`crate::scalar::Wide`] numbers, eigenvalues counted by the signs of pivots and found in
 //! Krylov subspaces of the inverse. Which motions strain nothing is a matter of geometry alone.
 
+mod factor;
 mod held;
 mod kinematics;
 mod krylov;
 mod matrix;
 mod pencil;
+mod stiffness;
+mod wide_element;
 
 pub use held::Held;
 pub use kinematics::{FreeMotions, free_motions, strain_share, stress_share};

@@ -1,0 +1,133 @@
+//! Views of beams and their sections.
+
+use std::ops::Range;
+
+use crate::element::beam::{GaussRow, SectionValues};
+use crate::model::frozen::{BeamData, Span};
+use crate::model::{Model, StrainMeasure};
+
+/// A beam.
+#[derive(Clone, Copy, Debug)]
+pub struct BeamView<'m> {
+    pub(super) model: &'m Model,
+    pub(super) data: &'m BeamData,
+}
+
+impl<'m> BeamView<'m> {
+    /// Its name.
+    pub fn name(&self) -> &'m str {
+        &self.data.name
+    }
+
+    /// Arc length \[m\].
+    pub fn length(&self) -> f64 {
+        self.data.length
+    }
+
+    /// Its nodes in the row of all nodes.
+    pub fn nodes(&self) -> Range<usize> {
+        self.data.nodes.clone()
+    }
+
+    /// Its spans, start to end.
+    pub fn spans(&self) -> impl Iterator<Item = SpanView<'m>> + Clone + use<'m> {
+        self.model.spans[self.data.spans.clone()].iter().map(|data| SpanView { data })
+    }
+}
+
+/// A span: a part of a beam without corner, of one material and one section.
+#[derive(Clone, Copy, Debug)]
+pub struct SpanView<'m> {
+    pub(super) data: &'m Span,
+}
+
+impl<'m> SpanView<'m> {
+    /// Its nodes in the row of all nodes.
+    pub fn nodes(&self) -> Range<usize> {
+        self.data.nodes.clone()
+    }
+
+    /// Number of its elements.
+    pub fn element_count(&self) -> usize {
+        self.data.elements.len()
+    }
+
+    /// Arc length from the start of the beam at its nodes, shape (number of nodes) \[m\].
+    pub fn stations(&self) -> &'m [f64] {
+        &self.data.stations
+    }
+
+    /// Strain measure.
+    pub fn measure(&self) -> StrainMeasure {
+        self.data.measure
+    }
+
+    /// Whether its material damps.
+    pub fn is_damped(&self) -> bool {
+        self.data.is_damped()
+    }
+
+    /// Whether its section varies from element to element.
+    pub fn varies(&self) -> bool {
+        self.data.sections.len() > 1
+    }
+
+    /// Length of the element of number `k` in the span \[m\].
+    pub fn element_length(&self, k: usize) -> f64 {
+        self.data.table(k).length
+    }
+
+    /// The beam at the Gauss points of the element of number `k` in the span; the second one is its middle.
+    pub fn gauss_points(&self, k: usize) -> [GaussPointView; 3] {
+        self.data.table(k).rows.each_ref().map(GaussPointView::of)
+    }
+
+    /// Constants of the section at both ends of the element of number `k` in the span.
+    pub fn end_sections(&self, k: usize) -> [SectionConstants; 2] {
+        let [start, _, end] = self.data.sections(k);
+        [start, end].map(SectionConstants::of)
+    }
+}
+
+/// Constants of a section, per length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionConstants {
+    /// Axial stiffness EA \[N\].
+    pub axial: f64,
+    /// Bending stiffness EI \[N m^2\].
+    pub bending: f64,
+    /// Rotary inertia rhoI \[kg m\].
+    pub rotary: f64,
+    /// Mass rhoA \[kg/m\].
+    pub mass: f64,
+    /// Area \[m^2\].
+    pub area: f64,
+    /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
+    pub half_depth: f64,
+}
+
+impl SectionConstants {
+    pub(super) fn of(values: &SectionValues) -> Self {
+        let SectionValues { law, mass, area, half_depth } = *values;
+        Self { axial: law.axial, bending: law.bending, rotary: law.rotary, mass, area, half_depth }
+    }
+}
+
+/// A Gauss point of an element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaussPointView {
+    /// Integration weight \[m\].
+    pub weight: f64,
+    /// Tangent of the reference.
+    pub tangent: [f64; 2],
+    /// The section there.
+    pub section: SectionConstants,
+}
+
+impl GaussPointView {
+    pub(super) fn of(row: &GaussRow) -> Self {
+        let GaussRow { weight, tangent, section: law, mass, area, half_depth, .. } = *row;
+        let section = SectionValues { law, mass, area, half_depth };
+        Self { weight, tangent, section: SectionConstants::of(&section) }
+    }
+}

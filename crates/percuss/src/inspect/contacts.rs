@@ -1,0 +1,96 @@
+//! Views of contacts and loads.
+
+use crate::geometry::pair::Target;
+use crate::model::frozen::{ContactData, LoadAction, LoadData};
+use crate::model::{Model, TouchLaw};
+
+/// What takes part in a contact and moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MovingPartner {
+    /// The beam of this number.
+    Beam(usize),
+    /// The body of this number.
+    Body(usize),
+}
+
+/// What the gap of a pair is measured to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TargetShape {
+    /// The struck point of a guided projectile, with the gap in the reference configuration \[m\].
+    Guided {
+        /// The gap.
+        standoff: f64,
+    },
+    /// The rim of a disc.
+    Round,
+    /// A straight line with its normal.
+    Line {
+        /// Unit normal, away from what lies behind the line.
+        normal: [f64; 2],
+    },
+    /// A wall between two points.
+    Segment,
+    /// The outline of a beam.
+    Outline,
+}
+
+/// A contact.
+#[derive(Clone, Copy, Debug)]
+pub struct ContactView<'m> {
+    pub(super) model: &'m Model,
+    pub(super) data: &'m ContactData,
+}
+
+impl<'m> ContactView<'m> {
+    /// Its name.
+    pub fn name(&self) -> &'m str {
+        &self.data.name
+    }
+
+    /// Its law.
+    pub fn law(&self) -> &'m TouchLaw {
+        &self.data.law
+    }
+
+    /// Its pairs of one round thing and one target: the partners, and the shape of the target.
+    pub fn pairs(
+        &self,
+    ) -> impl ExactSizeIterator<Item = ([MovingPartner; 2], TargetShape)> + use<'m> {
+        let beams = self.model.beams.len();
+        let partner = move |mover: usize| match mover.checked_sub(beams) {
+            None => MovingPartner::Beam(mover),
+            Some(body) => MovingPartner::Body(body),
+        };
+        let pairs = self.model.pairs[self.data.pairs.clone()].iter();
+        pairs.map(move |pair| (pair.movers.map(partner), shape(&pair.target)))
+    }
+}
+
+fn shape(target: &Target) -> TargetShape {
+    match target {
+        Target::Guided { standoff, .. } => TargetShape::Guided { standoff: *standoff },
+        Target::Round { .. } => TargetShape::Round,
+        Target::Line { normal, .. } => TargetShape::Line { normal: *normal },
+        Target::Segment { .. } => TargetShape::Segment,
+        Target::Axis { .. } => TargetShape::Outline,
+    }
+}
+
+/// A load.
+#[derive(Clone, Copy, Debug)]
+pub struct LoadView<'m>(pub(super) &'m LoadData);
+
+impl LoadView<'_> {
+    /// The acceleration that it gives everything that has mass, for a factor of one, if it is gravity \[m/s^2\].
+    pub fn gravity(&self) -> Option<[f64; 2]> {
+        match self.0.kind {
+            LoadAction::Gravity { acceleration } => Some(acceleration),
+            _ => None,
+        }
+    }
+
+    /// Mean factor over the interval `[start, start + h]` \[s\].
+    pub fn factor(&self, start: f64, h: f64) -> f64 {
+        self.0.factor(start, h)
+    }
+}

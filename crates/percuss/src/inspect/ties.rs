@@ -1,0 +1,141 @@
+//! Views of what holds and ties beams.
+
+use super::Body;
+use crate::math::vec2::{norm, sub};
+use crate::model::frozen::{
+    Connector, ConnectorEnd, ConnectorLaw, Constraint, Coordinate, MaterialPoint, PrescribedDofs,
+};
+
+/// A material point of a beam.
+#[derive(Clone, Copy, Debug)]
+pub struct PointView<'m> {
+    /// What the user calls it.
+    pub label: &'m str,
+    /// Its beam.
+    pub beam: usize,
+    /// Arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Position in the reference configuration \[m\].
+    pub position: [f64; 2],
+}
+
+impl<'m> PointView<'m> {
+    pub(super) fn of(point: &'m MaterialPoint) -> Self {
+        Self { label: &point.label, beam: point.beam, s: point.s, position: point.position }
+    }
+}
+
+/// Prescribed degrees of freedom of a node.
+#[derive(Clone, Copy, Debug)]
+pub struct PrescribedView<'m> {
+    /// The node.
+    pub node: usize,
+    /// The support that prescribes them; none for a guide or an obstacle.
+    pub support: Option<usize>,
+    /// Prescribed directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4).
+    pub directions: &'m [[f64; 4]],
+    /// Whether a motion is prescribed along any of them.
+    pub moves: bool,
+}
+
+impl<'m> PrescribedView<'m> {
+    pub(super) fn of(dofs: &'m PrescribedDofs) -> Self {
+        let moves = dofs.drives.iter().any(|drive| !drive.is_empty());
+        Self { node: dofs.node, support: dofs.support, directions: &dofs.normals, moves }
+    }
+}
+
+/// A support.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupportView {
+    /// Acts until this time \[s\].
+    pub until: f64,
+    /// Whether it moves as prescribed.
+    pub moves: bool,
+}
+
+/// A constraint: a joint, or a support between nodes or for a time.
+#[derive(Clone, Copy, Debug)]
+pub struct ConstraintView<'m>(pub(super) &'m Constraint);
+
+impl<'m> ConstraintView<'m> {
+    /// The points it ties.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = PointView<'m>> + use<'m> {
+        self.0.points().iter().map(PointView::of)
+    }
+}
+
+/// A spring or damper on one coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct ConnectorView<'m>(pub(super) &'m Connector);
+
+/// The coordinate that a connector acts on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ConnectorCoordinate {
+    /// Displacement of its point in a direction.
+    Displacement,
+    /// Distance between two places.
+    Distance {
+        /// In the reference configuration \[m\].
+        reference: f64,
+    },
+    /// Angle between two tangents, or of one.
+    Angle,
+}
+
+impl<'m> ConnectorView<'m> {
+    /// Its material points, one or two.
+    pub fn points(&self) -> impl Iterator<Item = PointView<'m>> + use<'m> {
+        let points: [Option<&'m MaterialPoint>; 2] = match &self.0.coordinate {
+            Coordinate::Displacement { point, .. } => [Some(point), None],
+            Coordinate::Distance { ends } => ends.each_ref().map(|end| match end {
+                ConnectorEnd::Point(point) => Some(point),
+                ConnectorEnd::Ground(_) => None,
+            }),
+            Coordinate::Angle { a, b, .. } => [Some(a), b.as_deref()],
+        };
+        points.into_iter().flatten().map(PointView::of)
+    }
+
+    /// Its potential.
+    pub fn law(&self) -> ConnectorLaw {
+        self.0.law
+    }
+
+    /// What it acts on.
+    pub fn coordinate(&self) -> ConnectorCoordinate {
+        match &self.0.coordinate {
+            Coordinate::Displacement { .. } => ConnectorCoordinate::Displacement,
+            Coordinate::Distance { ends } => {
+                let [a, b] = ends.each_ref().map(|end| match end {
+                    ConnectorEnd::Point(point) => point.position,
+                    ConnectorEnd::Ground(position) => *position,
+                });
+                ConnectorCoordinate::Distance { reference: norm(sub(a, b)) }
+            }
+            Coordinate::Angle { .. } => ConnectorCoordinate::Angle,
+        }
+    }
+}
+
+/// A point mass.
+#[derive(Clone, Copy, Debug)]
+pub struct PointMassView<'m> {
+    /// Where it sits.
+    pub point: PointView<'m>,
+    /// Mass \[kg\].
+    pub mass: f64,
+}
+
+/// A guided projectile.
+#[derive(Clone, Copy, Debug)]
+pub struct GuidedView<'m> {
+    /// Its body that strikes.
+    pub body: &'m Body,
+    /// The mass behind it, if it has one.
+    pub rear: Option<&'m Body>,
+    /// Unit vector of the line of flight, from projectile to beam.
+    pub direction: [f64; 2],
+    /// The point struck.
+    pub point: PointView<'m>,
+}

@@ -1,0 +1,240 @@
+//! What holds and ties beams: prescribed degrees of freedom, constraints, connectors, the points they act at.
+
+use crate::linalg::block::{Block, IDENTITY};
+
+/// Components of a node's displacement that are held, or moved as prescribed.
+#[derive(Clone, Debug)]
+pub(crate) struct PrescribedDofs {
+    pub node: usize,
+    /// The support that holds them, the first one where several do; `None` for the guide of a projectile
+    /// and for obstacles, whose reactions are those of their contacts.
+    pub support: Option<usize>,
+    /// Held directions in (u1, u2, u1', u2'), orthonormal; at most four.
+    pub normals: Vec<[f64; 4]>,
+    /// Motion along each of them.
+    pub drives: Vec<Drive>,
+    /// What they leave free: `I - N N^T` with the held directions as columns of N.
+    pub free: Block,
+}
+
+impl PrescribedDofs {
+    /// Nothing held yet.
+    pub fn new(node: usize, support: Option<usize>) -> Self {
+        Self { node, support, normals: Vec::new(), drives: Vec::new(), free: IDENTITY }
+    }
+
+    /// Whether nothing is left free.
+    pub fn is_whole(&self) -> bool {
+        self.normals.len() == 4
+    }
+
+    /// Holds one more direction, of unit length and across those held already.
+    pub fn hold(&mut self, normal: [f64; 4], drive: Drive) {
+        for r in 0..4 {
+            for c in 0..4 {
+                self.free[r][c] -= normal[r] * normal[c];
+            }
+        }
+        self.normals.push(normal);
+        self.drives.push(drive);
+    }
+}
+
+/// A prescribed value: amplitudes times time functions of [`Model::motions`].
+pub(crate) type Drive = Vec<(usize, f64)>;
+
+/// A support, for its reactions.
+#[derive(Clone, Debug)]
+pub(crate) struct SupportData {
+    pub name: String,
+    /// Its point; an obstacle has none.
+    pub point: Option<MaterialPoint>,
+    /// Holds until this time \[s\].
+    pub until: f64,
+    /// Its time function among [`Model::motions`].
+    pub motion: Option<usize>,
+    /// Whether it is a stop, which presses only when its gap is closed.
+    pub stops: bool,
+}
+
+/// A material point: where it lies in the mesh and how it follows the nodes.
+#[derive(Clone, Debug)]
+pub(crate) struct MaterialPoint {
+    pub label: String,
+    pub beam: usize,
+    /// Node `a` of the element; node `b` is the next one.
+    pub node: usize,
+    /// Arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Shape functions (u_a, u_a', u_b, u_b').
+    pub shape: [f64; 4],
+    /// Derivatives of the shape functions.
+    pub slope: [f64; 4],
+    /// Reference position \[m\].
+    pub position: [f64; 2],
+    /// Reference tangent.
+    pub tangent: [f64; 2],
+}
+
+impl MaterialPoint {
+    /// Interpolates nodal values with the shape functions.
+    #[inline]
+    pub fn value(&self, nodal: &[[f64; 4]]) -> [f64; 2] {
+        self.combine(nodal, &self.shape)
+    }
+
+    /// Interpolates nodal values with the derivatives of the shape functions.
+    #[inline]
+    pub fn gradient(&self, nodal: &[[f64; 4]]) -> [f64; 2] {
+        self.combine(nodal, &self.slope)
+    }
+
+    #[inline]
+    fn combine(&self, nodal: &[[f64; 4]], n: &[f64; 4]) -> [f64; 2] {
+        let (a, b) = (&nodal[self.node], &nodal[self.node + 1]);
+        [
+            n[0] * a[0] + n[1] * a[2] + n[2] * b[0] + n[3] * b[2],
+            n[0] * a[1] + n[1] * a[3] + n[2] * b[1] + n[3] * b[3],
+        ]
+    }
+
+    /// Adds `shape^T f` to nodal forces.
+    #[inline]
+    pub fn spread(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
+        spread(&self.shape, self.node, force, nodal);
+    }
+
+    /// Adds `shape^T f` to the forces on the two nodes of its element.
+    pub fn spread_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+        spread(&self.shape, 0, force, nodes);
+    }
+
+    /// Adds `slope^T f` to the forces on the two nodes of its element.
+    pub fn spread_gradient_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+        spread(&self.slope, 0, force, nodes);
+    }
+
+    /// Adds `slope^T f` to nodal forces.
+    #[inline]
+    pub fn spread_gradient(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
+        spread(&self.slope, self.node, force, nodal);
+    }
+}
+
+#[inline]
+fn spread(n: &[f64; 4], node: usize, force: [f64; 2], nodal: &mut [[f64; 4]]) {
+    for i in 0..2 {
+        nodal[node][i] += n[0] * force[i];
+        nodal[node][2 + i] += n[1] * force[i];
+        nodal[node + 1][i] += n[2] * force[i];
+        nodal[node + 1][2 + i] += n[3] * force[i];
+    }
+}
+
+/// A scalar constraint on material points, kept by a multiplier.
+#[derive(Clone, Debug)]
+pub(crate) struct Constraint {
+    pub kind: ConstraintKind,
+    /// The support it belongs to; a joint's belong to none.
+    pub support: Option<usize>,
+    /// Prescribed value.
+    pub drive: Drive,
+    /// Holds until this time \[s\].
+    pub until: f64,
+}
+
+/// What is constrained.
+#[derive(Clone, Debug)]
+pub(crate) enum ConstraintKind {
+    /// `direction . u(point) = value`, or of its gradient: a support between nodes.
+    Held { point: MaterialPoint, direction: [f64; 2], gradient: bool },
+    /// `J t . g(point) = 0` with t the reference tangent turned by the prescribed angle.
+    Turned { point: MaterialPoint },
+    /// `direction . (u(a) - u(b)) = 0`: positions shared.
+    Shared { points: Box<[MaterialPoint; 2]>, direction: [f64; 2] },
+    /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is kept.
+    Angle { points: Box<[MaterialPoint; 2]>, cosine: f64, sine: f64 },
+}
+
+impl Constraint {
+    /// The points it ties.
+    pub fn points(&self) -> &[MaterialPoint] {
+        match &self.kind {
+            ConstraintKind::Held { point, .. } | ConstraintKind::Turned { point } => {
+                std::slice::from_ref(point)
+            }
+            ConstraintKind::Shared { points, .. } | ConstraintKind::Angle { points, .. } => {
+                points.as_slice()
+            }
+        }
+    }
+}
+
+/// A spring and damper on one coordinate.
+#[derive(Clone, Debug)]
+pub(crate) struct Connector {
+    pub coordinate: Coordinate,
+    pub law: ConnectorLaw,
+    /// Viscous damping of the coordinate, force per rate.
+    pub damping: f64,
+    /// The support it belongs to, if any.
+    pub support: Option<usize>,
+    /// Acts until this time \[s\].
+    pub until: f64,
+}
+
+/// A scalar coordinate of the configuration, zero or its natural value in the reference configuration.
+#[derive(Clone, Debug)]
+pub(crate) enum Coordinate {
+    /// `direction . u(point)` less a prescribed motion.
+    Displacement { point: MaterialPoint, direction: [f64; 2], drive: Drive },
+    /// Distance between two places.
+    Distance { ends: Box<[ConnectorEnd; 2]> },
+    /// Angle from the tangent at b, or its reference, to that at a, less that in the reference configuration; the rotation R
+    /// takes the reference tangent of b to that of a.
+    Angle { a: Box<MaterialPoint>, b: Option<Box<MaterialPoint>>, cosine: f64, sine: f64 },
+}
+
+/// A place on a beam or in space.
+#[derive(Clone, Debug)]
+pub(crate) enum ConnectorEnd {
+    Point(MaterialPoint),
+    Ground([f64; 2]),
+}
+
+/// Potential of a connector.
+#[derive(Clone, Copy, Debug)]
+pub enum ConnectorLaw {
+    /// `k (q - rest)^2 / 2`.
+    Linear {
+        /// Stiffness k, force per unit of the coordinate.
+        stiffness: f64,
+        /// Coordinate without force.
+        rest: f64,
+    },
+    /// `k <q - gap>^2 / 2`: no force before the gap is closed.
+    OneSided {
+        /// Stiffness k, force per unit of the coordinate.
+        stiffness: f64,
+        /// Coordinate from which on it presses.
+        gap: f64,
+    },
+}
+
+impl ConnectorLaw {
+    /// A value of the coordinate without force and energy.
+    pub fn free(self) -> f64 {
+        match self {
+            Self::Linear { rest, .. } => rest,
+            Self::OneSided { gap, .. } => gap,
+        }
+    }
+}
+
+/// A mass at a point.
+#[derive(Clone, Debug)]
+pub(crate) struct MassData {
+    pub point: MaterialPoint,
+    pub mass: f64,
+    pub rotary_inertia: f64,
+}

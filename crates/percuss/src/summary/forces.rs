@@ -1,0 +1,152 @@
+//! What the summary tells of points, section forces and supports.
+
+use serde::{Deserialize, Serialize};
+
+use super::Peak;
+
+/// Extremes of a recorded point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointSummary {
+    /// The user's words for it.
+    pub name: String,
+    /// Displacements of largest magnitude, signed, per component.
+    pub displacement_max: [Peak; 2],
+    /// Whether steps resolve each of them; if not, it is the largest at the end of a step, and between there may be more.
+    pub resolved: [bool; 2],
+}
+
+/// A largest section force, where and when it occurred.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SectionPeak {
+    /// The value of largest magnitude, signed.
+    pub value: f64,
+    /// Arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Its time \[s\].
+    pub time: f64,
+}
+
+impl Default for SectionPeak {
+    fn default() -> Self {
+        Self { value: f64::NAN, s: f64::NAN, time: f64::NAN }
+    }
+}
+
+/// Smallest and largest value over the length of a beam and over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SectionRange {
+    /// Smallest, signed.
+    pub min: SectionPeak,
+    /// Largest, signed.
+    pub max: SectionPeak,
+}
+
+impl SectionRange {
+    /// The one of larger magnitude.
+    pub fn largest(&self) -> SectionPeak {
+        if self.min.value.abs() > self.max.value.abs() { self.min } else { self.max }
+    }
+
+    /// Takes in a value.
+    pub(crate) fn take(&mut self, value: f64, s: f64, time: f64) {
+        if value > self.max.value || self.max.value.is_nan() {
+            self.max = SectionPeak { value, s, time };
+        }
+        if value < self.min.value || self.min.value.is_nan() {
+            self.min = SectionPeak { value, s, time };
+        }
+    }
+}
+
+/// Smallest and largest values along a beam, over time: start, middle and end of each element, shapes (3 n_element).
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Envelope {
+    /// Arc length from the start of the beam \[m\].
+    pub s: Vec<f64>,
+    /// Axial force, smallest and largest \[N\].
+    pub axial: [Vec<f64>; 2],
+    /// Shear force \[N\].
+    pub shear: [Vec<f64>; 2],
+    /// Bending moment \[N m\].
+    pub moment: [Vec<f64>; 2],
+    /// Stress of the extreme fibres \[Pa\]; NaN where the section has no depth.
+    pub stress: [Vec<f64>; 2],
+}
+
+/// Section forces of a beam: extremes over its length and over time.
+///
+/// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and
+/// its inertia: they agree with reactions, and jump only where something acts. Those of a step are its mean; steps with impacts
+/// are left out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SectionForceSummary {
+    /// The beam's name.
+    pub name: String,
+    /// Axial force, positive in tension \[N\].
+    pub axial: SectionRange,
+    /// Shear force \[N\].
+    pub shear: SectionRange,
+    /// Bending moment, positive where it turns the tangent counter-clockwise along the beam \[N m\].
+    pub moment: SectionRange,
+    /// Strain of the extreme fibres, `nu - 1 -+ (theta' - theta0') depth / 2` \[1\]; NaN where no section has a depth.
+    pub strain: SectionRange,
+    /// Stress of the extreme fibres, `N/A -+ M depth / (2 I)` \[Pa\].
+    pub stress: SectionRange,
+    /// Extremes along the beam.
+    pub envelope: Envelope,
+}
+
+/// Smallest and largest value over time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Range {
+    /// Smallest, signed.
+    pub min: Peak,
+    /// Largest, signed.
+    pub max: Peak,
+}
+
+impl Range {
+    /// Takes in a value.
+    pub(crate) fn take(&mut self, value: f64, time: f64) {
+        if value > self.max.value || self.max.value.is_nan() {
+            self.max = Peak { value, time };
+        }
+        if value < self.min.value || self.min.value.is_nan() {
+            self.min = Peak { value, time };
+        }
+    }
+}
+
+/// Reactions of a support on the structure, each the mean over a step; steps as short as an impact are left out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SupportSummary {
+    /// The user's name for it.
+    pub name: String,
+    /// Components of the force \[N\].
+    pub force: [Range; 2],
+    /// Moment about the support's point \[N m\].
+    pub moment: Range,
+    /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
+    /// point \[N s, N m s\].
+    pub impulse: [f64; 3],
+    /// When it pressed, in the order of time; of a stop alone.
+    pub touches: Option<Vec<StopTouch>>,
+}
+
+/// A time in which a stop pressed, resolved to the steps.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StopTouch {
+    /// Start of the first step in which it gave a force \[s\].
+    pub start: f64,
+    /// End of the last such step \[s\]; none while it presses.
+    pub end: Option<f64>,
+    /// Magnitude of its force, summed over time \[N s\].
+    pub impulse: f64,
+    /// Largest magnitude of its force, the mean over a step \[N\].
+    pub peak_force: Peak,
+}
+
+impl StopTouch {
+    /// Touches of a stop that are kept.
+    pub const KEPT: usize = 10_000;
+}

@@ -1,0 +1,144 @@
+//! What a run amounts to. Unset results are NaN.
+
+mod contact;
+mod forces;
+
+pub use contact::*;
+pub use forces::*;
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+
+/// How a run ended.
+#[derive(Debug, Default)]
+pub enum Termination {
+    /// Not run yet.
+    #[default]
+    Unsolved,
+    /// Reached its end.
+    Completed,
+    /// Stopped by the recorder at the given time \[s\]; everything up to it is recorded.
+    Interrupted {
+        /// Time reached \[s\].
+        time: f64,
+    },
+    /// Gave up; everything up to the last accepted step is recorded.
+    Failed(Error),
+}
+
+/// A largest value and when it occurred.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Peak {
+    /// The value of largest magnitude, signed.
+    pub value: f64,
+    /// Its time \[s\].
+    pub time: f64,
+}
+
+impl Default for Peak {
+    fn default() -> Self {
+        Self { value: f64::NAN, time: f64::NAN }
+    }
+}
+
+/// Energies of a run \[J\].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergySummary {
+    /// Total energy at the start.
+    pub initial: f64,
+    /// Total energy at the end.
+    pub final_: f64,
+    /// Work done by the loads.
+    pub work_loads: f64,
+    /// Work done by the supports.
+    pub work_supports: f64,
+    /// Energy lost in impacts.
+    pub loss_impacts: f64,
+    /// Energy taken by damping.
+    pub loss_damping: f64,
+    /// Energy scale, the scale of `residual_max`.
+    pub scale: f64,
+    /// Largest magnitude of the energy residual, relative to `scale`.
+    pub residual_max: f64,
+}
+
+/// Momentum residuals of a run, support and load impulses taken into the ledger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MomentumSummary {
+    /// Scale of linear momentum \[kg m/s\], the scale of `linear_residual_max`.
+    pub linear_scale: f64,
+    /// Largest magnitude of the residual of linear momentum, relative.
+    pub linear_residual_max: f64,
+    /// Scale of angular momentum \[kg m^2/s\], the scale of `angular_residual_max`.
+    pub angular_scale: f64,
+    /// Largest magnitude of the residual of angular momentum about the origin, relative.
+    pub angular_residual_max: f64,
+}
+
+/// Distance of stored strains from the configuration (non-zero for the strain-rate scheme only).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AuditSummary {
+    /// Largest distance of the stored bending strain from that of the configuration \[1/m\].
+    pub curvature_drift_max: f64,
+    /// Largest distance of the stored membrane strain from that of the configuration \[1\].
+    pub membrane_drift_max: f64,
+}
+
+/// What became of a projectile, guided or free.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProjectileSummary {
+    /// The user's name for it.
+    pub name: String,
+    /// Velocity at the end \[m/s\].
+    pub velocity_final: [f64; 2],
+    /// Angular velocity at the end \[rad/s\]; zero for a guided one.
+    pub spin_final: f64,
+    /// Impulse that it gave to others through its contacts, along its line of flight or its initial velocity: what it lost to them, loads
+    /// left out. Of a free body at rest at the start the magnitude, negative: it can only receive \[N s\].
+    pub momentum_transferred: f64,
+    /// Work that it did on others through its contacts, negative if they did work on it; loads and losses inside it left out \[J\].
+    pub energy_transferred: f64,
+}
+
+/// The result of a run.
+#[derive(Debug)]
+pub struct RunSummary {
+    /// How it ended.
+    pub termination: Termination,
+    /// Time reached \[s\].
+    pub time: f64,
+    /// Steps of the given size completed.
+    pub steps: usize,
+    /// Steps of the solver, trial and shortened ones included.
+    pub solver_steps: usize,
+    /// Times a step was cut because Newton's iteration failed.
+    pub step_cuts: usize,
+    /// Steps with more impacts than are followed one by one: in the rest of each, what struck did so without restitution.
+    pub accumulated_steps: usize,
+    /// Newton iterations. Runs side by side need others than runs alone: these two tell of the solver, not of the run.
+    pub newton_iterations: usize,
+    /// Factorisations of the tangent.
+    pub factorizations: usize,
+    /// Rows recorded.
+    pub rows: usize,
+    /// Energies.
+    pub energy: EnergySummary,
+    /// Momenta.
+    pub momentum: MomentumSummary,
+    /// Drift of stored strains.
+    pub audit: AuditSummary,
+    /// One entry a guided projectile, then one a disc, in the model's order.
+    pub projectiles: Vec<ProjectileSummary>,
+    /// One entry a guided projectile, then one a contact, in the model's order.
+    pub contacts: Vec<ContactSummary>,
+    /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[1\].
+    pub contact_residual_max: f64,
+    /// Blows that several touching bodies shared.
+    pub shared_blows: SharedBlows,
+    /// One entry a recorded point.
+    pub points: Vec<PointSummary>,
+    /// One entry a support, in the model's order.
+    pub supports: Vec<SupportSummary>,
+    /// One entry a beam.
+    pub section_forces: Vec<SectionForceSummary>,
+}
