@@ -17,6 +17,7 @@ macro_rules! describe_key {
             name: stringify!($key),
             about: crate::layout::about(&[$($doc),*]),
             schema: <$format as crate::format::Format>::schema,
+            described: <$format as crate::format::Format>::described,
             required: $required,
             default: $default,
         }

@@ -6,6 +6,7 @@ use serde_json::{Value as Json, json};
 
 use crate::node::{Node, Reader};
 use crate::reach::{self, Lost, Reached};
+use crate::reference::Described;
 use crate::write::{self, Writer};
 
 /// A form in which a value stands behind a key.
@@ -24,6 +25,10 @@ pub(crate) trait Format: Sized + 'static {
     }
     /// JSON Schema.
     fn schema() -> Json;
+    /// What a reference says of it.
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..Described::default() }
+    }
     /// What stands at the end of a path that begins at the value.
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         reach::end::<Self>(value, path)
@@ -101,6 +106,10 @@ impl<F: Inline> Format for List<F> {
         json!({ "type": "array", "items": F::schema() })
     }
 
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..F::described() }
+    }
+
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         if path.is_empty() {
             return reach::end::<Self>(value, path);
@@ -150,6 +159,10 @@ impl<F: Inline> Format for Pair<F> {
         json!({ "type": "array", "items": F::schema(), "minItems": 2, "maxItems": 2 })
     }
 
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..F::described() }
+    }
+
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         if path.is_empty() {
             return reach::end::<Self>(value, path);
@@ -187,6 +200,10 @@ impl<F: Inline> Format for Maybe<F> {
 
     fn schema() -> Json {
         F::schema()
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..F::described() }
     }
 
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {

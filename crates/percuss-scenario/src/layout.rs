@@ -4,6 +4,7 @@ use serde_json::Value as Json;
 
 use crate::code::FaultCode;
 use crate::node::{Body, Reader};
+use crate::reference::Described;
 use crate::source::join;
 use crate::suggest;
 
@@ -14,6 +15,8 @@ pub(crate) struct Key {
     pub about: String,
     /// Its JSON Schema; made only when asked for, for readers want none.
     pub schema: fn() -> Json,
+    /// What a reference says of its form.
+    pub described: fn() -> Described,
     /// Whether it must be there.
     pub required: bool,
     /// Its default as TOML, if it has one that can be written.

@@ -36,6 +36,7 @@ mod point;
 mod preset;
 mod quantity;
 mod reach;
+mod reference;
 mod scenario;
 mod schema;
 mod source;
@@ -57,6 +58,9 @@ pub use files::{FileAccess, read_bytes, read_in_time};
 pub use given::Given;
 pub use overrides::apply_overrides;
 pub use point::{Anchor, Point};
+pub use reference::{
+    BodyReference, KeyReference, KindsReference, Stands, TableReference, reference, study_reference,
+};
 pub use scenario::{Scenario, load, load_with, read, read_with};
 pub use schema::schema;
 pub use study::{StudyFile, is_study, study_schema};

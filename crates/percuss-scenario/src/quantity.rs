@@ -10,6 +10,7 @@ use crate::format::{Format, Inline};
 use crate::measure::{self, Measure};
 use crate::node::{Node, Reader};
 use crate::reach::{self, Lost, Reached};
+use crate::reference::Described;
 use crate::units;
 use crate::write;
 
@@ -46,6 +47,10 @@ impl<M: Measure> Format for Quantity<M> {
             format!("{}: a number in {}, or a text with its unit", M::NAME, M::UNIT)
         };
         json!({ "type": ["number", "string"], "title": about })
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), unit: M::UNIT, ..Described::default() }
     }
 
     fn number(value: &f64) -> Option<(f64, &'static str)> {
@@ -162,6 +167,10 @@ impl<M: Measure> Format for Vector<M> {
 
     fn schema() -> Json {
         json!({ "type": "array", "items": Quantity::<M>::schema(), "minItems": 2, "maxItems": 2 })
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), unit: M::UNIT, ..Described::default() }
     }
 
     fn reach<'c>(value: &'c mut [f64; 2], path: &[String]) -> Reached<'c> {

@@ -9,6 +9,7 @@ use crate::format::{Format, Inline, Written};
 use crate::layout::{Key, Layout};
 use crate::node::{Body, Node, Reader};
 use crate::reach::{Lost, Reached};
+use crate::reference::{Described, Inner, Stands};
 use crate::schema;
 use crate::source::join;
 use crate::write::Writer;
@@ -144,6 +145,11 @@ impl<T: Declared> Format for Single<T> {
         schema::of_table::<T>()
     }
 
+    fn described() -> Described {
+        let table = Some(Inner::of::<T>(Stands::Once));
+        Described { expected: Self::expected(), table, ..Described::default() }
+    }
+
     fn reach<'c>(value: &'c mut T, path: &[String]) -> Reached<'c> {
         value.reach(path)
     }
@@ -190,6 +196,11 @@ impl<T: Declared> Format for Braces<T> {
 
     fn schema() -> Json {
         schema::of_table::<T>()
+    }
+
+    fn described() -> Described {
+        let table = Some(Inner::of::<T>(Stands::Braces));
+        Described { expected: Self::expected(), table, ..Described::default() }
     }
 
     fn reach<'c>(value: &'c mut T, path: &[String]) -> Reached<'c> {
@@ -267,6 +278,11 @@ impl<T: Declared> Format for Collection<T> {
 
     fn schema() -> Json {
         schema::of_collection::<T>()
+    }
+
+    fn described() -> Described {
+        let table = Some(Inner::of::<T>(Stands::Named));
+        Described { expected: Self::expected(), table, ..Described::default() }
     }
 
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {

@@ -14,6 +14,7 @@ use crate::format::{Format, Inline};
 use crate::measure::{Length, LineInertia, Measure, Time};
 use crate::node::{Node, Reader};
 use crate::quantity::Quantity;
+use crate::reference::Described;
 use crate::suggest;
 use crate::write;
 
@@ -60,6 +61,11 @@ impl<W: Words> Format for Word<W> {
     fn schema() -> Json {
         let word = |w: &(&str, W::Value, &str)| json!({ "const": w.0, "description": w.2 });
         json!({ "oneOf": W::WORDS.iter().map(word).collect::<Vec<_>>() })
+    }
+
+    fn described() -> Described {
+        let words = W::WORDS.iter().map(|w| (w.0, w.2)).collect();
+        Described { expected: Self::expected(), words, ..Described::default() }
     }
 }
 
@@ -331,6 +337,10 @@ impl<E: Endless> Format for OrEndless<E> {
 
     fn schema() -> Json {
         Quantity::<E::Measure>::schema()
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..Quantity::<E::Measure>::described() }
     }
 
     fn number(value: &f64) -> Option<(f64, &'static str)> {

@@ -8,6 +8,7 @@ use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
 use crate::reach::{self, Reached};
+use crate::reference::Described;
 use crate::suggest;
 use crate::table::{Braces, Declared, Part};
 use crate::write::{self, Writer};
@@ -125,6 +126,10 @@ impl Format for FunctionText {
 
     fn schema() -> Json {
         json!({ "anyOf": [{ "enum": ["constant", "given"] }, Braces::<FunctionTable>::schema()] })
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..Braces::<FunctionTable>::described() }
     }
 
     fn reach<'c>(value: &'c mut Function, path: &[String]) -> Reached<'c> {

@@ -8,6 +8,7 @@ use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::{Quantity, Vector};
 use crate::reach::{Lost, Reached};
+use crate::reference::Described;
 use crate::schema;
 use crate::source::join;
 use crate::suggest;
@@ -103,6 +104,10 @@ impl Format for Starts {
         let mut schema = schema::of_table::<InitialMotion>();
         schema["additionalProperties"] = schema::of_table::<InitialMotion>();
         schema
+    }
+
+    fn described() -> Described {
+        Single::<InitialMotion>::described()
     }
 
     fn reach<'c>(value: &'c mut Initial, path: &[String]) -> Reached<'c> {

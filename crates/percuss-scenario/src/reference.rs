@@ -1,0 +1,192 @@
+//! The reference of the file formats, from the declarations that also read them.
+
+use crate::content::Content;
+use crate::layout::{Key, Kinds, Layout, Variant};
+use crate::study::StudyContent;
+use crate::table::Part;
+
+/// What the form of a value says of itself.
+#[derive(Clone, Default)]
+pub(crate) struct Described {
+    /// What is expected, with an example.
+    pub expected: String,
+    /// SI unit of a bare number.
+    pub unit: &'static str,
+    /// Words that may stand here, and what they mean.
+    pub words: Vec<(&'static str, &'static str)>,
+    /// The table that stands behind the key.
+    pub table: Option<Inner>,
+}
+
+/// A table that stands behind a key.
+#[derive(Clone)]
+pub(crate) struct Inner {
+    /// Name of its declaration.
+    pub name: &'static str,
+    pub stands: Stands,
+    pub layout: fn() -> Layout,
+}
+
+/// How a table stands in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stands {
+    /// The file itself.
+    File,
+    /// Once, under its header: `[time]`.
+    Once,
+    /// As often as wanted, with names of the user's: `[beam.NAME]`.
+    Named,
+    /// In braces behind a key of another table.
+    Braces,
+}
+
+/// A table of a format.
+#[derive(Clone, Debug)]
+pub struct TableReference {
+    /// Name of its declaration, unique in its format.
+    pub name: &'static str,
+    /// How it stands in the file.
+    pub stands: Stands,
+    /// Where it stands: `beam`, `support.motion`; several keys may hold the same kind of table.
+    pub places: Vec<String>,
+    /// What may stand in it.
+    pub body: BodyReference,
+}
+
+/// What may stand in a table, or comes into it with one of its kinds.
+#[derive(Clone, Debug)]
+pub struct BodyReference {
+    /// What it is.
+    pub about: String,
+    /// Its keys.
+    pub keys: Vec<KeyReference>,
+    /// Sets of keys of which one must be given.
+    pub either: Vec<Vec<&'static str>>,
+    /// Its choices of kinds.
+    pub kinds: Vec<KindsReference>,
+}
+
+/// A choice of kinds.
+#[derive(Clone, Debug)]
+pub struct KindsReference {
+    /// The key that says which.
+    pub tag: &'static str,
+    /// What is chosen.
+    pub about: String,
+    /// The kind if nothing is said.
+    pub default: Option<&'static str>,
+    /// Each kind by its word, with what it brings.
+    pub variants: Vec<(&'static str, BodyReference)>,
+}
+
+/// A key.
+#[derive(Clone, Debug)]
+pub struct KeyReference {
+    /// The key itself.
+    pub name: &'static str,
+    /// What it means.
+    pub about: String,
+    /// What is expected, with an example.
+    pub expected: String,
+    /// SI unit of a bare number; empty where there is none.
+    pub unit: &'static str,
+    /// Words that may stand here, and what they mean.
+    pub words: Vec<(&'static str, &'static str)>,
+    /// Whether it must be given.
+    pub required: bool,
+    /// Its default as it would stand in the file, if it has one.
+    pub default: Option<String>,
+    /// Name of the declaration of the table that stands behind it.
+    pub table: Option<&'static str>,
+}
+
+/// Every table of scenario files.
+pub fn reference() -> Vec<TableReference> {
+    collect(Content::layout(), "Content")
+}
+
+/// Every table of study files.
+pub fn study_reference() -> Vec<TableReference> {
+    collect(StudyContent::layout(), "StudyContent")
+}
+
+fn collect(file: Layout, name: &'static str) -> Vec<TableReference> {
+    let mut tables = Vec::new();
+    add(&mut tables, Inner { name, stands: Stands::File, layout: Layout::default }, "", &file);
+    tables
+}
+
+/// Adds a table, and those behind its keys; one that is there already has one place more.
+fn add(tables: &mut Vec<TableReference>, inner: Inner, place: &str, layout: &Layout) {
+    let Inner { name, stands, .. } = inner;
+    if let Some(known) = tables.iter_mut().find(|table| table.name == name) {
+        known.places.push(place.into());
+        return;
+    }
+    let (places, body) = (vec![place.to_string()], BodyReference::of(layout));
+    tables.push(TableReference { name, stands, places, body });
+    within(layout, &mut |key| {
+        let Some(inner) = (key.described)().table else { return };
+        let place = if place.is_empty() { key.name.into() } else { format!("{place}.{}", key.name) };
+        let layout = (inner.layout)();
+        add(tables, inner, &place, &layout);
+    });
+}
+
+/// Every key of a table, those of all its kinds included.
+fn within(layout: &Layout, see: &mut impl FnMut(&Key)) {
+    layout.keys.iter().for_each(&mut *see);
+    for kinds in &layout.choices {
+        for variant in &kinds.variants {
+            within(&variant.layout, see);
+        }
+    }
+}
+
+impl Inner {
+    /// The declaration of `T`.
+    pub fn of<T: Part>(stands: Stands) -> Self {
+        let path = std::any::type_name::<T>();
+        let name = path.rsplit("::").next().unwrap_or(path);
+        Self { name, stands, layout: T::layout }
+    }
+}
+
+impl BodyReference {
+    fn of(layout: &Layout) -> Self {
+        Self {
+            about: layout.about.clone(),
+            keys: layout.keys.iter().map(KeyReference::of).collect(),
+            either: layout.either.clone(),
+            kinds: layout.choices.iter().map(KindsReference::of).collect(),
+        }
+    }
+}
+
+impl KindsReference {
+    fn of(kinds: &Kinds) -> Self {
+        let variant = |v: &Variant| (v.word, BodyReference::of(&v.layout));
+        Self {
+            tag: kinds.tag,
+            about: kinds.about.clone(),
+            default: kinds.default,
+            variants: kinds.variants.iter().map(variant).collect(),
+        }
+    }
+}
+
+impl KeyReference {
+    fn of(key: &Key) -> Self {
+        let Described { expected, unit, words, table } = (key.described)();
+        Self {
+            name: key.name,
+            about: key.about.clone(),
+            expected,
+            unit,
+            words,
+            required: key.required,
+            default: key.default.clone(),
+            table: table.map(|inner| inner.name),
+        }
+    }
+}
