@@ -127,7 +127,8 @@ fn add(tables: &mut Vec<TableReference>, inner: Inner, place: &str, layout: &Lay
     tables.push(TableReference { name, stands, places, body });
     within(layout, &mut |key| {
         let Some(inner) = (key.described)().table else { return };
-        let place = if place.is_empty() { key.name.into() } else { format!("{place}.{}", key.name) };
+        let place =
+            if place.is_empty() { key.name.into() } else { format!("{place}.{}", key.name) };
         let layout = (inner.layout)();
         add(tables, inner, &place, &layout);
     });
@@ -158,17 +159,22 @@ impl BodyReference {
             about: layout.about.clone(),
             keys: layout.keys.iter().map(KeyReference::of).collect(),
             either: layout.either.clone(),
-            kinds: layout.choices.iter().map(KindsReference::of).collect(),
+            kinds: layout
+                .choices
+                .iter()
+                .map(|kinds| KindsReference::of(kinds, &layout.about))
+                .collect(),
         }
     }
 }
 
 impl KindsReference {
-    fn of(kinds: &Kinds) -> Self {
+    /// The kinds of a table; where they are all that is in it, what is said of the table is said of them.
+    fn of(kinds: &Kinds, table: &str) -> Self {
         let variant = |v: &Variant| (v.word, BodyReference::of(&v.layout));
         Self {
             tag: kinds.tag,
-            about: kinds.about.clone(),
+            about: if kinds.about.is_empty() { table.into() } else { kinds.about.clone() },
             default: kinds.default,
             variants: kinds.variants.iter().map(variant).collect(),
         }

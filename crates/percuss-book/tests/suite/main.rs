@@ -1,0 +1,3 @@
+//! What the book promises of itself.
+
+mod scenario;
