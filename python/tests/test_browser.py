@@ -23,6 +23,6 @@ def test_two_results_play_in_one_page(elastic, tmp_path):
     page = tmp_path / "cells.html"
     page.write_text("<!doctype html><meta charset=utf-8><body>" + "".join(shown))
     environment = {**os.environ, "PAGE": str(page), "BROWSER": BROWSER, "PLAYWRIGHT": str(PLAYWRIGHT)}
-    script = Path(ROOT, "web", "browser", "notebook.mjs")
+    script = Path(ROOT, "crates", "percuss-output", "web", "browser", "notebook.mjs")
     done = subprocess.run(["node", script], env=environment, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -1,9 +1,24 @@
 //! Writes the book of Percuss: references from the declarations that read the files, pages whose commands were run.
 
+mod book;
 mod bounds;
+mod code_pages;
+mod desk;
 mod excerpts;
+mod fences;
+mod gallery;
+mod links;
+mod maths;
+mod running;
 mod scenario_pages;
 
+pub use book::{Sources, authored, build};
 pub use bounds::{Bounds, bounds};
+pub use code_pages::{Code, Provocations, Provoked, codes};
+pub use desk::{Desk, Outcome};
 pub use excerpts::{Excerpt, Sample, Standing, samples, standings};
+pub use fences::{Fence, Part, parts};
+pub use links::broken;
+pub use maths::set;
+pub use running::{Effort, run};
 pub use scenario_pages::{Page, missing_examples, reference_pages};

@@ -236,8 +236,7 @@ impl Writer<'_> {
 impl Draft<'_> {
     fn show(&mut self, standing: &Standing) {
         let Excerpt { file, text } = &standing.excerpt;
-        let link = format!("<!-- from {file} -->");
-        let example = format!("{link}\n\n```toml\n{text}\n```\n\nFrom `{file}`.\n\n");
+        let example = format!("```toml\n{text}\n```\n\nFrom `{file}`.\n\n");
         if !self.text.contains(&example) {
             self.text.push_str(&example);
         }

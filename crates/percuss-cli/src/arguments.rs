@@ -413,6 +413,9 @@ pub struct Verify {
     /// Show every check of every case, not only the tightest one
     #[arg(long)]
     pub all_checks: bool,
+    /// Write the verification manual into this folder: an index, a page and a figure a case
+    #[arg(long, value_name = "DIR")]
+    pub book: Option<PathBuf>,
 }
 
 /// Arguments of `completions`.

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::pixels::Pixels;
 
 /// What draws without a page.
-const FILM: &str = include_str!("../../../web/film.js");
+const FILM: &str = include_str!("../web/film.js");
 /// Bytes of the stack that scripts may use.
 const STACK: usize = 1 << 19;
 

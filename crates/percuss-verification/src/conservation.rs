@@ -7,9 +7,9 @@ use crate::structure::*;
 
 macro_rules! paper_scenarios {
     ($($name:literal),* $(,)?) => {
-        /// The paper's examples as they stand in `scenarios/paper/`: name and text.
+        /// The paper's examples, copies of `scenarios/paper/` that go with the crate: name and text.
         const PAPER: &[(&str, &str)] =
-            &[$(($name, include_str!(concat!("../../../scenarios/paper/", $name, ".toml")))),*];
+            &[$(($name, include_str!(concat!("../scenarios/", $name, ".toml")))),*];
     };
 }
 

@@ -1,5 +1,6 @@
 //! `percuss verify`.
 
+mod book;
 mod table;
 
 use std::time::Instant;
@@ -45,6 +46,10 @@ pub fn run(arguments: &Verify) -> Result<Status, Failure> {
         all.push(Done { case, checks, seconds: begun.elapsed().as_secs_f64() });
     }
     progress.clear();
+    if let Some(folder) = &arguments.book {
+        let failed = |error| Failure::system(folder, "write the manual", &error);
+        book::write(folder, &all).map_err(failed)?;
+    }
     if arguments.json {
         terminal::print(&format!("{:#}\n", value(&all)))?;
     } else {

@@ -288,7 +288,8 @@ fn drawn_by_node(desk: &Desk, run: &str, look: &Value, time: f64) -> Option<Stri
     });
     let colours: Map<String, Value> =
         scene_colours(false).into_iter().map(|(n, v)| (n.to_owned(), v.into())).collect();
-    let film = PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/film.js"));
+    let film =
+        PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../percuss-pictures/web/film.js"));
     let scripts: Vec<String> = scene_scripts()
         .map(str::to_owned)
         .chain([std::fs::read_to_string(film).unwrap()])

@@ -2,6 +2,7 @@
 
 mod animate;
 mod bad_input;
+mod book;
 mod checkpoints;
 mod commands;
 mod common;

@@ -8,14 +8,14 @@ use super::story::story;
 use super::{payload, scene};
 use crate::fields::Fields;
 
-const TEMPLATE: &str = include_str!("../../../../web/notebook.html");
+const TEMPLATE: &str = include_str!("../../web/notebook.html");
 /// What the scene needs besides its own scripts, and what opens it.
 const SCRIPTS: [&str; 3] = [
-    include_str!("../../../../web/columns.js"),
-    include_str!("../../../../web/figures.js"),
-    include_str!("../../../../web/exports.js"),
+    include_str!("../../web/columns.js"),
+    include_str!("../../web/figures.js"),
+    include_str!("../../web/exports.js"),
 ];
-const OPEN: &str = include_str!("../../../../web/notebook.js");
+const OPEN: &str = include_str!("../../web/notebook.js");
 
 /// Frames of either kind at most: fifty a second of a film of five.
 const FRAMES: usize = 250;

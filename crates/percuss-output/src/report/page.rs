@@ -10,21 +10,21 @@ use super::html::{self, escape};
 use super::{advice, audit, log, payload, provenance, results, scene};
 use crate::fields::Fields;
 
-const TEMPLATE: &str = include_str!("../../../../web/report.html");
-pub(crate) const HEAD: &str = include_str!("../../../../web/head.html");
-pub(crate) const STYLE: &str = include_str!("../../../../web/report.css");
+const TEMPLATE: &str = include_str!("../../web/report.html");
+pub(crate) const HEAD: &str = include_str!("../../web/head.html");
+pub(crate) const STYLE: &str = include_str!("../../web/report.css");
 /// The scripts that draw figures and tie the page together, in the order in which they use each other.
 const SCRIPTS: [&str; 6] = [
-    include_str!("../../../../web/columns.js"),
-    include_str!("../../../../web/figures.js"),
-    include_str!("../../../../web/zoom.js"),
-    include_str!("../../../../web/exports.js"),
-    include_str!("../../../../web/log.js"),
-    include_str!("../../../../web/report.js"),
+    include_str!("../../web/columns.js"),
+    include_str!("../../web/figures.js"),
+    include_str!("../../web/zoom.js"),
+    include_str!("../../web/exports.js"),
+    include_str!("../../web/log.js"),
+    include_str!("../../web/report.js"),
 ];
-const UPLOT: &str = include_str!("../../../../web/vendor/uplot/uPlot.iife.min.js");
-const UPLOT_STYLE: &str = include_str!("../../../../web/vendor/uplot/uPlot.min.css");
-const UPLOT_LICENCE: &str = include_str!("../../../../web/vendor/uplot/LICENSE");
+const UPLOT: &str = include_str!("../../web/vendor/uplot/uPlot.iife.min.js");
+const UPLOT_STYLE: &str = include_str!("../../web/vendor/uplot/uPlot.min.css");
+const UPLOT_LICENCE: &str = include_str!("../../web/vendor/uplot/LICENSE");
 
 /// The whole page.
 pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {

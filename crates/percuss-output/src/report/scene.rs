@@ -5,17 +5,17 @@ use super::html::escape;
 use super::page::{STYLE, fill_holes};
 use super::story::story;
 
-const SECTION: &str = include_str!("../../../../web/scene.html");
+const SECTION: &str = include_str!("../../web/scene.html");
 
 /// What scenes and figures are drawn with.
-pub(super) const PENS: &str = include_str!("../../../../web/pens.js");
+pub(super) const PENS: &str = include_str!("../../web/pens.js");
 /// The scripts that draw the scene, in the order in which they use each other.
 pub(super) const SCRIPTS: [&str; 5] = [
-    include_str!("../../../../web/scene.js"),
-    include_str!("../../../../web/clearance.js"),
-    include_str!("../../../../web/drawing.js"),
-    include_str!("../../../../web/symbols.js"),
-    include_str!("../../../../web/player.js"),
+    include_str!("../../web/scene.js"),
+    include_str!("../../web/clearance.js"),
+    include_str!("../../web/drawing.js"),
+    include_str!("../../web/symbols.js"),
+    include_str!("../../web/player.js"),
 ];
 
 /// What the scene is drawn with outside of a page too: the scripts in the order in which they use each other.

@@ -12,7 +12,7 @@ use super::payload;
 use super::pictures::{inline_svg, theme};
 use super::quantity::Scale;
 
-const TEMPLATE: &str = include_str!("../../../../web/sheet.html");
+const TEMPLATE: &str = include_str!("../../web/sheet.html");
 /// Size of a map, in the units of the drawing.
 const MAP: (f64, f64) = (640.0, 430.0);
 /// Cells of a map along each axis.

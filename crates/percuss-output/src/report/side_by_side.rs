@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::fields::Fields;
 use crate::files;
 
-const TEMPLATE: &str = include_str!("../../../../web/comparison.html");
+const TEMPLATE: &str = include_str!("../../web/comparison.html");
 /// What a page of ours begins with, within its first bytes.
 pub const MARK: &str = "<meta name=\"generator\" content=\"percuss comparison\">";
 /// Runs on a page: as many as there are colours to tell them apart.

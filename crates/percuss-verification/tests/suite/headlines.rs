@@ -121,3 +121,19 @@ fn every_headline_is_the_extremum_of_its_curve() {
     assert!(all.len() > 20, "{all:?}");
     all.iter().for_each(|path| check(path));
 }
+
+/// A packaged crate has no files beside it, so the paper's examples lie in it a second time.
+#[test]
+fn examples_that_go_with_the_crate_are_those_of_the_repository() {
+    let own = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let texts = |folder: std::path::PathBuf| {
+        let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let named = entries.map(|path| {
+            (path.file_name().unwrap().to_owned(), std::fs::read_to_string(path).unwrap())
+        });
+        named.collect::<std::collections::BTreeMap<_, _>>()
+    };
+    let copies = texts(own.join("scenarios"));
+    assert!(!copies.is_empty());
+    assert_eq!(copies, texts(own.join("../../scenarios/paper")), "copy scenarios/paper here");
+}

@@ -13,13 +13,13 @@ pub(super) fn render(all: &[Done], all_checks: bool) -> String {
     let mut rows = vec![HEADER.map(String::from)];
     for done in all {
         if all_checks || !done.holds() {
-            rows.extend(done.checks.iter().map(|check| row(done.case.id, check, "")));
+            rows.extend(done.checks.iter().map(|check| cells(done.case.id, check, "")));
         } else if let Some(tightest) = tightest(&done.checks) {
             let others = match done.checks.len() - 1 {
                 0 => String::new(),
                 n => format!(" (+{n})"),
             };
-            rows.push(row(done.case.id, tightest, &others));
+            rows.push(cells(done.case.id, tightest, &others));
         }
         if done.checks.is_empty() {
             let mut empty = [const { String::new() }; 7];
@@ -32,7 +32,8 @@ pub(super) fn render(all: &[Done], all_checks: bool) -> String {
     aligned(&rows)
 }
 
-fn row(id: &str, check: &Check, others: &str) -> [String; 7] {
+/// Cells of a check; `others` stands behind its quantity.
+pub(super) fn cells(id: &str, check: &Check, others: &str) -> [String; 7] {
     let verdict = if check.holds() { "ok" } else { "FAILS" };
     let bound = matches!(check.tolerance, Tolerance::AtMost | Tolerance::AtLeast);
     let deviation = check.deviation().filter(|_| !bound);
@@ -57,7 +58,7 @@ fn tightest(checks: &[Check]) -> Option<&Check> {
 }
 
 /// How much of its tolerance a check uses up: 1 at the limit.
-fn share_used(check: &Check) -> f64 {
+pub(super) fn share_used(check: &Check) -> f64 {
     let share = match check.tolerance {
         Tolerance::Relative(t) | Tolerance::Absolute(t) => {
             check.deviation().unwrap_or(f64::NAN) / t

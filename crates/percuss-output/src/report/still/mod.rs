@@ -15,16 +15,16 @@ use super::page::{STYLE, fill_holes, page_parts};
 use super::{payload, scene};
 use crate::fields::{Fields, StoredFrame};
 
-const TEMPLATE: &str = include_str!("../../../../../web/still.html");
+const TEMPLATE: &str = include_str!("../../../web/still.html");
 /// What draws the pages besides the scripts of the scene, in the order in which they use each other.
 const SCRIPTS: [&str; 7] = [
-    include_str!("../../../../../web/columns.js"),
-    include_str!("../../../../../web/figures.js"),
-    include_str!("../../../../../web/exports.js"),
-    include_str!("../../../../../web/shapes.js"),
-    include_str!("../../../../../web/chart.js"),
-    include_str!("../../../../../web/panels.js"),
-    include_str!("../../../../../web/still.js"),
+    include_str!("../../../web/columns.js"),
+    include_str!("../../../web/figures.js"),
+    include_str!("../../../web/exports.js"),
+    include_str!("../../../web/shapes.js"),
+    include_str!("../../../web/chart.js"),
+    include_str!("../../../web/panels.js"),
+    include_str!("../../../web/still.js"),
 ];
 
 /// A page.

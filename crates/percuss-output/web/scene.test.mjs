@@ -1,4 +1,4 @@
-// The scene stands where the solver has it, and what is drawn of it is what was asked for: `node --test web/`.
+// The scene stands where the solver has it, and what is drawn of it is what was asked for: `node --test crates/percuss-output/web/`.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// The page's numbers come back as they were packed: `node --test web/`.
+// The page's numbers come back as they were packed: `node --test crates/percuss-output/web/`.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

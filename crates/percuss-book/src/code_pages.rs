@@ -1,0 +1,146 @@
+//! A page for each code of a fault or a finding, with an example that provokes it.
+
+use std::io;
+use std::path::Path;
+
+use percuss_advice::Topic;
+use percuss_scenario::FaultCode;
+use toml_edit::{DocumentMut, Item, TableLike};
+
+use crate::desk::Desk;
+use crate::scenario_pages::Page;
+
+/// A code, from one of the catalogues.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Code {
+    /// `W002`.
+    pub code: &'static str,
+    /// A few words.
+    pub name: &'static str,
+    /// What it means and what to do.
+    pub explanation: &'static str,
+}
+
+/// Every code: faults, then findings.
+pub fn codes() -> Vec<Code> {
+    let fault = |one: FaultCode| (one.code(), one.name(), one.explanation());
+    let topic = |one: Topic| (one.code(), one.name(), one.explanation());
+    let all = FaultCode::ALL.into_iter().map(fault).chain(Topic::ALL.into_iter().map(topic));
+    all.map(|(code, name, explanation)| Code { code, name, explanation }).collect()
+}
+
+/// How codes are provoked: `docs/book/codes.toml`.
+#[derive(Clone, Debug)]
+pub struct Provocations(DocumentMut);
+
+/// Runs, and what one shows.
+#[derive(Clone, Debug)]
+pub struct Provoked {
+    /// The page.
+    pub page: Page,
+    /// What went otherwise than it should: the code was not told, or the cure did not help.
+    pub faults: Vec<String>,
+}
+
+impl Provocations {
+    /// Reads the file.
+    ///
+    /// # Errors
+    /// It cannot be read, or is no TOML.
+    pub fn load(path: &Path) -> io::Result<Self> {
+        let text = std::fs::read_to_string(path)?;
+        text.parse().map(Self).map_err(io::Error::other)
+    }
+
+    /// Provokes a code: writes the scenario, changes it, runs the command.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn provoke(&self, code: Code, desk: &Desk) -> io::Result<Provoked> {
+        let Code { code: id, name, explanation } = code;
+        let title = format!("{id} {name}");
+        let mut faults = Vec::new();
+        let head = format!("# {id}: {name}\n\n{}\n\n", paragraph(explanation));
+        let Some(how) = self.0.get(id).and_then(Item::as_table_like) else {
+            faults.push(format!("{id}: no example in docs/book/codes.toml"));
+            let page = Page { path: format!("codes/{id}.md"), title, text: head };
+            return Ok(Provoked { page, faults });
+        };
+        let word = |key: &str| how.get(key).and_then(Item::as_str);
+        let template = word("template").unwrap_or("elastic");
+        desk.run(&format!("percuss new {template} --out my.toml"))?;
+        let example = change(how, desk, &mut faults)?;
+        let command = word("run").unwrap_or("percuss check my.toml");
+        let outcome = desk.run(command)?;
+        if !outcome.text.contains(&format!("[{id}]")) {
+            faults.push(format!("{id}: `{command}` does not tell of it:\n{}", outcome.text));
+        }
+        let told: Vec<&str> =
+            outcome.text.lines().filter(|line| line.contains(&format!("[{id}]"))).collect();
+        let mut text = format!(
+            "{head}## An example\n\nIn the scenario of `percuss new {template} --out my.toml`{example}"
+        );
+        text.push_str(&format!("```console\n$ {command}\n{}\n```\n", told.join("\n")));
+        if let Some(cure) = word("cure") {
+            text.push_str(&format!("\n## The cure\n\n{}\n", cure.trim()));
+        }
+        Ok(Provoked { page: Page { path: format!("codes/{id}.md"), title, text }, faults })
+    }
+}
+
+/// Changes the scenario as an entry says; how that is told.
+fn change(how: &dyn TableLike, desk: &Desk, faults: &mut Vec<String>) -> io::Result<String> {
+    let word = |key: &str| how.get(key).and_then(Item::as_str);
+    let mut told = String::new();
+    let mut text = std::fs::read_to_string(desk.path("my.toml"))?;
+    for key in ["", "2", "3"] {
+        let (from, to) = (word(&format!("replace{key}")), word(&format!("with{key}")));
+        let Some((from, to)) = from.zip(to) else { continue };
+        if !text.contains(from) {
+            faults.push(format!("`{from}` is not in the scenario"));
+        }
+        text = text.replacen(from, to, 1);
+        let (from, to) = (from.trim(), to.trim());
+        told.push_str(&match to {
+            "" => format!(", without\n\n```toml\n{from}\n```\n\n"),
+            _ => format!(", with\n\n```toml\n{to}\n```\n\ninstead of\n\n```toml\n{from}\n```\n\n"),
+        });
+    }
+    if let Some(more) = word("append") {
+        text.push_str(&format!("\n{more}"));
+        told.push_str(&format!(
+            ", with these lines at the end\n\n```toml\n{}\n```\n\n",
+            more.trim()
+        ));
+    }
+    if let Some(whole) = word("whole") {
+        text = whole.into();
+        told = format!(", with this in its place\n\n```toml\n{}\n```\n\n", whole.trim());
+    }
+    desk.put("my.toml", &text)?;
+    Ok(if told.is_empty() { ":\n\n".into() } else { told })
+}
+
+fn paragraph(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The list of all codes.
+pub fn index() -> Page {
+    let line = |one: Code| format!("| [{0}]({0}.md) | {1} |\n", one.code, one.name);
+    let (faults, findings): (Vec<Code>, Vec<Code>) =
+        codes().into_iter().partition(|one| one.code.starts_with('E'));
+    let table = |of: Vec<Code>| {
+        format!("| code | about |\n|---|---|\n{}\n", of.into_iter().map(line).collect::<String>())
+    };
+    let text = format!(
+        "# Errors and warnings\n\n\
+         Every message of `percuss check` and `percuss run` about a file or a run ends with a code in brackets. The code stays the same from version to \
+         version; `percuss explain W002` prints what stands here, and `--deny W002` makes a command fail where the advisor finds it.\n\n\
+         ## Faults\n\nA file with a fault is not run. All faults of a file are told at once.\n\n{}\
+         ## Findings of the advisor\n\nA run goes on; its results may not mean what they seem to.\n\n{}",
+        table(faults),
+        table(findings)
+    );
+    Page { path: "codes/index.md".into(), title: "Errors and warnings".into(), text }
+}
