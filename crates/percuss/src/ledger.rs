@@ -17,6 +17,10 @@ pub struct Ledger {
     pub loss_impacts: f64,
     /// Energy taken by damping \[J\].
     pub loss_damping: f64,
+    /// Energy dissipated by plastic flow \[J\].
+    pub loss_plastic: f64,
+    /// Energy that was stored in fibres that failed \[J\].
+    pub loss_failure: f64,
     /// Linear momentum at the start \[kg m/s\].
     pub linear_initial: [f64; 2],
     /// Angular momentum about the origin at the start \[kg m^2/s\].
@@ -43,10 +47,13 @@ pub struct Ledger {
     /// through, however little of it stays.
     pub passed: [f64; 3],
     /// What the sums above have lost by rounding.
-    rest: [f64; 13],
+    rest: [f64; FLOWS],
     /// Energy, momentum and angular momentum that are none \[J, kg m/s, kg m^2/s\].
     negligible: [f64; 3],
 }
+
+/// Number of sums that flows are entered in.
+const FLOWS: usize = 15;
 
 /// Strains that are none.
 const NEGLIGIBLE_STRAIN: f64 = 1e-12;
@@ -99,6 +106,8 @@ pub struct Measures {
     pub strain_axial: f64,
     /// Bending strain energy \[J\].
     pub strain_bending: f64,
+    /// Energy that hardening has stored \[J\].
+    pub hardening: f64,
     /// Energy of the contact springs \[J\].
     pub contact: f64,
     /// Energy of springs, elastic supports and stops \[J\].
@@ -126,6 +135,7 @@ impl Measures {
             + self.kinetic_projectiles
             + self.strain_axial
             + self.strain_bending
+            + self.hardening
             + self.contact
             + self.springs
     }
@@ -150,10 +160,16 @@ impl Ledger {
 
     /// Takes a new state into the scales.
     pub(crate) fn rescale(&mut self, m: &Measures) {
-        let energy =
-            [m.total(), self.work_loads, self.work_supports, self.loss_impacts, self.loss_damping]
-                .into_iter()
-                .fold(0.0, |most: f64, e| most.max(e.abs()));
+        let energy = [
+            m.total(),
+            self.work_loads,
+            self.work_supports,
+            self.loss_impacts,
+            self.loss_damping,
+            self.loss_plastic,
+        ]
+        .into_iter()
+        .fold(0.0, |most: f64, e| most.max(e.abs()));
         self.energy_scale = self.energy_scale.max(energy);
         let impulse = |j: [f64; 2]| j[0].hypot(j[1]);
         self.linear_scale = self
@@ -168,7 +184,7 @@ impl Ledger {
             .max(self.angular_impulse_supports.abs());
     }
 
-    fn flows(&mut self) -> [&mut f64; 13] {
+    fn flows(&mut self) -> [&mut f64; FLOWS] {
         let [l1, l2] = &mut self.impulse_loads;
         let [s1, s2] = &mut self.impulse_supports;
         let [d1, d2] = &mut self.impulse_damping;
@@ -180,17 +196,18 @@ impl Ledger {
         let [la, sa, da] = angular;
         let (work_l, work_s) = (&mut self.work_loads, &mut self.work_supports);
         let (impacts, damping) = (&mut self.loss_impacts, &mut self.loss_damping);
-        [work_l, work_s, impacts, damping, l1, l2, s1, s2, d1, d2, la, sa, da]
+        let (plastic, failure) = (&mut self.loss_plastic, &mut self.loss_failure);
+        [work_l, work_s, impacts, damping, l1, l2, s1, s2, d1, d2, la, sa, da, plastic, failure]
     }
 
     /// Takes the sums so far aside: what is entered next counts from nothing.
-    pub(crate) fn set_aside(&mut self) -> [f64; 13] {
+    pub(crate) fn set_aside(&mut self) -> [f64; FLOWS] {
         self.flows().map(std::mem::take)
     }
 
     /// Adds what has been entered since to sums set aside, without loss by rounding (Kahan 1965, Neumaier 1974): over millions of
     /// steps it would be that of the sums, each time.
-    pub(crate) fn put_on(&mut self, so_far: [f64; 13]) {
+    pub(crate) fn put_on(&mut self, so_far: [f64; FLOWS]) {
         let mut rest = self.rest;
         let entered = self.flows().map(|f| *f);
         for (((sum, rest), before), entered) in
@@ -203,7 +220,7 @@ impl Ledger {
             *rest = (a - *sum) + b;
         }
         self.rest = rest;
-        let [work_l, work_s, _, _, l1, l2, s1, s2, _, _, la, sa, _] = entered.map(f64::abs);
+        let [work_l, work_s, _, _, l1, l2, s1, s2, _, _, la, sa, ..] = entered.map(f64::abs);
         let passed = [work_l + work_s, l1 + l2 + s1 + s2, la + sa];
         (0..3).for_each(|i| self.passed[i] += passed[i]);
     }
@@ -218,10 +235,11 @@ impl Ledger {
 
     /// What is missing from the balance of energy \[J\].
     pub fn energy_residual(&self, m: &Measures) -> f64 {
-        let [loads, supports, impacts, damping, ..] = self.rest;
-        let rest = loads + supports - impacts - damping;
+        let [loads, supports, impacts, damping, .., plastic, failure] = self.rest;
+        let rest = loads + supports - impacts - damping - plastic - failure;
         let entered = self.energy_initial + self.work_loads + self.work_supports;
-        m.total() - entered + self.loss_impacts + self.loss_damping - rest
+        let inelastic = self.loss_plastic + self.loss_failure;
+        m.total() - entered + self.loss_impacts + self.loss_damping + inelastic - rest
     }
 
     /// What is missing from the balance of linear momentum \[kg m/s\].
@@ -239,7 +257,7 @@ impl Ledger {
         let impulse = self.angular_impulse_loads
             + self.angular_impulse_supports
             + self.angular_impulse_damping;
-        m.angular - self.angular_initial - impulse - self.rest[10..].iter().sum::<f64>()
+        m.angular - self.angular_initial - impulse - self.rest[10..13].iter().sum::<f64>()
     }
 }
 

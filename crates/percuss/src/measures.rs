@@ -7,6 +7,7 @@ use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::frozen::{BodyKind, Span};
 use crate::model::{Model, TouchLaw};
 use crate::state::State;
+use crate::step::fibres::energies;
 
 impl Measures {
     /// Measures the state of a model; only the pairs that are `awake` can be pressed together.
@@ -45,6 +46,12 @@ impl Measures {
                 angular += cross(x, [p[0], p[1]]) + cross(slope, [p[2], p[3]]);
                 angular_size += size(x) * size([p[0], p[1]]) + size(slope) * size([p[2], p[3]]);
             }
+            if span.fibres.is_some() {
+                let [stretching, others, hardening] = energies(state, span, k, &u);
+                axial += 2.0 * stretching;
+                bending += 2.0 * others;
+                self.hardening += hardening;
+            }
             for (j, row) in table.rows.iter().enumerate() {
                 let (slope, bend) = (u.at(&row.first), add(row.bend, u.at(&row.second)));
                 let s = strains(span.measure, row.tangent, row.curvature, slope, bend);
@@ -58,12 +65,14 @@ impl Measures {
                 }
                 let spin = state.spin[e][j];
                 rotation += row.weighed.rotary * spin * spin;
-                axial += row.weighed.axial * eps * eps;
-                bending += row.weighed.bending * kappa * kappa;
+                if span.fibres.is_none() {
+                    axial += row.weighed.axial * eps * eps;
+                    bending += row.weighed.bending * kappa * kappa;
+                }
                 angular += row.weighed.rotary * spin;
                 angular_size += (row.weighed.rotary * spin).abs();
             }
-            if let Some(samples) = &table.membrane {
+            if let (Some(samples), None) = (&table.membrane, &span.fibres) {
                 let mut eps = samples.strains(span.measure, &u);
                 if stored {
                     for (eps, stored) in eps.iter_mut().zip(&state.strain[e]) {

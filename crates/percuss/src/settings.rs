@@ -141,6 +141,12 @@ impl Settings {
             let found = spectral_radius.to_string();
             add("integrator.spectral_radius", found, "a radius from 0 to 1");
         }
+        if self.scheme != Scheme::EnergyMomentum && model.is_inelastic() {
+            let found = "another scheme than energy-momentum, with a material that yields or bears \
+                         no stress of one sign";
+            let expected = "energy-momentum: the work of its fibres is exact in no other";
+            add("integrator.scheme", found.into(), expected);
+        }
         if self.scheme.advances_accelerations() && model.has_rigid_contact() {
             let found = "a scheme that advances accelerations, with a rigid contact";
             let expected = "energy-momentum, strain-rate or midpoint: \

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::element::fibre::FibreState;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair, Target};
 use crate::geometry::touch::Reach;
@@ -116,6 +117,8 @@ pub struct State {
     /// Stored strains (membrane, bending) at the Gauss points, shape (n_elem, n_gauss) \[1, 1/m\]; strain-rate scheme
     /// only, empty otherwise.
     pub strain: Vec<[[f64; 2]; GAUSS]>,
+    /// What fibres remember, shape (n_fibre).
+    pub fibres: Vec<FibreState>,
     /// How far prescribed motions were followed, shape (n_motion).
     pub(crate) followed: Vec<Followed>,
     /// Coordinates of springs and dampers, angles unwound, shape (n_connector) \[m, rad\].
@@ -144,7 +147,7 @@ impl State {
         let instant = |s: &Self| s.instant.as_ref().map(|i| i.reactions.len());
         let shape = |s: &Self| {
             let nodes = [s.displacement.len(), s.velocity.len(), s.acceleration.len()];
-            let elements = [s.spin.len(), s.strain.len()];
+            let elements = [s.spin.len(), s.strain.len(), s.fibres.len()];
             let others = [s.followed.len(), s.coordinates.len(), s.mass_spin.len()];
             let forces = [s.reactions.len(), s.reacting.last.len(), s.multiplier.len()];
             (nodes, elements, others, forces, s.pairs.len())
@@ -175,6 +178,7 @@ impl State {
             acceleration: if advances_accelerations { vec![[0.0; 4]; nodes] } else { Vec::new() },
             spin: vec![[0.0; GAUSS]; elements],
             strain: if stores_strain { vec![[[0.0; 2]; GAUSS]; elements] } else { Vec::new() },
+            fibres: vec![FibreState::default(); model.fibre_count()],
             followed: followed(model),
             coordinates: Vec::new(),
             mass_spin: vec![0.0; model.masses.len()],

@@ -9,6 +9,7 @@ mod spectrum;
 pub(crate) mod static_contacts;
 pub(crate) mod static_search;
 mod statics;
+mod unloading;
 
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
 pub use flutter::FollowerStability;
@@ -16,3 +17,4 @@ pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_fr
 pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path_recorded};
 pub use static_contacts::StaticContact;
 pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};
+pub(crate) use unloading::unloaded;

@@ -5,6 +5,7 @@ use super::spectrum::{Layout, free_motions, metric, random, size};
 use super::static_contacts::{Pressing, StaticContacts};
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
+use crate::element::fibre::FibreState;
 use crate::element::membrane::green_or_engineering;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, scale};
@@ -13,6 +14,7 @@ use crate::model::frozen::{BodyKind, ConstraintKind, Coordinate};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
+use crate::step::fibres::bring_to_rest;
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
 use crate::step::modal_damping::ModalDamping;
@@ -56,6 +58,7 @@ pub(super) struct Reached {
     pub increment: Vec<[f64; 4]>,
     multiplier: Vec<f64>,
     contacts: StaticContacts,
+    fibres: Vec<FibreState>,
 }
 
 impl<'m> StaticSearch<'m> {
@@ -80,6 +83,7 @@ impl<'m> StaticSearch<'m> {
         let mut search = Self::new(model);
         search.base.displacement.clone_from(&state.displacement);
         search.base.coordinates.clone_from(&state.coordinates);
+        search.base.fibres.clone_from(&state.fibres);
         search.work.multiplier.clone_from(&state.multiplier);
         search.forcing.set_static(model, share);
         search.forcing.hold_motions();
@@ -164,12 +168,20 @@ impl<'m> StaticSearch<'m> {
         regular
     }
 
-    /// The place reached.
-    pub fn reached(&self) -> Reached {
+    /// The place reached, an equilibrium: fibres that have yielded on the way to it stay so.
+    pub fn reached(&mut self) -> Reached {
+        if !self.base.fibres.is_empty() {
+            let mut displacement = self.base.displacement.clone();
+            for (u, d) in displacement.iter_mut().zip(&self.work.increment) {
+                (0..4).for_each(|i| u[i] += d[i]);
+            }
+            bring_to_rest(self.model, &displacement, &mut self.base.fibres);
+        }
         Reached {
             increment: self.work.increment.clone(),
             multiplier: self.work.multiplier.clone(),
             contacts: self.contacts.clone(),
+            fibres: self.base.fibres.clone(),
         }
     }
 
@@ -178,6 +190,7 @@ impl<'m> StaticSearch<'m> {
         self.work.increment.copy_from_slice(&place.increment);
         self.work.multiplier.copy_from_slice(&place.multiplier);
         self.contacts.clone_from(&place.contacts);
+        self.base.fibres.clone_from(&place.fibres);
         self.foresee(true);
     }
 

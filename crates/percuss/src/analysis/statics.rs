@@ -98,7 +98,7 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
         let found = search.solve(target);
         // What leans on something has not jumped to another branch for want of stability.
         let alone = !search.contacts.press();
-        if found && alone && stable && !is_stable_alone(&structure, &search) {
+        if found && alone && stable && !is_stable_alone(&structure, &mut search) {
             // A branch that lost its stability may have been jumped to: smaller steps tell.
             if step > finest {
                 step *= 0.5;
@@ -126,7 +126,7 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     search.forcing.set_static(model, 1.0);
     let mut found = finish(&mut search, load_steps);
     found.stable = if !search.contacts.press() {
-        stable || is_stable_alone(&structure, &search)
+        stable || is_stable_alone(&structure, &mut search)
     } else if search.contacts.has_discs() {
         search.is_stable_touching()
     } else {
@@ -160,7 +160,10 @@ pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
 }
 
 /// Whether the beams, which touch nothing, return to where they are.
-fn is_stable_alone(structure: &Model, search: &StaticSearch) -> bool {
+fn is_stable_alone(structure: &Model, search: &mut StaticSearch) -> bool {
+    if search.model.is_inelastic() {
+        return search.is_stable_touching(); // by the tangent of the fibres as they are loaded
+    }
     is_stable(structure, &search.state().of_structure(structure), Vec::new())
 }
 

@@ -79,15 +79,21 @@ pub struct NodeFrame {
 impl ElementTable {
     /// Table of an element between two nodes, `length` of arc apart; `section` gives constants at a share of the way.
     ///
-    /// The reference is interpolated as displacements are, so rigid motions leave strains at zero.
-    pub fn new(length: f64, ends: [NodeFrame; 2], section: impl Fn(f64) -> SectionValues) -> Self {
+    /// The reference is interpolated as displacements are, so rigid motions leave strains at zero. Membrane strains are sampled at the
+    /// nodes and the middle where the element is long against the radius of gyration, or `sampled` is said.
+    pub fn new(
+        length: f64,
+        ends: [NodeFrame; 2],
+        sampled: bool,
+        section: impl Fn(f64) -> SectionValues,
+    ) -> Self {
         let [a, b] = ends;
         let chord = [0, 1].map(|i| b.position[i] - a.position[i]);
         let reference = ElementValues { chord, slope_a: a.tangent, slope_b: b.tangent };
         let points = hermite::gauss_points();
         let middle = section(0.5);
         let gyration = (middle.law.bending / middle.law.axial).sqrt();
-        let slender = length > MembraneTable::SLENDER * gyration;
+        let slender = sampled || length > MembraneTable::SLENDER * gyration;
         let rows = std::array::from_fn(|k| {
             let (first, second) = (
                 chord_form(hermite::slope(points[k], length)),

@@ -2,7 +2,7 @@
 //! Newmark (`theta = 1`), generalized-alpha (`theta = 1 - alpha_f`), statics (`theta = 1`).
 
 use super::point::{
-    PointResponse, SectionLaw, StepPoint, Strains, Stress, StressRate, form_a, form_b,
+    Form, PointResponse, SectionLaw, StepPoint, Strains, Stress, StressRate, form_a, form_b,
 };
 use super::strain::{gradient, strains};
 use super::strain_rate;
@@ -107,4 +107,43 @@ fn evaluate<S: Real, const TANGENT: bool>(
     };
     let tangent = geometric.forces_and_tangent(&rate, g, p).tangent;
     PointResponse { tangent, ..stress.forces(g, p) }
+}
+
+/// The bending strain at the end of a step: its gradient there, and forces of a moment with the tangent of its lever arms.
+pub struct BendingEnd {
+    /// Gradient of the bending strain.
+    pub gradient: Form<f64>,
+    unit: Stress<f64>,
+    rate: StressRate<f64>,
+    at: [[f64; 2]; 2],
+}
+
+/// That of a point.
+pub fn bending_at_end(law: &SectionLaw<f64>, point: &StepPoint<f64>) -> BendingEnd {
+    let g = add(point.tangent, add(point.slope_0, point.d_slope));
+    let p = add(point.bend_0, point.d_bend);
+    let c = gradient(law.measure, g, p);
+    let (a, b) = (form_a(g), form_b(g, p));
+    let none = a.times(0.0);
+    BendingEnd {
+        gradient: b.times(c.c1).plus(c.c2, a),
+        unit: Stress { axial: 0.0, moment: 1.0, alpha: c.alpha, c1: c.c1, c2: c.c2 },
+        rate: StressRate {
+            axial: none,
+            moment: none,
+            alpha: none,
+            c1: a.times(c.c1_a),
+            c2: a.times(c.c2_a).plus(c.c2_b, b),
+            theta: 1.0,
+        },
+        at: [g, p],
+    }
+}
+
+impl BendingEnd {
+    /// Force of a moment, with the tangent of its lever arms alone.
+    pub fn response(&self, moment: f64) -> PointResponse<f64> {
+        let [g, p] = self.at;
+        Stress { moment, ..self.unit }.forces_and_tangent(&self.rate, g, p)
+    }
 }

@@ -6,8 +6,10 @@
 pub mod beam;
 pub mod collocation;
 pub mod energy_momentum;
+pub mod fibre;
 pub mod membrane;
 pub mod point;
 pub mod rotary;
 pub mod strain;
 pub mod strain_rate;
+pub mod yielding;

@@ -76,6 +76,9 @@ pub fn withdraw(
         work_supports: nan,
         loss_impacts: nan,
         loss_damping: nan,
+        plastic: 0.0,
+        hardening: 0.0,
+        failure: 0.0,
         scale: nan,
         residual_max: nan,
     };

@@ -57,6 +57,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
             "impacts one after another",
         ),
+        (model.is_inelastic(), "a material that yields or bears no stress of one sign"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (!model.is_still(), "beams that move at the start"),
         (

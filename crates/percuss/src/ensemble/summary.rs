@@ -89,6 +89,9 @@ impl<S: Number> Telling<'_, S> {
                 work_supports: 0.0,
                 loss_impacts: read(ledger.loss_impacts),
                 loss_damping: read(ledger.loss_damping),
+                plastic: 0.0,
+                hardening: 0.0,
+                failure: 0.0,
                 scale: read(energy_scale),
                 residual_max: relative(ledger.energy_residual, energy_scale),
             },
@@ -124,6 +127,7 @@ impl<S: Number> Telling<'_, S> {
                 .collect(),
             supports: Vec::new(),
             section_forces: Vec::new(),
+            plastic: Vec::new(),
         }
     }
 

@@ -4,7 +4,7 @@ use super::centre_line::CentreLine;
 use super::definition::*;
 use super::frozen::*;
 use super::mesh::SpanPlan;
-use super::{Fault, bodies, check, connect, constrain, loads, mesh, pairs, places};
+use super::{Fault, bodies, check, connect, constrain, fibres, loads, mesh, pairs, places};
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
 use crate::geometry::axis::{AxisElement, AxisElements};
@@ -209,7 +209,9 @@ impl ModelBuilder {
             section_values(material, section, (stations[k] + xi * length) / total)
         };
         let table = |k: usize, length: f64| {
-            ElementTable::new(length, [frames[k], frames[k + 1]], |xi| values(k, length, xi))
+            let ends = [frames[k], frames[k + 1]];
+            let always = material.inelasticity.is_some();
+            ElementTable::new(length, ends, always, |xi| values(k, length, xi))
         };
         let sections = |k: usize| {
             let length = stations[k + 1] - stations[k];
@@ -226,6 +228,7 @@ impl ModelBuilder {
         };
         let (first, element) = (model.nodes.len(), model.element_count());
         let sections = (0..tables.len()).map(sections).collect();
+        let stretch = fibres::Stretch { stations, total, uniform: tables.len() == 1, count: n };
         let span = Span {
             nodes: first..first + n + 1,
             elements: element..element + n,
@@ -235,6 +238,7 @@ impl ModelBuilder {
             measure: material.strain,
             retardation: material.retardation,
             mass_damping: material.mass_damping,
+            fibres: fibres::of_span(material, section, &stretch, model.fibre_count()),
         };
         for k in 0..n {
             let m = &span.table(k).mass;

@@ -7,9 +7,11 @@ pub(crate) use super::striking::*;
 pub(crate) use super::ties::*;
 use super::time_function::PreparedFunction;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
+use crate::element::fibre::{Fibre, StressLaw};
 use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
+use crate::math::hermite::GAUSS;
 use crate::math::vec2::norm;
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
@@ -89,6 +91,35 @@ pub(crate) struct Span {
     pub retardation: f64,
     /// Mass-proportional damping \[1/s\].
     pub mass_damping: f64,
+    /// Its fibres, if its material does more than Hooke's law says.
+    pub fibres: Option<SpanFibres>,
+}
+
+/// The fibres of a span.
+#[derive(Clone, Debug)]
+pub(crate) struct SpanFibres {
+    /// Laws of its materials.
+    pub laws: Vec<StressLaw>,
+    /// Fibres at the Gauss points, as many entries as the span has tables; the last two at each are of no area, at the lower and the
+    /// upper surface.
+    pub at: Vec<[Vec<Fibre>; GAUSS]>,
+    /// Fibres of an element, all its Gauss points together.
+    pub count: usize,
+    /// Number of its first fibre in the state.
+    pub first: usize,
+}
+
+impl SpanFibres {
+    /// Fibres of the element of number `k` in the span.
+    pub fn of(&self, k: usize) -> &[Vec<Fibre>; GAUSS] {
+        &self.at[if self.at.len() == 1 { 0 } else { k }]
+    }
+
+    /// Where the fibres of that element stand in the state.
+    pub fn range(&self, k: usize) -> Range<usize> {
+        let first = self.first + k * self.count;
+        first..first + self.count
+    }
 }
 
 impl Span {
@@ -178,6 +209,17 @@ impl Axes for Model {
 }
 
 impl Model {
+    /// Number of fibres of all beams.
+    pub(crate) fn fibre_count(&self) -> usize {
+        let last = self.spans.iter().rev().find_map(|s| s.fibres.as_ref().map(|f| (s, f)));
+        last.map_or(0, |(span, fibres)| fibres.first + fibres.count * span.elements.len())
+    }
+
+    /// Whether any beam can yield, or bears no stress of one sign.
+    pub fn is_inelastic(&self) -> bool {
+        self.spans.iter().any(|s| s.fibres.is_some())
+    }
+
     /// Number of nodes of all beams.
     pub fn node_count(&self) -> usize {
         self.nodes.len()

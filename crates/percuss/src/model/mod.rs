@@ -9,6 +9,7 @@ mod constrain;
 mod definition;
 mod draw;
 mod fault;
+mod fibres;
 pub(crate) mod frozen;
 mod loads;
 mod mesh;

@@ -88,8 +88,20 @@ pub fn channels(model: &Model) -> Vec<Channel> {
     for (name, unit, description) in BALANCE_COLUMNS {
         add(name.into(), unit, description);
     }
+    if model.is_inelastic() {
+        for (name, description) in PLASTIC_COLUMNS {
+            add(name.into(), "J", description);
+        }
+    }
     out
 }
+
+/// Columns of histories of beams that can yield.
+const PLASTIC_COLUMNS: [(&str, &str); 3] = [
+    ("energy.plastic", "Energy dissipated by plastic flow so far"),
+    ("energy.hardening", "Energy that hardening has stored"),
+    ("energy.failure", "Energy that was stored in fibres that failed so far"),
+];
 
 /// Columns every history has.
 const BALANCE_COLUMNS: [(&str, &str, &str); 23] = [
@@ -275,4 +287,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         m.membrane_drift,
         since.iterations as f64,
     ]);
+    if model.is_inelastic() {
+        row.extend([ledger.loss_plastic, m.hardening, ledger.loss_failure]);
+    }
 }

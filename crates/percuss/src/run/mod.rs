@@ -31,6 +31,7 @@ mod strike;
 mod struck_mass;
 mod summarize;
 mod trial;
+mod yielding;
 
 pub use checkpoint::{Checkpoint, ResumeError};
 pub use first_touch::FirstTouches;

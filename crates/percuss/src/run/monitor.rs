@@ -9,6 +9,7 @@ use super::contact_log::ContactLog;
 use super::crest::Crest;
 use super::stop_log;
 use super::trial::Trial;
+use super::yielding::{self, YieldRecord};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::geometry::row::Row;
 use crate::ledger::{Ledger, Measures};
@@ -91,6 +92,8 @@ pub struct Monitor {
     /// Section forces of the last step without impact, and whether the step in hand is one with.
     lines: Lines,
     jumps: bool,
+    /// What is noted of beams that can yield, one entry a beam; empty if none can.
+    pub yielded: Vec<YieldRecord>,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
     /// Largest sum of the energy at the start and the works so far, all by their magnitudes \[J\].
@@ -112,6 +115,7 @@ impl Monitor {
             .points
             .iter()
             .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
+        let inelastic = model.is_inelastic();
         let mut monitor = Self {
             start: StepStart::default(),
             contacts: ContactLog::new(model, state),
@@ -121,6 +125,7 @@ impl Monitor {
             reacted: None,
             lines: Lines::at_rest(model, state, pressed),
             jumps: false,
+            yielded: vec![YieldRecord::default(); if inelastic { model.beams.len() } else { 0 }],
             energy_residual: 0.0,
             energy_came: 0.0,
             linear_residual: 0.0,
@@ -130,13 +135,15 @@ impl Monitor {
         };
         monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
         section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
+        yielding::note(model, state, &mut monitor.yielded);
         monitor.note_start(model, state);
         monitor
     }
 
     /// Whether it has the shape of another monitor of the same model, and points at nothing that is not there.
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
-        let shape = |m: &Self| [m.start.points.len(), m.points.len(), m.supports.len()];
+        let shape =
+            |m: &Self| [m.start.points.len(), m.points.len(), m.supports.len(), m.yielded.len()];
         let reacted = self.reacted.iter().flatten().all(|support| *support < self.supports.len());
         let stop = |m: &Self| m.supports.iter().map(|s| s.touches.is_some()).collect::<Vec<_>>();
         shape(self) == shape(other)
@@ -199,6 +206,7 @@ impl Monitor {
         if !self.jumps {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
+        yielding::note(model, state, &mut self.yielded);
         self.contacts.end_step(model, state, work, part);
         for (k, p) in model.points.iter().enumerate() {
             let (u, v) = (p.value(&state.displacement), p.value(&state.velocity));

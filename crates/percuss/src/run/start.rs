@@ -231,6 +231,7 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
         state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
+        state.fibres = found.fibres;
         state.pairs = found.pairs;
         // Projectiles stand off from where their points have moved to.
         for p in &model.projectiles {

@@ -1,6 +1,7 @@
 //! The summary of a run that has ended.
 
 use super::simulation::Simulation;
+use super::yielding;
 use crate::math::vec2::{dot, norm, scale};
 use crate::summary::*;
 
@@ -27,6 +28,9 @@ impl Simulation<'_> {
                 work_supports: ledger.work_supports,
                 loss_impacts: ledger.loss_impacts,
                 loss_damping: ledger.loss_damping,
+                plastic: ledger.loss_plastic,
+                hardening: self.measures.hardening,
+                failure: ledger.loss_failure,
                 scale: energy_scale,
                 residual_max: relative(self.monitor.energy_residual, energy_scale),
             },
@@ -65,6 +69,7 @@ impl Simulation<'_> {
                 })
                 .collect(),
             supports: self.monitor.supports,
+            plastic: yielding::summaries(self.model, &self.state, &self.monitor.yielded),
             section_forces: self.monitor.section_forces,
         }
     }

@@ -1,10 +1,12 @@
 //! Sums residual and tangent of the beams over their elements.
 
+use super::fibres::element_step;
 use super::integration::{Integration, MidpointForces, Rule};
 use crate::element::beam::{ElementSums, ElementValues, GaussRow, step_point};
 use crate::element::membrane::{MembranePoint, MembraneStep};
 use crate::element::point::{PointResponse, StepPoint, Strains};
 use crate::element::rotary::{self, Turn};
+use crate::element::yielding::{ElementFibres, ElementStep};
 use crate::element::{collocation, energy_momentum, strain_rate};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
@@ -210,17 +212,23 @@ impl StepState<'_> {
                 let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
                 let mut sums = ElementSums::zero(0.0);
                 let place = |row, gauss| GaussPlace { row, node: a, element, gauss, lag, damping };
-                for gauss in 0..GAUSS {
-                    let row = &table.rows[gauss];
-                    let point = step_point(row, &old, &step);
-                    sums.add::<TANGENT>(row, &response(&point, place(row, gauss)));
-                }
-                if let Some(samples) = &table.membrane {
-                    let steps = samples.step(&old, &step);
-                    let points = std::array::from_fn(|i| {
-                        membrane(&steps[i], span.measure, place(&table.rows[i], i))
-                    });
-                    samples.add::<TANGENT>(&points, theta, &mut sums);
+                if let Some(fibres) = &span.fibres {
+                    let ends = element_step((span, table), [&old, &step], self.integration);
+                    let fibres = self.state.fibres_of(fibres, k);
+                    self.add_fibres::<TANGENT>(&ends, &fibres, (element, damping), &mut sums);
+                } else {
+                    for gauss in 0..GAUSS {
+                        let row = &table.rows[gauss];
+                        let point = step_point(row, &old, &step);
+                        sums.add::<TANGENT>(row, &response(&point, place(row, gauss)));
+                    }
+                    if let Some(samples) = &table.membrane {
+                        let steps = samples.step(&old, &step);
+                        let points = std::array::from_fn(|i| {
+                            membrane(&steps[i], span.measure, place(&table.rows[i], i))
+                        });
+                        samples.add::<TANGENT>(&points, theta, &mut sums);
+                    }
                 }
                 let [mut on_a, mut on_b] = sums.nodal_force();
                 table.add_inertia(&start, &end, &mut on_a, &mut on_b);
@@ -235,6 +243,29 @@ impl StepState<'_> {
                 start = end;
             }
         }
+    }
+
+    /// Adds the forces of an element of fibres.
+    fn add_fibres<const TANGENT: bool>(
+        &self,
+        step: &ElementStep,
+        fibres: &ElementFibres,
+        (element, damping): (usize, f64),
+        sums: &mut ElementSums<f64>,
+    ) {
+        if self.integration.rule == Rule::Static {
+            let foreseen = self.state.strain.get(element);
+            let foreseen = foreseen.copied().unwrap_or_else(|| step.strains()[1]);
+            return step.add_static::<TANGENT>(fibres, &foreseen, sums);
+        }
+        let spin = &self.state.spin[element];
+        let rate = self.integration.h.recip();
+        step.add_invariant::<TANGENT>(fibres, sums, |response, j| {
+            let row = &step.table.rows[j];
+            let g0 = add(row.tangent, step.start.at(&row.first));
+            let turn = Turn::new(g0, step.increment.at(&row.first));
+            turn.add_inertia::<TANGENT>(response, row.weighed.rotary, spin[j], rate, damping);
+        });
     }
 
     /// Acceleration of a node in the equation of motion, less gravity, with what mass-proportional damping adds.

@@ -1,5 +1,6 @@
 //! Accepts a solved step: the only writer of [`State`].
 
+use super::fibres;
 use super::flows::enter;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
@@ -25,7 +26,9 @@ pub fn commit(
     work: &Workspace,
 ) {
     let h = integration.h;
-    enter(model, state, &integration, forcing, damping, work);
+    // Entered with the other flows, below.
+    let losses = fibres::advance(model, state, &integration, &work.increment);
+    enter(model, state, &integration, (forcing, damping, &losses), work);
     advance_histories(model, state, &integration, work);
     advance_masses(model, state, &integration, work);
     let State { displacement, spin, mass_spin, .. } = &mut *state;

@@ -3,6 +3,7 @@
 use super::bodies::rear_spring;
 use super::constraint::ConstraintStep;
 use super::external::{self, LoadWork};
+use super::fibres::FibreLosses;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
@@ -24,8 +25,7 @@ pub fn enter(
     model: &Model,
     state: &mut State,
     rule: &Integration,
-    forcing: &Forcing,
-    damping: &ModalDamping,
+    (forcing, damping, losses): (&Forcing, &ModalDamping, &FibreLosses),
     work: &Workspace,
 ) {
     let done = external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
@@ -46,6 +46,10 @@ pub fn enter(
     entry.connectors();
     entry.spans();
     entry.modes(damping);
+    let ledger = &mut entry.state.ledger;
+    ledger.loss_damping += losses.viscous;
+    ledger.loss_plastic += losses.plastic;
+    ledger.loss_failure += losses.failure;
     entry.rear_masses();
     entry.contacts();
     if let Rule::Alpha(_) = rule.rule {
@@ -241,7 +245,7 @@ impl Entry<'_> {
                 if span.mass_damping > 0.0 {
                     self.mass_damping(span, k, &mut sum);
                 }
-                if span.retardation > 0.0 {
+                if span.retardation > 0.0 && span.fibres.is_none() {
                     self.state.ledger.loss_damping +=
                         self.viscous_loss(span, k) * span.retardation / h;
                 }

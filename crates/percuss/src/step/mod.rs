@@ -15,6 +15,7 @@ pub mod contacts;
 pub mod convergence;
 pub mod effective_mass;
 pub mod external;
+pub mod fibres;
 pub mod flows;
 pub mod forcing;
 pub mod integration;

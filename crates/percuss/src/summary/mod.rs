@@ -2,9 +2,11 @@
 
 mod contact;
 mod forces;
+mod plastic;
 
 pub use contact::*;
 pub use forces::*;
+pub use plastic::*;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
@@ -56,6 +58,12 @@ pub struct EnergySummary {
     pub loss_impacts: f64,
     /// Energy taken by damping.
     pub loss_damping: f64,
+    /// Energy dissipated by plastic flow.
+    pub plastic: f64,
+    /// Energy that hardening has stored.
+    pub hardening: f64,
+    /// Energy that was stored in fibres that failed.
+    pub failure: f64,
     /// Energy scale, the scale of `residual_max`.
     pub scale: f64,
     /// Largest magnitude of the energy residual, relative to `scale`.
@@ -141,4 +149,6 @@ pub struct RunSummary {
     pub supports: Vec<SupportSummary>,
     /// One entry a beam.
     pub section_forces: Vec<SectionForceSummary>,
+    /// One entry a beam that can yield.
+    pub plastic: Vec<PlasticSummary>,
 }

@@ -26,3 +26,4 @@ mod static_paths;
 mod statics;
 mod structures;
 mod structures_in_motion;
+mod yielding;

@@ -104,7 +104,7 @@ impl<'m> Tracer<'m> {
         self.back_to(&here);
     }
 
-    pub(super) fn mark(&self) -> Mark {
+    pub(super) fn mark(&mut self) -> Mark {
         Mark {
             factor: self.factor,
             reached: self.search.reached(),

@@ -8,7 +8,9 @@ mod fibres;
 mod line;
 mod lines;
 
-use crate::math::hermite::GAUSS;
+use crate::element::beam::ElementValues;
+use crate::element::yielding::gauss_strains;
+use crate::math::hermite::{self, GAUSS};
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span};
 use crate::state::State;
@@ -72,8 +74,8 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
             for k in 0..span.elements.len() {
                 let element = span.elements.start + k;
                 let (line, inner) = lines.of(element);
-                let piece =
-                    ElementForces { span, k, line, inner, strained: strained(span, k, state) };
+                let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
+                let piece = ElementForces { span, k, line, inner, strained, yielded };
                 let index = PLACES.len() * (element - beam.elements.start);
                 piece.take(out, index, state.time);
             }
@@ -87,6 +89,26 @@ fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
     wanted.then(|| fibres::strained(span, k, state))
 }
 
+/// Extreme fibres at the Gauss points of an element that can yield, as strained and stressed where the state stands.
+fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
+    let fibres = span.fibres.as_ref()?;
+    let (a, u) = (span.nodes.start + k, &state.displacement);
+    let u = ElementValues::new(&u[a], &u[a + 1]);
+    let strains = gauss_strains(span.table(k), span.measure, &u);
+    let of = state.fibres_of(fibres, k);
+    Some(std::array::from_fn(|j| {
+        let mut out = Fibres { strain: [f64::NAN; 2], stress: [f64::NAN; 2] };
+        for (fibre, memory) in of.at(j) {
+            let strain = strains[j][0] + fibre.height * strains[j][1];
+            let stress = fibres.laws[fibre.law].stress(memory, strain);
+            for (range, value) in [(&mut out.strain, strain), (&mut out.stress, stress)] {
+                *range = [range[0].min(value), range[1].max(value)];
+            }
+        }
+        out
+    }))
+}
+
 /// An element with its section forces.
 struct ElementForces<'a> {
     span: &'a Span,
@@ -94,6 +116,8 @@ struct ElementForces<'a> {
     line: &'a Line,
     inner: &'a [Inner],
     strained: Option<[Strained; 2]>,
+    /// Extreme fibres at the Gauss points of an element that can yield.
+    yielded: Option<[Fibres; GAUSS]>,
 }
 
 impl ElementForces<'_> {
@@ -104,7 +128,7 @@ impl ElementForces<'_> {
 
     /// Extreme fibres; nothing without a depth.
     fn fibres(&self, xi: f64, forces: &SectionForces) -> Option<Fibres> {
-        if self.span.sections(self.k)[0].half_depth.is_nan() {
+        if self.span.sections(self.k)[0].half_depth.is_nan() || self.yielded.is_some() {
             return None;
         }
         let section = section_at(self.span, self.k, xi);
@@ -129,6 +153,11 @@ impl ElementForces<'_> {
             if let Some(Fibres { stress: [least, most], .. }) = fibres {
                 widen(&mut e.stress, index + j, least, most);
             }
+        }
+        for (j, fibres) in self.yielded.iter().flatten().enumerate() {
+            self.take_fibres(out, hermite::gauss_points()[j], fibres, time);
+            let [least, most] = fibres.stress;
+            widen(&mut out.envelope.stress, index + j, least, most);
         }
         if !self.inner.is_empty() {
             self.take_between_forces(out, time);
@@ -186,11 +215,16 @@ impl ElementForces<'_> {
         out.shear.take(forces.shear, s, time);
         out.moment.take(forces.moment, s, time);
         let fibres = self.fibres(xi, forces)?;
+        self.take_fibres(out, xi, &fibres, time);
+        Some(fibres)
+    }
+
+    fn take_fibres(&self, out: &mut SectionForceSummary, xi: f64, fibres: &Fibres, time: f64) {
+        let s = self.s(xi);
         for side in 0..2 {
             out.stress.take(fibres.stress[side], s, time);
             out.strain.take(fibres.strain[side], s, time);
         }
-        Some(fibres)
     }
 }
 
@@ -211,9 +245,13 @@ pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoi
     for (node, xi, ahead) in sides(model, point).into_iter().flatten() {
         let (span, k) = model.element_of(node);
         let (line, inner) = lines.of(span.elements.start + k);
-        let piece = ElementForces { span, k, line, inner, strained: strained(span, k, state) };
+        let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
+        let piece = ElementForces { span, k, line, inner, strained, yielded };
         let f = line.at(xi, inner, ahead);
-        let stress = piece.fibres(xi, &f).map_or(f64::NAN, |fibres| {
+        // Of an element that can yield, at the nearest Gauss point: elsewhere fibres remember nothing.
+        let near = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
+        let fibres = piece.fibres(xi, &f).or(piece.yielded.map(|fibres| fibres[near]));
+        let stress = fibres.map_or(f64::NAN, |fibres| {
             let [least, most] = fibres.stress;
             if least.abs() > most.abs() { least } else { most }
         });

@@ -4,6 +4,7 @@ mod actions;
 mod beams;
 mod contacts;
 mod supports;
+mod yielding;
 
 use std::collections::HashSet;
 
@@ -14,6 +15,7 @@ use actions::{check_load, check_projectile};
 use beams::{check_beam, check_point, check_stations};
 use contacts::{check_contact, check_disc, check_obstacle};
 use supports::{check_joint, check_spring, check_support};
+use yielding::{check_fibres, check_plasticity};
 
 pub(super) use actions::line_of_flight;
 
@@ -62,6 +64,9 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
         let path = |field: &str| format!("material.{}.{field}", m.name);
         out.not_negative(path("retardation"), m.retardation, "a time", "s");
         out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
+        if let Some(Inelasticity::Plastic(plasticity)) = &m.inelasticity {
+            check_plasticity(m, plasticity, &mut out);
+        }
     }
     for s in &model.sections {
         let path = |field: &str| format!("section.{}.{field}", s.name);
@@ -82,6 +87,7 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     }
     for beam in &model.beams {
         check_beam(model, beam, &mut out);
+        check_fibres(model, beam, &mut out);
     }
     for support in &model.supports {
         check_support(model, support, &mut out);

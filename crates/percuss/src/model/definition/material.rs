@@ -1,5 +1,6 @@
 //! Materials.
 
+pub use crate::element::fibre::{Hardening, Inelasticity, Overstress, Plasticity, Slack};
 pub use crate::element::strain::StrainMeasure;
 
 /// Material of a beam.
@@ -17,6 +18,8 @@ pub struct Material {
     pub retardation: f64,
     /// Mass-proportional damping, force per mass and velocity \[1/s\].
     pub mass_damping: f64,
+    /// What it does beyond Hooke's law; beams of such a material are made of fibres.
+    pub inelasticity: Option<Inelasticity>,
 }
 
 impl Material {
@@ -29,6 +32,7 @@ impl Material {
             strain: StrainMeasure::Green,
             retardation: 0.0,
             mass_damping: 0.0,
+            inelasticity: None,
         }
     }
 }

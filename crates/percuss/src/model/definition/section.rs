@@ -1,5 +1,7 @@
 //! Cross sections.
 
+use super::profile::{Profile, Strip};
+
 /// Rotary inertia per unit length of a section, rhoI \[kg m\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum RotaryInertia {
@@ -28,6 +30,10 @@ pub struct Section {
     /// Stations of a tapered section; empty for a uniform one, whose values stand above. Area, inertia and depth vary
     /// linearly between stations.
     pub stations: Vec<Station>,
+    /// How its area lies about the centre line; that of the first station of a tapered one, the others being alike but for size.
+    pub profile: Profile,
+    /// Fibres through the depth where it can yield; an even number.
+    pub fibres: usize,
 }
 
 /// A tapered section at a fraction of the beam's length.
@@ -44,6 +50,9 @@ pub struct Station {
 }
 
 impl Section {
+    /// Fibres through the depth unless said otherwise.
+    pub const FIBRES: usize = 12;
+
     /// A uniform section of given area and second moment of area.
     pub fn new(name: impl Into<String>, area: f64, inertia: f64) -> Self {
         Self {
@@ -53,6 +62,8 @@ impl Section {
             depth: None,
             rotary_inertia: RotaryInertia::Density,
             stations: Vec::new(),
+            profile: Profile::Unknown,
+            fibres: Self::FIBRES,
         }
     }
 
@@ -61,22 +72,31 @@ impl Section {
         Self { depth: Some(depth), ..Self::new(name, area, inertia) }
     }
 
+    fn with(self, profile: Profile) -> Self {
+        Self { profile, ..self }
+    }
+
     /// A rectangle; `depth` lies in the plane of bending.
     pub fn rectangle(name: impl Into<String>, width: f64, depth: f64) -> Self {
-        Self::deep(name, width * depth, width * depth.powi(3) / 12.0, depth)
+        let section = Self::deep(name, width * depth, width * depth.powi(3) / 12.0, depth);
+        section.with(Profile::Strips(vec![Strip { from: 0.0, to: 0.5 * depth, width }]))
     }
 
     /// A full circle.
     pub fn circle(name: impl Into<String>, diameter: f64) -> Self {
         let pi = std::f64::consts::PI;
-        Self::deep(name, pi * diameter.powi(2) / 4.0, pi * diameter.powi(4) / 64.0, diameter)
+        let (area, inertia) = (pi * diameter.powi(2) / 4.0, pi * diameter.powi(4) / 64.0);
+        let profile = Profile::Ring { outer: 0.5 * diameter, inner: 0.0 };
+        Self::deep(name, area, inertia, diameter).with(profile)
     }
 
     /// A circular tube.
     pub fn tube(name: impl Into<String>, diameter: f64, thickness: f64) -> Self {
         let (pi, inner) = (std::f64::consts::PI, diameter - 2.0 * thickness);
         let area = pi * (diameter.powi(2) - inner.powi(2)) / 4.0;
-        Self::deep(name, area, pi * (diameter.powi(4) - inner.powi(4)) / 64.0, diameter)
+        let inertia = pi * (diameter.powi(4) - inner.powi(4)) / 64.0;
+        let profile = Profile::Ring { outer: 0.5 * diameter, inner: 0.5 * inner };
+        Self::deep(name, area, inertia, diameter).with(profile)
     }
 
     /// A doubly symmetric I without fillets, bent about its strong axis.
@@ -84,14 +104,15 @@ impl Section {
         let clear = depth - 2.0 * flange;
         let area = 2.0 * width * flange + web * clear;
         let inertia = (width * depth.powi(3) - (width - web) * clear.powi(3)) / 12.0;
-        Self::deep(name, area, inertia, depth)
+        Self::deep(name, area, inertia, depth).with(Profile::flanged(width, depth, clear, web))
     }
 
     /// A rectangular box of uniform wall thickness.
     pub fn hollow_box(name: impl Into<String>, width: f64, depth: f64, thickness: f64) -> Self {
         let (w, d) = (width - 2.0 * thickness, depth - 2.0 * thickness);
         let inertia = (width * depth.powi(3) - w * d.powi(3)) / 12.0;
-        Self::deep(name, width * depth - w * d, inertia, depth)
+        let profile = Profile::flanged(width, depth, d, 2.0 * thickness);
+        Self::deep(name, width * depth - w * d, inertia, depth).with(profile)
     }
 
     /// Area, second moment of area and depth at a fraction of the beam's length.

@@ -1,0 +1,30 @@
+//! What stays when a structure that has yielded is unloaded.
+
+use super::static_search::StaticSearch;
+use super::statics::mechanisms;
+use crate::element::fibre::StressLaw;
+use crate::model::Model;
+use crate::state::State;
+
+/// Displacements of the beams' nodes in the equilibrium without loads and contacts that the structure springs back to, its plastic
+/// strains as they are, shape (n_beam_node); none where supports do not hold it or no such equilibrium is near.
+pub fn unloaded(model: &Model, state: &State) -> Option<Vec<[f64; 4]>> {
+    let mut structure = model.structure();
+    if !mechanisms(model).is_empty() {
+        return None;
+    }
+    for fibres in structure.spans.iter_mut().filter_map(|span| span.fibres.as_mut()) {
+        for law in &mut fibres.laws {
+            if let StressLaw::Plastic(plastic) = law {
+                *law = StressLaw::Elastic { young: plastic.young };
+            }
+        }
+    }
+    let start = state.of_structure(&structure);
+    let mut search = StaticSearch::at_share(&structure, &start, 0.0);
+    search.foresee(true);
+    if !search.solve(0.0) {
+        return None;
+    }
+    Some(search.state().displacement)
+}

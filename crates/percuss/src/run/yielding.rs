@@ -1,0 +1,180 @@
+//! Beams that can yield: what is noted while a run steps, and what it came to.
+
+use serde::{Deserialize, Serialize};
+
+use crate::analysis::unloaded;
+use crate::element::beam::ElementValues;
+use crate::element::fibre::{Fibre, FibreState};
+use crate::element::yielding::gauss_strains;
+use crate::math::hermite;
+use crate::model::Model;
+use crate::model::frozen::{BeamData, Span, SpanFibres};
+use crate::state::State;
+use crate::summary::{FirstYield, PlasticHinge, PlasticSummary, SectionPeak};
+
+/// What is noted of a beam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct YieldRecord {
+    strain: SectionPeak,
+    accumulated: SectionPeak,
+    first: Option<FirstYield>,
+}
+
+/// A Gauss point with fibres.
+struct GaussFibres<'a> {
+    s: f64,
+    weight: f64,
+    /// Length of its element.
+    length: f64,
+    span: &'a Span,
+    of: &'a SpanFibres,
+    fibres: &'a [Fibre],
+    states: &'a [FibreState],
+    /// Membrane and bending strain.
+    strains: [f64; 2],
+}
+
+/// Gauss points of a beam that have fibres, along it; strains are looked at if `strained`.
+fn points<'a>(
+    model: &'a Model,
+    state: &'a State,
+    beam: &BeamData,
+    strained: bool,
+) -> impl Iterator<Item = GaussFibres<'a>> {
+    let xi = hermite::gauss_points();
+    let spans = model.spans[beam.spans.clone()].iter();
+    let with = spans.filter_map(|span| span.fibres.as_ref().map(|fibres| (span, fibres)));
+    with.flat_map(move |(span, of)| {
+        (0..span.elements.len()).flat_map(move |k| {
+            let a = span.nodes.start + k;
+            let table = span.table(k);
+            let u = &state.displacement;
+            let strains = if strained {
+                gauss_strains(table, span.measure, &ElementValues::new(&u[a], &u[a + 1]))
+            } else {
+                Default::default()
+            };
+            let mut rest = &state.fibres[of.range(k)];
+            of.of(k).iter().enumerate().map(move |(j, fibres)| {
+                let (states, others) = rest.split_at(fibres.len());
+                rest = others;
+                let (from, to) = (span.stations[k], span.stations[k + 1]);
+                let (s, weight) = (from + xi[j] * (to - from), table.rows[j].weight);
+                let strains = strains[j];
+                GaussFibres { s, weight, length: table.length, span, of, fibres, states, strains }
+            })
+        })
+    })
+}
+
+/// Takes the state at the end of a step into the records, one a beam.
+pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
+    for (beam, record) in model.beams.iter().zip(records) {
+        for point in points(model, state, beam, false) {
+            let mut most = [0.0_f64; 2];
+            for fibre in point.states {
+                if fibre.plastic.abs() > most[0].abs() {
+                    most[0] = fibre.plastic;
+                }
+                most[1] = most[1].max(fibre.accumulated);
+            }
+            if most[1] == 0.0 {
+                continue;
+            }
+            record.first.get_or_insert(FirstYield { s: point.s, time: state.time });
+            for (peak, value) in [(&mut record.strain, most[0]), (&mut record.accumulated, most[1])]
+            {
+                if value.abs() > peak.value.abs() || peak.value.is_nan() {
+                    *peak = SectionPeak { value, s: point.s, time: state.time };
+                }
+            }
+        }
+    }
+}
+
+/// What a run came to, one entry a beam that can yield.
+pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<PlasticSummary> {
+    let unloaded =
+        if records.iter().any(|r| r.first.is_some()) { unloaded(model, state) } else { None };
+    let can_yield = |(beam, _): &(&BeamData, &YieldRecord)| {
+        model.spans[beam.spans.clone()].iter().any(|span| span.fibres.is_some())
+    };
+    let both = model.beams.iter().zip(records).filter(can_yield);
+    both.map(|(beam, record)| {
+        let set = |u: &Vec<[f64; 4]>| {
+            u[beam.nodes.clone()].iter().map(|u| u[0].hypot(u[1])).fold(0.0, f64::max)
+        };
+        let none = SectionPeak { value: 0.0, s: f64::NAN, time: f64::NAN };
+        let or_none = |peak: SectionPeak| if record.first.is_some() { peak } else { none };
+        let mut out = PlasticSummary {
+            name: beam.name.clone(),
+            strain_max: or_none(record.strain),
+            accumulated_max: or_none(record.accumulated),
+            first_yield: record.first,
+            hinges: hinges(model, state, beam),
+            dissipated: 0.0,
+            hardening: 0.0,
+            permanent_set: record.first.and(unloaded.as_ref()).map(set),
+            failed: 0,
+        };
+        for point in points(model, state, beam, false) {
+            for (fibre, memory) in point.fibres.iter().zip(point.states) {
+                let volume = point.weight * fibre.area;
+                out.dissipated += volume * memory.dissipated;
+                out.hardening += volume * point.of.laws[fibre.law].hardening_energy(memory);
+                out.failed += usize::from(memory.failed && fibre.area > 0.0);
+            }
+        }
+        out
+    })
+    .collect()
+}
+
+/// Plastic curvature at a Gauss point: what of the bending strain is not that of its moment.
+fn plastic_curvature(point: &GaussFibres) -> f64 {
+    let [membrane, bending] = point.strains;
+    let (mut moment, mut stiffness) = (0.0, 0.0);
+    for (fibre, memory) in point.fibres.iter().zip(point.states) {
+        let law = &point.of.laws[fibre.law];
+        let strain = membrane + fibre.height * bending;
+        moment += fibre.area * fibre.height * law.stress(memory, strain);
+        stiffness += fibre.area * fibre.height * fibre.height * law.young();
+    }
+    bending - moment / stiffness
+}
+
+/// Stretches of neighbouring Gauss points that have bent plastically to the same side.
+fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
+    let mut out: Vec<PlasticHinge> = Vec::new();
+    let mut side = 0.0;
+    for point in points(model, state, beam, true) {
+        let yielded = point.states.iter().any(|s| s.accumulated > 0.0);
+        // The bending strain counts a turn counter-clockwise as negative.
+        let turned = if yielded { -plastic_curvature(&point) * point.weight } else { 0.0 };
+        if turned == 0.0 {
+            side = 0.0;
+            continue;
+        }
+        let lost = |(fibre, s): (&Fibre, &FibreState)| fibre.area * s.dissipated * point.weight;
+        let dissipated: f64 = point.fibres.iter().zip(point.states).map(lost).sum();
+        if turned.signum() != side {
+            side = turned.signum();
+            out.push(PlasticHinge {
+                s: 0.0,
+                length: 0.0,
+                element_length: point.length,
+                rotation: 0.0,
+                dissipated: 0.0,
+            });
+        }
+        let Some(hinge) = out.last_mut() else { continue };
+        hinge.s += turned * point.s;
+        hinge.rotation += turned;
+        hinge.length += point.weight;
+        hinge.dissipated += dissipated;
+        hinge.element_length = hinge.element_length.max(point.length);
+        debug_assert!(point.span.fibres.is_some());
+    }
+    out.iter_mut().for_each(|hinge| hinge.s /= hinge.rotation);
+    out
+}

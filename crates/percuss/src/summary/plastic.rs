@@ -1,0 +1,61 @@
+//! What became of beams that can yield.
+
+use serde::{Deserialize, Serialize};
+
+use super::SectionPeak;
+
+/// A stretch of a beam that has bent plastically to one side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlasticHinge {
+    /// Arc length from the start of the beam to its middle, weighed by the plastic curvature \[m\].
+    pub s: f64,
+    /// Its length, as far as Gauss points tell \[m\].
+    pub length: f64,
+    /// Length of the element at its middle \[m\]: a hinge no longer than that is as long as the mesh lets it be, and so are its strains.
+    pub element_length: f64,
+    /// Angle by which the beam stays bent, positive where it turns the tangent counter-clockwise along the beam \[rad\].
+    pub rotation: f64,
+    /// Energy dissipated in it \[J\].
+    pub dissipated: f64,
+}
+
+/// Where and when a beam first yielded.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FirstYield {
+    /// Arc length from the start of the beam \[m\], that of a Gauss point.
+    pub s: f64,
+    /// End of the step in which it did \[s\].
+    pub time: f64,
+}
+
+/// What became of a beam that can yield.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlasticSummary {
+    /// The beam's name.
+    pub name: String,
+    /// Plastic strain of largest magnitude, signed \[1\]; with softening or perfect plasticity it grows as elements shrink.
+    pub strain_max: SectionPeak,
+    /// Largest accumulated plastic strain \[1\].
+    pub accumulated_max: SectionPeak,
+    /// Where and when it first yielded, if it did.
+    pub first_yield: Option<FirstYield>,
+    /// Where it has bent plastically up to the end, in the order along it.
+    pub hinges: Vec<PlasticHinge>,
+    /// Energy dissipated by plastic flow \[J\].
+    pub dissipated: f64,
+    /// Energy that hardening has stored \[J\].
+    pub hardening: f64,
+    /// Largest displacement of a node once the structure is unloaded and at rest \[m\]; none where it has not yielded, is not held by
+    /// supports, or has no such equilibrium near its last configuration.
+    pub permanent_set: Option<f64>,
+    /// Fibres that have failed.
+    pub failed: usize,
+}
+
+impl PlasticSummary {
+    /// The hinge of largest rotation.
+    pub fn rotation(&self) -> f64 {
+        let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
+        self.hinges.iter().map(|hinge| hinge.rotation).fold(0.0, larger)
+    }
+}
