@@ -1,12 +1,22 @@
 //! Declares tables: the struct, its reader, its writer and its keys, each from the same lines.
 
+/// The name of a key in the file: a word that Rust keeps for itself has a mark before it.
+pub(crate) fn name_of(key: &'static str) -> &'static str {
+    key.strip_prefix("r#").unwrap_or(key)
+}
+
 /// Reads one key: with a default it may be left out.
 macro_rules! read_key {
     ($body:ident, $reader:ident, $key:ident, $format:ty) => {
-        crate::table::required::<$format>($body, stringify!($key), $reader)
+        crate::table::required::<$format>($body, crate::declare::name_of(stringify!($key)), $reader)
     };
     ($body:ident, $reader:ident, $key:ident, $format:ty, $default:expr) => {
-        crate::table::optional::<$format>($body, stringify!($key), $default, $reader)
+        crate::table::optional::<$format>(
+            $body,
+            crate::declare::name_of(stringify!($key)),
+            $default,
+            $reader,
+        )
     };
 }
 
@@ -14,7 +24,7 @@ macro_rules! read_key {
 macro_rules! describe_key {
     (@of [$($doc:literal)*] $key:ident, $format:ty, $required:literal, $default:expr) => {
         crate::layout::Key {
-            name: stringify!($key),
+            name: crate::declare::name_of(stringify!($key)),
             about: crate::layout::about(&[$($doc),*]),
             schema: <$format as crate::format::Format>::schema,
             described: <$format as crate::format::Format>::described,
@@ -59,12 +69,12 @@ macro_rules! reach_key {
             return Err(crate::reach::Lost::Table);
         };
         let _ = rest;
-        $(if step == stringify!($key) {
+        $(if step == crate::declare::name_of(stringify!($key)) {
             return <$format as crate::format::Format>::reach($value, rest)
                 .map_err(crate::reach::Lost::deeper);
         })*
         #[allow(unused_mut, reason = "not every table has what changes it")]
-        let mut known: Vec<String> = vec![$(stringify!($key).to_string()),*];
+        let mut known: Vec<String> = vec![$(crate::declare::name_of(stringify!($key)).to_string()),*];
         $(match crate::table::Part::reach($part, $path) {
             Err(crate::reach::Lost::Unknown { depth: 0, known: more, .. }) => known.extend(more),
             reached => return reached,
@@ -116,7 +126,7 @@ macro_rules! table {
                     $($(with [$($part_doc)*] $part_type;)+)?
                 };
                 layout
-                    .either(vec![$($(vec![$(stringify!($needed)),+]),+)?])
+                    .either(vec![$($(vec![$(crate::declare::name_of(stringify!($needed))),+]),+)?])
                     .not(vec![$($((stringify!($refused), $instead)),+)?])
             }
 
@@ -137,7 +147,7 @@ macro_rules! table {
             }
 
             fn write(&self, out: &mut Writer) {
-                $(<$format as crate::format::Written>::write(&self.$key, stringify!($key), out);)*
+                $(<$format as crate::format::Written>::write(&self.$key, crate::declare::name_of(stringify!($key)), out);)*
                 $($(crate::table::Part::write(&self.$part, out);)+)?
             }
 
@@ -254,7 +264,7 @@ macro_rules! kinds {
                     $(Self::$variant $({ $($key,)* $($($part,)+)? })? => {
                         out.line($tag, &crate::write::text($word), "");
                         $($(<$format as crate::format::Written>::write(
-                            $key, stringify!($key), out
+                            $key, crate::declare::name_of(stringify!($key)), out
                         );)*
                         $($(crate::table::Part::write($part, out);)+)?)?
                     })*

@@ -180,6 +180,57 @@ impl<F: Inline> Inline for Pair<F> {
     }
 }
 
+/// Two values of the same kind in two forms.
+pub(crate) struct Couple<F, G>(PhantomData<(F, G)>);
+
+impl<F: Inline, G: Inline<Value = F::Value>> Format for Couple<F, G> {
+    type Value = [F::Value; 2];
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
+        match node.elements().as_deref() {
+            Some([first, second]) => {
+                let (first, second) = (F::read(first, reader), G::read(second, reader));
+                Some([first?, second?])
+            }
+            _ => {
+                reader.wrong(node, node.found(), Self::expected());
+                None
+            }
+        }
+    }
+
+    fn placeholder() -> Self::Value {
+        [F::placeholder(), G::placeholder()]
+    }
+
+    fn expected() -> String {
+        format!("a list of two, first {}, then {}", F::expected(), G::expected())
+    }
+
+    fn schema() -> Json {
+        json!({
+            "type": "array", "prefixItems": [F::schema(), G::schema()], "minItems": 2, "maxItems": 2
+        })
+    }
+
+    fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
+        if path.is_empty() {
+            return reach::end::<Self>(value, path);
+        }
+        let second = path[0] == "1";
+        let (entry, rest) = reach::entry(value, path)?;
+        if second { G::reach(entry, rest) } else { F::reach(entry, rest) }.map_err(Lost::deeper)
+    }
+}
+
+impl<F: Inline, G: Inline<Value = F::Value>> Inline for Couple<F, G> {
+    const UNIT: &'static str = "";
+
+    fn text(value: &Self::Value) -> Option<String> {
+        Some(format!("[{}, {}]", F::text(&value[0])?, G::text(&value[1])?))
+    }
+}
+
 /// A value that may be left out and has no default.
 pub(crate) struct Maybe<F>(PhantomData<F>);
 

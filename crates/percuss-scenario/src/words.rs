@@ -3,8 +3,8 @@
 use std::marker::PhantomData;
 
 use percuss::{
-    Component, ContactForce, Curve, Ends, ImpactLaw, MultipleImpacts, RotaryInertia, Sides, Start,
-    StrainMeasure,
+    Component, ContactForce, Curve, Ends, ImpactLaw, MultipleImpacts, RotaryInertia, Sides, Slack,
+    Start, StrainMeasure,
 };
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
@@ -83,6 +83,18 @@ impl Words for Strain {
     const WORDS: &'static [(&'static str, StrainMeasure, &'static str)] = &[
         ("green", StrainMeasure::Green, "eps = (|x'|^2 - 1) / 2, the paper's"),
         ("engineering", StrainMeasure::Engineering, "eps = |x'| - 1"),
+    ];
+}
+
+/// Stresses that a material bears.
+pub(crate) struct Bears;
+
+impl Words for Bears {
+    type Value = Option<Slack>;
+    const WORDS: &'static [(&'static str, Option<Slack>, &'static str)] = &[
+        ("both", None, "tension and compression"),
+        ("tension", Some(Slack::Compression), "tension only: cables, thin straps"),
+        ("compression", Some(Slack::Tension), "compression only: masonry without mortar"),
     ];
 }
 

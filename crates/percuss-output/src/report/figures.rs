@@ -197,6 +197,9 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
         ("energy.strain_axial", "strain, axial", 5),
         ("energy.springs", "in springs", 7),
         ("energy.contact", "in contacts", 3),
+        ("energy.hardening", "stored by hardening", 9),
+        ("energy.plastic", "dissipated by plastic flow", 10),
+        ("energy.failure", "lost with failed fibres", 11),
         ("energy.loss_damping", "taken by damping", 8),
         ("energy.loss_impacts", "lost in impacts", 4),
     ]);

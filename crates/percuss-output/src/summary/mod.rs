@@ -4,6 +4,7 @@ mod advice;
 mod contact;
 mod derivative;
 mod pick;
+mod plastic;
 mod provenance;
 
 use std::path::Path;
@@ -65,6 +66,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "shared_blows": shared_blows(run),
         "point": named(&run.points, |p| &p.name, point),
         "support": named(&run.supports, |s| &s.name, support),
+        "plastic": named(&run.plastic, |b| &b.name, plastic::value),
         "section_forces": named(&run.section_forces, |b| &b.name, section_forces),
         "advice": info.advice.iter().map(advice::finding).collect::<Vec<_>>(),
         "hand_formulas": info.comparisons.iter().map(advice::comparison).collect::<Vec<_>>(),
@@ -97,6 +99,9 @@ fn energy(run: &RunSummary) -> Value {
         "work_supports": run.energy.work_supports,
         "loss_impacts": run.energy.loss_impacts,
         "loss_damping": run.energy.loss_damping,
+        "plastic": run.energy.plastic,
+        "hardening": run.energy.hardening,
+        "failure": run.energy.failure,
         "scale": run.energy.scale,
         "residual_max": run.energy.residual_max,
     })

@@ -27,7 +27,8 @@ pub(super) fn sections(content: &Content, faults: &mut Vec<Fault>) -> Vec<Sectio
             _ => uniform.get(named.name.as_str()).cloned().flatten(),
         };
         let section = section.unwrap_or_else(|| Section::new(named.name.as_str(), 1.0, 1.0));
-        Section { rotary_inertia: named.table.rotary_inertia, ..section }
+        let (rotary_inertia, fibres) = (named.table.rotary_inertia, named.table.fibres);
+        Section { rotary_inertia, fibres, ..section }
     };
     content.section.iter().map(one).collect()
 }
@@ -144,5 +145,6 @@ fn tapered(
         out.push(Station { at, area, inertia, depth });
     }
     let Station { area, inertia, depth, .. } = *out.first()?;
-    Some(Section { depth, stations: out, ..Section::new(name, area, inertia) })
+    let profile = uniform.get(sections.first()?.as_str())?.as_ref()?.profile.clone();
+    Some(Section { depth, stations: out, profile, ..Section::new(name, area, inertia) })
 }

@@ -12,6 +12,7 @@ mod projectile;
 mod section;
 mod structure;
 mod support;
+mod yielding;
 
 pub use analysis::*;
 pub use contact::*;
@@ -23,6 +24,7 @@ pub use projectile::*;
 pub use section::*;
 pub use structure::*;
 pub use support::*;
+pub use yielding::*;
 
 pub use crate::partner::{Partner, PartnerKind, Strikes};
 pub use crate::point::Anchor;

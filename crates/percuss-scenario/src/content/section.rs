@@ -2,7 +2,7 @@
 
 use percuss::RotaryInertia;
 
-use crate::format::{List, Maybe};
+use crate::format::{Count, List, Maybe};
 use crate::measure;
 use crate::name::{NameOf, SectionName};
 use crate::node::{Body, Reader};
@@ -76,6 +76,8 @@ table! {
     pub struct Section {
         /// true: density times second moment of area; false: none; or a value per length (kg m).
         rotary_inertia: RotaryInertia as Rotary = RotaryInertia::Density,
+        /// Fibres through the depth where the material yields; an even number.
+        fibres: usize as Count = percuss::Section::FIBRES,
     }
     with {
         /// Its shape.

@@ -308,6 +308,13 @@ impl Plasticity {
     }
 }
 
+/// A path with viscous overstress.
+struct Overstressed {
+    step: FibreStep,
+    /// Derivative of the stress at the end with respect to the time it takes \[Pa/s\].
+    stress_by_time: f64,
+}
+
 impl PlasticLaw {
     /// Independent of rate: elastic up to the yield stress, then along the hardening curve.
     fn path(&self, state: &FibreState, from: f64, to: f64) -> FibreStep {
@@ -323,7 +330,7 @@ impl PlasticLaw {
         let sign = trial.signum();
         let elastic = (sign * limit + back - path.start) / (young * path.length);
         path.go_on(young, elastic.clamp(0.0, 1.0));
-        let mut end = *state;
+        let (mut end, mut flowed) = (*state, 0.0);
         while path.at < 1.0 {
             let (part, until) = self.plasticity.part(end.accumulated);
             let modulus = part.modulus + self.plasticity.kinematic;
@@ -338,10 +345,11 @@ impl PlasticLaw {
                 ((path.at + most / path.length.abs()).min(1.0), until - end.accumulated)
             };
             path.go_on(tangent, to);
+            flowed += gained;
             end.plastic += sign * gained;
             end.accumulated = if rest <= most { end.accumulated + gained } else { until };
         }
-        let dissipated = self.plasticity.first_yield() * (end.accumulated - state.accumulated);
+        let dissipated = self.plasticity.first_yield() * flowed;
         end.dissipated += dissipated;
         FibreStep { state: end, dissipated, ..FibreStep::without_flow(path, state) }
     }
@@ -358,20 +366,25 @@ impl PlasticLaw {
         let (start, length) = (self.young * (from - state.plastic), to - from);
         let trial = start + self.young * length;
         if start * trial >= 0.0 {
-            return self.overstressed(overstress, state, [from, to], h);
+            return self.overstressed(overstress, state, ([from, to], h)).step;
         }
         let share = start / (start - trial);
         let middle = from + share * length;
-        let first = self.overstressed(overstress, state, [from, middle], share * h);
-        let second = self.overstressed(overstress, &first.state, [middle, to], (1.0 - share) * h);
-        let mean = share * first.mean + (1.0 - share) * second.mean;
+        let first = self.overstressed(overstress, state, ([from, middle], share * h));
+        let rest = 1.0 - share;
+        let second = self.overstressed(overstress, &first.step.state, ([middle, to], rest * h));
+        // The second part takes longer where the path does.
+        let longer = second.stress_by_time * share * h / length;
+        let tangent = second.step.tangent + longer;
+        let mean = share * first.step.mean + rest * second.step.mean;
         // d(s De)/de1 = s2 + De2 ds2/de1.
-        let work = second.mean + (1.0 - share) * length * second.slope;
+        let work = second.step.mean + 0.5 * rest * length * tangent;
         FibreStep {
             mean,
             slope: (work - mean) / length,
-            dissipated: first.dissipated + second.dissipated,
-            ..second
+            tangent,
+            dissipated: first.step.dissipated + second.step.dissipated,
+            ..second.step
         }
     }
 
@@ -380,14 +393,13 @@ impl PlasticLaw {
         &self,
         law: Overstress,
         state: &FibreState,
-        [from, to]: [f64; 2],
-        h: f64,
-    ) -> FibreStep {
+        ([from, to], h): ([f64; 2], f64),
+    ) -> Overstressed {
         let young = self.young;
         let start = young * (from - state.plastic);
         let trial = young * (to - state.plastic);
         let relative = trial - self.plasticity.kinematic * state.plastic;
-        let (flow, slope) = self.flow(law, state.accumulated, relative.abs(), h);
+        let (flow, [slope, by_time]) = self.flow(law, state.accumulated, relative.abs(), h);
         let sign = relative.signum();
         let mut end = *state;
         end.plastic += sign * flow;
@@ -398,15 +410,17 @@ impl PlasticLaw {
         let stored = self.plasticity.stored(&end) - self.plasticity.stored(state);
         let dissipated = if flow > 0.0 { mean * sign * flow - stored } else { 0.0 };
         end.dissipated += dissipated;
-        FibreStep { mean, slope: 0.5 * tangent, stress, tangent, state: end, dissipated }
+        let slope = 0.5 * tangent;
+        let step = FibreStep { mean, slope, stress, tangent, state: end, dissipated };
+        Overstressed { step, stress_by_time: -young * sign * by_time }
     }
 
-    /// Plastic flow in a step of size `h` from the relative stress at its end without flow, and its derivative with respect to that
-    /// stress: the root z of `|xi| - (E + Hk) h C z^q - Y (1 + z)`, of which the flow is `h C z^q`.
-    fn flow(&self, law: Overstress, accumulated: f64, relative: f64, h: f64) -> (f64, f64) {
+    /// Plastic flow in a step of size `h` from the relative stress at its end without flow, and its derivatives with respect to that
+    /// stress and to h: the root z of `|xi| - (E + Hk) h C z^q - Y (1 + z)`, of which the flow is `h C z^q`.
+    fn flow(&self, law: Overstress, accumulated: f64, relative: f64, h: f64) -> (f64, [f64; 2]) {
         let over = relative - self.plasticity.yield_stress(accumulated);
         if over <= 0.0 || h <= 0.0 {
-            return (0.0, 0.0);
+            return (0.0, [0.0; 2]);
         }
         let (stiffness, most) = (self.young + self.plasticity.kinematic, law.rate * h);
         let lowest = self.plasticity.yield_stress(accumulated).max(f64::MIN_POSITIVE);
@@ -438,11 +452,12 @@ impl PlasticLaw {
             }
         }
         if z <= 0.0 {
-            return (0.0, 0.0);
+            return (0.0, [0.0; 2]);
         }
         let ((limit, modulus), found) = (yields(z), flow(z));
         let per_flow = z / (law.exponent * found);
-        (found, 1.0 / (stiffness + modulus * (1.0 + z) + limit * per_flow))
+        let by_stress = 1.0 / (stiffness + modulus * (1.0 + z) + limit * per_flow);
+        (found, [by_stress, by_stress * limit * z / (law.exponent * h)])
     }
 }
 
@@ -478,7 +493,8 @@ mod tests {
             let step = law.step(&state, strain, next, 1e-4);
             let change = energy(&step.state, next) - energy(&state, strain);
             let work = step.mean * (next - strain);
-            let scale = energy(&state, strain) + energy(&step.state, next) + work.abs();
+            // Against the energy at first yield: stresses of nothing are differences of strains.
+            let scale = 250e6_f64.powi(2) / (2.0 * 200e9) + work.abs();
             worst = worst.max((work - change - step.dissipated).abs() / scale);
             least = least.min(step.dissipated / scale);
             (state, strain) = (step.state, next);
@@ -526,17 +542,9 @@ mod tests {
                 let (a, b, here) = (at(to - d), at(to + d), at(to));
                 let (mean, end) =
                     ((b.mean - a.mean) / (2.0 * d), (b.stress - a.stress) / (2.0 * d));
-                // Paths through zero stress with a rate know the time of their second part as it is.
-                let through = rate.is_some() && a.mean.abs() < 1e7;
                 let near = |x: f64, y: f64| (x - y).abs() < 2e-5 * 200e9;
-                assert!(
-                    through || near(mean, here.slope),
-                    "{law:?} {strained} {to}: {mean:e} {here:?}"
-                );
-                assert!(
-                    near(end, here.tangent) || through,
-                    "{law:?} {strained} {to}: {end:e} {here:?}"
-                );
+                assert!(near(mean, here.slope), "{law:?} {strained} {to}: {mean:e} {here:?}");
+                assert!(near(end, here.tangent), "{law:?} {strained} {to}: {end:e} {here:?}");
             }
         }
     }

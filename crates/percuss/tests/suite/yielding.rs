@@ -64,7 +64,10 @@ fn a_thrown_bar_closes_its_balance_whatever_it_yields_by() {
     ];
     for (name, material) in cases {
         let summary = thrown_bar(material, 1e-5);
-        println!("{name}: {:?} {} iterations {} steps", summary.energy, summary.newton_iterations, summary.steps);
+        println!(
+            "{name}: {:?} {} iterations {} steps",
+            summary.energy, summary.newton_iterations, summary.steps
+        );
         let bar = &summary.plastic[0];
         println!("   {:?}", bar);
         assert_balances(&summary, name);

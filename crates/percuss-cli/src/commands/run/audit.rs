@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak, RunSummary,
-    SupportSummary, Termination,
+    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak, PlasticHinge,
+    PlasticSummary, RunSummary, SupportSummary, Termination,
 };
 use percuss_advice::{Comparison, Topic, Verdict};
 use percuss_output::report::story;
@@ -53,6 +53,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
             format!("never closed: {}", names.join(", ")),
         ));
     }
+    rows.extend(run.plastic.iter().filter_map(plastic));
     let labels = ["impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     rows.extend(labels.zip(impulses(run)));
     if run.accumulated_steps > 0 {
@@ -95,6 +96,34 @@ fn wrapped(text: &str, columns: usize) -> Vec<String> {
         }
     }
     lines
+}
+
+/// What became of a beam that yielded.
+fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
+    let first = beam.first_yield?;
+    let mut parts = vec![
+        format!("first at s = {} m, t = {} s", number(first.s), number(first.time)),
+        format!("plastic strain up to {}", number(beam.strain_max.value)),
+        format!("{} J dissipated", number(beam.dissipated)),
+    ];
+    let larger =
+        |a: &&PlasticHinge, b: &&PlasticHinge| a.rotation.abs().total_cmp(&b.rotation.abs());
+    if let Some(hinge) = beam.hinges.iter().max_by(larger) {
+        parts.push(format!(
+            "bent by {} rad about s = {} m over {} m (elements of {} m)",
+            number(hinge.rotation),
+            number(hinge.s),
+            number(hinge.length),
+            number(hinge.element_length)
+        ));
+    }
+    if let Some(set) = beam.permanent_set {
+        parts.push(format!("permanent set {} m", number(set)));
+    }
+    if beam.failed > 0 {
+        parts.push(format!("{} failed", count(beam.failed, "fibre")));
+    }
+    Some((format!("yield of {}", beam.name), parts.join(", ")))
 }
 
 /// What supports and obstacles gave beyond their forces.
@@ -249,6 +278,9 @@ fn energy(run: &RunSummary) -> String {
     let terms = [
         ("lost in impacts", energy.loss_impacts),
         ("taken by damping", energy.loss_damping),
+        ("dissipated by plastic flow", energy.plastic),
+        ("stored by hardening", energy.hardening),
+        ("lost with failed fibres", energy.failure),
         ("work of loads", energy.work_loads),
         ("work of supports", energy.work_supports),
     ];

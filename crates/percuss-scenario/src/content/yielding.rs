@@ -1,0 +1,53 @@
+//! How a material yields.
+#![allow(non_snake_case, reason = "Cowper and Symonds' C is called so")]
+
+use super::Material;
+use crate::format::{Couple, List, Maybe};
+use crate::measure;
+use crate::node::{Body, Reader};
+use crate::quantity::Quantity;
+use crate::table::exclude;
+use crate::write::Writer;
+
+table! {
+    /// How the yield stress of a material grows with plastic strain.
+    pub struct Hardening {
+        /// Isotropic plastic modulus, d(stress)/d(plastic strain) (Pa).
+        isotropic: f64 as Quantity<measure::Pressure> = 0.0,
+        /// Kinematic plastic modulus: the range between both yield stresses moves (Pa).
+        kinematic: f64 as Quantity<measure::Pressure> = 0.0,
+        /// Instead of `isotropic`: [plastic strain, stress (Pa)], from [0, yield stress] on; constant beyond the last.
+        table: Option<Vec<[f64; 2]>> as Maybe<List<Couple<Quantity<measure::Ratio>, Quantity<measure::Pressure>>>> = None,
+    }
+    then settle_hardening
+}
+
+fn settle_hardening(_: &mut Hardening, body: &Body<'_>, reader: &mut Reader<'_>) {
+    exclude(body, ["isotropic", "table"], reader);
+}
+
+table! {
+    /// Overstress after Cowper and Symonds: plastic strain grows at the rate C (|stress| / yield stress - 1)^q.
+    pub struct RateLaw {
+        /// C (1/s): 40.4 for mild steel, 6500 for aluminium 6061-T6.
+        C: f64 as Quantity<measure::Rate>,
+        /// q: 5 for mild steel, 4 for aluminium 6061-T6.
+        q: f64 as Quantity<measure::Ratio>,
+    }
+}
+
+/// What goes with a yield stress goes nowhere without one.
+pub(super) fn settle_yield(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
+    if body.get("yield").is_none() && !reader.excuses(body, "yield") {
+        let with = ["hardening", "rate", "failure_strain"];
+        if let Some(key) = with.into_iter().find(|key| body.get(key).is_some()) {
+            let found = format!("`{key}` without a yield stress");
+            let expected = "`yield`, such as \"275 MPa\", beside it";
+            reader.missing(body, "yield", found, expected);
+        }
+    } else if material.bears.is_some() {
+        let found = "a material that yields and bears stress of one sign only";
+        let expected = "one of `yield` and `bears`";
+        reader.misplaced(&body.path, body.span.clone(), found, expected);
+    }
+}
