@@ -58,6 +58,8 @@ pub enum BucklingOutcome {
     Mechanism,
     /// The unloaded structure is unstable: stressed springs see to that.
     Unstable,
+    /// A material yields, or bears stress of one sign only: no stiffness holds up to a factor.
+    Inelastic,
     /// Factors were counted that the search did not find.
     Unfinished,
 }
@@ -76,6 +78,9 @@ impl BucklingOutcome {
                 .into(),
             Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
             Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
+            Self::Inelastic => "no linear buckling factor: a material yields or bears stress of one sign only; \
+                 the path of equilibria (--path) shows what the structure carries"
+                .into(),
             Self::Unfinished => "linear buckling factors exist that the search did not find".into(),
         })
     }
@@ -122,6 +127,9 @@ fn find(
     held: Vec<Held>,
     count: usize,
 ) -> Result<Vec<BucklingMode>, BucklingOutcome> {
+    if model.is_inelastic() {
+        return Err(BucklingOutcome::Inelastic);
+    }
     let rest = State::at_rest(model, Scheme::EnergyMomentum);
     let layout = Layout::holding(model, held);
     let unloaded = StaticSearch::at(model, &rest);

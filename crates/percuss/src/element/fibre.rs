@@ -493,8 +493,9 @@ mod tests {
             let step = law.step(&state, strain, next, 1e-4);
             let change = energy(&step.state, next) - energy(&state, strain);
             let work = step.mean * (next - strain);
-            // Against the energy at first yield: stresses of nothing are differences of strains.
-            let scale = 250e6_f64.powi(2) / (2.0 * 200e9) + work.abs();
+            // Against the energy at first yield, and what is stored, of which changes are differences.
+            let scale =
+                250e6_f64.powi(2) / (2.0 * 200e9) + work.abs() + law.hardening_energy(&state);
             worst = worst.max((work - change - step.dissipated).abs() / scale);
             least = least.min(step.dissipated / scale);
             (state, strain) = (step.state, next);

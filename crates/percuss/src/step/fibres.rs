@@ -3,7 +3,8 @@
 use super::integration::Integration;
 use crate::element::beam::{ElementTable, ElementValues};
 use crate::element::fibre::FibreState;
-use crate::element::yielding::{ElementFibres, ElementStep, gauss_strains};
+use crate::element::yielding::{ElementFibres, ElementStep, GaussStrains, gauss_strains};
+use crate::math::hermite::GAUSS;
 use crate::model::Model;
 use crate::model::frozen::{Span, SpanFibres};
 use crate::state::State;
@@ -114,4 +115,33 @@ pub fn energies(state: &State, span: &Span, k: usize, u: &ElementValues<f64>) ->
         axial += 0.5 * row.weight * force * force / stiffness;
     }
     [axial, all - axial, hardening]
+}
+
+/// Elastic strains that go with the forces of an element of fibres where the state stands: membrane strains at the sampling points,
+/// bending strains at the Gauss points.
+pub fn equivalent_strains(state: &State, span: &Span, k: usize) -> Option<GaussStrains> {
+    let fibres = span.fibres.as_ref()?;
+    let (table, a) = (span.table(k), span.nodes.start + k);
+    let at_gauss = &table.membrane.as_ref()?.at_gauss;
+    let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
+    let strains = gauss_strains(table, span.measure, &u);
+    let of = state.fibres_of(fibres, k);
+    let mut out = [[0.0; 2]; GAUSS];
+    let mut membrane = [0.0; GAUSS];
+    for j in 0..GAUSS {
+        let (mut force, mut moment, mut stiffness) = (0.0, 0.0, [0.0; 2]);
+        for (fibre, memory) in of.at(j) {
+            let law = &fibres.laws[fibre.law];
+            let stress = law.stress(memory, strains[j][0] + fibre.height * strains[j][1]);
+            force += fibre.area * stress;
+            moment += fibre.area * fibre.height * stress;
+            stiffness[0] += fibre.area * law.young();
+            stiffness[1] += fibre.area * fibre.height * fibre.height * law.young();
+        }
+        (membrane[j], out[j][1]) = (force / stiffness[0], moment / stiffness[1]);
+    }
+    let matrix = nalgebra::Matrix3::from_fn(|j, i| at_gauss[j][i]);
+    let sampled = matrix.lu().solve(&nalgebra::Vector3::from(membrane))?;
+    (0..GAUSS).for_each(|i| out[i][0] = sampled[i]);
+    Some(out)
 }

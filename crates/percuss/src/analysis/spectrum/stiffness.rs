@@ -11,6 +11,7 @@ use crate::scalar::Wide;
 use crate::step::connectors::{self, ConnectorStep};
 use crate::step::constraint::{self, ConstraintStep};
 use crate::step::external;
+use crate::step::fibres::equivalent_strains;
 use crate::step::tangent::Tangent;
 
 /// Constraints at the base of a search.
@@ -40,8 +41,13 @@ impl StressTerms {
     }
 }
 
+/// Strains whose stresses stiffen an element: of one that has yielded, those that elastically go with its forces.
+fn stressed(search: &StaticSearch, span: &Span, k: usize, e: usize) -> Stored {
+    equivalent_strains(&search.base, span, k).unwrap_or(search.base.strain[e])
+}
+
 impl Layout<'_> {
-    /// The tangent at the base of a search.
+    /// The tangent at the base of a search; beams that have yielded count as they unload, elastically.
     pub fn tangent(&self, search: &StaticSearch) -> Matrix {
         self.tangent_with(search, 1.0)
     }
@@ -49,7 +55,9 @@ impl Layout<'_> {
     /// The same where contacts press with a share of their forces.
     pub fn tangent_with(&self, search: &StaticSearch, pressed: f64) -> Matrix {
         let mut matrix = self.zeros();
-        self.add_elements(&mut matrix, search, |_, _, e| (Wide::ONE, search.base.strain[e]));
+        self.add_elements(&mut matrix, search, |span, k, e| {
+            (Wide::ONE, stressed(search, span, k, e))
+        });
         let mut rest = Tangent::new(self.model);
         let (base, forcing) = (&search.base, &search.forcing);
         let still = vec![[0.0; 4]; base.displacement.len()];
@@ -105,7 +113,7 @@ impl Layout<'_> {
     ) {
         for (span, k, a, e) in self.model.each_element() {
             let (factor, stored) = match stress {
-                StressTerms::Taken => (1.0, search.base.strain[e]),
+                StressTerms::Taken => (1.0, stressed(search, span, k, e)),
                 StressTerms::Left(_) => (unit(span.table(k)).round(), [[0.0; 2]; 3]),
             };
             let sums = element(span, k, a, &search.base.displacement, &stored);

@@ -51,7 +51,7 @@ pub struct Station {
 
 impl Section {
     /// Fibres through the depth unless said otherwise.
-    pub const FIBRES: usize = 12;
+    pub const FIBRES: usize = 16;
 
     /// A uniform section of given area and second moment of area.
     pub fn new(name: impl Into<String>, area: f64, inertia: f64) -> Self {
