@@ -308,6 +308,11 @@ impl Plasticity {
     }
 }
 
+/// Corrections of the root that viscous flow follows from, which converges in some five, and the last of them, relative; the balance
+/// does not depend on it.
+const MOST_ROOTS: usize = 100;
+const ROOT: f64 = 1e-14;
+
 /// A path with viscous overstress.
 struct Overstressed {
     step: FibreStep,
@@ -427,34 +432,28 @@ impl PlasticLaw {
         // From above; the function is concave there but for kinks of the hardening curve.
         let mut high = (over / lowest).min((over / (stiffness * most)).powf(1.0 / law.exponent));
         let (mut low, mut z) = (0.0, high);
-        let flow = |z: f64| most * z.powf(law.exponent);
-        let yields = |z: f64| {
-            let at = accumulated + flow(z);
+        let yields = |flow: f64| {
+            let at = accumulated + flow;
             (self.plasticity.yield_stress(at), self.plasticity.part(at).0.modulus)
         };
-        for _ in 0..200 {
-            let ((limit, modulus), rate) = (yields(z), law.exponent * flow(z) / z);
-            let left = relative - stiffness * flow(z) - limit * (1.0 + z);
+        for _ in 0..MOST_ROOTS {
+            let flow = most * z.powf(law.exponent);
+            let ((limit, modulus), rate) = (yields(flow), law.exponent * flow / z);
+            let left = relative - stiffness * flow - limit * (1.0 + z);
             let slope = -(stiffness + modulus * (1.0 + z)) * rate - limit;
-            if left > 0.0 {
-                low = z
-            } else {
-                high = z
-            }
-            let mut next = z - left / slope;
-            if !(next >= low && next <= high) {
-                next = 0.5 * (low + high);
-            }
-            let done = (next - z).abs() <= 2.0 * f64::EPSILON * z;
-            z = next;
-            if done {
+            let change = left / slope;
+            if change.abs() <= ROOT * z {
                 break;
             }
+            *(if left > 0.0 { &mut low } else { &mut high }) = z;
+            let next = z - change;
+            z = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
         if z <= 0.0 {
             return (0.0, [0.0; 2]);
         }
-        let ((limit, modulus), found) = (yields(z), flow(z));
+        let found = most * z.powf(law.exponent);
+        let (limit, modulus) = yields(found);
         let per_flow = z / (law.exponent * found);
         let by_stress = 1.0 / (stiffness + modulus * (1.0 + z) + limit * per_flow);
         (found, [by_stress, by_stress * limit * z / (law.exponent * h)])

@@ -256,6 +256,9 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             work_supports: 0.0,
             loss_impacts: 0.0,
             loss_damping: 120.0,
+            plastic: 0.0,
+            hardening: 0.0,
+            failure: 0.0,
             scale: 1e5,
             residual_max: 5.9e-12,
         },
@@ -280,6 +283,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             record,
         }],
         contact_residual_max: 2e-16,
+        plastic: Vec::new(),
         shared_blows: percuss::SharedBlows::default(),
         points: vec![PointSummary {
             name: "girder.mid".to_owned(),
