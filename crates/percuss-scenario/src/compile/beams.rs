@@ -128,7 +128,8 @@ fn inelasticity(
         faults.push(Fault::new(path, found, expected));
     }
     let rise = |w: &[[f64; 2]]| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0]);
-    let last = given.map_or(0.0, |h| if h.table.is_some() { 0.0 } else { h.isotropic });
+    let last =
+        given.map_or(0.0, |h| if h.table.is_some() { 0.0 } else { h.isotropic.unwrap_or(0.0) });
     let moduli = points.windows(2).map(rise).chain([last]);
     let part = |(point, modulus): (&[f64; 2], f64)| {
         let [from, stress] = *point;

@@ -12,8 +12,8 @@ use crate::write::Writer;
 table! {
     /// How the yield stress of a material grows with plastic strain.
     pub struct Hardening {
-        /// Isotropic plastic modulus, d(stress)/d(plastic strain) (Pa).
-        isotropic: f64 as Quantity<measure::Pressure> = 0.0,
+        /// Isotropic plastic modulus, d(stress)/d(plastic strain) (Pa); none without, or `table` in its place.
+        isotropic: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
         /// Kinematic plastic modulus: the range between both yield stresses moves (Pa).
         kinematic: f64 as Quantity<measure::Pressure> = 0.0,
         /// Instead of `isotropic`: [plastic strain, stress (Pa)], from [0, yield stress] on; constant beyond the last.
