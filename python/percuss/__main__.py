@@ -21,11 +21,12 @@ def main(arguments: list[str] | None = None) -> int:
     command.add_argument("study", help="study file")
     command.add_argument("--scheduler", required=True, metavar="ADDRESS", help="Dask scheduler, such as tcp://host:8786")
     command.add_argument("--out", metavar="DIR", help="directory or fsspec location [default: runs/ and the name of STUDY]")
+    command.add_argument("--allow-outside", action="store_true", help="let the study and its scenario name files outside their folders")
     command.add_argument("--quiet", "-q", action="store_true", help="say nothing unless something is wrong")
     given = parser.parse_args(arguments)
     out = given.out or str(Path("runs") / Path(given.study).stem)
     try:
-        return _sweep(given.study, given.scheduler, out, given.quiet)
+        return _sweep(given.study, given.scheduler, out, given.quiet, given.allow_outside)
     except ScenarioError as error:
         return _fail(str(error), 2)
     except KeyboardInterrupt:
@@ -34,10 +35,10 @@ def main(arguments: list[str] | None = None) -> int:
         return _fail(str(error), 2 if isinstance(error, (MissingError, ValueError)) else 1)
 
 
-def _sweep(study: str, scheduler: str, out: str, quiet: bool) -> int:
+def _sweep(study: str, scheduler: str, out: str, quiet: bool, allow_outside: bool) -> int:
     from ._study import study_of
 
-    read = study_of(study, {})  # faults of the study before those of the network
+    read = study_of(study, {}, allow_outside)  # faults of the study before those of the network
     try:
         from distributed import Client
     except ImportError as error:

@@ -43,11 +43,15 @@ class Advice(NamedTuple):
     """What the advisor says before a run."""
 
     verdict: str
-    """``fine``, ``note`` or ``warning``."""
+    """``fine``, ``note``, ``warning`` or, where the scenario says so in ``[allow]``, ``allowed``."""
     contact: str
     """Name of the contact it is about."""
     text: str
     """What it means and, unless it is fine, what to do."""
+    code: str
+    """``W002``; ``percuss explain W002`` says what it stands for."""
+    reason: str | None
+    """Why it is allowed, where it is."""
 
 
 class Scenario:

@@ -47,7 +47,7 @@ def sweep(
     ``out`` keeps the study: shards as they are done, ``results.parquet`` and ``report.html`` at the end. What was interrupted or killed goes on
     from there. It is a directory, or with a cluster any location that fsspec knows, such as ``s3://bucket/study``.
 
-    CSV files that the scenario names lie in its folder or below or, with ``allow_outside``, anywhere.
+    The base of a study and CSV files that its scenario names lie in the folder of the file that names them or below or, with ``allow_outside``, anywhere.
     """
     if client is not None and executor is not None:
         raise TypeError("client and executor: give one of the two")

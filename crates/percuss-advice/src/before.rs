@@ -99,7 +99,7 @@ impl Desk<'_> {
         text: String,
     ) -> Advice {
         let contact = self.case.name.to_owned();
-        Advice { contact, topic, value, reference, unit, verdict, text }
+        Advice { contact, topic, value, reference, unit, verdict, text, reason: None }
     }
 
     fn struck(

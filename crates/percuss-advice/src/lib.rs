@@ -20,17 +20,18 @@ mod surroundings;
 mod taper;
 #[cfg(test)]
 mod tests;
-mod topics;
 mod words;
 
 use percuss::{FirstTouches, Model, RunSummary, Settings, massless};
-pub use topics::Topic;
+pub use percuss_codes::Topic;
 
 /// How much a finding weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     /// As it should be.
     Fine,
+    /// Found, and allowed by the author of the scenario.
+    Allowed,
     /// Worth knowing when results are read.
     Note,
     /// Results are likely to mislead.
@@ -54,6 +55,8 @@ pub struct Advice {
     pub verdict: Verdict,
     /// What it means and, unless it is fine, what to do.
     pub text: String,
+    /// Why it is allowed, in the words of whoever allowed it.
+    pub reason: Option<String>,
 }
 
 /// A result beside a hand formula.
@@ -84,6 +87,7 @@ impl Verdict {
     pub fn name(self) -> &'static str {
         match self {
             Self::Fine => "fine",
+            Self::Allowed => "allowed",
             Self::Note => "note",
             Self::Warning => "warning",
         }
@@ -112,6 +116,17 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
         all.extend(before::findings(model, settings, &case, mass, (&modes, &trials)));
     }
     all
+}
+
+/// Takes their weight from notes and warnings that are allowed: `reason` gives the reason for a topic, where there is one. They stay
+/// among the findings, with it. What is fine stays fine.
+pub fn allow<'r>(advice: &mut [Advice], reason: impl Fn(Topic) -> Option<&'r str>) {
+    for one in advice.iter_mut().filter(|one| one.verdict > Verdict::Allowed) {
+        if let Some(reason) = reason(one.topic) {
+            one.verdict = Verdict::Allowed;
+            one.reason = Some(reason.to_owned());
+        }
+    }
 }
 
 /// The results of a run beside the hand formulas whose case they are, contact after contact.

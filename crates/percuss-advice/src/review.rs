@@ -47,7 +47,16 @@ fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool)
     let contact = contact.name.clone();
     let values = (since, settings.end);
     let (value, reference) = values;
-    Some(Advice { contact, topic: Topic::Ending, value, reference, unit: "s", verdict, text })
+    Some(Advice {
+        contact,
+        topic: Topic::Ending,
+        value,
+        reference,
+        unit: "s",
+        verdict,
+        text,
+        reason: None,
+    })
 }
 
 /// Number of impacts.
@@ -95,6 +104,7 @@ fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
         unit: "N",
         verdict: Verdict::Note,
         text,
+        reason: None,
     })
 }
 
@@ -126,5 +136,14 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
     );
     let (contact, unit) = (format!("beam {}", beam.name()), "1");
     let (value, reference) = (strain, STRAINS[0]);
-    Some(Advice { contact, topic: Topic::Strain, value, reference, unit, verdict, text })
+    Some(Advice {
+        contact,
+        topic: Topic::Strain,
+        value,
+        reference,
+        unit,
+        verdict,
+        text,
+        reason: None,
+    })
 }

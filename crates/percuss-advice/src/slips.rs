@@ -66,7 +66,16 @@ fn slip(
     text: String,
 ) -> Advice {
     let [value, reference] = values;
-    Advice { contact: part.to_owned(), topic: Topic::Slip, value, reference, unit, verdict, text }
+    Advice {
+        contact: part.to_owned(),
+        topic: Topic::Slip,
+        value,
+        reference,
+        unit,
+        verdict,
+        text,
+        reason: None,
+    }
 }
 
 /// Length, section, material of a beam, and its lowest period against the step.

@@ -24,5 +24,14 @@ pub fn of_the_start(model: &Model, settings: &Settings) -> Option<Advice> {
         .to_owned();
     let contact = "start".to_owned();
     let (topic, verdict) = (Topic::Stability, Verdict::Warning);
-    Some(Advice { contact, topic, value: f64::NAN, reference: f64::NAN, unit: "1", verdict, text })
+    Some(Advice {
+        contact,
+        topic,
+        value: f64::NAN,
+        reference: f64::NAN,
+        unit: "1",
+        verdict,
+        text,
+        reason: None,
+    })
 }

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use percuss_codes::Code;
 use percuss_scenario::{reference, study_reference};
 
-use crate::code_pages::{self, Provocations, codes};
+use crate::code_pages::{self, Provocations};
 use crate::desk::Desk;
 use crate::excerpts::{files, samples};
 use crate::gallery;
@@ -64,7 +65,7 @@ pub fn build(of: &Sources) -> io::Result<Vec<String>> {
     pages.extend(reference_pages("study", &study_reference(), &samples));
     pages.push(code_pages::index());
     let provocations = Provocations::load(&docs.join("book/codes.toml"))?;
-    for code in codes() {
+    for code in Code::all() {
         let desk = Desk::new(of.out.join("work").join(code.code), &of.percuss)?;
         let provoked = provocations.provoke(code, &desk)?;
         faults.extend(provoked.faults);

@@ -3,31 +3,11 @@
 use std::io;
 use std::path::Path;
 
-use percuss_advice::Topic;
-use percuss_scenario::FaultCode;
+use percuss_codes::Code;
 use toml_edit::{DocumentMut, Item, TableLike};
 
 use crate::desk::Desk;
 use crate::scenario_pages::Page;
-
-/// A code, from one of the catalogues.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Code {
-    /// `W002`.
-    pub code: &'static str,
-    /// A few words.
-    pub name: &'static str,
-    /// What it means and what to do.
-    pub explanation: &'static str,
-}
-
-/// Every code: faults, then findings.
-pub fn codes() -> Vec<Code> {
-    let fault = |one: FaultCode| (one.code(), one.name(), one.explanation());
-    let topic = |one: Topic| (one.code(), one.name(), one.explanation());
-    let all = FaultCode::ALL.into_iter().map(fault).chain(Topic::ALL.into_iter().map(topic));
-    all.map(|(code, name, explanation)| Code { code, name, explanation }).collect()
-}
 
 /// How codes are provoked: `docs/book/codes.toml`.
 #[derive(Clone, Debug)]
@@ -129,7 +109,7 @@ fn paragraph(text: &str) -> String {
 pub fn index() -> Page {
     let line = |one: Code| format!("| [{0}]({0}.md) | {1} |\n", one.code, one.name);
     let (faults, findings): (Vec<Code>, Vec<Code>) =
-        codes().into_iter().partition(|one| one.code.starts_with('E'));
+        Code::all().into_iter().partition(|one| one.is_error());
     let table = |of: Vec<Code>| {
         format!("| code | about |\n|---|---|\n{}\n", of.into_iter().map(line).collect::<String>())
     };
@@ -138,7 +118,9 @@ pub fn index() -> Page {
          Every message of `percuss check` and `percuss run` about a file or a run ends with a code in brackets. The code stays the same from version to \
          version; `percuss explain W002` prints what stands here, and `--deny W002` makes a command fail where the advisor finds it.\n\n\
          ## Faults\n\nA file with a fault is not run. All faults of a file are told at once.\n\n{}\
-         ## Findings of the advisor\n\nA run goes on; its results may not mean what they seem to.\n\n{}",
+         ## Findings of the advisor\n\nA run goes on; its results may not mean what they seem to. What you know of and accept in a scenario is allowed \
+         there, with the reason: it is then neither warned about nor denied, and stays visible on the page and in `summary.json`.\n\n\
+         ```toml\n[allow]\nW007 = \"the beam is meant to be short\"\n```\n\n{}",
         table(faults),
         table(findings)
     );

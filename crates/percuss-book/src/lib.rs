@@ -14,7 +14,7 @@ mod scenario_pages;
 
 pub use book::{Sources, authored, build};
 pub use bounds::{Bounds, bounds};
-pub use code_pages::{Code, Provocations, Provoked, codes};
+pub use code_pages::{Provocations, Provoked};
 pub use desk::{Desk, Outcome};
 pub use excerpts::{Excerpt, Sample, Standing, samples, standings};
 pub use fences::{Fence, Part, parts};

@@ -6,8 +6,9 @@ use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
 use percuss_advice::Topic;
+use percuss_codes::Code;
 
-use crate::commands::explain::Explained;
+use crate::commands::explain;
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
 
@@ -102,7 +103,7 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
-    /// Let a scenario name files outside its own folder
+    /// Let a scenario or a study name files outside its own folder
     #[arg(long, global = true)]
     pub allow_outside: bool,
 }
@@ -225,8 +226,8 @@ fn share(text: &str) -> Result<Share, String> {
 #[derive(Args, Debug)]
 pub struct Explain {
     /// A code, such as W002 or E006
-    #[arg(value_parser = Explained::of_code)]
-    pub code: Option<Explained>,
+    #[arg(value_parser = explain::code)]
+    pub code: Option<Code>,
 }
 
 /// Arguments of `schema`.

@@ -26,6 +26,11 @@ pub fn note(text: &str) {
     tell(&format!("{} {text}", painted("note:", "1;36")));
 }
 
+/// Tells what was found and is allowed.
+pub fn allowed(text: &str) {
+    tell(&format!("{} {text}", painted("allowed:", "1;36")));
+}
+
 /// Writes to standard output. A reader that has seen enough (`| head`) is no error.
 ///
 /// # Errors

@@ -73,15 +73,22 @@ impl Ready {
     }
 }
 
-/// Raises `ScenarioError` if anything is wrong with a scenario; what the advisor says, (verdict, contact, text) each.
+/// What the advisor says: verdict, contact, text, code, reason why it is allowed.
+type Said = (&'static str, String, String, &'static str, Option<String>);
+
+/// Raises `ScenarioError` if anything is wrong with a scenario; what the advisor says.
 #[pyfunction]
-pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<(&'static str, String, String)>> {
+pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
     let ready = source.ready(py)?;
     let Compiled { model, settings, .. } = &ready.compiled;
     percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(py, faults))?;
-    let advice = py.detach(|| percuss_advice::advise(model, settings));
+    let mut advice = py.detach(|| percuss_advice::advise(model, settings));
+    percuss_advice::allow(&mut advice, |topic| ready.scenario.content().reason_to_allow(topic));
     source.raised().map_or(Ok(()), Err)?;
-    Ok(advice.into_iter().map(|a| (a.verdict.name(), a.contact, a.text)).collect())
+    Ok(advice
+        .into_iter()
+        .map(|a| (a.verdict.name(), a.contact, a.text, a.topic.code(), a.reason))
+        .collect())
 }
 
 /// The scenario as a file with every default written out, in SI units.

@@ -6,7 +6,7 @@ use std::time::Instant;
 use percuss::{RunSummary, Simulation, Termination};
 use percuss_advice::{advise, compare, review};
 use percuss_output::fields::FrameStore;
-use percuss_output::{RunInfo, summary_value};
+use percuss_output::{RunInfo, allowances, summary_value};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -95,6 +95,8 @@ fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorde
     let summary = simulation.run(recorder);
     let seconds = begun.elapsed().as_secs_f64();
     advice.extend(review(&compiled.model, &compiled.settings, &summary));
+    let content = ready.scenario.content();
+    percuss_advice::allow(&mut advice, |topic| content.reason_to_allow(topic));
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
@@ -103,6 +105,7 @@ fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorde
         advice: &advice,
         comparisons: &comparisons,
     };
-    let value = summary_value(&summary, info);
+    let mut value = summary_value(&summary, info);
+    value["allow"] = allowances(&content.allowances(), &advice);
     Ended { summary, value, seconds }
 }

@@ -1,179 +1,20 @@
-//! Kinds of faults of a scenario, study or change: names, codes and explanations in one catalogue.
+//! Of which kind a fault of the model is, by its place in the file.
 
-/// What kind of fault a [`Diagnostic`](crate::Diagnostic) tells of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum FaultCode {
-    /// A file that cannot be read, or is no scenario or study.
-    File,
-    /// Text that is not TOML.
-    Syntax,
-    /// A key or table that the format does not know.
-    UnknownKey,
-    /// A key or table that is not there.
-    MissingKey,
-    /// A value of the wrong type or form.
-    ValueType,
-    /// A unit that is not known, or of another dimension.
-    Unit,
-    /// A word or name that refers to nothing.
-    UnknownName,
-    /// Keys that exclude each other or do not belong where they stand.
-    Conflict,
-    /// A name of the user's that cannot be one.
-    InvalidName,
-    /// A table of numbers, in the file or beside it.
-    Table,
-    /// A change (`--set`, a parameter of a study) that reaches nothing.
-    Change,
-    /// A setting of time, integration, recording or report.
-    Setting,
-    /// A material or section.
-    Section,
-    /// A beam: its axis, elements, ends, or what overlaps with it.
-    Beam,
-    /// A support, joint, spring or point mass, or a structure that can move without strain.
-    Connection,
-    /// A projectile or another rigid body.
-    Body,
-    /// An obstacle or contact.
-    Contact,
-    /// A load, a prescribed motion or its time function.
-    Load,
-    /// Initial velocities or the state at the start.
-    Initial,
-    /// Damping.
-    Damping,
-    /// A study: its parameters, design or results.
-    Study,
-    /// An equilibrium path or modes.
-    Analysis,
-}
+pub use percuss_codes::FaultCode;
 
-impl FaultCode {
-    /// All of them, in the order of their codes.
-    pub const ALL: [Self; 22] = [
-        Self::File,
-        Self::Syntax,
-        Self::UnknownKey,
-        Self::MissingKey,
-        Self::ValueType,
-        Self::Unit,
-        Self::UnknownName,
-        Self::Conflict,
-        Self::InvalidName,
-        Self::Table,
-        Self::Change,
-        Self::Setting,
-        Self::Section,
-        Self::Beam,
-        Self::Connection,
-        Self::Body,
-        Self::Contact,
-        Self::Load,
-        Self::Initial,
-        Self::Damping,
-        Self::Study,
-        Self::Analysis,
-    ];
-
-    /// Its code, which stays the same from version to version.
-    pub fn code(self) -> &'static str {
-        self.entry().0
-    }
-
-    /// Its name in a few words.
-    pub fn name(self) -> &'static str {
-        self.entry().1
-    }
-
-    /// What it means and what to do.
-    pub fn explanation(self) -> &'static str {
-        self.entry().2
-    }
-
-    /// The kind of a code.
-    pub fn of_code(code: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|one| one.code().eq_ignore_ascii_case(code))
-    }
-
-    /// The kind of a fault of the model at a dotted path, by the table that the path begins with.
-    pub(crate) fn of_path(path: &str) -> Self {
-        match path.split(['.', '[']).next().unwrap_or_default() {
-            "material" | "section" => Self::Section,
-            "beam" => Self::Beam,
-            "support" | "joint" | "spring" | "mass" | "connector" => Self::Connection,
-            "projectile" | "disc" => Self::Body,
-            "obstacle" | "contact" => Self::Contact,
-            "load" | "function" | "gravity" => Self::Load,
-            "initial" => Self::Initial,
-            "damping" => Self::Damping,
-            "path" | "modes" => Self::Analysis,
-            "parameter" | "values" | "design" | "results" | "base" => Self::Study,
-            _ => Self::Setting,
-        }
-    }
-
-    #[rustfmt::skip] // a table: code, name, explanation
-    fn entry(self) -> (&'static str, &'static str, &'static str) {
-        match self {
-            Self::File => ("E001", "a file that cannot be read",
-                "The file is not there, cannot be read, is empty, is no UTF-8 text, lies outside the folder where the scenario may name files, \
-                 or is of another kind (a study where a scenario is meant). Tables of numbers lie in the scenario's folder or below; \
-                 `--allow-outside` lifts this for scenarios that you trust."),
-            Self::Syntax => ("E002", "text that is not TOML",
-                "Scenarios and studies are TOML 1.0 files: tables in brackets, `key = value` lines, texts in quotes. Mend the place that is marked; \
-                 until then only values that are wrong in themselves are told besides."),
-            Self::UnknownKey => ("E003", "an unknown key or table",
-                "The format knows no such key here. Keys that look alike are suggested; `percuss schema` gives all of them to an editor. \
-                 Unknown keys are never passed over: a misspelt key would leave its default in force."),
-            Self::MissingKey => ("E004", "a missing key or table",
-                "This key has no default and must be given. `percuss new` writes a scenario that has all of them."),
-            Self::ValueType => ("E005", "a value of the wrong form",
-                "The key takes a value of another type or form: a number, a text in quotes, a list, a table in braces. The message shows an example."),
-            Self::Unit => ("E006", "a unit that does not fit",
-                "The unit is not known, or it measures something else than this key means (a length where a mass is asked). Bare numbers are in SI units."),
-            Self::UnknownName => ("E007", "a name that refers to nothing",
-                "The word or name is none of those that may stand here: a beam, section, material, point or body that the file does not define, or a \
-                 kind that does not exist. Names that look alike are suggested."),
-            Self::Conflict => ("E008", "keys that exclude each other",
-                "Two keys say the same thing in two ways, or a key stands where it means nothing. Leave one of them out."),
-            Self::InvalidName => ("E009", "a name that cannot be one",
-                "Names of your own consist of letters, digits, `_` and `-`: they appear between dots in the names of results."),
-            Self::Table => ("E010", "a table of numbers with a fault",
-                "A table needs at least two rows, numbers in each cell, and a first column that increases from row to row. \
-                 Columns of a CSV file are found by their headings, with units in brackets or by key."),
-            Self::Change => ("E011", "a change that reaches nothing",
-                "`--set PATH=VALUE` and the parameters of a study name a value by its path in the file, such as `projectile.hammer.mass`. \
-                 The table must exist in the file; a key with a default may be set though it is not written."),
-            Self::Setting => ("E012", "a setting out of its bounds",
-                "A setting of time, integration, recording or report is out of its bounds, or does not go with another one. The message names what would be right."),
-            Self::Section => ("E013", "a material or section that cannot be",
-                "A modulus, density, area, dimension or second moment is not positive or finite, or the dimensions of a shape contradict each other. The message names \
-                the key and what would be right."),
-            Self::Beam => ("E014", "a beam that cannot be",
-                "The points, elements, ends or section of a beam do not make a beam: too few points, no length, no elements. The message names the key and what \
-                would be right."),
-            Self::Connection => ("E015", "a support or connection that cannot be",
-                "A support, joint, spring or point mass stands where it cannot act, has a value out of its bounds, or contradicts another one. Statics and modes also \
-                need a structure that cannot move without strain."),
-            Self::Body => ("E016", "a projectile or body that cannot be",
-                "A mass, stiffness, size or restitution of a projectile is out of its bounds, or it cannot strike what it is said to strike. The message names the key \
-                and what would be right."),
-            Self::Contact => ("E017", "an obstacle or contact that cannot be",
-                "A contact is between two partners that can touch and that do not overlap at the start; its law has values within bounds. An obstacle that no contact \
-                names is refused as a likely slip."),
-            Self::Load => ("E018", "a load or time function that cannot be",
-                "A load or its time function has a value out of its bounds, or acts at a place that the beam does not have. The message names the key and what would be \
-                right."),
-            Self::Initial => ("E019", "an initial state that cannot be",
-                "A velocity is not finite, or [initial.NAME] does not name exactly one beam, or one point mass at a node of its beam."),
-            Self::Damping => ("E020", "damping that cannot be",
-                "Modal damping ratios lie from 0 to below 1; the message names what would be right of other values."),
-            Self::Study => ("E021", "a study that cannot be run",
-                "A study varies values of its base scenario, with a design that exists, and picks results by paths into summary.json. The message names the key and what \
-                would be right."),
-            Self::Analysis => ("E022", "a path or modes that cannot be computed",
-                "An equilibrium path needs a first load factor above zero, at least one point, and an end to reach that is not zero; modes a number that the mesh has."),
-        }
+/// The kind of a fault of the model at a dotted path, by the table that the path begins with.
+pub(crate) fn of_path(path: &str) -> FaultCode {
+    match path.split(['.', '[']).next().unwrap_or_default() {
+        "material" | "section" => FaultCode::Section,
+        "beam" => FaultCode::Beam,
+        "support" | "joint" | "spring" | "mass" | "connector" => FaultCode::Connection,
+        "projectile" | "disc" => FaultCode::Body,
+        "obstacle" | "contact" => FaultCode::Contact,
+        "load" | "function" | "gravity" => FaultCode::Load,
+        "initial" => FaultCode::Initial,
+        "damping" => FaultCode::Damping,
+        "path" | "modes" => FaultCode::Analysis,
+        "parameter" | "values" | "design" | "results" | "base" => FaultCode::Study,
+        _ => FaultCode::Setting,
     }
 }

@@ -1,38 +1,72 @@
-//! Values from a CSV file with two columns: points of a centre line, a function of time, a contact law.
+//! CSV files with two columns: points of a centre line, a function of time, a contact law.
 
-use std::marker::PhantomData;
+use std::path::Path;
 
 use serde_json::{Value as Json, json};
 
 use crate::code::FaultCode;
-use crate::files::{FileAccess, is_within};
+use crate::files::{FileAccess, WITHIN, has_sha256, is_within, sha256};
 use crate::format::{Format, Inline, List};
 use crate::measure::Length;
-use crate::node::{Body, Node, Reader, count};
+use crate::node::{Node, Reader, count};
 use crate::quantity::Vector;
 use crate::reach::{self, Reached};
 
 /// Two numbers and the line they stand on.
-type Row = (usize, [f64; 2]);
+pub(crate) type Row = (usize, [f64; 2]);
 
 /// Found and expected.
 type Clash = (String, String);
 
-/// Reads the file whose path stands at `node`.
-fn load(node: &Node<'_>, columns: &str, reader: &mut Reader<'_>) -> Option<Vec<Row>> {
+/// Rows of a file, and its SHA-256.
+pub(crate) type Loaded = (Vec<Row>, String);
+
+/// Reads the file whose path stands at `node`; `sum` is the SHA-256 that it must have, if any is given.
+///
+/// Who names a file and its SHA-256 knows what is in it, so that such a file may lie anywhere: results that name a long table can be run
+/// again where they are. Of one that differs nothing is told, not even whether it is there.
+pub(crate) fn load(
+    node: &Node<'_>,
+    sum: Option<&str>,
+    columns: &str,
+    reader: &mut Reader<'_>,
+) -> Option<Loaded> {
     let name = node.value.as_str()?;
     reader.files += 1;
+    let path = reader.folder.join(name);
     if reader.access == FileAccess::OwnFolder && !is_within(&reader.folder, name) {
-        let found = format!("{name:?}, which lies outside the folder of this file");
-        let expected = "a file in that folder or below; others are read only where that is allowed (--allow-outside, allow_outside=True)";
-        reader.wrong_as(FaultCode::File, node, found, expected);
+        match sum {
+            None => {
+                let found = format!("{name:?}, which lies outside the folder of this file");
+                reader.wrong_as(FaultCode::File, node, found, WITHIN);
+                return None;
+            }
+            Some(sum) if !has_sha256(&path, sum) => {
+                let found = format!(
+                    "{name:?}, which lies outside the folder of this file and is not there with the content that `sha256` says"
+                );
+                let expected =
+                    format!("the file as it was when its SHA-256 was {sum}; or {WITHIN}");
+                reader.wrong_as(FaultCode::Checksum, node, found, expected);
+                return None;
+            }
+            Some(_) => {}
+        }
+    }
+    let wrong = |(found, expected)| reader.wrong_as(FaultCode::Table, node, found, expected);
+    let (rows, is) = read(&path, name, columns).map_err(wrong).ok()?;
+    if let Some(sum) = sum.filter(|sum| *sum != is) {
+        let found = format!("{name:?}, which has changed: its SHA-256 is {is}");
+        let expected = format!(
+            "the file as it was when its SHA-256 was {sum} (`sha256`); leave `sha256` out to take the file as it is"
+        );
+        reader.wrong_as(FaultCode::Checksum, node, found, expected);
         return None;
     }
-    let rows = read(&reader.folder.join(name), name, columns);
-    rows.map_err(|(found, expected)| reader.wrong_as(FaultCode::Table, node, found, expected)).ok()
+    Some((rows, is))
 }
 
-fn read(path: &std::path::Path, name: &str, columns: &str) -> Result<Vec<Row>, Clash> {
+fn read(path: &Path, name: &str, columns: &str) -> Result<Loaded, Clash> {
     let expected = format!("a CSV file with two columns, {columns}");
     let whole = |what: &str| Err((format!("{name:?}, {what}"), expected.clone()));
     if path.is_dir() {
@@ -41,15 +75,18 @@ fn read(path: &std::path::Path, name: &str, columns: &str) -> Result<Vec<Row>, C
     if path.exists() && !path.is_file() {
         return whole("which is no regular file");
     }
-    let text = match std::fs::read(path).map(String::from_utf8) {
-        Ok(Ok(text)) => text,
-        Ok(Err(_)) => return whole("which is not UTF-8"),
+    let bytes = match std::fs::read(path) {
+        Ok(bytes) => bytes,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
             return whole("which does not exist");
         }
         Err(error) => return whole(&format!("which cannot be read ({error})")),
     };
-    parse(&text).map_err(|(line, found)| (format!("{found} in line {line} of {name:?}"), expected))
+    let sum = sha256(&bytes);
+    let Ok(text) = String::from_utf8(bytes) else { return whole("which is not UTF-8") };
+    let rows = parse(&text)
+        .map_err(|(line, found)| (format!("{found} in line {line} of {name:?}"), expected))?;
+    Ok((rows, sum))
 }
 
 /// Rows of a text; blank lines and those that begin with `#` are passed over, as is a header.
@@ -113,7 +150,7 @@ impl Format for Points {
             }
             return Listed::read(node, reader);
         }
-        let rows = load(node, "x and y (m)", reader)?;
+        let (rows, _) = load(node, None, "x and y (m)", reader)?;
         Some(rows.into_iter().map(|row| row.1).collect())
     }
 
@@ -142,110 +179,5 @@ impl Inline for Points {
 
     fn text(value: &Self::Value) -> Option<String> {
         Listed::text(value)
-    }
-}
-
-/// What the columns of a file hold.
-pub(crate) trait Columns: 'static {
-    /// Both.
-    const BOTH: &'static str;
-    /// The first, whose values increase, and its unit.
-    const FIRST: (&'static str, &'static str);
-}
-
-/// A function of time.
-pub(crate) struct Pulse;
-
-impl Columns for Pulse {
-    const BOTH: &'static str = "time (s) and value";
-    const FIRST: (&'static str, &'static str) = ("times", "s");
-}
-
-/// A contact law.
-pub(crate) struct Characteristic;
-
-impl Columns for Characteristic {
-    const BOTH: &'static str = "penetration (m) and force (N)";
-    const FIRST: (&'static str, &'static str) = ("penetrations", "m");
-}
-
-/// Two columns from a file; they are written out as lists, never as a file again.
-pub(crate) struct File<C>(PhantomData<C>);
-
-impl<C: Columns> Format for File<C> {
-    type Value = [Vec<f64>; 2];
-
-    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
-        if node.value.as_str().is_none() {
-            reader.wrong(node, node.found(), Self::expected());
-        }
-        let rows = load(node, C::BOTH, reader)?;
-        let name = node.value.as_str().unwrap_or_default();
-        if rows.len() < 2 {
-            let found = format!("{name:?} with {}", count(rows.len(), "row"));
-            reader.wrong_as(FaultCode::Table, node, found, "at least two rows");
-            return None;
-        }
-        let fallen = rows.windows(2).find(|pair| pair[1].1[0] <= pair[0].1[0]);
-        if let Some([(_, before), (line, after)]) = fallen {
-            let (what, unit) = C::FIRST;
-            let found = format!(
-                "{} {unit} after {} {unit} in line {line} of {name:?}",
-                after[0], before[0]
-            );
-            reader.wrong_as(
-                FaultCode::Table,
-                node,
-                found,
-                format!("{what} that increase from row to row"),
-            );
-            return None;
-        }
-        Some([0, 1].map(|column| rows.iter().map(|row| row.1[column]).collect()))
-    }
-
-    fn placeholder() -> Self::Value {
-        [vec![0.0, 1.0], vec![1.0, 1.0]]
-    }
-
-    fn expected() -> String {
-        format!("the path of a CSV file with two columns, {}", C::BOTH)
-    }
-
-    fn schema() -> Json {
-        json!({ "type": "string" })
-    }
-}
-
-impl<C: Columns> Inline for File<C> {
-    fn text(_: &Self::Value) -> Option<String> {
-        None
-    }
-}
-
-/// Rows come from the key `file` or from two lists, not from both; those of a file move into the lists.
-pub(crate) fn settle(
-    file: &mut Option<[Vec<f64>; 2]>,
-    lists: [(&str, &mut Option<Vec<f64>>); 2],
-    body: &Body<'_>,
-    reader: &mut Reader<'_>,
-) {
-    let node = body.get("file");
-    let both = format!("`{}` and `{}`", lists[0].0, lists[1].0);
-    let mut columns = file.take().into_iter().flatten();
-    for (key, list) in lists {
-        if let Some(column) = columns.next() {
-            *list = Some(column);
-        }
-        match (&node, body.get(key)) {
-            (Some(_), Some(given)) => {
-                let found = format!("`{key}` besides `file`");
-                reader.misplaced(&given.path, given.span, found, format!("`file`, or {both}"));
-            }
-            (None, None) if !reader.excuses(body, "file") => {
-                reader.missing(body, key, format!("no `{key}`"), format!("{both}, or `file`"));
-            }
-            _ => {}
-        }
     }
 }

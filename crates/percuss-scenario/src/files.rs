@@ -7,6 +7,8 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
+use sha2::{Digest, Sha256};
+
 /// A pipe that gives nothing for so long will not.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Most that is read from a pipe or a device, which may have no end \[bytes\].
@@ -20,6 +22,53 @@ pub enum FileAccess {
     OwnFolder,
     /// Any.
     Anywhere,
+}
+
+/// What is right of a file that lies outside.
+pub(crate) const WITHIN: &str = "a file in that folder or below; others are read only where that is allowed (--allow-outside, allow_outside=True)";
+
+/// Where the files lie that a text names, which of them it may name, and how many rows of one are written out as lists.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Files<'p> {
+    /// What their paths begin from.
+    pub folder: &'p Path,
+    /// Which may be read.
+    pub access: FileAccess,
+    /// A table with more rows is written as the name of its file.
+    pub most_rows: usize,
+}
+
+/// Most rows of a file that are written out as lists.
+const MOST_ROWS: usize = 1000;
+
+impl<'p> Files<'p> {
+    /// The files of a scenario: those of long tables are named where it is written.
+    pub fn named(folder: &'p Path, access: FileAccess) -> Self {
+        Self { folder, access, most_rows: MOST_ROWS }
+    }
+
+    /// The files of a text that shall need no others where it is written, whatever its length.
+    pub fn taken_in(folder: &'p Path, access: FileAccess) -> Self {
+        Self { folder, access, most_rows: usize::MAX }
+    }
+}
+
+/// The SHA-256 of bytes, in hexadecimal digits.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    hexadecimal(&Sha256::digest(bytes))
+}
+
+/// Whether a regular file is there with that SHA-256. Files beyond the limit for pipes are not looked at: this is asked of what the
+/// author of a text has no right to but by knowing it.
+pub(crate) fn has_sha256(path: &Path, expected: &str) -> bool {
+    let looked_at = fs::metadata(path).is_ok_and(|m| m.is_file() && m.len() <= MOST as u64);
+    let mut hash = Sha256::new();
+    let read = || std::io::copy(&mut fs::File::open(path)?, &mut hash);
+    looked_at && { read }().is_ok() && hexadecimal(&hash.finalize()) == expected
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The bytes of a file; a pipe or a device is read once, as long as it gives something every ten seconds.

@@ -44,6 +44,7 @@ pub mod study;
 mod suggest;
 mod syntax;
 mod table;
+mod tabulated;
 mod template;
 pub mod units;
 mod vary;
@@ -61,10 +62,11 @@ pub use point::{Anchor, Point};
 pub use reference::{
     BodyReference, KeyReference, KindsReference, Stands, TableReference, reference, study_reference,
 };
-pub use scenario::{Scenario, load, load_with, read, read_with};
+pub use scenario::{Scenario, load, load_whole, load_with, read, read_whole, read_with};
 pub use schema::schema;
 pub use study::{StudyFile, is_study, study_schema};
 pub use suggest::one_of;
 pub use table::Named;
+pub use tabulated::TableFile;
 pub use template::{Template, study_templates, templates};
 pub use vary::Field;

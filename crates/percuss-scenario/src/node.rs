@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use toml::de::{DeTable, DeValue};
 
 use crate::code::FaultCode;
-use crate::files::FileAccess;
+use crate::files::{FileAccess, Files};
 use crate::source::join;
 
 /// A value of the file with its place.
@@ -131,6 +131,8 @@ pub(crate) struct Reader<'s> {
     pub folder: PathBuf,
     /// Which files it may name.
     pub access: FileAccess,
+    /// A table of another file with more rows is written as its name.
+    pub most_rows: usize,
     /// Other files that were read.
     pub files: usize,
     names: BTreeMap<&'static str, Names<'s>>,
@@ -152,15 +154,15 @@ impl<'s> Names<'s> {
 }
 
 impl<'s> Reader<'s> {
-    pub fn new(text: &'s str, root: &Body<'s>, files: (&Path, FileAccess)) -> Self {
+    pub fn new(text: &'s str, root: &Body<'s>, files: Files<'_>) -> Self {
         let mut names = BTreeMap::new();
         for kind in ["material", "section", "beam", "mass", "obstacle", "projectile"] {
             let table = root.get(kind).as_ref().and_then(Body::of);
             let keys = table.map(|t| t.keys()).unwrap_or_default();
             names.insert(kind, Names::new(keys.into_iter().map(|(name, _)| name).collect()));
         }
-        let (folder, access) = files;
-        Self { text, names, folder: folder.into(), access, ..Self::default() }
+        let Files { folder, access, most_rows } = files;
+        Self { text, names, folder: folder.into(), access, most_rows, ..Self::default() }
     }
 
     /// Makes names known that values may refer to, by kind of table.

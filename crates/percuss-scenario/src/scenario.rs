@@ -9,7 +9,7 @@ use toml::de::DeTable;
 use crate::compile;
 use crate::content::{Content, ProjectileKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::files::FileAccess;
+use crate::files::{FileAccess, Files};
 use crate::given::Given;
 use crate::node::{About, Body, Raw, Reader};
 use crate::source::{Places, Source};
@@ -74,7 +74,17 @@ pub fn load(path: impl AsRef<Path>) -> Result<Scenario, Diagnostics> {
 /// As [`load`].
 pub fn load_with(path: impl AsRef<Path>, access: FileAccess) -> Result<Scenario, Diagnostics> {
     let path = path.as_ref();
-    read_from(Source::load(path)?, (folder(path), access))
+    read_from(Source::load(path)?, Files::named(folder(path), access))
+}
+
+/// The same for a scenario that shall need no other files where it is written, because it goes elsewhere: tables from files stand in it as
+/// lists, however long they are.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_whole(path: impl AsRef<Path>, access: FileAccess) -> Result<Scenario, Diagnostics> {
+    let path = path.as_ref();
+    read_from(Source::load(path)?, Files::taken_in(folder(path), access))
 }
 
 /// Reads a scenario; `name` stands for the file in messages, and files that the text names lie where it lies.
@@ -90,11 +100,23 @@ pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
 /// # Errors
 /// As [`read`].
 pub fn read_with(text: &str, name: &str, access: FileAccess) -> Result<Scenario, Diagnostics> {
+    read_text(text, name, Files::named(folder(Path::new(name)), access))
+}
+
+/// The same for a scenario that shall need no other files where it is written, as [`load_whole`].
+///
+/// # Errors
+/// As [`read`].
+pub fn read_whole(text: &str, name: &str, access: FileAccess) -> Result<Scenario, Diagnostics> {
+    read_text(text, name, Files::taken_in(folder(Path::new(name)), access))
+}
+
+fn read_text(text: &str, name: &str, files: Files<'_>) -> Result<Scenario, Diagnostics> {
     if is_study(text) {
         let expected = "a scenario; `percuss sweep` runs studies";
         return Err(Diagnostics::of_file(name, "a study, which varies a scenario", expected));
     }
-    read_from(Source::new(name, text), (folder(Path::new(name)), access))
+    read_from(Source::new(name, text), files)
 }
 
 /// The folder of a file; the working directory for a name alone.
@@ -117,7 +139,7 @@ pub(crate) struct Parsed<T> {
 /// If it is empty or has syntax errors.
 pub(crate) fn parse<T: Declared>(
     source: &Source,
-    files: (&Path, FileAccess),
+    files: Files<'_>,
     expected: &str,
 ) -> Result<Parsed<T>, Diagnostics> {
     let text = source.text.as_str();
@@ -138,7 +160,7 @@ pub(crate) fn parse<T: Declared>(
     }
 }
 
-fn read_from(source: Source, files: (&Path, FileAccess)) -> Result<Scenario, Diagnostics> {
+fn read_from(source: Source, files: Files<'_>) -> Result<Scenario, Diagnostics> {
     let expected = "a scenario, with a beam and [time] at least";
     let parsed = parse::<Content>(&source, files, expected)?;
     let Parsed { content, places, faults, tainted, names_files } = parsed;

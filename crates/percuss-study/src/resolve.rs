@@ -109,20 +109,24 @@ fn base(file: &StudyFile) -> Result<Scenario, Base> {
     let content = &file.content;
     if let Some(text) = &content.scenario {
         let name = format!("scenario in {}", file.name());
-        return percuss_scenario::read_with(text, &name, file.access()).map_err(Base::Faulty);
+        return percuss_scenario::read_whole(text, &name, file.access()).map_err(Base::Faulty);
     }
     let path = content.base.as_deref().filter(|path| !path.is_empty());
     let example = "the path of a scenario, such as \"elastic.toml\"";
     let Some(path) = path else {
         return Err(Base::Missing(Fault::new("base", "no `base`", example)));
     };
+    if file.is_tainted("base") {
+        // It has been told of, and is not to be looked at.
+        return Err(Base::Missing(Fault::new("base", "a file that is not read", example)));
+    }
     let access = file.access();
     let file: &Path = &file.folder().join(path);
     if !file.is_file() {
         let found = format!("{path:?}, where there is no file");
         return Err(Base::Missing(Fault::new("base", found, example)));
     }
-    percuss_scenario::load_with(file, access).map_err(Base::Faulty)
+    percuss_scenario::load_whole(file, access).map_err(Base::Faulty)
 }
 
 /// Names that two columns share, or that every study has; and what is not there at all.

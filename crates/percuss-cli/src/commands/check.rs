@@ -34,13 +34,16 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     for fault in massless(model) {
         terminal::warning(&format!("`percuss run` refuses it: {fault}"));
     }
-    let advice = advise(model, settings);
+    let mut advice = advise(model, settings);
+    advisor::judge(&mut advice, ready.scenario.content());
     for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {
         let mass = EffectiveMass { on_mesh: one.value, limit: one.reference };
         let line = effective_mass::line(&mass);
         terminal::tell(&format!("projectile `{}`: {line}", one.contact));
     }
     advisor::tell(&advice);
+    let content = ready.scenario.content();
+    advisor::tell_in_vain(content, &advice, |topic| !topic.is_found_after_a_run());
     match advisor::denied(&advice, &arguments.deny) {
         denied if denied.is_empty() => Ok(Status::Done),
         denied => Err(Failure::Input(denied.join("\n"))),

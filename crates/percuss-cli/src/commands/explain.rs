@@ -1,7 +1,6 @@
 //! `percuss explain`.
 
-use percuss_advice::Topic;
-use percuss_scenario::FaultCode;
+use percuss_codes::Code;
 
 use crate::arguments::Explain;
 use crate::outcome::{Failure, Status};
@@ -10,51 +9,23 @@ use crate::terminal;
 /// Columns of a paragraph.
 const WIDTH: usize = 96;
 
-/// What a code stands for.
-#[derive(Clone, Copy, Debug)]
-pub enum Explained {
-    /// A finding of the advisor: `W...`.
-    Finding(Topic),
-    /// A fault of a file: `E...`.
-    Fault(FaultCode),
+/// What `code` stands for.
+///
+/// # Errors
+/// There is no such code.
+pub fn code(code: &str) -> Result<Code, String> {
+    Code::find(code).ok_or_else(|| "no such code; `percuss explain` lists them".into())
 }
 
-impl Explained {
-    /// What `code` stands for.
-    ///
-    /// # Errors
-    /// There is no such code.
-    pub fn of_code(code: &str) -> Result<Self, String> {
-        let finding = Topic::of_code(code).map(Self::Finding);
-        let fault = || FaultCode::of_code(code).map(Self::Fault);
-        finding.or_else(fault).ok_or_else(|| "no such code; `percuss explain` lists them".into())
-    }
-
-    fn all() -> impl Iterator<Item = Self> {
-        let findings = Topic::ALL.into_iter().map(Self::Finding);
-        findings.chain(FaultCode::ALL.into_iter().map(Self::Fault))
-    }
-
-    fn heading(self) -> String {
-        match self {
-            Self::Finding(topic) => format!("{}  {}", topic.code(), topic.name()),
-            Self::Fault(fault) => format!("{}  {}", fault.code(), fault.name()),
-        }
-    }
-
-    fn explanation(self) -> &'static str {
-        match self {
-            Self::Finding(topic) => topic.explanation(),
-            Self::Fault(fault) => fault.explanation(),
-        }
-    }
+fn heading(one: Code) -> String {
+    format!("{}  {}", one.code, one.name)
 }
 
 /// Says what a code means, or lists all.
 pub fn run(arguments: &Explain) -> Result<Status, Failure> {
     let text = match arguments.code {
-        Some(one) => format!("{}\n\n{}\n", one.heading(), paragraph(one.explanation())),
-        None => Explained::all().map(|one| one.heading() + "\n").collect(),
+        Some(one) => format!("{}\n\n{}\n", heading(one), paragraph(one.explanation)),
+        None => Code::all().into_iter().map(|one| heading(one) + "\n").collect(),
     };
     terminal::print(&text)?;
     Ok(Status::Done)

@@ -15,8 +15,8 @@ use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    Extent, HistoryWriter, RunDirectory, RunInfo, provenance, summary_value, write_comparison,
-    write_envelopes, write_impacts, write_summary,
+    Extent, HistoryWriter, RunDirectory, RunInfo, allowances, provenance, summary_value,
+    write_comparison, write_envelopes, write_impacts, write_summary,
 };
 use serde_json::Value;
 
@@ -199,7 +199,9 @@ fn simulate(
             "the checkpoint does not fit the scenario, or lies beyond its end; run it from the beginning".into(),
         ),
     })?;
+    let content = ready.scenario.content();
     let mut advice = advise(&compiled.model, &compiled.settings);
+    advisor::judge(&mut advice, content);
     if !arguments.quiet {
         advisor::tell(&advice);
     }
@@ -229,12 +231,16 @@ fn simulate(
         return Err(Failure::System(error.to_string()));
     }
     history.finish()?;
-    let after = review(&compiled.model, &compiled.settings, &summary);
+    let mut after = review(&compiled.model, &compiled.settings, &summary);
+    advisor::judge(&mut after, content);
     if !arguments.quiet {
         advisor::tell(&after);
     }
     let denied = advisor::denied(&after, &arguments.deny);
     advice.extend(after);
+    if !arguments.quiet && matches!(summary.termination, Termination::Completed) {
+        advisor::tell_in_vain(content, &advice, |_| true);
+    }
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
@@ -246,6 +252,7 @@ fn simulate(
     let mut value = summary_value(&summary, info);
     let file = arguments.file.display().to_string();
     value["provenance"] = provenance(&file, &arguments.set, started);
+    value["allow"] = allowances(&content.allowances(), &advice);
     write_summary(dir, &value)?;
     write_envelopes(dir, &summary.section_forces)?;
     write_impacts(dir, &summary.contacts, &summary.supports)?;

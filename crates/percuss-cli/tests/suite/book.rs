@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use percuss_book::{Desk, Effort, Provocations, authored, codes, run, set};
+use percuss_book::{Desk, Effort, Provocations, authored, run, set};
+use percuss_codes::Code;
 use serde_json::Value;
 
 use crate::common::Desk as Table;
@@ -50,7 +51,7 @@ fn commands_of_the_theory_run() {
 fn every_code_is_told_by_its_example() {
     let provocations = Provocations::load(&repository().join("docs/book/codes.toml")).unwrap();
     let mut faults = Vec::new();
-    for code in codes() {
+    for code in Code::all() {
         let folder = tempfile::tempdir().unwrap();
         let desk = Desk::new(folder.path().join("desk"), Path::new(env!("CARGO_BIN_EXE_percuss")));
         faults.extend(provocations.provoke(code, &desk.unwrap()).unwrap().faults);

@@ -136,3 +136,34 @@ fn what_is_denied_ends_a_run_before_it_or_fails_it_after() {
     run(&["--deny", "W005", "--deny", "W016"]).ends_with(0);
     run(&["--deny", "W0"]).ends_with(2).tells("no such code");
 }
+
+#[test]
+fn what_the_scenario_allows_is_told_with_its_reason_and_not_denied() {
+    let desk = desk();
+    let text = std::fs::read_to_string(desk.path("elastic.toml")).unwrap();
+    let allow =
+        "\n[allow]\nW007 = \"a short <beam>\"\nW012 = \"rows are few\"\nW013 = \"none are read\"\n";
+    desk.put("allowed.toml", text + allow);
+    let check = desk.percuss(&["check", "allowed.toml", "--deny", "W007"]);
+    check.ends_with(0).tells("(reason: a short <beam>) [W007]");
+    check.tells("[allow] W012: nothing of this kind was found");
+    assert!(!check.stderr.contains("W013"), "only a run can tell: {}", check.stderr);
+    for line in check.stderr.lines().filter(|line| line.contains("[W007]")) {
+        assert!(line.starts_with("allowed: "), "{line}");
+    }
+    let run = desk.percuss(&["run", "allowed.toml", "--deny", "W007", "--out", "out"]);
+    run.ends_with(0).tells("[allow] W013: nothing of this kind was found");
+    let summary = desk.summary("out");
+    let advice = summary["advice"].as_array().unwrap();
+    let one = advice.iter().find(|a| a["code"] == "W007").unwrap();
+    assert_eq!((&one["verdict"], &one["reason"]), (&"allowed".into(), &"a short <beam>".into()));
+    let found: Vec<bool> =
+        summary["allow"].as_array().unwrap().iter().map(|a| a["found"] == true).collect();
+    assert_eq!(found, [true, false, false]);
+    let page = std::fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("allowed: a short &lt;beam&gt; (found: "));
+    assert!(page.contains("Allowed by the scenario, and not found: W012, W013"));
+    // The results keep what was allowed, so that they can be run again.
+    desk.percuss(&["check", "out/scenario.toml"]).ends_with(0).tells("a short <beam>");
+    desk.percuss(&["check", "elastic.toml", "--deny", "W007"]).ends_with(2);
+}

@@ -10,6 +10,7 @@ mod disk_faults;
 mod explain;
 mod export;
 mod interrupt;
+mod long_tables;
 mod modes;
 mod outside;
 mod plot;

@@ -101,3 +101,40 @@ fn names_need_not_be_utf_8() {
     std::fs::remove_file(own.with_file_name(".percuss.json")).unwrap();
     run("time.end=4e-3").ends_with(2).tells("so it is left alone");
 }
+
+#[test]
+fn and_the_base_of_a_study() {
+    let desk = Desk::empty();
+    std::fs::create_dir_all(desk.path("in/below")).unwrap();
+    for place in ["elastic.toml", "in/below/elastic.toml"] {
+        desk.put(place, ELASTIC);
+    }
+    symlink(desk.path("elastic.toml"), desk.path("in/link.toml")).unwrap();
+    let absolute = desk.path("elastic.toml").display().to_string();
+    let study = |base: &str| {
+        let rest = "[parameter.step]\npath = \"time.step\"\nvalues = [1e-4, 2e-4]\n[design]\nkind = \"grid\"\n\
+                    [results]\nenergy = \"energy.final\"\n";
+        desk.put("in/study.toml", format!("base = {base:?}\n{rest}"));
+    };
+    for base in
+        ["../elastic.toml", "below/../../elastic.toml", "link.toml", &absolute, "../none.toml"]
+    {
+        study(base);
+        let check = desk.percuss(&["check", "in/study.toml"]);
+        check.ends_with(2).tells("in/study.toml:1:8: base: found ");
+        check.tells(
+            "which lies outside the folder of this file, expected a file in that folder or below",
+        );
+        assert_eq!(check.stderr.trim_end().lines().count(), 1, "{}", check.stderr);
+        assert!(check.stderr.trim_end().ends_with("[E001]"), "{}", check.stderr);
+        let sweep = desk.percuss(&["sweep", "in/study.toml", "--out", "out", "--quiet"]);
+        sweep.ends_with(2).tells("which lies outside the folder of this file");
+        let there = if base == "../none.toml" { 2 } else { 0 };
+        desk.percuss(&["check", "in/study.toml", "--allow-outside"]).ends_with(there);
+    }
+    study("below/elastic.toml");
+    desk.percuss(&["check", "in/study.toml"]).ends_with(0);
+    study("../elastic.toml");
+    desk.percuss(&["sweep", "in/study.toml", "--out", "out", "--quiet", "--allow-outside"])
+        .ends_with(0);
+}

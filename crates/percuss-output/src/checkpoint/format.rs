@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
+use super::fingerprint;
 use crate::error::Error;
 use crate::fields::{FrameStore, KeptFrames};
 use crate::files;
@@ -55,11 +56,6 @@ struct Read {
     rows: RowsMark,
 }
 
-/// Hash of a scenario without its end: a run may be extended, but nothing else of it may change.
-pub(super) fn fingerprint(scenario: &str) -> String {
-    Sha256::digest(scenario).iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 /// Writes a checkpoint of the run of `scenario`, the text of the scenario but for its end.
 pub(super) fn write(
     path: &Path,
@@ -71,7 +67,7 @@ pub(super) fn write(
     let head = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "build": percuss::BUILD,
-        "scenario": fingerprint(scenario),
+        "scenario": fingerprint::of(scenario),
         "step": checkpoint.step(),
         "time_s": checkpoint.time(),
         "rows": checkpoint.rows(),
@@ -98,9 +94,7 @@ pub(super) fn read(path: &Path, scenario: &str) -> Result<Saved, Error> {
         );
         return Err(Error::content(path, reason));
     }
-    if head["scenario"] != fingerprint(scenario).as_str() {
-        let reason = "the checkpoint belongs to a run of another scenario, or of this one before it was changed (only time.end may \
-                      change); run it from the beginning";
+    if let Some(reason) = fingerprint::difference(&head["scenario"], scenario) {
         return Err(Error::content(path, reason));
     }
     let Read { checkpoint, frames, rows } =

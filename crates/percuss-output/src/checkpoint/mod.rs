@@ -4,6 +4,7 @@
 //! appended to; `state` all else, replaced in one piece. A finished run that was asked for checkpoints keeps the one before its
 //! last step among its results, from which it can be extended; its rows are those of the history.
 
+mod fingerprint;
 mod folder;
 mod format;
 mod rows;

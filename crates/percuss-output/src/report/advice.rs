@@ -12,12 +12,15 @@ const LISTED: usize = 60;
 pub(super) fn findings(summary: &Value) -> String {
     let list = summary["advice"].as_array().map_or(&[][..], Vec::as_slice);
     if list.is_empty() {
-        return String::new();
+        return in_vain(summary);
     }
     let text = |entry: &Value, key: &str| entry[key].as_str().unwrap_or_default().to_owned();
     let row = |entry: &Value| -> Vec<Cell> {
         let verdict = text(entry, "verdict");
-        let class = if verdict == "fine" { "verdict" } else { "verdict mark" };
+        let class = match verdict.as_str() {
+            "fine" | "allowed" => "verdict",
+            _ => "verdict mark",
+        };
         let badge = format!("<span class=\"{class}\">{}</span>", escape(&verdict));
         let value = |key: &str| quantity(entry[key].as_f64(), &unit(entry));
         vec![
@@ -26,7 +29,10 @@ pub(super) fn findings(summary: &Value) -> String {
             Cell::Markup(badge),
             Cell::Text(value("value")),
             Cell::Text(value("reference")),
-            Cell::Text(text(entry, "text")),
+            Cell::Text(match text(entry, "reason") {
+                reason if reason.is_empty() => text(entry, "text"),
+                reason => format!("allowed: {reason} (found: {})", text(entry, "text")),
+            }),
         ]
     };
     let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(row).collect();
@@ -36,7 +42,21 @@ pub(super) fn findings(summary: &Value) -> String {
     let mut out = "<h2>Advisor</h2>\n<div class=\"prose\">\n".to_owned();
     out += &table_of_cells(caption, &header, &rows);
     out += "</div>\n";
-    out + &more(list.len(), rows.len())
+    out + &more(list.len(), rows.len()) + &in_vain(summary)
+}
+
+/// Codes that the scenario allows though nothing of them was found.
+fn in_vain(summary: &Value) -> String {
+    let all = summary["allow"].as_array().map_or(&[][..], Vec::as_slice);
+    let missing = all.iter().filter(|one| one["found"] == false);
+    let codes: Vec<&str> = missing.filter_map(|one| one["code"].as_str()).collect();
+    match codes.is_empty() {
+        true => String::new(),
+        false => format!(
+            "<p class=\"more\">Allowed by the scenario, and not found: {}</p>\n",
+            escape(&codes.join(", "))
+        ),
+    }
 }
 
 /// Results beside hand formulas: one table a formula, its assumptions below.

@@ -20,6 +20,7 @@ use serde_json::{Map, Value, json};
 use crate::error::Error;
 use crate::files;
 
+pub use advice::allowances;
 pub use derivative::pick_derivatives;
 pub use pick::{Picked, SummaryPath, pick, summary_paths};
 pub use provenance::provenance;

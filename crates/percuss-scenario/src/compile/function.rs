@@ -38,7 +38,8 @@ fn found(path: &str, function: &Function) -> Option<Fault> {
         Function::Harmonic { frequency, .. } if *frequency <= 0.0 => {
             fault("frequency", format!("{frequency} Hz"), "a frequency above zero")
         }
-        Function::Table { times: Some(times), values: Some(values), .. } => {
+        Function::Table { .. } => {
+            let [times, values] = function.columns()?;
             if times.len() != values.len() {
                 let found =
                     format!("{} for {}", count(values.len(), "value"), count(times.len(), "time"));
@@ -69,10 +70,12 @@ fn convert(function: &Function) -> TimeFunction {
         Function::Harmonic { frequency, phase } => {
             TimeFunction::Harmonic { frequency: *frequency, phase: *phase }
         }
-        Function::Table { times: Some(times), values: Some(values), smooth, .. } => {
-            TimeFunction::Table { times: times.clone(), values: values.clone(), smooth: *smooth }
+        Function::Table { smooth, .. } => {
+            match function.columns().map(|both| both.map(Vec::from)) {
+                Some([times, values]) => TimeFunction::Table { times, values, smooth: *smooth },
+                None => TimeFunction::Constant, // a fault of reading
+            }
         }
         Function::Given => TimeFunction::Constant, // nobody asks what is given
-        Function::Table { .. } => TimeFunction::Constant, // a fault of reading
     }
 }

@@ -59,11 +59,11 @@ fn potential(
             // Values that could not be read are told of already.
             percuss::Potential::Hertz { stiffness: hertz_stiffness.unwrap_or(1.0) }
         }
-        Potential::Table { penetrations: Some(penetrations), forces: Some(forces), .. } => {
-            let (penetration, force) = (penetrations.clone(), forces.clone());
-            percuss::Potential::Table { penetration, force }
-        }
-        Potential::Table { .. } | Potential::Given => percuss::Potential::Linear { stiffness: 1.0 },
+        Potential::Table { .. } => match potential.columns().map(|both| both.map(Vec::from)) {
+            Some([penetration, force]) => percuss::Potential::Table { penetration, force },
+            None => percuss::Potential::Linear { stiffness: 1.0 }, // a fault of reading
+        },
+        Potential::Given => percuss::Potential::Linear { stiffness: 1.0 },
     }
 }
 

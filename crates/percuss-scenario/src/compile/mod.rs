@@ -18,7 +18,7 @@ use percuss::{Fault, ImpactResolution, Model, ModelBuilder, PathEnd, PathSetting
 
 use locate::in_file_words;
 
-use crate::code::FaultCode;
+use crate::code::of_path;
 use crate::content::{self, Content, Impacts, Law, ProjectileKind, Reach};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::given::Given;
@@ -104,14 +104,7 @@ pub(crate) fn sound_part(
 
 fn locate(fault: Fault, source: &Source, places: &Places) -> Diagnostic {
     let span = places.find(&fault.path).unwrap_or(0..0);
-    Diagnostic::at(
-        FaultCode::of_path(&fault.path),
-        source,
-        span,
-        fault.path,
-        fault.found,
-        fault.expected,
-    )
+    Diagnostic::at(of_path(&fault.path), source, span, fault.path, fault.found, fault.expected)
 }
 
 fn settings(content: &Content) -> Settings {

@@ -2,7 +2,6 @@
 
 use serde_json::{Value as Json, json};
 
-use crate::csv::{self, File, Pulse};
 use crate::format::{Flag, Format, Inline, List, Maybe};
 use crate::measure;
 use crate::node::{Body, Node, Reader};
@@ -11,6 +10,7 @@ use crate::reach::{self, Reached};
 use crate::reference::Described;
 use crate::suggest;
 use crate::table::{Braces, Declared, Part};
+use crate::tabulated::{self, File, Given, Pulse, Sum, TableFile};
 use crate::write::{self, Writer};
 
 kinds! {
@@ -52,7 +52,9 @@ kinds! {
             /// Values there.
             values: Option<Vec<f64>> as Maybe<List<Quantity<measure::Ratio>>> = None,
             /// Instead of both: path of a CSV file with two columns, time (s) and value.
-            file: Option<[Vec<f64>; 2]> as Maybe<File<Pulse>> = None,
+            file: Option<TableFile> as Maybe<File<Pulse>> = None,
+            /// The SHA-256 that the file must have, 64 hexadecimal digits.
+            sha256: Option<String> as Maybe<Sum> = None,
             /// A natural cubic spline through the values instead of straight lines.
             smooth: bool as Flag = false,
         },
@@ -72,8 +74,20 @@ table! {
 }
 
 fn settle_function(table: &mut FunctionTable, body: &Body<'_>, reader: &mut Reader<'_>) {
-    if let Function::Table { times, values, file, .. } = &mut table.kind {
-        csv::settle(file, [("times", times), ("values", values)], body, reader);
+    if let Function::Table { times, values, file, sha256, .. } = &mut table.kind {
+        let lists = [("times", times), ("values", values)];
+        tabulated::settle::<Pulse>(Given { file, sum: sha256, lists }, body, reader);
+    }
+}
+
+impl Function {
+    /// Times and values of a table, wherever they come from.
+    pub fn columns(&self) -> Option<[&[f64]; 2]> {
+        match self {
+            Self::Table { file: Some(file), .. } => Some([&file.columns[0], &file.columns[1]]),
+            Self::Table { times: Some(times), values: Some(values), .. } => Some([times, values]),
+            _ => None,
+        }
     }
 }
 

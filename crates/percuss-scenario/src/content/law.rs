@@ -2,12 +2,12 @@
 
 use percuss::{ContactForce, ImpactLaw};
 
-use crate::csv::{self, Characteristic, File};
 use crate::format::{List, Maybe, Pair};
 use crate::measure;
 use crate::node::{Body, Reader};
 use crate::quantity::Quantity;
 use crate::table::{Braces, exclude};
+use crate::tabulated::{self, Characteristic, File, Given, Sum, TableFile};
 use crate::words::{Curvature, Force, Impact, OrEndless, Word};
 use crate::write::Writer;
 
@@ -33,7 +33,9 @@ kinds! {
             /// Forces there, from zero on, never falling (N).
             forces: Option<Vec<f64>> as Maybe<List<Quantity<measure::Force>>> = None,
             /// Instead of both: path of a CSV file with two columns, penetration (m) and force (N).
-            file: Option<[Vec<f64>; 2]> as Maybe<File<Characteristic>> = None,
+            file: Option<TableFile> as Maybe<File<Characteristic>> = None,
+            /// The SHA-256 that the file must have, 64 hexadecimal digits.
+            sha256: Option<String> as Maybe<Sum> = None,
         },
         /// By a function that the program which reads the scenario gives.
         Given = "given",
@@ -101,9 +103,10 @@ fn settle_smooth(law: &mut Smooth, body: &Body<'_>, reader: &mut Reader<'_>) {
                 reader.missing(body, "hertz_stiffness", "no stiffness", expected);
             }
         }
-        Potential::Table { penetrations, forces, file } => {
+        Potential::Table { penetrations, forces, file, sha256 } => {
             let lists = [("penetrations", penetrations), ("forces", forces)];
-            csv::settle(file, lists, body, reader);
+            let given = Given { file, sum: sha256, lists };
+            tabulated::settle::<Characteristic>(given, body, reader);
         }
     }
 }
@@ -141,5 +144,16 @@ kinds! {
     or {
         /// A force that grows with the penetration.
         Smooth: Smooth
+    }
+}
+
+impl Potential {
+    /// Penetrations and forces of a table, wherever they come from.
+    pub fn columns(&self) -> Option<[&[f64]; 2]> {
+        match self {
+            Self::Table { file: Some(file), .. } => Some([&file.columns[0], &file.columns[1]]),
+            Self::Table { penetrations: Some(a), forces: Some(b), .. } => Some([a, b]),
+            _ => None,
+        }
     }
 }

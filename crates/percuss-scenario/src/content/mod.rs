@@ -2,6 +2,7 @@
 //!
 //! The doc comment of a key is also its description in the JSON Schema.
 
+mod allow;
 mod analysis;
 mod contact;
 mod function;
@@ -14,6 +15,7 @@ mod structure;
 mod support;
 mod yielding;
 
+pub use allow::Allowed;
 pub use analysis::*;
 pub use contact::*;
 pub use function::*;
@@ -34,6 +36,7 @@ use crate::format::Text;
 use crate::node::{Body, Reader};
 use crate::table::{Collection, Named, Single};
 use crate::write::Writer;
+use allow::Allowances;
 
 table! {
     /// A beam or a frame, what holds it, what loads it and what strikes it.
@@ -76,6 +79,8 @@ table! {
         path: Path as Single<Path> = Path::default(),
         /// What the report shows.
         report: Report as Single<Report> = Report::plain(),
+        /// Findings of the advisor that are no reason to worry here: codes, each with the reason why.
+        allow: Vec<Allowed> as Allowances = Vec::new(),
     }
     then anything_moves
 }

@@ -18,9 +18,9 @@ pub use content::{
 };
 pub use given::Given;
 
-use crate::code::FaultCode;
+use crate::code::{FaultCode, of_path};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::files::FileAccess;
+use crate::files::{FileAccess, Files, WITHIN, is_within};
 use crate::scenario::{folder, parse, place};
 use crate::source::{Places, Source};
 use crate::table::Part;
@@ -80,9 +80,19 @@ impl StudyFile {
 
     fn read_from(source: Source, folder: &Path, access: FileAccess) -> Result<Self, Diagnostics> {
         let expected = "a study, with `base`, [parameter.NAME], [design] and [results]";
-        let parsed = parse::<StudyContent>(&source, (folder, access), expected)?;
-        let faults = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
-        let (content, places, tainted) = (parsed.content, parsed.places, parsed.tainted);
+        let parsed = parse::<StudyContent>(&source, Files::taken_in(folder, access), expected)?;
+        let mut faults: Vec<_> = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
+        let (content, places, mut tainted) = (parsed.content, parsed.places, parsed.tainted);
+        if access == FileAccess::OwnFolder
+            && let Some(base) = content.base.as_deref()
+            && !is_within(folder, base)
+        {
+            let span = places.find("base").unwrap_or(0..0);
+            let found = format!("{base:?}, which lies outside the folder of this file");
+            let code = FaultCode::File;
+            faults.push(Diagnostic::at(code, &source, span, "base", found, WITHIN));
+            tainted.insert("base".into());
+        }
         Ok(Self { content, places, folder: folder.into(), access, faults, tainted, source })
     }
 
@@ -112,7 +122,7 @@ impl StudyFile {
         all.extend(more.map(|fault| {
             let span = self.places.find(&fault.path).unwrap_or(0..0);
             Diagnostic::at(
-                FaultCode::of_path(&fault.path),
+                of_path(&fault.path),
                 &self.source,
                 span,
                 fault.path,

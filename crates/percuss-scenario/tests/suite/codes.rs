@@ -52,6 +52,12 @@ fn provoked(code: FaultCode) -> Diagnostics {
             let fault = Fault::new("base", "no such file", "a scenario");
             return study.settle(vec![fault]).expect_err("no base");
         }
+        FaultCode::Checksum => {
+            let load = "[load.blow]\nkind = \"point\"\nat = \"girder@0.5\"\nforce = [0, 1]\n\
+                        function = { kind = \"table\", file = \"tests/files/pulse.csv\", sha256 = \
+                        \"0000000000000000000000000000000000000000000000000000000000000000\" }\n[time]";
+            ("[time]", load)
+        }
         FaultCode::Analysis => ("[time]", "[path]\npoints = 0\n[time]"),
     };
     assert!(ELASTIC.contains(from), "{from}");

@@ -1,6 +1,7 @@
 //! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
 
 mod actions;
+mod allow;
 mod checkpoints;
 mod codes;
 mod common;
@@ -13,6 +14,7 @@ mod overrides;
 mod robustness;
 mod schema;
 mod structures;
+mod tables;
 mod templates;
 mod units;
 mod vary;

@@ -385,6 +385,9 @@ fn every_study_at_hand_is_sound_and_so_are_its_runs() {
     let mut count = 0;
     for entry in std::fs::read_dir(folder).expect("studies") {
         let path = entry.expect("an entry").path();
+        if !percuss_scenario::is_study(&std::fs::read_to_string(&path).expect("a text")) {
+            continue; // what they vary lies among them
+        }
         let study = Study::load(&path).unwrap_or_else(|faults| panic!("{faults}"));
         let (invalid, _) = study.check_sample(20);
         assert!(invalid.is_empty(), "{}: {invalid:?}", path.display());

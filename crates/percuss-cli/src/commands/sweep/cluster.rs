@@ -5,6 +5,7 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
+use percuss_scenario::FileAccess;
 use percuss_study::{Folder, Study};
 
 use crate::outcome::{Failure, Status};
@@ -33,6 +34,9 @@ pub fn sweep(study: &Path, scheduler: &str, out: &Path, quiet: bool) -> Result<S
     command.args(["--scheduler", scheduler]).arg("--out").arg(out);
     if quiet {
         command.arg("--quiet");
+    }
+    if crate::scenario::access() == FileAccess::Anywhere {
+        command.arg("--allow-outside");
     }
     let ended = command.status().map_err(|error| missing(&name, &error.to_string()))?;
     Ok(match ended.code() {

@@ -407,6 +407,7 @@ pub fn advice(contact: &str) -> Vec<Advice> {
         unit,
         verdict,
         text: text.to_owned(),
+        reason: None,
     };
     vec![
         finding(Topic::Touch, 0.01, 0.15, "s", Verdict::Fine, "the first touch comes at 10 ms"),

@@ -1,0 +1,42 @@
+//! `[allow]`: codes of the advisor's findings, each with a reason.
+
+use percuss_codes::Topic;
+use percuss_scenario::read;
+
+const ELASTIC: &str = include_str!("../files/elastic.toml");
+
+fn with(line: &str) -> Result<percuss_scenario::Scenario, String> {
+    let text = format!("{ELASTIC}\n[allow]\n{line}\n");
+    read(&text, "f.toml").map_err(|faults| faults.coded())
+}
+
+#[track_caller]
+fn refused(line: &str, parts: &[&str]) {
+    let told = with(line).expect_err(line);
+    assert_eq!(told.lines().count(), 1, "{told}");
+    for part in parts {
+        assert!(told.contains(part), "{told}\nlacks {part}");
+    }
+}
+
+#[test]
+fn a_reason_is_kept_and_written_back() {
+    let scenario = with("W007 = \"a short beam is \\\"meant\\\"\"\nW012 = \" seen \"").unwrap();
+    let content = scenario.content();
+    assert_eq!(content.reason_to_allow(Topic::Span), Some("a short beam is \"meant\""));
+    assert_eq!(content.reason_to_allow(Topic::Recording), Some("seen"));
+    assert_eq!(content.reason_to_allow(Topic::Touch), None);
+    let again = read(&scenario.to_toml(), "again.toml").unwrap();
+    assert_eq!(again.content(), content);
+}
+
+#[test]
+fn what_cannot_be_allowed_is_refused() {
+    refused("W099 = \"x\"", &["allow.W099", "found the code \"W099\"", "[E007]"]);
+    refused("w007 = \"x\"", &["found the code \"w007\", expected `W007`", "[E007]"]);
+    let whole = ["an error, which cannot be allowed", "W001 to W017", "[E008]"];
+    refused("E006 = \"x\"", &whole);
+    refused("W007 = \"\"", &["found an empty reason, expected why it is allowed", "[E005]"]);
+    refused("W007 = \"  \"", &["found an empty reason"]);
+    refused("W007 = true", &["found `true`", "[E005]"]);
+}

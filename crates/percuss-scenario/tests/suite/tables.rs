@@ -1,0 +1,111 @@
+//! Tables of numbers in files of their own: short ones are written out, long ones named with their checksum.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use percuss_scenario::{FileAccess, load, load_whole, load_with};
+use sha2::{Digest, Sha256};
+
+const ELASTIC: &str = include_str!("../files/elastic.toml");
+
+/// A scenario in `folder/of.toml` whose load follows a table; `more` stands beside the name of its file.
+fn pulled(folder: &Path, file: &str, more: &str) -> std::path::PathBuf {
+    let path = folder.join("of.toml");
+    let load = format!(
+        "\n[load.pull]\nkind = \"point\"\nat = \"girder.end\"\nforce = [0, 1]\nfunction = {{ kind = \"table\", file = \"{file}\"{more} }}\n"
+    );
+    fs::write(&path, format!("{ELASTIC}{load}")).unwrap();
+    path
+}
+
+/// A table of so many rows.
+fn rows(count: usize) -> String {
+    (0..count).fold(String::new(), |mut text, k| {
+        let _ = writeln!(text, "{k}e-3, {}", k % 7);
+        text
+    })
+}
+
+fn sum(text: &str) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[test]
+fn a_table_of_a_thousand_rows_is_written_out_and_a_longer_one_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pull.csv");
+    for (count, named) in [(1000, false), (1001, true)] {
+        fs::write(&file, rows(count)).unwrap();
+        let scenario = load(pulled(folder.path(), "pull.csv", "")).unwrap();
+        let written = scenario.to_toml();
+        let line = format!(
+            "file = \"{}\", sha256 = \"{}\"",
+            file.canonicalize().unwrap().display(),
+            sum(&rows(count))
+        );
+        assert_eq!(written.contains(&line), named, "{line}\n{written}");
+        assert_eq!(written.contains("times = [0, 0.001"), !named);
+        // Who sends it elsewhere gets the rows whatever their number.
+        let whole = load_whole(folder.path().join("of.toml"), FileAccess::OwnFolder).unwrap();
+        assert!(whole.to_toml().contains("times = [0, 0.001"));
+    }
+}
+
+#[test]
+fn what_is_written_is_read_again_from_anywhere_and_is_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("pull.csv"), rows(3000)).unwrap();
+    let scenario = load(pulled(folder.path(), "pull.csv", "")).unwrap();
+    let other = tempfile::tempdir().unwrap();
+    let echo = other.path().join("scenario.toml");
+    fs::write(&echo, scenario.to_toml()).unwrap();
+    // The checksum shows that whoever wrote it knows the file, so that it may lie outside.
+    let again = load(&echo).unwrap_or_else(|faults| panic!("{faults}"));
+    assert_eq!(again.content(), scenario.content());
+    assert_eq!(again.to_toml(), scenario.to_toml());
+    let (a, b) = (again.compile().unwrap(), scenario.compile().unwrap());
+    assert_eq!(format!("{:?}", a.model), format!("{:?}", b.model));
+    let function = &scenario.content().load[0].table.function;
+    assert_eq!(function.columns().map(|both| both.map(<[f64]>::len)), Some([3000, 3000]));
+}
+
+#[test]
+fn a_file_that_changed_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("pull.csv");
+    fs::write(&file, rows(1500)).unwrap();
+    let echo = folder.path().join("echo.toml");
+    fs::write(&echo, load(pulled(folder.path(), "pull.csv", "")).unwrap().to_toml()).unwrap();
+    let (before, after) = (sum(&rows(1500)), sum(&rows(1501)));
+    fs::write(&file, rows(1501)).unwrap();
+    let told = load(&echo).unwrap_err().coded();
+    assert!(told.ends_with("[E023]") && told.contains(&before), "{told}");
+    // An absolute path counts as outside, of which nothing more is told; allowed or within, the other sum is.
+    assert!(!told.contains(&after), "{told}");
+    let told = load_with(&echo, FileAccess::Anywhere).unwrap_err().coded();
+    assert!(told.contains(&format!("which has changed: its SHA-256 is {after}")), "{told}");
+    let more = format!(", sha256 = \"{before}\"");
+    let told = load(pulled(folder.path(), "pull.csv", &more)).unwrap_err().coded();
+    assert!(told.contains("which has changed") && told.contains("[E023]"), "{told}");
+    fs::remove_file(&file).unwrap();
+    let told = load(&echo).unwrap_err().coded();
+    assert!(told.contains("is not there with the content that `sha256` says"), "{told}");
+}
+
+#[test]
+fn a_checksum_stands_beside_a_file_and_is_one() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("pull.csv"), rows(5)).unwrap();
+    let (right, short) = (sum(&rows(5)).to_uppercase(), "abc");
+    load(pulled(folder.path(), "pull.csv", &format!(", sha256 = \"{right}\""))).unwrap();
+    let wrong = load(pulled(folder.path(), "pull.csv", &format!(", sha256 = \"{short}\"")));
+    let told = wrong.unwrap_err().coded();
+    assert!(told.contains("found the text \"abc\", expected the SHA-256 of the file"), "{told}");
+    let text = format!(
+        "{ELASTIC}\n[load.pull]\nkind = \"point\"\nat = \"girder.end\"\nforce = [0, 1]\n\
+         function = {{ kind = \"table\", times = [0, 1], values = [0, 1], sha256 = \"{right}\" }}\n"
+    );
+    let told = percuss_scenario::read(&text, "f.toml").unwrap_err().coded();
+    assert!(told.contains("found `sha256` without `file`"), "{told}");
+}
