@@ -20,13 +20,12 @@ pub(super) fn difference(kept: &Value, scenario: &str) -> Option<String> {
     if kept["text"] == now["text"] {
         return None;
     }
-    let changed = |(file, sum): (&String, &Value)| (now["tables"][file] != *sum).then_some(file);
-    let files: Vec<&String> = match kept["without_tables"] == now["without_tables"] {
-        true => kept["tables"].as_object().into_iter().flatten().filter_map(changed).collect(),
-        false => Vec::new(),
-    };
-    Some(match files.first() {
-        Some(file) => format!(
+    let tables = kept["tables"].as_object();
+    let mut changed =
+        tables.into_iter().flatten().filter(|(file, sum)| now["tables"][*file] != **sum);
+    let same = kept["without_tables"] == now["without_tables"];
+    Some(match changed.next().filter(|_| same) {
+        Some((file, _)) => format!(
             "the table {file} has changed since the checkpoint was written (its SHA-256 is another); put the file back as it was, or \
              run from the beginning"
         ),

@@ -29,7 +29,10 @@ fn elastic_projectiles_follow_a_law() {
     let table = law("law = \"table\"\npenetrations = [0, \"1 mm\"]\nforces = [0, \"1 kN\"]");
     let lists = [vec![0.0, 0.001], vec![0.0, 1000.0]].map(Some);
     let [penetrations, forces] = lists;
-    assert_eq!(table.potential, Potential::Table { penetrations, forces, file: None });
+    assert_eq!(
+        table.potential,
+        Potential::Table { penetrations, forces, file: None, sha256: None }
+    );
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/f.toml");
     let text = [BEAM, &elastic("law = \"table\"\nfile = \"crush.csv\""), TIME].concat();
     let written = read(&text, folder).unwrap_or_else(|e| panic!("{e}")).to_toml();
