@@ -21,6 +21,8 @@ pub enum Besides {
     Damped,
     /// A tenth of the depth: elements long against their radius of gyration.
     Slender,
+    /// No supports.
+    Unsupported,
 }
 
 /// The elastic example with something more.
@@ -39,7 +41,9 @@ pub fn varied(elements: usize, besides: Besides) -> Model {
     let girder = b.beam(Beam::new("girder", &points, elements, material, section));
     let at =
         |label: &str, f| PointRef { label: label.into(), beam: girder, along: Along::Fraction(f) };
-    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+    let ends =
+        if besides == Besides::Unsupported { &[][..] } else { &[("left", 0.0), ("right", 1.0)] };
+    for &(name, f) in ends {
         b.support(Support::new(name, at(name, f), SupportKind::Clamp));
     }
     b.projectile(Projectile {

@@ -1,0 +1,48 @@
+//! The elastic example in Percuss, for `benches/peers/run`: a case as JSON in, an answer as JSON out (`case.py` says what is in them).
+
+use nix::sys::resource::{UsageWho, getrusage};
+use nix::sys::time::TimeValLike;
+use percuss::*;
+use percuss_bench::{Besides, varied};
+use serde_json::{Value, json};
+
+/// Rows of a free beam are as far apart as the samples of the others \[s\].
+const SAMPLE: f64 = 0.05;
+
+fn user_time() -> f64 {
+    let usage = getrusage(UsageWho::RUSAGE_SELF).expect("the usage of this process");
+    usage.user_time().num_microseconds() as f64 * 1e-6
+}
+
+fn main() {
+    let text = std::env::args().nth(1).expect("a case");
+    let case: Value = serde_json::from_str(&text).expect("a case as JSON");
+    let number = |key: &str| case[key].as_f64().expect("a number");
+    let free = case["free"].as_bool().unwrap_or(false);
+    let elements = number("elements") as usize;
+    let besides = if free { Besides::Unsupported } else { Besides::None };
+    let model = varied(elements, besides);
+    let mut settings = Settings::new(number("end"), number("step"));
+    if free {
+        settings.record_every = ((SAMPLE / settings.step).round() as usize).max(1);
+    }
+    let mut answer = Value::Null;
+    let mut user = 0.0;
+    for _ in 0..case["repeat"].as_u64().unwrap_or(1) {
+        let start = user_time();
+        let mut recorder = MemoryRecorder::default();
+        let summary = simulate(&model, &settings, &mut recorder).expect("sound settings");
+        user += user_time() - start;
+        let intervals = &summary.contacts[0].record.intervals();
+        let force = intervals.iter().map(|i| i.peak_force.value).fold(0.0, f64::max);
+        answer = json!({
+            "steps": summary.steps,
+            "finished": matches!(summary.termination, Termination::Completed),
+            "u_max": summary.points[0].displacement_max[1].value,
+            "f_max": force,
+            "energy_error": summary.energy.residual_max,
+        });
+    }
+    answer["user"] = json!(user);
+    println!("{answer}");
+}
