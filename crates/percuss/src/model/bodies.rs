@@ -1,10 +1,11 @@
 //! Rigid bodies: the masses of guided projectiles, discs, obstacles.
 
-use super::builder::{ModelBuilder, locate};
+use super::builder::ModelBuilder;
 use super::check;
 use super::connect::drive;
 use super::definition::*;
 use super::frozen::*;
+use super::material_points::locate;
 use super::time_function::PreparedFunction;
 use crate::element::beam::NodeFrame;
 use crate::math::vec2::{norm, rot90, scale, sub};

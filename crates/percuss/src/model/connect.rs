@@ -1,8 +1,9 @@
 //! Springs and dampers between points and to ground.
 
-use super::builder::{ModelBuilder, locate};
+use super::builder::ModelBuilder;
 use super::definition::*;
 use super::frozen::*;
+use super::material_points::locate;
 use super::time_function::PreparedFunction;
 use crate::math::vec2::{cross, dot, norm, rot90, scale, sub};
 

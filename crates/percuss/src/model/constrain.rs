@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::builder::{ModelBuilder, locate};
+use super::builder::ModelBuilder;
 use super::connect::drive_of;
 use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
+use super::material_points::locate;
 use super::prescribed::Prescribed;
 use crate::math::vec2::{cross, dot, norm, rot90, scale};
 

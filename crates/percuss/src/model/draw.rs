@@ -1,10 +1,11 @@
 //! The scene of a model.
 
-use super::builder::{ModelBuilder, locate};
+use super::builder::ModelBuilder;
 use super::definition::{
     Anchor, Component, JointKind, LoadKind, ObstacleShape, PointRef, Sides, SupportKind,
 };
 use super::frozen::{BodyKind, Model, Span};
+use super::material_points::locate;
 use super::pairs::clearance_segments;
 use super::scene::*;
 use crate::math::vec2::{norm, scale};

@@ -1,8 +1,9 @@
 //! Loads placed on the mesh.
 
-use super::builder::{ModelBuilder, locate, point_at};
+use super::builder::ModelBuilder;
 use super::definition::*;
 use super::frozen::*;
+use super::material_points::{locate, point_at};
 use super::time_function::PreparedFunction;
 use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
 

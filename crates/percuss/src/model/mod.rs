@@ -12,6 +12,7 @@ mod fault;
 mod fibres;
 pub(crate) mod frozen;
 mod loads;
+mod material_points;
 mod mesh;
 mod outline;
 mod overlaps;

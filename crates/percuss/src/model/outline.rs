@@ -2,9 +2,10 @@
 //!
 //! Faces lie half a depth from the axis and end where the beam ends, with a straight edge across or a half circle from face to face.
 
-use super::builder::{ModelBuilder, point_at};
+use super::builder::ModelBuilder;
 use super::definition::Ends;
 use super::frozen::Model;
+use super::material_points::point_at;
 use super::pairs::beam_centre;
 use crate::geometry::axis::AxisEnd;
 use crate::geometry::pair::{Carrier, Centre, Target, carried};

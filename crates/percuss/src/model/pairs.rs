@@ -1,9 +1,10 @@
 //! Contacts as pairs of something round and what it touches.
 
-use super::builder::{ModelBuilder, locate};
+use super::builder::ModelBuilder;
 use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
+use super::material_points::locate;
 use super::outline::BeamOutline;
 use crate::geometry::pair::{Carrier, Centre, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};

@@ -1,13 +1,13 @@
 //! Contacts within a step: smooth forces along discrete gradients, impulses from the Delassus operator.
 
 use super::integration::Rule;
-use super::newton::{Failure, StepProblem};
+use super::newton::StepProblem;
 use super::tangent::Tangent;
 use super::workspace::Workspace;
 use crate::contact::law::StepForce;
 use crate::contact::search::longest_arcs;
 use crate::geometry::configuration::Configuration;
-use crate::geometry::pair::{Memory, Target};
+use crate::geometry::pair::Memory;
 use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
 use crate::geometry::turning::Turning;
@@ -99,7 +99,7 @@ pub struct RigidContact {
 
 impl RigidContact {
     /// The form of row `k` of the impact problem: that of the normal for an even one, of the tangent for an odd one.
-    fn row(&self, k: usize) -> &Row {
+    pub(super) fn row(&self, k: usize) -> &Row {
         if k.is_multiple_of(2) { &self.normal } else { &self.tangent }
     }
 }
@@ -253,150 +253,6 @@ impl StepProblem<'_> {
         let tangent = if frictional { pair.tangent_row(&touch, &mid) } else { Row::default() };
         Some(RigidContact { normal, tangent, impulse })
     }
-
-    /// Answers of the factored tangent to unit forces along the rows of the active contacts.
-    pub(super) fn contact_columns(&self, work: &mut Workspace) {
-        let (nodes, constraints) = (self.model.node_count(), self.model.constraints.len());
-        let rows = 2 * self.active.len();
-        if work.contact_columns.len() < rows {
-            work.contact_columns.resize(rows, (vec![[0.0; 4]; nodes], vec![0.0; constraints]));
-        }
-        for k in 0..rows {
-            let row = work.rigid[k / 2].row(k);
-            if row.is_empty() {
-                continue;
-            }
-            let (column, multiplier) = &mut work.contact_columns[k];
-            column.fill([0.0; 4]);
-            multiplier.fill(0.0);
-            row.spread(1.0, column);
-            let step = self.constraint_step(&work.increment);
-            work.tangent.solve(self.model, &step, self.damping, column, multiplier, None);
-        }
-    }
-
-    /// Impulses of the active contacts from the Delassus operator of the factored tangent, and what they change.
-    pub(super) fn impact(&self, work: &mut Workspace) -> Result<(), Failure> {
-        let n = self.active.len();
-        if n == 0 {
-            return Ok(());
-        }
-        self.pose(work);
-        work.impulses.clear();
-        work.impulses.extend(work.rigid[..n].iter().flat_map(|c| c.impulse));
-        if self.law == ImpulseLaw::Moreau {
-            self.expand(work)?;
-        } else {
-            work.impact.solve(&mut work.impulses)?;
-            work.impact_residual = relative_residual(work);
-        }
-        let h = self.integration.h;
-        for k in 0..2 * n {
-            let impulse = &mut work.rigid[k / 2].impulse[k % 2];
-            let change = work.impulses[k] - *impulse;
-            *impulse = work.impulses[k];
-            if change == 0.0 {
-                continue;
-            }
-            let (column, multiplier) = &work.contact_columns[k];
-            for (target, c) in work.correction.iter_mut().zip(column) {
-                (0..4).for_each(|i| target[i] += change / h * c[i]);
-            }
-            for (target, m) in work.multiplier.iter_mut().zip(multiplier) {
-                *target += change / h * m;
-            }
-        }
-        Ok(())
-    }
-
-    /// Poses the problem of the impulses: operator, rates without impulses, conditions.
-    fn pose(&self, work: &mut Workspace) {
-        let (n, h) = (self.active.len(), self.integration.h);
-        let rate_per_force = 2.0 / (h * h); // for the midpoint rule: v1 = 2 d/h - v0, force L/h
-        let problem = &mut work.impact;
-        problem.resize(n);
-        let m = 2 * n;
-        for a in 0..m {
-            let row = work.rigid[a / 2].row(a);
-            for b in 0..m {
-                let moves = !row.is_empty() && !work.rigid[b / 2].row(b).is_empty();
-                let rate = || rate_per_force * row.on(&work.contact_columns[b].0);
-                problem.delassus[b * m + a] = if moves { rate() } else { 0.0 };
-            }
-            let carried: f64 = (0..m)
-                .map(|b| problem.delassus[b * m + a] * work.rigid[b / 2].impulse[b % 2])
-                .sum();
-            let moved = row.on(&work.increment) + row.on(&work.correction);
-            problem.free[a] = 2.0 * moved / h - row.on(&self.state.velocity) - carried;
-        }
-        for (a, contact) in self.active.iter().enumerate() {
-            let condition = &mut problem.contacts[a];
-            let (seen, rows) = (&self.state.pairs[contact.pair], &work.rigid[a]);
-            let law = self.rigid_law(contact.pair);
-            let before = rows.normal.on(&self.state.velocity);
-            condition.friction = law.map_or(0.0, |law| law.friction);
-            condition.bound = match contact.phase {
-                // One that happens to open already is let go as it came: an impulse would give energy.
-                Phase::Impact { restitution, .. } => {
-                    -restitution * before.min(0.0) - before.max(0.0)
-                }
-                Phase::Resting { .. } => self.resting_bound(contact.pair, before, seen.gap),
-                Phase::PlasticPostStep { .. } => 0.0,
-            };
-            condition.carried = contact.phase.carried();
-            if self.law == ImpulseLaw::Mean
-                && matches!(contact.phase, Phase::PlasticPostStep { .. })
-            {
-                // A mean of the sliding velocity that is zero takes no friction back that was carried.
-                condition.friction = 0.0;
-            }
-            let sliding = rows.tangent.on(&self.state.velocity);
-            condition.target = match contact.phase {
-                _ if self.law == ImpulseLaw::Mean => -sliding,
-                Phase::Impact { tangential, .. } => -tangential * sliding,
-                Phase::Resting { mean: true } => -sliding,
-                Phase::Resting { mean: false } | Phase::PlasticPostStep { .. } => 0.0,
-            };
-        }
-    }
-
-    /// Least rate at the end of the step of a contact that stays closed.
-    ///
-    /// On its guide a projectile's gap is linear: the rate vanishes, or, where the contact happens to open as the step begins, its
-    /// mean, so that the impulse gives no energy. Elsewhere the mean rate is what closes the gap left over: it neither drifts nor
-    /// gives energy, however the normal turns. In steps as short as an impact a gap left over would be a velocity.
-    fn resting_bound(&self, pair: usize, before: f64, gap: f64) -> f64 {
-        let guided = matches!(self.model.pairs[pair].target, Target::Guided { .. });
-        if guided || self.feedback < IMPULSIVE {
-            -before.max(0.0)
-        } else {
-            -before - 2.0 * gap.max(0.0) / self.integration.h
-        }
-    }
-
-    /// Moreau's law: the impulses of the plastic impact, times 1 + e with the least coefficient of all that strike.
-    fn expand(&self, work: &mut Workspace) -> Result<(), Failure> {
-        let each = self.active.iter().filter_map(|c| match c.phase {
-            Phase::Impact { restitution, .. } => Some(restitution),
-            Phase::Resting { .. } | Phase::PlasticPostStep { .. } => None,
-        });
-        let e = each.fold(1.0, f64::min);
-        for condition in &mut work.impact.contacts {
-            condition.bound = 0.0;
-            condition.target = 0.0;
-        }
-        let scale = 1.0 + e;
-        work.impulses.iter_mut().for_each(|l| *l /= scale);
-        work.impact.solve(&mut work.impulses)?;
-        work.impact_residual = relative_residual(work);
-        work.impulses.iter_mut().for_each(|l| *l *= scale);
-        Ok(())
-    }
-}
-
-fn relative_residual(work: &Workspace) -> f64 {
-    let scale = work.impact.scale();
-    if scale > 0.0 { work.impact.residual(&work.impulses) / scale } else { 0.0 }
 }
 
 /// Adds `slope row (x) end - bend d(gradient)`; without the second part where the normal does not turn.

@@ -1,5 +1,9 @@
 //! Flows of a solved step: what loads, supports, damping and impacts brought and took.
 
+mod reactions;
+
+pub use reactions::reactions_at_start;
+
 use super::bodies::rear_spring;
 use super::constraint::ConstraintStep;
 use super::external::{self, LoadWork};
@@ -18,7 +22,8 @@ use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::Model;
 use crate::model::frozen::{ConnectorEnd, Coordinate, MaterialPoint, Span};
 use crate::settings::Scheme;
-use crate::state::{Instant, State};
+use crate::state::State;
+use reactions::{average_reactions, supports_so_far};
 
 /// Enters the step from `state` that stands solved in `work`.
 pub fn enter(
@@ -58,65 +63,6 @@ pub fn enter(
         state.instant = None;
     }
     state.ledger.put_on(so_far);
-}
-
-/// Impulse and angular impulse of all supports and guides so far.
-fn supports_so_far(state: &State) -> [f64; 3] {
-    let [x, y] = state.ledger.impulse_supports;
-    [x, y, state.ledger.angular_impulse_supports]
-}
-
-/// Reactions that the part at hand has entered in the ledger, as those of an instant.
-fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> Instant {
-    let mut reactions = vec![[0.0; 3]; state.reactions.len()];
-    for (support, before) in state.reacting.list() {
-        let now = &state.reactions[*support];
-        reactions[*support] = std::array::from_fn(|i| (now[i] - before[i]) / h);
-    }
-    let now = supports_so_far(state);
-    let total = std::array::from_fn(|i| (now[i] - before[i]) / h);
-    Instant { since, reactions, total }
-}
-
-/// Schemes that advance accelerations balance forces at an instant late in the step: mean reactions over it lie on the line through
-/// those of this instant and of the one before.
-fn average_reactions(state: &mut State, rule: &Integration, before: [f64; 3]) {
-    let (h, theta) = (rule.h, rule.theta());
-    let now = instant(state, h, before, (1.0 - theta) * h);
-    if let Some(last) = state.instant.take() {
-        let share = (theta - 0.5) * h / (theta * h + last.since);
-        let back = |now: f64, last: f64| h * share * (now - last);
-        for k in 0..now.reactions.len() {
-            let (r, l) = (now.reactions[k], last.reactions[k]);
-            if r != l {
-                let own = state.reaction_mut(k);
-                (0..3).for_each(|i| own[i] -= back(r[i], l[i]));
-            }
-        }
-        let (t, l) = (now.total, last.total);
-        let ledger = &mut state.ledger;
-        (0..2).for_each(|i| ledger.impulse_supports[i] -= back(t[i], l[i]));
-        ledger.angular_impulse_supports -= back(t[2], l[2]);
-    }
-    state.instant = Some(now);
-}
-
-/// Reactions at the start of a step, of which `work` holds the residual; those kept by multipliers are the step's.
-pub fn reactions_at_start(
-    model: &Model,
-    state: &State,
-    rule: &Integration,
-    forcing: &Forcing,
-    work: &Workspace,
-) -> Instant {
-    let mut scratch = state.clone();
-    scratch.reacting.begin();
-    let before = supports_so_far(&scratch);
-    let mut entry = Entry { model, state: &mut scratch, rule, forcing, work };
-    entry.prescribed();
-    entry.constraints();
-    entry.connectors();
-    instant(&scratch, rule.h, before, 0.0)
 }
 
 struct Entry<'a> {

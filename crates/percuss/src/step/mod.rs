@@ -18,6 +18,7 @@ pub mod external;
 pub mod fibres;
 pub mod flows;
 pub mod forcing;
+mod impulses;
 pub mod integration;
 pub mod lead;
 pub mod masses;

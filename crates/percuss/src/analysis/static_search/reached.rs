@@ -1,0 +1,129 @@
+//! What an equilibrium that was reached tells: its state, whether it is stable, section forces and reactions.
+
+use super::{INVERSE_ITERATIONS, RULE, StaticSearch, constraint_step};
+use crate::analysis::section_forces::{self, Acting, Lines};
+use crate::analysis::spectrum::{metric, random, size};
+use crate::math::vec2::{add, cross, scale};
+use crate::model::frozen::{Connector, Coordinate, MaterialPoint};
+use crate::state::State;
+use crate::step::tangent::{inner, project};
+use crate::step::workspace::Workspace;
+use crate::summary::SectionForceSummary;
+
+impl StaticSearch<'_> {
+    /// Whether no motion about the equilibrium reached grows, with what is closed held closed: by the sign of the lowest
+    /// eigenvalue of the tangent, found by inverse iteration.
+    pub fn is_stable_touching(&mut self) -> bool {
+        let model = self.model;
+        self.foresee(true);
+        self.contacts.hold();
+        self.assemble::<true>();
+        self.contacts.without_springs(&mut self.work.tangent);
+        // Measured by stiffness: density has no part in it.
+        let mut mass = metric(model, false);
+        self.contacts.measure_bodies(&mut mass, model);
+        let longest = model.beams.iter().map(|b| b.length).fold(0.0, f64::max);
+        let shift = if longest > 0.0 { (size(model) / longest).powi(4) } else { 1.0 };
+        self.work.tangent.chain_mut().add_scaled(&mass, shift);
+        if self.factor_assembled().is_err() {
+            return false;
+        }
+        let mut x = random(model.node_count(), &mut 1);
+        project(model, &mut x);
+        let mut lowest = f64::INFINITY;
+        for _ in 0..INVERSE_ITERATIONS {
+            let mut y = mass.multiply(&x);
+            let weight = inner(&x, &y);
+            self.work.tangent.solve_linear(model, &mut y);
+            // The inverse's Rayleigh quotient.
+            let inverse = inner(&mass.multiply(&x), &y) / weight;
+            lowest = 1.0 / inverse - shift;
+            let size = inner(&y, &mass.multiply(&y)).sqrt();
+            y.as_flattened_mut().iter_mut().for_each(|c| *c /= size);
+            x = y;
+        }
+        lowest > -1e-6 * shift
+    }
+
+    /// The state reached, at rest.
+    pub fn state(&self) -> State {
+        let mut state = self.base.clone();
+        for (u, d) in state.displacement.iter_mut().zip(&self.work.increment) {
+            (0..4).for_each(|i| u[i] += d[i]);
+        }
+        state.multiplier.clone_from(&self.work.multiplier);
+        let step = |(c, q0): (&Connector, &f64)| {
+            let moved = match &c.coordinate {
+                Coordinate::Displacement { drive, .. } => {
+                    self.forcing.start(drive) + self.forcing.increment(drive)
+                }
+                _ => 0.0,
+            };
+            c.value(&state.displacement, *q0) - moved
+        };
+        state.coordinates =
+            self.model.connectors.iter().zip(&self.base.coordinates).map(step).collect();
+        state.strain.clear();
+        self.contacts.enter(&mut state);
+        state
+    }
+
+    /// Section forces in the state reached: those of largest magnitude, and those at the ends of every element.
+    pub fn section_forces(
+        &mut self,
+        state: &State,
+    ) -> (Vec<SectionForceSummary>, Vec<[[f64; 3]; 2]>) {
+        self.assemble::<false>();
+        let Workspace { increment, beams, .. } = &self.work;
+        let acting =
+            Acting { state: &self.base, increment, theta: 1.0, beams, forcing: &self.forcing };
+        let (mut lines, mut forces) = (Lines::default(), section_forces::unset(self.model));
+        let pressed = self.contacts.forces().map(|(_, force, row)| ([row; 2], [force, 0.0]));
+        lines.set(self.model, &acting, pressed);
+        section_forces::update(self.model, &lines, state, &mut forces);
+        (forces, lines.ends(self.model.element_count()).collect())
+    }
+
+    /// Force and moment of each support on the structure; the residual must be that of the state reached.
+    pub fn reactions(&self, state: &State) -> Vec<[f64; 3]> {
+        let (model, work) = (self.model, &self.work);
+        let mut out = vec![[0.0; 3]; model.supports.len()];
+        let mut enter = |support: Option<usize>, force: [f64; 2], moment: f64| {
+            if let Some(s) = support {
+                out[s] = [out[s][0] + force[0], out[s][1] + force[1], out[s][2] + moment];
+            }
+        };
+        let g_at = |p: &MaterialPoint| add(p.tangent, p.gradient(&state.displacement));
+        for dofs in &model.prescribed {
+            let mut r = [0.0; 4];
+            for n in &dofs.normals {
+                let along: f64 = (0..4).map(|k| n[k] * work.residual[dofs.node][k]).sum();
+                (0..4).for_each(|k| r[k] += along * n[k]);
+            }
+            let u = &state.displacement[dofs.node];
+            let g = add(model.nodes[dofs.node].tangent, [u[2], u[3]]);
+            enter(dofs.support, [r[0], r[1]], cross(g, [r[2], r[3]]));
+        }
+        let step = constraint_step(&self.base, &work.increment, &self.forcing);
+        for (c, multiplier) in model.constraints.iter().zip(&work.multiplier) {
+            let (form, gradient) = step.support_form(c);
+            let force = scale(-multiplier, form);
+            if gradient {
+                enter(c.support, [0.0; 2], cross(g_at(&c.points()[0]), force));
+            } else {
+                enter(c.support, force, 0.0);
+            }
+        }
+        for (i, c) in model.connectors.iter().enumerate() {
+            let (u, q0) = (&self.base.displacement, self.base.coordinates[i]);
+            let step = c.step(&RULE, &self.forcing, q0, u, &work.increment);
+            let force = scale(-step.force, step.forms[0]);
+            match &c.coordinate {
+                Coordinate::Angle { a, .. } => enter(c.support, [0.0; 2], cross(g_at(a), force)),
+                _ => enter(c.support, force, 0.0),
+            }
+        }
+        self.contacts.add_reactions(model, &mut out);
+        out
+    }
+}

@@ -1,0 +1,99 @@
+//! The balance of a fibre in any step, slopes as derivatives, steady flow.
+
+use super::*;
+
+fn law(isotropic: f64, kinematic: f64, overstress: Option<Overstress>) -> StressLaw {
+    StressLaw::Plastic(PlasticLaw {
+        young: 200e9,
+        plasticity: Plasticity {
+            curve: vec![Hardening { from: 0.0, stress: 250e6, modulus: isotropic }],
+            kinematic,
+            overstress,
+            failure_strain: None,
+        },
+    })
+}
+
+/// Pseudo-random numbers from -1 to 1.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+    (*seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+}
+
+/// The largest error of the balance, relative to the energies at hand, and the least dissipation relative likewise.
+fn walk(law: &StressLaw, steps: usize, size: f64) -> (f64, f64) {
+    let (mut state, mut strain, mut seed) = (FibreState::default(), 0.0, 7);
+    let energy = |s: &FibreState, e: f64| law.elastic_energy(s, e) + law.hardening_energy(s);
+    let (mut worst, mut least): (f64, f64) = (0.0, 0.0);
+    for _ in 0..steps {
+        let next = 0.02 * random(&mut seed) * if seed % 3 == 0 { size } else { 0.1 * size };
+        let step = law.step(&state, strain, next, 1e-4);
+        let change = energy(&step.state, next) - energy(&state, strain);
+        let work = step.mean * (next - strain);
+        // Against the energy at first yield, and what is stored, of which changes are differences.
+        let scale = 250e6_f64.powi(2) / (2.0 * 200e9) + work.abs() + law.hardening_energy(&state);
+        worst = worst.max((work - change - step.dissipated).abs() / scale);
+        least = least.min(step.dissipated / scale);
+        (state, strain) = (step.state, next);
+    }
+    (worst, least)
+}
+
+#[test]
+fn work_is_what_is_stored_and_what_is_dissipated_for_any_step() {
+    let rate = Some(Overstress { rate: 40.4, exponent: 5.0 });
+    for law in [law(0.0, 0.0, None), law(2e9, 0.0, None), law(1e9, 3e9, None), table()] {
+        let (worst, least) = walk(&law, 300_000, 1.0);
+        assert!(worst < 1e-13 && least >= 0.0, "{law:?}: {worst:e}, {least:e}");
+    }
+    for law in [law(0.0, 0.0, rate), law(0.0, 3e9, rate)] {
+        let (worst, least) = walk(&law, 100_000, 1.0);
+        assert!(worst < 1e-12 && least >= -1e-13, "{law:?}: {worst:e}, {least:e}");
+    }
+    for slack in [Slack::Tension, Slack::Compression] {
+        let law = StressLaw::OneSided { young: 200e9, slack };
+        let (worst, _) = walk(&law, 10_000, 1.0);
+        assert!(worst < 1e-13, "{worst:e}");
+    }
+}
+
+fn table() -> StressLaw {
+    let part = |from, stress, modulus| Hardening { from, stress, modulus };
+    let curve = vec![part(0.0, 250e6, 5e9), part(0.01, 300e6, 1e9), part(0.05, 340e6, 0.0)];
+    let StressLaw::Plastic(plastic) = law(0.0, 0.0, None) else { unreachable!() };
+    StressLaw::Plastic(PlasticLaw {
+        plasticity: Plasticity { curve, ..plastic.plasticity },
+        ..plastic
+    })
+}
+
+#[test]
+fn slopes_are_derivatives() {
+    let rate = Some(Overstress { rate: 40.4, exponent: 5.0 });
+    let laws = [law(2e9, 1e9, None), law(2e9, 1e9, rate), table()];
+    for (law, strained) in laws.iter().flat_map(|l| [0.0, 2e-3, -4e-3, 0.03].map(|e| (l, e))) {
+        let start = law.step(&FibreState::default(), 0.0, strained, 1e-4).state;
+        for to in [strained + 1e-4, strained + 7e-3, strained - 9e-3, 0.06] {
+            let at = |e: f64| law.step(&start, strained, e, 1e-4);
+            let d = 1e-8;
+            let (a, b, here) = (at(to - d), at(to + d), at(to));
+            let (mean, end) = ((b.mean - a.mean) / (2.0 * d), (b.stress - a.stress) / (2.0 * d));
+            let near = |x: f64, y: f64| (x - y).abs() < 2e-5 * 200e9;
+            assert!(near(mean, here.slope), "{law:?} {strained} {to}: {mean:e} {here:?}");
+            assert!(near(end, here.tangent), "{law:?} {strained} {to}: {end:e} {here:?}");
+        }
+    }
+}
+
+#[test]
+fn steady_flow_has_the_overstress_of_cowper_and_symonds() {
+    let law = law(0.0, 0.0, Some(Overstress { rate: 40.4, exponent: 5.0 }));
+    let (mut state, mut strain, h, rate) = (FibreState::default(), 0.0, 1e-5, 100.0);
+    let mut stress = 0.0;
+    for _ in 0..2000 {
+        let step = law.step(&state, strain, strain + h * rate, h);
+        (state, strain, stress) = (step.state, strain + h * rate, step.stress);
+    }
+    let expected = 250e6 * (1.0 + (rate / 40.4_f64).powf(0.2));
+    assert!((stress / expected - 1.0).abs() < 1e-9, "{stress:e} {expected:e}");
+}

@@ -1,0 +1,72 @@
+//! What a path over a step tells: where it closes, and its largest value.
+
+use super::Top;
+use crate::contact::free_gap::FreeGap;
+use crate::math::interpolant::Interpolant;
+use crate::math::roots;
+use crate::scalar::{Mask, Number};
+
+impl<S: Number> Interpolant<S> {
+    /// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
+    pub(super) fn touch_down(&self, flight: &FreeGap<S>, lane: usize) -> [S; 2] {
+        if flight.gap.lane(lane) >= 0.0 {
+            let [time, rate] = flight.closes(self.h);
+            if rate.lane(lane) < 0.0 {
+                return [time, -rate];
+            }
+        }
+        let time = self.crossing(lane);
+        [time, self.slope(time)]
+    }
+
+    /// The instant at which a lane's path first changes sign, in all lanes.
+    fn crossing(&self, lane: usize) -> S {
+        let path = self.lane(lane);
+        let sign = if path.start[0] > 0.0 { 1.0 } else { -1.0 };
+        let f = |t: f64| sign * path.value(t);
+        let ends = [f(0.0), f(path.h)];
+        if ends[0] <= 0.0 {
+            return self.h.constant(0.0);
+        }
+        let guess = path.h * ends[0] / (ends[0] - ends[1]);
+        let search = roots::bracketed((0.0, ends[0]), (path.h, ends[1]), guess, 0.0, 0.0, |t| {
+            Ok::<f64, std::convert::Infallible>(f(t))
+        });
+        let Ok(root) = search;
+        let root = self.h.constant(root);
+        // The root moves with the ends of the path.
+        if S::DERIVES { root - self.value(root) / self.slope(root) } else { root }
+    }
+}
+
+impl<S: Number> Top<S> {
+    /// Takes in a step: the largest value stays that is positive; a lane that stands open leaves no trace.
+    #[inline(always)]
+    pub(super) fn take(&mut self, path: &Interpolant<S>, start: S, impulsive: S::Mask) {
+        let ([u0, v0], [u1, v1]) = (path.start, path.end);
+        self.time = Interpolant::at_event(start, impulsive, self.time);
+        self.time = self.value.if_less(u1, path.at_end(start, impulsive), self.time);
+        self.value = self.value.if_less(u1, u1, self.value);
+        // What lies between stays within the control points of the cubic.
+        let third = path.h * (1.0 / 3.0);
+        let (c0, c1) = (u0 + v0 * third, u1 - v1 * third);
+        let inside = self.value.less(c0.max(c1));
+        if inside.any() {
+            for lane in 0..S::LANES {
+                if inside.lane(lane) {
+                    self.look_inside(path, start, lane);
+                }
+            }
+        }
+    }
+
+    fn look_inside(&mut self, path: &Interpolant<S>, start: S, lane: usize) {
+        let own = path.lane(lane);
+        for t in own.stationary() {
+            if own.value(t) > self.value.lane(lane) {
+                self.value.set_lane(lane, path.value(start.constant(t)), lane);
+                self.time.set_lane(lane, start + path.crest(t), lane);
+            }
+        }
+    }
+}
