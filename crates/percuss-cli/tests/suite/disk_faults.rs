@@ -281,3 +281,28 @@ fn nor_does_a_study() {
     let sweep = ["sweep", "../study.toml", "--out", "out", "--quiet", "--jobs", "1"];
     survives(&[&[sweep.as_slice(), &["--shard", "2/2"]].concat()], &sweep, &[], true);
 }
+
+#[test]
+fn nor_does_an_equilibrium() {
+    let statics = ["static", "../elastic.toml", "--out", "out", "--json"];
+    let command = [statics.as_slice(), &["--set", "beam.girder.elements=8"]].concat();
+    survives(&[&statics], &command, &BESIDE, false);
+}
+
+#[test]
+fn nor_does_an_export() {
+    let export = ["export", "out", "--format", "vtkhdf"];
+    survives(&[&[EARLIER.as_slice(), &["--no-report"]].concat()], &export, &[], true);
+}
+
+#[test]
+fn nor_does_a_figure() {
+    let plot = ["plot", "out", "--out", "out", "--figure", "energy", "--format", "svg"];
+    survives(&[&[EARLIER.as_slice(), &["--no-report"]].concat()], &plot, &[], true);
+}
+
+#[test]
+fn nor_does_a_film() {
+    let film = ["animate", "out", "--out", "out/film.gif", "--duration", "0.2", "--quiet"];
+    survives(&[&[EARLIER.as_slice(), &["--no-report"]].concat()], &film, &[], true);
+}
