@@ -1,21 +1,27 @@
-//! Ctrl-C: the first ends the run after its step, the second ends the program.
+//! Ctrl-C, and the signal that asks to terminate.
+//!
+//! A command ends at once and takes what it has not finished with it. One that works in steps says so
+//! ([`end_between_steps`]): then the first signal is only noted, so that it ends after its step with what it has, and the second one
+//! ends it at once.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use percuss_output::{Extent, RunDirectory};
+use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
 
 use crate::outcome::{Failure, Status};
 
-/// Tries to remove what a run is still writing into.
+/// Tries to remove what a command is still writing into.
 const TRIES: usize = 200;
 
 /// Set by the first signal.
 static REQUESTED: AtomicBool = AtomicBool::new(false);
-/// Directory to remove if the program ends at once, and the file that keeps others out; locked while results are put in place.
-static STAGING: Mutex<Option<[PathBuf; 2]>> = Mutex::new(None);
+/// Whether the command looks at [`requested`] itself, and ends.
+static BETWEEN_STEPS: AtomicBool = AtomicBool::new(false);
+/// Files and directories to remove if the program ends at once; locked while results are put in place.
+static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Takes over Ctrl-C and the signal that asks to terminate, which batch systems send when time is up.
 /// A hang-up is left alone, so that `nohup` works.
@@ -24,6 +30,11 @@ static STAGING: Mutex<Option<[PathBuf; 2]>> = Mutex::new(None);
 /// If the system does not allow it.
 pub fn install() -> Result<(), Failure> {
     listen().map_err(|error| Failure::System(format!("cannot take over Ctrl-C: {error}")))
+}
+
+/// From here on the first signal is only noted: the command asks [`requested`] between its steps.
+pub fn end_between_steps() {
+    BETWEEN_STEPS.store(true, Ordering::Relaxed);
 }
 
 #[cfg(unix)]
@@ -43,7 +54,8 @@ fn listen() -> Result<(), ctrlc::Error> {
 
 /// What a signal does.
 fn request() {
-    if REQUESTED.swap(true, Ordering::Relaxed) {
+    let again = REQUESTED.swap(true, Ordering::Relaxed);
+    if again || !BETWEEN_STEPS.load(Ordering::Relaxed) {
         abort();
     }
 }
@@ -53,42 +65,71 @@ pub fn requested() -> bool {
     REQUESTED.load(Ordering::Relaxed)
 }
 
-/// What is to be removed on a second Ctrl-C.
-pub fn protect(directory: &RunDirectory) {
-    *lock() = Some([directory.path().to_owned(), directory.lock_file().to_owned()]);
+/// A directory of results to fill, removed if the program ends at once.
+///
+/// # Errors
+/// As [`RunDirectory::create_for`].
+pub fn directory(results: Results, out: &Path) -> Result<RunDirectory, percuss_output::Error> {
+    let directory = RunDirectory::create_for(results, out)?;
+    protect([directory.path(), directory.lock_file()]);
+    Ok(directory)
 }
 
-/// The same of a file that is not finished.
-pub fn protect_file(file: &Path) {
-    // Nothing stands where a directory would, and the file goes as the one that keeps others out does.
-    *lock() = Some([file.to_owned(), file.to_owned()]);
+/// New files for the directory of a finished run, removed likewise.
+///
+/// # Errors
+/// As [`RunUpdate::open`].
+pub fn update(dir: &Path) -> Result<RunUpdate, percuss_output::Error> {
+    let update = RunUpdate::open(dir)?;
+    protect([update.path(), update.lock_file()]);
+    Ok(update)
 }
 
-/// Puts the results in place; no signal comes in between. Returns where they are.
+/// Says what is to be removed if the program ends at once.
+pub fn protect<const N: usize>(unfinished: [&Path; N]) {
+    *lock() = unfinished.map(Path::to_owned).into();
+}
+
+/// Puts results in place; no signal comes in between. Returns where they are.
 ///
 /// # Errors
 /// If something cannot be moved.
 pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percuss_output::Error> {
-    let mut staging = lock();
-    *staging = None;
-    directory.commit_as(extent)
+    undisturbed(|| directory.commit_as(extent))
+}
+
+/// The same for new files of a finished run.
+///
+/// # Errors
+/// If something cannot be moved.
+pub fn commit_update(update: RunUpdate) -> Result<(), percuss_output::Error> {
+    undisturbed(|| update.commit())
+}
+
+fn undisturbed<T>(put: impl FnOnce() -> T) -> T {
+    let mut unfinished = lock();
+    unfinished.clear();
+    put()
 }
 
 fn abort() -> ! {
-    let mut staging = lock();
-    if let Some([directory, lock_file]) = staging.take() {
-        // The run may be writing into it still; what it adds while one try is at work goes with the next.
-        for _ in 0..TRIES {
-            if fs::remove_dir_all(&directory).is_ok() || !directory.exists() {
-                break;
-            }
-            std::thread::sleep(std::time::Duration::from_millis(1));
-        }
-        let _ = fs::remove_file(lock_file);
+    for path in lock().drain(..) {
+        remove(&path);
     }
     std::process::exit(i32::from(Status::Interrupted.code()))
 }
 
-fn lock() -> MutexGuard<'static, Option<[PathBuf; 2]>> {
-    STAGING.lock().unwrap_or_else(PoisonError::into_inner)
+/// Removes a file or directory. The command may be writing into it still; what it adds while one try is at work goes with the next.
+fn remove(path: &Path) {
+    for _ in 0..TRIES {
+        let removed = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+        if removed.is_ok() || !path.exists() {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+}
+
+fn lock() -> MutexGuard<'static, Vec<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -25,7 +25,7 @@ fn main() -> ExitCode {
     if arguments.allow_outside {
         scenario::allow_outside();
     }
-    let done = match arguments.command {
+    let done = interrupt::install().and_then(|()| match arguments.command {
         Command::Run(arguments) => commands::run::run(&arguments),
         Command::Extend(arguments) => commands::run::extend(&arguments),
         Command::Check(arguments) => commands::check::run(&arguments),
@@ -43,7 +43,7 @@ fn main() -> ExitCode {
         Command::Plot(arguments) => commands::plot::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),
         Command::Completions(arguments) => commands::completions::run(&arguments),
-    };
+    });
     let status = done.unwrap_or_else(|failure| {
         failure.tell();
         failure.status()

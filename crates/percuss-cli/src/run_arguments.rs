@@ -31,12 +31,14 @@ Examples:
 /// Help of `extend`.
 pub const EXTEND: &str = "\
 The run goes on from the checkpoint before its last step and ends in the bits of one that was given the later end from the
-beginning. Nothing else of the scenario may change; --checkpoint is needed when it is run first.
+beginning. Nothing else of the scenario may change; --checkpoint is needed when it is run first. Given here, too, an extension
+that was interrupted, killed or cut off goes on with --resume.
 
 Examples:
   percuss run plank.toml --checkpoint \"60 s\"
   percuss extend runs/plank --end \"2 s\"
-  percuss extend runs/plank --end \"2 s\" --out runs/plank-long";
+  percuss extend runs/plank --end \"2 s\" --out runs/plank-long
+  percuss extend runs/plank --end \"200 s\" --checkpoint \"60 s\" --resume";
 
 /// Arguments of `run`.
 #[derive(Args, Debug)]
@@ -126,6 +128,13 @@ pub struct Extend {
     /// Directory of the extended run [default: DIR, whose results it replaces]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
+    /// Write a checkpoint every so often on the way ("60 s" of computing time, "5000 steps") into DIR.checkpoint, to go on from with
+    /// --resume
+    #[arg(long, value_name = "EVERY", value_parser = every)]
+    pub checkpoint: Option<Every>,
+    /// Go on from the last checkpoint of an extension that was interrupted; with --checkpoint, begin if there is none
+    #[arg(long)]
+    pub resume: bool,
     /// Fail with status 4 if energy or momentum are off by more than 1e-10, relative
     #[arg(long)]
     pub strict: bool,

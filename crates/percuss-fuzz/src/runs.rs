@@ -5,6 +5,8 @@ use percuss_scenario::{Scenario, read, templates};
 
 /// Steps of a run at most.
 const STEPS: usize = 40;
+/// Corrections of a step at most: some more than those after which the core gives up, for those of its last part.
+const CORRECTIONS: usize = 150_000;
 /// Elements of all beams at most.
 const ELEMENTS: usize = 400;
 /// Factors that a number may be changed by.
@@ -43,6 +45,8 @@ pub fn run(data: &[u8]) {
     let Ok(simulation) = Simulation::new(&compiled.model, &compiled.settings) else { return };
     let summary = simulation.run(&mut FewSteps(0));
     assert!(summary.steps <= STEPS + 1, "{} steps", summary.steps);
+    let most = CORRECTIONS * (STEPS + 1);
+    assert!(summary.newton_iterations <= most, "{} corrections", summary.newton_iterations);
 }
 
 /// The text with some of its numbers multiplied.

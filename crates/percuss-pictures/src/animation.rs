@@ -2,9 +2,9 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::rc::Rc;
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel, sync_channel};
@@ -14,7 +14,7 @@ use crate::apng::Apng;
 use crate::error::Error;
 use crate::film::Film;
 use crate::gif::{Gif, Palette};
-use crate::mark;
+use crate::mark::Unfinished;
 use crate::mp4::{Mp4, ffmpeg};
 use crate::pixels::Pixels;
 
@@ -77,14 +77,9 @@ pub enum Told {
     Stopped,
 }
 
-/// Where a film grows until it is finished.
-pub fn unfinished(out: &Path) -> PathBuf {
-    mark::beside(out)
-}
-
 /// Makes a film; `go_on` is told how many frames are done and says whether to go on.
 ///
-/// The file is there when all of it is: until then it grows under the name of [`unfinished`].
+/// The file is there when all of it is: until then it grows under the name of [`unfinished()`](crate::unfinished).
 ///
 /// # Errors
 /// If ffmpeg is wanted and not there, something cannot be drawn, or the system refuses.
@@ -94,17 +89,12 @@ pub fn animate(
     out: &Path,
     go_on: &mut dyn FnMut(usize) -> bool,
 ) -> Result<Told, Error> {
-    let temporary = unfinished(out);
-    let told = record(film, plan, &temporary, go_on).and_then(|told| {
-        if told == Told::Done {
-            fs::rename(&temporary, out).map_err(|e| Error::io(out, "write", &e))?;
-        }
-        Ok(told)
-    });
-    if !matches!(told, Ok(Told::Done)) {
-        let _ = fs::remove_file(&temporary);
+    let unfinished = Unfinished::of(out)?;
+    let told = record(film, plan, unfinished.path(), go_on)?;
+    if told == Told::Done {
+        unfinished.put(out)?;
     }
-    told
+    Ok(told)
 }
 
 fn record(

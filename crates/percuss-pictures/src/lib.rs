@@ -16,9 +16,9 @@ mod pdf;
 mod pixels;
 mod print;
 
-pub use animation::{Format, Plan, Told, animate, no_ffmpeg, unfinished};
+pub use animation::{Format, Plan, Told, animate, no_ffmpeg};
 pub use error::Error;
 pub use film::{Film, Look};
-pub use mark::{is_ours, marked, put};
+pub use mark::{is_ours, marked, put, unfinished};
 pub use mp4::ffmpeg;
 pub use print::{PrintFormat, picture};

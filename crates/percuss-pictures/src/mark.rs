@@ -1,6 +1,6 @@
 //! Files that this program wrote say so, and no others are replaced.
 
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -32,22 +32,89 @@ pub fn is_ours(path: &Path) -> bool {
     look().unwrap_or(false)
 }
 
-/// A name beside a file, for what is not finished.
-pub(crate) fn beside(path: &Path) -> PathBuf {
-    let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    path.with_file_name(format!(".{name}.{}.partial", std::process::id()))
+/// Where a file grows until it is finished: beside its place, under a name of its own.
+pub fn unfinished(out: &Path) -> PathBuf {
+    let name = out.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+    out.with_file_name(format!(".{name}.partial"))
+}
+
+/// A file that is not finished: one process writes it at a time, and what a dead one left is written over.
+///
+/// Dropped before it is put in place, it is removed.
+#[derive(Debug)]
+pub(crate) struct Unfinished {
+    path: PathBuf,
+    file: File,
+    placed: bool,
+}
+
+impl Unfinished {
+    /// An empty one, for a file that will be `out`.
+    ///
+    /// # Errors
+    /// If the system refuses, or another process is writing it.
+    pub fn of(out: &Path) -> Result<Self, Error> {
+        let path = unfinished(out);
+        let cannot = |source| Error::io(out, "write", &source);
+        loop {
+            let mut options = OpenOptions::new();
+            let opened = options.read(true).write(true).create(true).truncate(false).open(&path);
+            let file = opened.map_err(cannot)?;
+            if let Err(TryLockError::WouldBlock) = file.try_lock() {
+                let place = out.display();
+                return Err(Error::Input(format!("{place}: another process is writing it")));
+            }
+            // The one that had it may have put it in place between opening and locking.
+            if is_the_same(&file, &path) {
+                file.set_len(0).map_err(cannot)?;
+                return Ok(Self { path, file, placed: false });
+            }
+        }
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Puts it in the place of `out`, once all of it is on the disk.
+    ///
+    /// # Errors
+    /// If the system refuses; what was there stays.
+    pub fn put(mut self, out: &Path) -> Result<(), Error> {
+        let placed = self.file.sync_all().and_then(|()| fs::rename(&self.path, out));
+        self.placed = placed.is_ok();
+        placed.map_err(|source| Error::io(out, "write", &source))
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        if !self.placed {
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_the_same(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let id = |m: fs::Metadata| (m.dev(), m.ino());
+    file.metadata().map(id).ok() == fs::metadata(path).map(id).ok()
+}
+
+#[cfg(not(unix))]
+fn is_the_same(_file: &File, _path: &Path) -> bool {
+    true
 }
 
 /// Writes a file, entirely or not at all.
 ///
 /// # Errors
-/// If the system refuses.
-pub fn put(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let temporary = beside(path);
-    let written = File::create(&temporary).and_then(|mut file| file.write_all(bytes));
-    if let Err(source) = written.and_then(|()| fs::rename(&temporary, path)) {
-        let _ = fs::remove_file(&temporary);
-        return Err(Error::io(path, "write", &source));
-    }
-    Ok(())
+/// If the system refuses, or another process is writing it.
+pub fn put(out: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let unfinished = Unfinished::of(out)?;
+    let written = (&unfinished.file).write_all(bytes);
+    written.map_err(|source| Error::io(out, "write", &source))?;
+    unfinished.put(out)
 }

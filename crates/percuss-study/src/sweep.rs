@@ -9,6 +9,10 @@ use crate::error::Error;
 use crate::folder::Folder;
 use crate::study::Study;
 
+/// Stack of a thread \[bytes\]: runs side by side lie on it, and programs that are not optimised keep every number in between. What is
+/// not used costs nothing.
+const STACK: usize = 64 << 20;
+
 /// How far a sweep is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
@@ -44,7 +48,7 @@ pub fn sweep(
     jobs: usize,
     tell: &(dyn Fn(Progress) -> bool + Sync),
 ) -> Result<Done, Error> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).stack_size(STACK).build();
     let pool = pool.map_err(|e| Error::unfit(format!("no threads can be started: {e}")))?;
     pool.install(|| in_pool(study, folder, wanted, tell))
 }

@@ -50,8 +50,8 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
     let seconds = arguments.duration.unwrap_or(film.seconds);
     let frames = ((seconds * arguments.fps).round() as usize).max(2);
     let plan = Plan { format, span, frames, fps: arguments.fps };
-    interrupt::install()?;
-    interrupt::protect_file(&unfinished(out));
+    interrupt::end_between_steps();
+    interrupt::protect([&unfinished(out)]);
     let progress = Progress::of_frames(frames, !arguments.quiet);
     let told = animate(&film, &plan, out, &mut |done| {
         progress.reach(done as u64);
@@ -96,6 +96,7 @@ fn still(arguments: &Animate, time: f64) -> Result<Status, Failure> {
         PrintFormat::Pdf => picture(&svg, format, SCREEN)?,
         PrintFormat::Png => film.png(&svg)?,
     };
+    interrupt::protect([&unfinished(out)]);
     put(out, &bytes)?;
     if !arguments.quiet {
         terminal::tell(&format!("{}: the scene at {} s", out.display(), number(time)));

@@ -13,7 +13,7 @@ use crate::{scenario, terminal};
 /// Repeats a run on finer steps and meshes and says what its results converge to.
 pub fn run(arguments: &Converge) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
-    interrupt::install()?;
+    interrupt::end_between_steps();
     let ladder = Ladder {
         results: arguments.result.clone(),
         levels: usize::from(arguments.levels),

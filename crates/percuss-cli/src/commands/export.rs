@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use percuss_output::paraview::{self, Format};
-use percuss_output::{RunUpdate, fields};
+use percuss_output::{Extent, Results, fields};
 
 use super::report::refuse_what_is_no_run;
 use crate::arguments::{Export, ExportFormat};
+use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::terminal;
 
@@ -29,13 +30,14 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
     };
     let (place, names) = match &arguments.out {
         Some(out) => {
-            let names = paraview::export(out, &fields, format)?;
-            (out.clone(), names)
+            let directory = interrupt::directory(Results::Export, out)?;
+            let names = paraview::write(directory.path(), &fields, format)?;
+            (interrupt::commit(directory, Extent::Complete)?, names)
         }
         None => {
-            let update = RunUpdate::open(dir)?;
+            let update = interrupt::update(dir)?;
             let names = paraview::write(update.path().join(INSIDE), &fields, format)?;
-            update.commit()?;
+            interrupt::commit_update(update)?;
             (dir.join(INSIDE), names)
         }
     };

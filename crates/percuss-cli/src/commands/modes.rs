@@ -4,9 +4,10 @@ use percuss::{
     Equilibrium, Frame, Mode, ModeKind, Start, equilibrium, modes_about, modes_about_equilibrium,
     reference_state,
 };
-use percuss_output::{ModesInfo, Results, RunDirectory, modes_value, write_modes};
+use percuss_output::{Extent, ModesInfo, Results, modes_value, write_modes};
 
 use crate::arguments::{About, Modes};
+use crate::interrupt;
 use crate::number::number;
 use crate::outcome::{Failure, Status};
 use crate::scenario;
@@ -51,7 +52,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         modes: &modes,
     };
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-modes"));
-    let directory = RunDirectory::create_for(Results::Modes, &out)?;
+    let directory = interrupt::directory(Results::Modes, &out)?;
     let unloaded = Frame {
         time: 0.0,
         displacement: &state.displacement,
@@ -62,7 +63,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     };
     let frame = loaded.as_ref().map_or(unloaded, Equilibrium::frame);
     write_modes(directory.path(), &info, (&ready.scenario.scene(model), &frame))?;
-    directory.commit()?;
+    interrupt::commit(directory, Extent::Complete)?;
     if arguments.json {
         terminal::print(&format!("{:#}\n", modes_value(&info)))?;
     } else {

@@ -6,11 +6,12 @@ use std::path::PathBuf;
 
 use percuss_output::report::ReportData;
 use percuss_output::report::prints::{Print, prints};
-use percuss_pictures::{PrintFormat, picture, put};
+use percuss_pictures::{PrintFormat, picture, put, unfinished};
 use percuss_scenario::one_of;
 
 use super::animate::refuse_foreign;
 use super::report::refuse_what_is_no_run;
+use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Plot;
 use crate::terminal;
@@ -46,6 +47,7 @@ pub fn run(arguments: &Plot) -> Result<Status, Failure> {
         let svg = print.svg(1000.0 * arguments.width, !arguments.no_title);
         for format in &formats {
             let path = file(print, *format);
+            interrupt::protect([&unfinished(&path)]);
             put(&path, &picture(&svg, *format, f64::from(arguments.dpi))?)?;
             names.push(path.display().to_string());
         }

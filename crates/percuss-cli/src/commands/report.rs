@@ -5,12 +5,12 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use percuss_output::RunUpdate;
 use percuss_output::report::side_by_side::{self, Named};
 use percuss_output::report::{ReportData, write, write_with_figures};
 
 use crate::arguments::Report;
 use crate::browser;
+use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::terminal;
 
@@ -80,14 +80,14 @@ fn refuse_foreign_page(out: &Path) -> Result<(), Failure> {
 
 fn rebuild(dir: &Path, arguments: &Report) -> Result<Status, Failure> {
     let (data, page) = (ReportData::read(dir)?, dir.join("report.html"));
-    let update = RunUpdate::open(dir)?;
+    let update = interrupt::update(dir)?;
     if arguments.figures {
         write_with_figures(update.path(), &data)?;
-        update.commit()?;
+        interrupt::commit_update(update)?;
         terminal::tell(&format!("{} and figures/ rebuilt", page.display()));
     } else {
         write(update.path(), &data)?;
-        update.commit()?;
+        interrupt::commit_update(update)?;
         terminal::tell(&format!("{} rebuilt", page.display()));
     }
     if arguments.open {

@@ -15,7 +15,7 @@ use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    Extent, HistoryWriter, RunDirectory, RunInfo, allowances, provenance, summary_value,
+    Extent, HistoryWriter, Results, RunDirectory, RunInfo, allowances, provenance, summary_value,
     write_comparison, write_envelopes, write_impacts, write_summary,
 };
 use serde_json::Value;
@@ -55,25 +55,43 @@ const EVERY: Every = Every::Seconds(60.0);
 /// Simulates a scenario and writes its results.
 pub fn run(arguments: &Run) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
-    interrupt::install()?;
+    interrupt::end_between_steps();
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, ""));
     refuse_own_input(&arguments.file, &out)?;
-    let directory = RunDirectory::create(&out)?;
-    interrupt::protect(&directory);
+    let directory = interrupt::directory(Results::Run, &out)?;
     let text = without_end(&ready.scenario.to_toml());
     let mut folder = CheckpointFolder::beside(directory.target(), text);
-    let mut earlier = None;
-    // With both, as a queue starts a job time and again, the first one begins.
-    if arguments.resume && (arguments.checkpoint.is_none() || folder.time().is_some()) {
-        earlier = Some(folder.resume()?);
-    } else if arguments.checkpoint.is_some() {
-        folder.begin()?;
-    }
-    let every = arguments.checkpoint.or(arguments.resume.then_some(EVERY));
-    let seconds = earlier.as_ref().map_or(0.0, |(saved, _): &(Saved, Rows)| saved.seconds);
+    let earlier = goes_on(&mut folder, arguments)?;
+    let every = often(arguments);
+    let seconds = seconds(earlier.as_ref());
     let checkpoints =
         every.map(|every| Checkpoints::new(folder, Some(every), directory.path(), seconds));
     go(&ready, arguments, directory, Beginning { earlier, checkpoints })
+}
+
+/// The checkpoint beside the results to go on from, if that is asked for; else a place for those to come.
+fn goes_on(
+    folder: &mut CheckpointFolder,
+    arguments: &Run,
+) -> Result<Option<(Saved, Rows)>, percuss_output::Error> {
+    // With both, as a queue starts a job time and again, the first one begins.
+    if arguments.resume && (arguments.checkpoint.is_none() || folder.time().is_some()) {
+        return folder.resume().map(Some);
+    }
+    if arguments.checkpoint.is_some() {
+        folder.begin()?;
+    }
+    Ok(None)
+}
+
+/// How often checkpoints are written, if they are.
+fn often(arguments: &Run) -> Option<Every> {
+    arguments.checkpoint.or(arguments.resume.then_some(EVERY))
+}
+
+/// Seconds that a run took up to a checkpoint.
+fn seconds(earlier: Option<&(Saved, Rows)>) -> f64 {
+    earlier.map_or(0.0, |(saved, _)| saved.seconds)
 }
 
 /// Lets a complete run go on to a later end.
@@ -89,14 +107,11 @@ pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
     }
     let set = vec![format!("time.end={:e}", arguments.end)];
     let ready = scenario::read(&file, &set)?;
-    interrupt::install()?;
+    interrupt::end_between_steps();
     let text = without_end(&ready.scenario.to_toml());
-    let (saved, rows) = CheckpointFolder::kept(&arguments.dir, &text)?;
+    let kept = CheckpointFolder::kept(&arguments.dir, &text)?;
     let out = arguments.out.clone().unwrap_or_else(|| arguments.dir.clone());
-    let directory = RunDirectory::create(&out)?;
-    interrupt::protect(&directory);
-    let folder = CheckpointFolder::beside(directory.target(), text);
-    let checkpoints = Some(Checkpoints::new(folder, None, directory.path(), saved.seconds));
+    let directory = interrupt::directory(Results::Run, &out)?;
     let is_csv = arguments.dir.join("history.csv").is_file();
     let run = Run {
         file,
@@ -108,12 +123,16 @@ pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
         no_report: arguments.no_report,
         figures: false,
         open: false,
-        checkpoint: None,
-        resume: false,
+        checkpoint: arguments.checkpoint,
+        resume: arguments.resume,
         deny: Vec::new(),
         quiet: arguments.quiet,
     };
-    go(&ready, &run, directory, Beginning { earlier: Some((saved, rows)), checkpoints })
+    let mut folder = CheckpointFolder::beside(directory.target(), text);
+    let earlier = Some(goes_on(&mut folder, &run)?.unwrap_or(kept));
+    let seconds = seconds(earlier.as_ref());
+    let checkpoints = Some(Checkpoints::new(folder, often(&run), directory.path(), seconds));
+    go(&ready, &run, directory, Beginning { earlier, checkpoints })
 }
 
 /// Simulates, and puts the results in their place.

@@ -8,12 +8,13 @@ use percuss::{
     Error, LinearBuckling, Path, buckling_in_contact, equilibrium, equilibrium_path_recorded,
 };
 use percuss_output::{
-    EquilibriumInfo, PathInfo, PathShapes, Results, RunDirectory, equilibrium_value, path_value,
+    EquilibriumInfo, Extent, PathInfo, PathShapes, Results, equilibrium_value, path_value,
     write_equilibrium, write_path,
 };
 use serde_json::Value;
 
 use crate::arguments::Static;
+use crate::interrupt;
 use crate::number::number;
 use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
@@ -40,9 +41,9 @@ pub fn run(arguments: &Static) -> Result<Status, Failure> {
         linear: &linear,
     };
     let out = out(arguments, "-static");
-    let directory = RunDirectory::create_for(Results::Static, &out)?;
+    let directory = interrupt::directory(Results::Static, &out)?;
     write_equilibrium(directory.path(), &info)?;
-    directory.commit()?;
+    interrupt::commit(directory, Extent::Complete)?;
     if arguments.json {
         terminal::print(&format!("{:#}\n", equilibrium_value(&found, &linear)))?;
     } else {
@@ -85,10 +86,10 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     let linear = buckling_in_contact(&compiled.model, &path.end, 1);
     let value = as_json(&path, &linear);
     let out = out(arguments, "-path");
-    let directory = RunDirectory::create_for(Results::Path, &out)?;
+    let directory = interrupt::directory(Results::Path, &out)?;
     let info = PathInfo { title: &compiled.title, scene: &scene, path: &path, linear: &linear };
     write_path(directory.path(), &info, shapes, &value)?;
-    directory.commit()?;
+    interrupt::commit(directory, Extent::Complete)?;
     if arguments.json {
         terminal::print(&format!("{value:#}\n"))?;
     } else {

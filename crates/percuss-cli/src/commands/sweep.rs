@@ -23,7 +23,7 @@ pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     }
     kept::refuse_missing(&study, &arguments.keep_run)?;
     let folder = Folder::open(&out, &study)?;
-    interrupt::install()?;
+    interrupt::end_between_steps();
     let all = 0..study.shard_count();
     let shards: Vec<u64> = match arguments.shard {
         Some(share) => all.filter(|shard| shard % share.of == share.part - 1).collect(),

@@ -105,6 +105,31 @@ fn a_run_is_extended_in_its_place_or_beside_it_once_and_again() {
 }
 
 #[test]
+fn an_extension_that_was_killed_goes_on_where_it_was() {
+    let desk = Desk::new();
+    let end = |end: &'static str| arguments(&["--set", end]);
+    desk.percuss(&[end("time.end=0.03"), vec!["--out", "whole"]].concat()).ends_with(0);
+    let first = [end("time.end=0.01"), vec!["--out", "out", "--checkpoint", "1 h"]].concat();
+    desk.percuss(&first).ends_with(0);
+    let extend = ["extend", "out", "--end", "30 ms", "--quiet", "--no-report"];
+    let extend = [extend.as_slice(), &["--checkpoint", "500 steps", "--resume"]].concat();
+    let state = desk.path("out.checkpoint/state");
+    let mut child = desk.command(&extend).spawn().unwrap();
+    while !state.exists() {
+        assert!(child.try_wait().unwrap().is_none(), "it ended without a checkpoint");
+        std::thread::yield_now();
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert_eq!(desk.summary("out")["time"], 0.01, "the run before is not whole");
+    desk.percuss(&extend[..extend.len() - 1]).ends_with(2).tells("go on from it with --resume");
+    desk.percuss(&extend).ends_with(0);
+    assert_eq!(differences(&desk.path("whole"), &desk.path("out")), Vec::<String>::new());
+    assert!(!desk.path("out.checkpoint").exists());
+    desk.percuss(&extend).ends_with(2).tells("reaches 0.03 s already");
+}
+
+#[test]
 fn what_is_no_checkpoint_of_the_run_is_refused_and_left_alone() {
     let desk = Desk::new();
     let resume =

@@ -86,6 +86,30 @@ fn an_ignored_hangup_stays_ignored() {
     assert_eq!(desk.summary("out")["status"], "interrupted");
 }
 
+/// Commands that do not work in steps end at once; what they have not finished goes with them.
+#[test]
+fn every_long_command_ends_at_the_first_signal() {
+    let fine = ["--set", "beam.girder.elements=400000"];
+    let long: [&[&str]; 6] = [
+        &["static", "elastic.toml", "--out", "out", fine[0], fine[1]],
+        &["modes", "elastic.toml", "--out", "out", "--count", "300", fine[0], fine[1]],
+        &["converge", "elastic.toml", "--set", "time.end=20"],
+        &["sensitivity", "elastic.toml", "--parameter", "projectile.mass.mass", "--set", "time.end=1e4"],
+        &["verify"],
+        &["check", "-"],
+    ];
+    for arguments in long {
+        let desk = Desk::new();
+        let mut command = desk.command(arguments);
+        let child = command.stdin(Stdio::piped()).spawn().expect("the command starts");
+        std::thread::sleep(Duration::from_millis(300));
+        signal(&child, "-INT");
+        let ended = end_of(child);
+        assert_eq!(ended.status, Some(130), "{arguments:?}: {}", ended.stderr);
+        assert_eq!(desk.names(), ["elastic.toml", "rigid.toml"], "{arguments:?}");
+    }
+}
+
 #[test]
 fn a_second_signal_ends_at_once_and_leaves_no_half_result() {
     let desk = Desk::new();

@@ -87,6 +87,11 @@ impl Rows {
         Self(Source::History { dir: dir.to_owned(), rows })
     }
 
+    /// Whether they stand in the history of a complete run, not beside a checkpoint.
+    pub fn are_of_history(&self) -> bool {
+        matches!(self.0, Source::History { .. })
+    }
+
     /// Hands them to `row`, in their order; there are `columns` of them each.
     ///
     /// # Errors

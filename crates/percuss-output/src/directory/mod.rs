@@ -203,7 +203,7 @@ impl RunDirectory {
 pub struct RunUpdate {
     target: PathBuf,
     staging: Staging,
-    _lock: Lock,
+    lock: Lock,
 }
 
 impl RunUpdate {
@@ -221,12 +221,17 @@ impl RunUpdate {
             return Err(Error::refused(given, reason));
         }
         let staging = Staging::within(&target)?;
-        Ok(Self { target, staging, _lock: lock })
+        Ok(Self { target, staging, lock })
     }
 
     /// Where to write.
     pub fn path(&self) -> &Path {
         self.staging.path()
+    }
+
+    /// The file that keeps other processes out, removed in the end.
+    pub fn lock_file(&self) -> &Path {
+        self.lock.path()
     }
 
     /// Puts the new files in place of those of the same names, if these are the run's.

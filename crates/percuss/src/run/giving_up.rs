@@ -50,6 +50,10 @@ impl Simulation<'_> {
             Failure::Passed => {
                 Error::no_convergence(time, step, "two things pass through each other".into())
             }
+            Failure::Endless => {
+                let what = "its impacts and cuts do not end (100000 corrections in one step)";
+                Error::no_convergence(time, step, what.into())
+            }
             Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
             Failure::Singular(Singular::Constraints) => {
                 Error::singular(time, "the joints and supports".into())

@@ -15,8 +15,8 @@ use crate::step::newton::Failure;
 
 /// A step is cut down to this share of its size before the run gives up.
 const SMALLEST_SHARE: f64 = 1e-4;
-/// Parts of a step, impacts and cuts included, before the run gives up: more would not end.
-const MOST_PARTS: usize = 20_000;
+/// Corrections of Newton's iteration in a step, over all its parts, impacts and cuts, before the run gives up: more would not end.
+const MOST_CORRECTIONS: usize = 100_000;
 /// More instants located and impacts than this in one step count as accumulated: for the rest of it what touches stays together.
 const MOST_EVENTS: usize = 128;
 
@@ -27,7 +27,7 @@ impl Simulation<'_> {
     /// # Errors
     /// If no solution is found even for very short steps; the state is the last one accepted.
     pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<Flow, Error> {
-        let mut budget = Budget::new(&self.settings, &self.state);
+        let mut budget = Budget::new(&self.settings, &self.state, self.effort.iterations);
         while let Some(part) = budget.next(self.state.offset, self.time_to_cut()) {
             let trial = match self.resolution(&budget) {
                 Resolution::Jump => self.jump(&part),
@@ -39,7 +39,7 @@ impl Simulation<'_> {
             };
             match trial {
                 Ok(trial) => {
-                    budget.spend(&trial).map_err(|why| self.give_up(why, part.size))?;
+                    budget.spend(&trial);
                     self.accept_all(trial, recorder)?;
                     let goes_on = budget.remains(self.state.offset);
                     if goes_on && recorder.progress(self.state.time) == Flow::Stop {
@@ -50,6 +50,9 @@ impl Simulation<'_> {
                     self.step_cuts += 1;
                     budget.halve(&part, failure).map_err(|why| self.give_up(why, part.size))?;
                 }
+            }
+            if self.effort.iterations > budget.most_corrections {
+                return Err(self.give_up(Failure::Endless, part.size));
             }
         }
         self.close_step(&budget)?;
@@ -116,16 +119,18 @@ pub(super) struct Budget {
     smallest: f64,
     /// Instants located and impacts that it may still have.
     pub events_left: usize,
-    parts_left: usize,
+    /// Corrections that the run may have taken at its end.
+    most_corrections: usize,
 }
 
 impl Budget {
-    fn new(settings: &Settings, state: &State) -> Self {
+    fn new(settings: &Settings, state: &State, corrections: usize) -> Self {
         let step = settings.step;
         let target = step.min(settings.end - state.step as f64 * step);
         let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
         let smallest = SMALLEST_SHARE * step;
-        Self { target, size: target, smallest, events_left: MOST_EVENTS, parts_left: MOST_PARTS }
+        let most_corrections = corrections + MOST_CORRECTIONS;
+        Self { target, size: target, smallest, events_left: MOST_EVENTS, most_corrections }
     }
 
     /// Whether something is left of the step, `offset` of it done.
@@ -139,14 +144,14 @@ impl Budget {
         self.remains(offset).then_some(Part { size, share: self.size / self.target })
     }
 
-    /// Takes a part off that ends with a trial; the next one may be larger again.
-    ///
-    /// # Errors
-    /// If the step has had too many parts.
-    fn spend(&mut self, trial: &Trial) -> Result<(), Failure> {
-        self.events_left = self.events_left.saturating_sub(usize::from(trial.is_event()));
-        self.size = (2.0 * self.size).min(self.target);
-        self.count().ok_or(Failure::Impact)
+    /// Takes a part off that ends with a trial; behind one of its whole size the next may be larger again. That one ends at an instant of
+    /// contact, or is an impact, says nothing of the size that failed before.
+    fn spend(&mut self, trial: &Trial) {
+        if trial.is_event() {
+            self.events_left = self.events_left.saturating_sub(1);
+        } else {
+            self.size = (2.0 * self.size).min(self.target);
+        }
     }
 
     /// Cuts the size of a part that has failed in half.
@@ -155,13 +160,6 @@ impl Budget {
     /// The failure, if the step cannot be cut any further.
     fn halve(&mut self, part: &Part, failure: Failure) -> Result<(), Failure> {
         self.size = 0.5 * part.size;
-        let counted = self.count().filter(|()| self.size >= self.smallest);
-        counted.ok_or(failure)
-    }
-
-    /// Counts a part; nothing if the step may have no more.
-    fn count(&mut self) -> Option<()> {
-        self.parts_left = self.parts_left.checked_sub(1)?;
-        Some(())
+        if self.size >= self.smallest { Ok(()) } else { Err(failure) }
     }
 }

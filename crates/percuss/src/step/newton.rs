@@ -75,6 +75,8 @@ pub enum Failure {
     Impact,
     /// Two things passed through each other unseen.
     Passed,
+    /// The parts of a step would not end.
+    Endless,
 }
 
 impl From<Singular> for Failure {

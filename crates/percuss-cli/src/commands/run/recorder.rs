@@ -81,10 +81,13 @@ impl Recorder for RunRecorder {
             energy.begin(channels)?;
         }
         self.history.begin(channels)?;
-        match self.earlier.take() {
-            Some(rows) => rows.replay(channels.len(), &mut |values| self.note(values)),
-            None => Ok(()),
-        }
+        let Some(rows) = self.earlier.take() else { return Ok(()) };
+        // Those of a history are not among the rows of the checkpoints to come.
+        let new = rows.are_of_history();
+        rows.replay(channels.len(), &mut |values| match new {
+            true => self.row(values),
+            false => self.note(values),
+        })
     }
 
     fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {

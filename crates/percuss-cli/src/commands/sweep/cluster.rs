@@ -3,11 +3,14 @@
 use std::env;
 use std::ffi::OsString;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Child, Command, ExitStatus};
+use std::thread;
+use std::time::Duration;
 
 use percuss_scenario::FileAccess;
 use percuss_study::{Folder, Study};
 
+use crate::interrupt;
 use crate::outcome::{Failure, Status};
 
 /// Names another interpreter than `python3`.
@@ -15,6 +18,8 @@ const INTERPRETER: &str = "PERCUSS_PYTHON";
 /// Python looks for modules in the working directory first, where someone else's files may lie: not here. (`-P` does the same, from
 /// Python 3.11 on.)
 const AWAY: &str = "import sys; sys.path[:] = [p for p in sys.path if p not in ('', '.')]\n";
+/// How often a sweep is looked at.
+const POLL: Duration = Duration::from_millis(20);
 /// What such a sweep needs.
 const PROBE: &str = "import percuss, distributed";
 /// `python3 -m percuss`, which takes the arguments that follow.
@@ -38,7 +43,7 @@ pub fn sweep(study: &Path, scheduler: &str, out: &Path, quiet: bool) -> Result<S
     if crate::scenario::access() == FileAccess::Anywhere {
         command.arg("--allow-outside");
     }
-    let ended = command.status().map_err(|error| missing(&name, &error.to_string()))?;
+    let ended = wait(command).map_err(|error| missing(&name, &error.to_string()))?;
     Ok(match ended.code() {
         Some(0) => {
             refuse_missing(study, out)?;
@@ -48,6 +53,34 @@ pub fn sweep(study: &Path, scheduler: &str, out: &Path, quiet: bool) -> Result<S
         Some(130) | None => Status::Interrupted,
         Some(_) => Status::System,
     })
+}
+
+/// How a command ends; a signal that asks this process to end is handed on to it.
+fn wait(mut command: Command) -> std::io::Result<ExitStatus> {
+    interrupt::end_between_steps();
+    let mut child = command.spawn()?;
+    let mut told = false;
+    loop {
+        if let Some(status) = child.try_wait()? {
+            return Ok(status);
+        }
+        if interrupt::requested() && !told {
+            told = true;
+            end(&mut child)?;
+        }
+        thread::sleep(POLL);
+    }
+}
+
+#[cfg(unix)]
+fn end(child: &mut Child) -> std::io::Result<()> {
+    use rustix::process::{Pid, Signal, kill_process};
+    Ok(kill_process(Pid::from_child(child), Signal::INT)?)
+}
+
+#[cfg(not(unix))]
+fn end(child: &mut Child) -> std::io::Result<()> {
+    child.kill()
 }
 
 /// Python with a program, which finds no modules in the working directory, nor do the processes it starts.
