@@ -7,9 +7,8 @@ mod tests;
 
 use serde_json::{Map, Value, json};
 
-use super::figure::largest;
 use super::html::{Cell, Row, table_of_rows};
-use super::quantity::{number, quantity};
+use super::quantity::quantity;
 use columns::{Column, columns, legend};
 
 /// Rows shown; all of them are in `impacts.csv`.
