@@ -23,7 +23,10 @@ static STAGING: Mutex<Option<[PathBuf; 2]>> = Mutex::new(None);
 /// # Errors
 /// If the system does not allow it.
 pub fn install() -> Result<(), Failure> {
-    listen().map_err(|error| Failure::System(format!("cannot take over Ctrl-C: {error}")))
+    listen().map_err(|error| {
+        let text = format!("cannot take over Ctrl-C: {error}");
+        Failure::System(percuss_codes::FileCode::System.into(), text)
+    })
 }
 
 #[cfg(unix)]

@@ -45,7 +45,7 @@ pub fn sweep(
     tell: &(dyn Fn(Progress) -> bool + Sync),
 ) -> Result<Done, Error> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
-    let pool = pool.map_err(|e| Error::unfit(format!("no threads can be started: {e}")))?;
+    let pool = pool.map_err(|e| Error::system(format!("no threads can be started: {e}")))?;
     pool.install(|| in_pool(study, folder, wanted, tell))
 }
 
