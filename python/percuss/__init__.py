@@ -14,7 +14,18 @@ Names and units are those of the scenario file; a bare number is SI.
 
 from ._analyses import Equilibrium, Modes, modes, static
 from ._converge import Convergence, converge
-from ._errors import AnalysisError, Fault, ScenarioError, StudyError
+from ._errors import (
+    AnalysisError,
+    Fault,
+    FileError,
+    InputError,
+    MissingError,
+    MissingRunError,
+    PercussError,
+    PercussWarning,
+    ScenarioError,
+    StudyError,
+)
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
@@ -30,7 +41,13 @@ __all__ = [
     "Convergence",
     "Equilibrium",
     "Fault",
+    "FileError",
+    "InputError",
+    "MissingError",
+    "MissingRunError",
     "Modes",
+    "PercussError",
+    "PercussWarning",
     "Potential",
     "Result",
     "Scenario",

@@ -30,9 +30,10 @@ def main(arguments: list[str] | None = None) -> int:
     except ScenarioError as error:
         return _fail(str(error), 2)
     except KeyboardInterrupt:
-        return _fail(f"interrupted; what is done is kept in {out}, the same command goes on where it was", 130)
+        return _fail(f"interrupted; what is done is kept in {out}, the same command goes on where it was [W107]", 130, "warning")
     except (MissingError, StudyError, OSError, ValueError) as error:
-        return _fail(str(error), 2 if isinstance(error, (MissingError, ValueError)) else 1)
+        code = f" [{error.code}]" if isinstance(error, MissingError) and error.code else ""
+        return _fail(f"{error}{code}", 2 if isinstance(error, (MissingError, ValueError)) else 1)
 
 
 def _sweep(study: str, scheduler: str, out: str, quiet: bool, allow_outside: bool) -> int:
@@ -47,7 +48,7 @@ def _sweep(study: str, scheduler: str, out: str, quiet: bool, allow_outside: boo
         client = Client(scheduler, timeout=_PATIENCE, set_as_default=False)
     except Exception as error:
         text = f"no Dask scheduler answers at {scheduler} within {_PATIENCE} s ({type(error).__name__}: {error})"
-        return _fail(f"{text}; is the address right, and the scheduler running? Nothing was begun, nothing is lost", 1)
+        return _fail(f"{text}; is the address right, and the scheduler running? Nothing was begun, nothing is lost [E304]", 1)
     with client:
         table = sweep(read, client=client, out=out, progress=False if quiet else None)
     if not quiet:
@@ -56,8 +57,8 @@ def _sweep(study: str, scheduler: str, out: str, quiet: bool, allow_outside: boo
     return 0
 
 
-def _fail(text: str, status: int) -> int:
-    print(f"error: {text}", file=sys.stderr)
+def _fail(text: str, status: int, kind: str = "error") -> int:
+    print(f"{kind}: {text}", file=sys.stderr)
     return status
 
 

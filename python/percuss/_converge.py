@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _percuss
 from ._columns import nearest
-from ._errors import AnalysisError
+from ._errors import AnalysisError, InputError, coded
 from ._progress import Progress
 from ._result import Result
 from ._run import run
@@ -72,7 +72,7 @@ def converge(
     point that moves most.
     """
     if levels < 3:
-        raise ValueError(f"levels={levels}: expected 3 or more, an order needs three values")
+        raise coded(InputError, f"levels={levels}: expected 3 or more, an order needs three values", "E311")
     unknown = [word for word in refine if word not in ("step", "mesh")]
     if unknown:
         raise ValueError(f'refine: {unknown[0]!r}, expected "step" or "mesh"')
@@ -104,7 +104,8 @@ def _written(scenario: Scenario, overrides: dict[str, Any]) -> str:
 def _completed(scenario: Scenario) -> Result:
     result = run(scenario, progress=False, shapes=0)
     if result.status != "completed":
-        raise AnalysisError(f"a refined run did not complete: {result.summary.get('error', result.status)}")
+        text = f"a refined run did not complete: {result.summary.get('error', result.status)}"
+        raise coded(AnalysisError, text, result.summary.get("error_code"))
     return result
 
 

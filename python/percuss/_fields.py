@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ._errors import InputError, coded
 from ._structure import Beams, Floats
 
 Singles = NDArray[np.float32]
@@ -222,4 +223,4 @@ class Fields:
 
     def _require(self) -> None:
         if not len(self):
-            raise ValueError("no shapes were kept of this run: run it with record.shapes (or shapes=) above 0")
+            raise coded(InputError, "no shapes were kept of this run: run it with record.shapes (or shapes=) above 0", "E210")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._errors import MissingError
+from ._errors import InputError, MissingError, coded
 from ._words import unit_words, words
 
 if TYPE_CHECKING:
@@ -164,7 +164,8 @@ def _writer(path: str) -> str:
     if path.lower().endswith((".gif", ".apng", ".webp")):
         return "pillow"
     if not writers.is_available("ffmpeg"):
-        raise ValueError(f"{path}: this format needs the program ffmpeg, which is not there; .gif, .apng and .webp do without")
+        text = f"{path}: this format needs the program ffmpeg, which is not there; .gif, .apng and .webp do without"
+        raise coded(InputError, text, "E213")
     return "ffmpeg"
 
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from . import _arrow, _percuss
 from ._columns import Columns
+from ._errors import InputError, coded
 from ._fields import Fields
 from ._structure import Shapes
 from ._words import engineering
@@ -105,7 +106,7 @@ class Result(Columns[np.float64]):
     def fields(self) -> Fields:
         """The scene and how it moved: what is drawn, animated and exported."""
         if self._native["fields"] is None:
-            raise ValueError("this run has no fields/: run its scenario again with record.shapes above 0")
+            raise coded(InputError, "this run has no fields/: run its scenario again with record.shapes above 0", "E210")
         return Fields(self._native["fields"])
 
     @property
@@ -177,7 +178,7 @@ class Result(Columns[np.float64]):
         run = self.summary
         yield "status", f"{run['status']} at t = {run['time']:.6g} s, {run['steps']} steps"
         if "error" in run:
-            yield "error", run["error"]
+            yield "error", f"{run['error']} [{run['error_code']}]" if "error_code" in run else run["error"]
         energy, momentum = run["energy"], run["momentum"]
         yield "energy", f"{engineering(energy['initial'], 'J')} to {engineering(energy['final'], 'J')}"
         yield (

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable
 from typing import Any
 
 from . import _percuss
+from ._errors import MissingRunError, PercussWarning, coded
 from ._progress import Progress
 from ._result import Result
 from ._scenario import Scenarios, changes_of, scenario_of
@@ -30,6 +32,9 @@ def run(
     ``report.html``. ``shapes`` is the largest number of frames of the scene kept of either kind, those in which something touches
     and the others; by default ``record.shapes`` of the scenario says how much memory they get. 0 keeps none.
 
+    What the audit of the run warns of, such as a balance that does not close, is raised as a :class:`PercussWarning` with its code,
+    unless the scenario allows it; ``result.summary["warnings"]`` has all of it.
+
     A run that the solver gives up is a result whose ``status`` is ``"failed"``; it holds everything up to the last step. Ctrl-C
     raises ``KeyboardInterrupt``; with ``out`` what there is has been written then.
     """
@@ -37,9 +42,21 @@ def run(
         raise ValueError(f"shapes={shapes}: expected 0 or a number of frames")
     source = scenario_of(scenario)._source(changes_of(overrides))
     if callable(progress):
-        return Result._of(_percuss.run(source, progress, out, report, shapes))
-    with Progress(progress, unit="s", name="run") as bar:
-        return Result._of(_percuss.run(source, bar.to, out, report, shapes))
+        result = Result._of(_percuss.run(source, progress, out, report, shapes))
+    else:
+        with Progress(progress, unit="s", name="run") as bar:
+            result = Result._of(_percuss.run(source, bar.to, out, report, shapes))
+    _warn(result)
+    return result
+
+
+def _warn(result: Result) -> None:
+    """Raises what the audit of a run warns of, unless the scenario allows it."""
+    for one in result.summary["warnings"]:
+        if one["verdict"] == "warning":
+            warning = PercussWarning(f"{one['text']} [{one['code']}]")
+            warning.code = one["code"]
+            warnings.warn(warning, stacklevel=3)
 
 
 def open(directory: str | os.PathLike[str]) -> Result:
@@ -47,5 +64,5 @@ def open(directory: str | os.PathLike[str]) -> Result:
     path = os.fspath(directory)
     if not os.path.isfile(os.path.join(path, "summary.json")):
         what = "is not the directory of a run (it has no summary.json)" if os.path.isdir(path) else "no such directory"
-        raise FileNotFoundError(f"{path}: {what}; give the directory that `percuss run` has written")
+        raise coded(MissingRunError, f"{path}: {what}; give the directory that `percuss run` has written", "E209")
     return Result._of(_percuss.open(path))

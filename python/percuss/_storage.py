@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from typing import Any, Protocol
 
 from . import _percuss
-from ._errors import MissingError
+from ._errors import InputError, MissingError, coded
 
 Columns = list[tuple[str, str, str, str, Any]]
 
@@ -104,7 +104,8 @@ class Remote:
         text = study.text.encode()
         if self._files.exists(own):
             if self._files.cat_file(own) != text:
-                raise ValueError(f"{path} holds another study, or an earlier state of this one; give another out")
+                text = f"{path} holds another study, or an earlier state of this one; give another out"
+                raise coded(InputError, text, "E301")
         else:
             self._files.makedirs(f"{self._root}/shards", exist_ok=True)
             self._files.pipe_file(own, text)

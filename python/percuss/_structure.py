@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ._errors import InputError, coded
+
 Floats = NDArray[np.float64]
 
 
@@ -60,7 +62,7 @@ class Shapes:
     def index(self, t: float) -> int:
         """Index of the shape nearest to a time."""
         if not len(self.times):
-            raise ValueError("no shapes were kept of this run: run it with record.shapes (or shapes=) above 0")
+            raise coded(InputError, "no shapes were kept of this run: run it with record.shapes (or shapes=) above 0", "E210")
         return int(np.abs(self.times - t).argmin())
 
     def at(self, t: float) -> dict[str, Floats]:

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from . import _percuss
-from ._errors import MissingError, StudyError
+from ._errors import MissingError, StudyError, coded
 from ._progress import Progress
 from ._storage import Local, Remote, Store
 from ._study import StudySource, Sweep, run_shard, study_of
@@ -149,10 +149,11 @@ def _collect(study: _percuss.Study, store: Store, source: _Here | _OnExecutor | 
         raise
     except Exception as error:
         kept = study.shard_count - len(left)
-        raise StudyError(
+        text = (
             f"the sweep ended early, with {kept} of {study.shard_count} shards kept in {store.path}: "
             f"{type(error).__name__}: {error}; the same call goes on from there"
-        ) from error
+        )
+        raise coded(StudyError, text, "E303") from error
     store.finish()
 
 

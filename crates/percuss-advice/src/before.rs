@@ -93,13 +93,12 @@ impl Desk<'_> {
     pub fn finding(
         &self,
         topic: Topic,
-        [value, reference]: [f64; 2],
+        values: [f64; 2],
         unit: &'static str,
         verdict: Verdict,
         text: String,
     ) -> Advice {
-        let contact = self.case.name.to_owned();
-        Advice { contact, topic, value, reference, unit, verdict, text, reason: None }
+        Advice::new(self.case.name, topic, values, unit, verdict, text)
     }
 
     fn struck(

@@ -4,6 +4,7 @@
 //! at rest or in the motion it starts with.
 
 mod after;
+mod audit;
 mod before;
 mod case;
 mod duration;
@@ -23,7 +24,8 @@ mod tests;
 mod words;
 
 use percuss::{FirstTouches, Model, RunSummary, Settings, massless};
-pub use percuss_codes::Topic;
+use percuss_codes::Code;
+pub use percuss_codes::{Caution, Topic};
 
 /// How much a finding weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -82,6 +84,34 @@ pub struct Comparison {
     pub holds_if: String,
 }
 
+impl Advice {
+    /// A finding that nobody has allowed so far; `values` are what is found and what it is held against.
+    pub(crate) fn new(
+        contact: impl Into<String>,
+        topic: Topic,
+        values: [f64; 2],
+        unit: &'static str,
+        verdict: Verdict,
+        text: String,
+    ) -> Self {
+        let [value, reference] = values;
+        Self { contact: contact.into(), topic, value, reference, unit, verdict, text, reason: None }
+    }
+}
+
+/// Something that the audit of a finished run warns of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AuditWarning {
+    /// What it is about.
+    pub caution: Caution,
+    /// A warning, unless it is allowed.
+    pub verdict: Verdict,
+    /// What was found, and what to do.
+    pub text: String,
+    /// Why it is allowed, in the words of whoever allowed it.
+    pub reason: Option<String>,
+}
+
 impl Verdict {
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -118,15 +148,30 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     all
 }
 
-/// Takes their weight from notes and warnings that are allowed: `reason` gives the reason for a topic, where there is one. They stay
+/// Takes their weight from notes and warnings that are allowed: `reason` gives the reason for a code, where there is one. They stay
 /// among the findings, with it. What is fine stays fine.
-pub fn allow<'r>(advice: &mut [Advice], reason: impl Fn(Topic) -> Option<&'r str>) {
+pub fn allow<'r>(advice: &mut [Advice], reason: impl Fn(Code) -> Option<&'r str>) {
     for one in advice.iter_mut().filter(|one| one.verdict > Verdict::Allowed) {
-        if let Some(reason) = reason(one.topic) {
+        if let Some(reason) = reason(one.topic.into()) {
             one.verdict = Verdict::Allowed;
             one.reason = Some(reason.to_owned());
         }
     }
+}
+
+/// What the audit of a finished run warns of: conditions of contacts, things inside each other, blows that were shared, impulses that are
+/// properties of the mesh (unless `advice`, all that was found, has it), balances that do not close. `reason` is that of [`allow`].
+pub fn audit<'r>(
+    run: &RunSummary,
+    advice: &[Advice],
+    reason: impl Fn(Code) -> Option<&'r str>,
+) -> Vec<AuditWarning> {
+    let warning = |(caution, text): (Caution, String)| {
+        let reason = reason(caution.into()).map(str::to_owned);
+        let verdict = if reason.is_some() { Verdict::Allowed } else { Verdict::Warning };
+        AuditWarning { caution, verdict, text, reason }
+    };
+    audit::warnings(run, advice).into_iter().map(warning).collect()
 }
 
 /// The results of a run beside the hand formulas whose case they are, contact after contact.

@@ -44,19 +44,7 @@ fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool)
         }
         _ => return None,
     };
-    let contact = contact.name.clone();
-    let values = (since, settings.end);
-    let (value, reference) = values;
-    Some(Advice {
-        contact,
-        topic: Topic::Ending,
-        value,
-        reference,
-        unit: "s",
-        verdict,
-        text,
-        reason: None,
-    })
+    Some(Advice::new(&contact.name, Topic::Ending, [since, settings.end], "s", verdict, text))
 }
 
 /// Number of impacts.
@@ -96,16 +84,8 @@ fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
          this mesh and step, and finer ones have larger ones; take impulses and displacements, or give the contact a compliance",
         quantity(largest, "N")
     );
-    Some(Advice {
-        contact: contact.name.clone(),
-        topic: Topic::Reactions,
-        value: largest,
-        reference: f64::NAN,
-        unit: "N",
-        verdict: Verdict::Note,
-        text,
-        reason: None,
-    })
+    let values = [largest, f64::NAN];
+    Some(Advice::new(&contact.name, Topic::Reactions, values, "N", Verdict::Note, text))
 }
 
 /// A beam of Green's strain that is compressed so far that another measure would say something else.
@@ -134,16 +114,6 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
         digits(least.time),
         digits(50.0 * strain / (1.0 - 0.5 * strain).max(0.5))
     );
-    let (contact, unit) = (format!("beam {}", beam.name()), "1");
-    let (value, reference) = (strain, STRAINS[0]);
-    Some(Advice {
-        contact,
-        topic: Topic::Strain,
-        value,
-        reference,
-        unit,
-        verdict,
-        text,
-        reason: None,
-    })
+    let contact = format!("beam {}", beam.name());
+    Some(Advice::new(contact, Topic::Strain, [strain, STRAINS[0]], "1", verdict, text))
 }

@@ -65,17 +65,7 @@ fn slip(
     verdict: Verdict,
     text: String,
 ) -> Advice {
-    let [value, reference] = values;
-    Advice {
-        contact: part.to_owned(),
-        topic: Topic::Slip,
-        value,
-        reference,
-        unit,
-        verdict,
-        text,
-        reason: None,
-    }
+    Advice::new(part, Topic::Slip, values, unit, verdict, text)
 }
 
 /// Length, section, material of a beam, and its lowest period against the step.

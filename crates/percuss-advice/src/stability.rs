@@ -22,16 +22,6 @@ pub fn of_the_start(model: &Model, settings: &Settings) -> Option<Advice> {
     let text = "the static equilibrium that the run starts from is unstable, the loads are beyond those under which the structure \
                 buckles: the least disturbance takes it away from there; see `percuss static` for the load factor"
         .to_owned();
-    let contact = "start".to_owned();
     let (topic, verdict) = (Topic::Stability, Verdict::Warning);
-    Some(Advice {
-        contact,
-        topic,
-        value: f64::NAN,
-        reference: f64::NAN,
-        unit: "1",
-        verdict,
-        text,
-        reason: None,
-    })
+    Some(Advice::new("start", topic, [f64::NAN; 2], "1", verdict, text))
 }

@@ -86,8 +86,7 @@ fn advice(beam: &str, [share, from, to]: [f64; 3]) -> Advice {
     );
     let verdict = if share < SHARES[1] { Verdict::Note } else { Verdict::Warning };
     let contact = format!("beam {beam}");
-    let (topic, reference) = (Topic::Taper, SHARES[0]);
-    Advice { contact, topic, value: share, reference, unit: "1", verdict, text, reason: None }
+    Advice::new(contact, Topic::Taper, [share, SHARES[0]], "1", verdict, text)
 }
 
 #[cfg(test)]

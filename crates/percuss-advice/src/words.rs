@@ -16,6 +16,7 @@ pub fn quantity(value: f64, unit: &str) -> String {
 
 /// Three significant digits.
 pub fn digits(value: f64) -> String {
+    let value = value + 0.0; // -0 is 0
     if value == 0.0 || !value.is_finite() {
         return value.to_string();
     }
@@ -50,6 +51,7 @@ mod tests {
             (7.5e5, "N/m", "750 kN/m"),
             (91.158, "kg", "91.2 kg"),
             (0.0, "m", "0 m"),
+            (-0.0, "kg", "0 kg"),
             (1e-4, "s", "100 us"),
             (1e3, "N", "1 kN"),
             (0.002, "m/s", "0.002 m/s"),

@@ -1,9 +1,9 @@
-//! A page for each code of a fault or a finding, with an example that provokes it.
+//! A page for each code of an error or a warning, with an example that provokes it.
 
 use std::io;
 use std::path::Path;
 
-use percuss_codes::Code;
+use percuss_codes::{Code, Group};
 use toml_edit::{DocumentMut, Item, TableLike};
 
 use crate::desk::Desk;
@@ -32,6 +32,11 @@ impl Provocations {
         text.parse().map(Self).map_err(io::Error::other)
     }
 
+    /// The test that provokes a code which no example on a page can, as `FILE::NAME`.
+    pub fn test(&self, code: Code) -> Option<&str> {
+        self.0.get(code.code)?.as_table_like()?.get("test")?.as_str()
+    }
+
     /// Provokes a code: writes the scenario, changes it, runs the command.
     ///
     /// # Errors
@@ -47,9 +52,26 @@ impl Provocations {
             return Ok(Provoked { page, faults });
         };
         let word = |key: &str| how.get(key).and_then(Item::as_str);
+        let cure = word("cure")
+            .map_or(String::new(), |cure| format!("\n## The cure\n\n{}\n", cure.trim()));
+        if word("test").is_some() {
+            let text = format!("{}\n{cure}", head.trim_end());
+            return Ok(Provoked {
+                page: Page { path: format!("codes/{id}.md"), title, text },
+                faults,
+            });
+        }
         let template = word("template").unwrap_or("elastic");
         desk.run(&format!("percuss new {template} --out my.toml"))?;
-        let example = change(how, desk, &mut faults)?;
+        let mut example = change(how, desk, &mut faults)?;
+        if let Some(study) = word("study") {
+            let text = self.0.get("studies").and_then(|all| all.get(study)).and_then(Item::as_str);
+            let text = text.unwrap_or_default().trim_start();
+            desk.put("study.toml", text)?;
+            example.push_str(&format!(
+                "and this study of it, `study.toml`,\n\n```toml\n{text}```\n\n"
+            ));
+        }
         let command = word("run").unwrap_or("percuss check my.toml");
         let outcome = desk.run(command)?;
         if !outcome.text.contains(&format!("[{id}]")) {
@@ -61,9 +83,7 @@ impl Provocations {
             "{head}## An example\n\nIn the scenario of `percuss new {template} --out my.toml`{example}"
         );
         text.push_str(&format!("```console\n$ {command}\n{}\n```\n", told.join("\n")));
-        if let Some(cure) = word("cure") {
-            text.push_str(&format!("\n## The cure\n\n{}\n", cure.trim()));
-        }
+        text.push_str(&cure);
         Ok(Provoked { page: Page { path: format!("codes/{id}.md"), title, text }, faults })
     }
 }
@@ -105,24 +125,23 @@ fn paragraph(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The list of all codes.
+/// The list of all codes, in their groups.
 pub fn index() -> Page {
-    let line = |one: Code| format!("| [{0}]({0}.md) | {1} |\n", one.code, one.name);
-    let (faults, findings): (Vec<Code>, Vec<Code>) =
-        Code::all().into_iter().partition(|one| one.is_error());
-    let table = |of: Vec<Code>| {
-        format!("| code | about |\n|---|---|\n{}\n", of.into_iter().map(line).collect::<String>())
+    let line = |one: &Code| format!("| [{0}]({0}.md) | {1} |\n", one.code, one.name);
+    let section = |group: &Group| {
+        let codes: String = group.codes.iter().map(line).collect();
+        format!("## {}\n\n{}\n\n| code | about |\n|---|---|\n{codes}\n", group.name, group.about)
     };
+    let sections: String = Code::groups().iter().map(section).collect();
     let text = format!(
         "# Errors and warnings\n\n\
-         Every message of `percuss check` and `percuss run` about a file or a run ends with a code in brackets. The code stays the same from version to \
-         version; `percuss explain W002` prints what stands here, and `--deny W002` makes a command fail where the advisor finds it.\n\n\
-         ## Faults\n\nA file with a fault is not run. All faults of a file are told at once.\n\n{}\
-         ## Findings of the advisor\n\nA run goes on; its results may not mean what they seem to. What you know of and accept in a scenario is allowed \
-         there, with the reason: it is then neither warned about nor denied, and stays visible on the page and in `summary.json`.\n\n\
-         ```toml\n[allow]\nW007 = \"the beam is meant to be short\"\n```\n\n{}",
-        table(faults),
-        table(findings)
+         Every error and every warning ends with a code in brackets. The code stays the same from version to version; `percuss explain W002` \
+         prints what stands here. It stands in `summary.json` and in the tables of studies too, and exceptions of the Python package have it as \
+         `.code`.\n\n\
+         `--deny W002`, of `run` and `check`, makes a warning a failure. What you know of and accept in a scenario is allowed there, with the \
+         reason: it is then neither warned about nor denied, and stays visible on the page and in `summary.json`. Findings of the advisor and \
+         what the audit of a run warns of (W101 to W105) can be allowed; errors cannot, nor warnings that tell how a command went.\n\n\
+         ```toml\n[allow]\nW007 = \"the beam is meant to be short\"\nW105 = \"the midpoint rule is what I look at\"\n```\n\n{sections}"
     );
     Page { path: "codes/index.md".into(), title: "Errors and warnings".into(), text }
 }

@@ -1,13 +1,14 @@
-//! What the advisor says of a run, before it and after it.
+//! What the advisor says of a run, before it and after it, what its audit warns of, and what of all that is denied.
 
-use percuss_advice::{Advice, Topic, Verdict, allow};
+use percuss_advice::{Advice, AuditWarning, Verdict, allow};
+use percuss_codes::{Caution, Code};
 use percuss_scenario::Content;
 
 use crate::terminal;
 
 /// Takes what the scenario allows from the warnings among the findings; they stay there with the reason.
 pub fn judge(advice: &mut [Advice], content: &Content) {
-    allow(advice, |topic| content.reason_to_allow(topic));
+    allow(advice, |code| content.reason_to_allow(code));
 }
 
 /// Tells notes and warnings, a line each, those said of several contacts once; what is fine stands in the report.
@@ -22,34 +23,66 @@ pub fn tell(advice: &[Advice]) {
             1 => one.contact.clone(),
             all => format!("{} and {} more", one.contact, all - 1),
         };
-        let (name, code) = (one.topic.name(), one.topic.code());
-        let reason = one.reason.as_ref().map_or(String::new(), |why| format!(" (reason: {why})"));
-        let text = format!("{contact}, {name}: {}{reason} [{code}]", one.text);
-        match one.verdict {
-            Verdict::Fine => {}
-            Verdict::Allowed => terminal::allowed(&text),
-            Verdict::Note => terminal::note(&text),
-            Verdict::Warning => terminal::warning(&text),
-        }
+        let text = format!("{contact}, {}: {}", one.topic.name(), one.text);
+        say(one.topic.into(), one.verdict, (&text, one.reason.as_deref()));
     }
 }
 
-/// Tells of codes that the scenario allows though nothing of them was found. `of` is what could be found.
-pub fn tell_in_vain(content: &Content, advice: &[Advice], of: impl Fn(Topic) -> bool) {
-    for one in content.allow.iter().filter(|one| of(one.topic)) {
-        if !advice.iter().any(|a| a.topic == one.topic && a.verdict > Verdict::Fine) {
-            let code = one.topic.code();
-            terminal::note(&format!(
-                "[allow] {code}: nothing of this kind was found ({}); the line can be left out [{code}]",
-                one.topic.name()
-            ));
-        }
+/// Tells what the audit of a run warns of.
+pub fn tell_audit(warnings: &[AuditWarning]) {
+    for one in warnings {
+        say(one.caution.into(), one.verdict, (&one.text, one.reason.as_deref()));
     }
 }
 
-/// Notes and warnings whose topics are denied.
-pub fn denied(advice: &[Advice], topics: &[Topic]) -> Vec<String> {
-    let found = advice.iter().filter(|a| a.verdict > Verdict::Allowed && topics.contains(&a.topic));
-    let text = |a: &Advice| format!("{}: {} [{}] is denied", a.contact, a.text, a.topic.code());
-    found.map(text).collect()
+/// A line, and the reason why it is allowed.
+fn say(code: Code, verdict: Verdict, (text, reason): (&str, Option<&str>)) {
+    let reason = reason.map_or(String::new(), |why| format!(" (reason: {why})"));
+    let text = format!("{text}{reason}");
+    match verdict {
+        Verdict::Fine => {}
+        Verdict::Allowed => terminal::allowed(code, &text),
+        Verdict::Note => terminal::note(code, &text),
+        Verdict::Warning => terminal::warning(code, &text),
+    }
+}
+
+/// Tells of codes that the scenario allows though nothing of them was found. `found` are those that were, `of` is what could be.
+pub fn tell_in_vain(content: &Content, found: &[Code], of: impl Fn(Code) -> bool) {
+    for one in content.allow.iter().filter(|one| of(one.code) && !found.contains(&one.code)) {
+        let Code { code, name, .. } = one.code;
+        let text = format!(
+            "[allow] {code}: nothing of this kind was found ({name}); the line can be left out"
+        );
+        terminal::note(one.code, &text);
+    }
+}
+
+/// Codes of what was found, allowed or not.
+pub fn codes(advice: &[Advice], warnings: &[AuditWarning]) -> Vec<Code> {
+    let told = advice.iter().filter(|one| one.verdict > Verdict::Fine);
+    told.map(|one| one.topic.into()).chain(warnings.iter().map(|one| one.caution.into())).collect()
+}
+
+/// Notes and warnings whose codes are denied.
+pub fn denied(advice: &[Advice], codes: &[Code]) -> Vec<String> {
+    let found = advice.iter().filter(|a| a.verdict > Verdict::Allowed);
+    let found = found.map(|a| (a.topic.into(), format!("{}: {}", a.contact, a.text)));
+    found.filter_map(|(code, text)| refused(code, &text, codes)).collect()
+}
+
+/// The same of what the audit warns of.
+pub fn denied_of_audit(warnings: &[AuditWarning], codes: &[Code]) -> Vec<String> {
+    let found = warnings.iter().filter(|one| one.verdict > Verdict::Allowed);
+    found.filter_map(|one| refused(one.caution.into(), &one.text, codes)).collect()
+}
+
+/// Warns of how the command went; the failure that it is, if it is denied.
+pub fn warn(caution: Caution, text: &str, codes: &[Code]) -> Option<String> {
+    terminal::warning(caution, text);
+    refused(caution.into(), text, codes)
+}
+
+fn refused(code: Code, text: &str, codes: &[Code]) -> Option<String> {
+    codes.contains(&code).then(|| format!("{} is denied", code.behind(text)))
 }

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 
-use percuss_advice::Topic;
 use percuss_codes::Code;
 
 use crate::commands::explain;
@@ -136,7 +135,7 @@ pub enum Command {
     /// How far results depend on step and mesh: observed orders, limits with uncertainty, the cheapest settings for an accuracy
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
-    /// Say what the code of a finding (W002) or a fault (E006) means and what to do; without one, list them
+    /// Say what the code of a warning (W002) or an error (E006) means and what to do; without one, list them
     Explain(Explain),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
@@ -168,9 +167,9 @@ pub struct Check {
     /// Change a value of the scenario, such as time.step=1e-5; may be given again
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Fail if the advisor finds something of this code, such as W002; may be given again
+    /// Fail if there is a warning of this code, such as W002; may be given again
     #[arg(long, value_name = "CODE", value_parser = code)]
-    pub deny: Vec<Topic>,
+    pub deny: Vec<Code>,
 }
 
 /// Arguments of `sweep`.

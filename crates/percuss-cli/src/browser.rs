@@ -2,12 +2,9 @@
 
 use std::path::Path;
 
-use crate::terminal;
-
-/// Opens a page in the browser; where nothing can open it, says so: the page is there all the same.
-pub fn open(page: &Path) {
+/// Opens a page in the browser; what is to be warned of where nothing can open it: the page is there all the same.
+pub fn open(page: &Path) -> Option<String> {
     let whole = page.canonicalize().unwrap_or_else(|_| page.to_owned());
-    if let Err(error) = open::that_detached(&whole) {
-        terminal::warning(&format!("nothing here opens {}: {error}", whole.display()));
-    }
+    let error = open::that_detached(&whole).err()?;
+    Some(format!("nothing here opens {}: {error}", whole.display()))
 }

@@ -29,7 +29,10 @@ static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// # Errors
 /// If the system does not allow it.
 pub fn install() -> Result<(), Failure> {
-    listen().map_err(|error| Failure::System(format!("cannot take over Ctrl-C: {error}")))
+    listen().map_err(|error| {
+        let text = format!("cannot take over Ctrl-C: {error}");
+        Failure::System(percuss_codes::FileCode::System.into(), text)
+    })
 }
 
 /// From here on the first signal is only noted: the command asks [`requested`] between its steps.

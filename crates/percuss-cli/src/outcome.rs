@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::process::ExitCode;
 
+use percuss_codes::{Code, FileCode, RequestCode};
 use percuss_scenario::Diagnostics;
 
 use crate::terminal;
@@ -54,23 +55,31 @@ pub enum Failure {
         /// Whether `--set` changed the file, so that lines may have moved.
         changed: bool,
     },
+    /// Warnings that are denied.
+    Denied(Vec<String>),
     /// The input is wrong.
-    Input(String),
+    Input(Code, String),
     /// The system refused.
-    System(String),
+    System(Code, String),
 }
 
 impl Failure {
+    /// The input is wrong.
+    pub fn input(code: impl Into<Code>, text: impl Into<String>) -> Self {
+        Self::Input(code.into(), text.into())
+    }
+
     /// The system refused to do something with a file.
     pub fn system(path: &Path, doing: &str, error: &std::io::Error) -> Self {
-        Self::System(format!("{}: cannot {doing}: {error}", path.display()))
+        let text = format!("{}: cannot {doing}: {error}", path.display());
+        Self::System(FileCode::System.into(), text)
     }
 
     /// The exit status that goes with it.
     pub fn status(&self) -> Status {
         match self {
-            Self::Faults { .. } | Self::Input(_) => Status::Input,
-            Self::System(_) => Status::System,
+            Self::Faults { .. } | Self::Denied(_) | Self::Input(..) => Status::Input,
+            Self::System(..) => Status::System,
         }
     }
 
@@ -83,33 +92,36 @@ impl Failure {
                     Some(width) if in_the_file => {
                         terminal::tell(&faults.fancy(terminal::colored(), width));
                     }
-                    Some(_) => terminal::error(&faults.coded()),
+                    Some(_) => terminal::say_error(&faults.coded()),
                     None => terminal::tell(&faults.coded()),
                 }
                 if *changed && in_the_file {
                     terminal::tell("(lines are those of the file with the --set changes made)");
                 }
             }
-            Self::Input(text) | Self::System(text) => terminal::error(text),
+            Self::Denied(all) => {
+                all.iter().for_each(|one| terminal::error(RequestCode::Denied, one))
+            }
+            Self::Input(code, text) | Self::System(code, text) => terminal::error(*code, text),
         }
     }
 }
 
 impl From<percuss_output::Error> for Failure {
     fn from(error: percuss_output::Error) -> Self {
-        if error.is_refused() || error.is_content() {
-            Self::Input(error.to_string())
-        } else {
-            Self::System(error.to_string())
+        let (code, text) = (error.code().into(), error.to_string());
+        match error.is_refused() || error.is_content() {
+            true => Self::Input(code, text),
+            false => Self::System(code, text),
         }
     }
 }
 
 impl From<percuss_pictures::Error> for Failure {
     fn from(error: percuss_pictures::Error) -> Self {
-        match error {
-            percuss_pictures::Error::Input(text) => Self::Input(text),
-            percuss_pictures::Error::System(text) => Self::System(text),
+        match error.is_input() {
+            true => Self::Input(error.code(), error.to_string()),
+            false => Self::System(error.code(), error.to_string()),
         }
     }
 }
@@ -117,8 +129,8 @@ impl From<percuss_pictures::Error> for Failure {
 impl From<percuss_study::Error> for Failure {
     fn from(error: percuss_study::Error) -> Self {
         match error.is_unfit() {
-            true => Self::Input(error.to_string()),
-            false => Self::System(error.to_string()),
+            true => Self::Input(error.code(), error.to_string()),
+            false => Self::System(error.code(), error.to_string()),
         }
     }
 }

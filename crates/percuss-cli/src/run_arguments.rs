@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum, ValueHint};
 
-use percuss_advice::Topic;
+use percuss_codes::Code;
 use percuss_output::HistoryFormat;
 
 use crate::picture_arguments;
@@ -77,18 +77,25 @@ pub struct Run {
     /// is none
     #[arg(long)]
     pub resume: bool,
-    /// Fail if the advisor finds something of this code, such as W002 (`percuss explain` lists them): before the run with status
-    /// 2, after it with 4; may be given again
+    /// Fail if there is a warning of this code, such as W002 or W105 (`percuss explain` lists them): before the run with status 2,
+    /// after it with 4; may be given again
     #[arg(long, value_name = "CODE", value_parser = code)]
-    pub deny: Vec<Topic>,
+    pub deny: Vec<Code>,
     /// Say nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
 
-/// The topic of a code.
-pub fn code(text: &str) -> Result<Topic, String> {
-    Topic::of_code(text).ok_or_else(|| "no such code; `percuss explain` lists them".into())
+/// A warning, by its code.
+pub fn code(text: &str) -> Result<Code, String> {
+    match Code::find(text) {
+        Some(code) if code.is_error() => Err(format!(
+            "{code} is an error ({}), which ends a command whatever is denied; expected the code of a warning",
+            code.name
+        )),
+        Some(code) => Ok(code),
+        None => Err("no such code; `percuss explain` lists them".into()),
+    }
 }
 
 /// How often something is done.

@@ -6,6 +6,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 use percuss::{Fault, mechanisms};
+use percuss_codes::RequestCode;
 use percuss_scenario::{
     Compiled, Diagnostics, FileAccess, Scenario, load_with, read_bytes, read_in_time, read_with,
 };
@@ -64,9 +65,12 @@ impl Ready {
     pub fn refuse_without_beam(&self, what: &str) -> Result<(), Failure> {
         match self.compiled.model.beam_names().next() {
             Some(_) => Ok(()),
-            None => Err(Failure::Input(format!(
-                "there is no beam in this scene: {what} are those of beams; `percuss run` simulates it"
-            ))),
+            None => Err(Failure::input(
+                RequestCode::NoBeam,
+                format!(
+                    "there is no beam in this scene: {what} are those of beams; `percuss run` simulates it"
+                ),
+            )),
         }
     }
 

@@ -2,6 +2,8 @@
 
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
+use percuss_codes::{Code, FileCode};
+
 use crate::outcome::Failure;
 
 /// Writes a line to standard error; if that is closed there is nobody to tell.
@@ -11,24 +13,29 @@ pub fn tell(text: &str) {
     let _ = stderr.write_all(b"\n");
 }
 
-/// Tells what is wrong.
-pub fn error(text: &str) {
+/// Tells what is wrong, with its code.
+pub fn error(code: impl Into<Code>, text: &str) {
+    say_error(&code.into().behind(text));
+}
+
+/// The same of a text that has its codes.
+pub fn say_error(text: &str) {
     tell(&format!("{} {text}", painted("error:", "1;31")));
 }
 
-/// Tells what deserves attention.
-pub fn warning(text: &str) {
-    tell(&format!("{} {text}", painted("warning:", "1;33")));
+/// Tells what deserves attention, with its code.
+pub fn warning(code: impl Into<Code>, text: &str) {
+    tell(&format!("{} {}", painted("warning:", "1;33"), code.into().behind(text)));
 }
 
-/// Tells what is worth knowing.
-pub fn note(text: &str) {
-    tell(&format!("{} {text}", painted("note:", "1;36")));
+/// Tells what is worth knowing, with its code.
+pub fn note(code: Code, text: &str) {
+    tell(&format!("{} {}", painted("note:", "1;36"), code.behind(text)));
 }
 
-/// Tells what was found and is allowed.
-pub fn allowed(text: &str) {
-    tell(&format!("{} {text}", painted("allowed:", "1;36")));
+/// Tells what was found and is allowed, with its code.
+pub fn allowed(code: Code, text: &str) {
+    tell(&format!("{} {}", painted("allowed:", "1;36"), code.behind(text)));
 }
 
 /// Writes to standard output. A reader that has seen enough (`| head`) is no error.
@@ -39,7 +46,8 @@ pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::System(format!("standard output: cannot write: {error}")))
+            let text = format!("standard output: cannot write: {error}");
+            Err(Failure::System(FileCode::System.into(), text))
         }
         _ => Ok(()),
     }

@@ -4,11 +4,30 @@
 #[macro_use]
 mod catalogue;
 
+mod analyses;
+mod cautions;
 mod faults;
+mod files;
 mod findings;
+mod requests;
 
+pub use analyses::AnalysisCode;
+pub use cautions::Caution;
 pub use faults::FaultCode;
+pub use files::FileCode;
 pub use findings::Topic;
+pub use requests::RequestCode;
+
+/// Codes that belong together, in the order of their numbers.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// What they tell of.
+    pub name: &'static str,
+    /// What that means for whoever reads one.
+    pub about: &'static str,
+    /// The codes.
+    pub codes: Vec<Code>,
+}
 
 /// An entry of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -22,11 +41,56 @@ pub struct Code {
 }
 
 impl Code {
+    /// All of them in their groups: errors, then warnings.
+    pub fn groups() -> [Group; 6] {
+        [
+            Group {
+                name: "Faults of scenarios, studies and changes",
+                about: "A file with a fault is not run. All faults of a file are told at once.",
+                codes: FaultCode::ALL.map(Self::from).into(),
+            },
+            Group {
+                name: "Analyses that give up",
+                about: "The file is sound, and the solver has no result, or none up to the end.",
+                codes: AnalysisCode::ALL.map(Self::from).into(),
+            },
+            Group {
+                name: "Files and directories",
+                about: "Results could not be read or written. What was there stays as it was.",
+                codes: FileCode::ALL.map(Self::from).into(),
+            },
+            Group {
+                name: "Studies, clusters and requests",
+                about: "A command cannot do what it was asked for.",
+                codes: RequestCode::ALL.map(Self::from).into(),
+            },
+            Group {
+                name: "Findings of the advisor",
+                about: "A run goes on; its results may not mean what they seem to.",
+                codes: Topic::ALL.map(Self::from).into(),
+            },
+            Group {
+                name: "Warnings of runs and commands",
+                about: "W101 to W105 are what the audit of a finished run found; the others tell how a command went.",
+                codes: Caution::ALL.map(Self::from).into(),
+            },
+        ]
+    }
+
     /// All of them: errors, then warnings, each in the order of their codes.
     pub fn all() -> Vec<Self> {
-        let mut all: Vec<Self> = FaultCode::ALL.map(Self::from).into();
-        all.extend(Topic::ALL.map(Self::from));
-        all
+        Self::groups().into_iter().flat_map(|group| group.codes).collect()
+    }
+
+    /// Those that a scenario may allow: the advisor's findings and what the audit of a run tells.
+    pub fn allowable() -> Vec<Self> {
+        let audit = Caution::ALL.into_iter().filter(|one| one.is_of_the_audit());
+        Topic::ALL.into_iter().map(Self::from).chain(audit.map(Self::from)).collect()
+    }
+
+    /// A message with the code behind it, as every message has it: `no such file [E001]`.
+    pub fn behind(self, text: impl std::fmt::Display) -> String {
+        format!("{text} [{}]", self.code)
     }
 
     /// The one of a code, written in large or small letters.

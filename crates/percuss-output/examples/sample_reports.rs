@@ -76,6 +76,7 @@ fn table_tennis(out: &Path) -> Result<(), RecorderError> {
         settings: &settings,
         wall_seconds: 0.1,
         advice: &advice,
+        warnings: &[],
         comparisons: &comparisons,
     };
     write_summary(dir.path(), &summary_value(&run, info))?;
@@ -112,6 +113,7 @@ fn sample(
         settings: &settings,
         wall_seconds: 0.0421,
         advice: &advice,
+        warnings: &[],
         comparisons: &comparisons,
     };
     write_summary(dir.path(), &summary_value(&run, info))?;

@@ -56,6 +56,7 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
         "section_forces": forces.collect::<Map<_, _>>(),
         "linear_buckling": linear.modes.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
         "linear_buckling_note": linear.outcome.reason(),
+        "linear_buckling_code": linear.outcome.code().map(percuss::Caution::code),
         "follower_stability": linear.stability.map(stability),
     })
 }

@@ -3,19 +3,14 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use percuss_codes::FileCode;
+
 /// Why a file or directory could not be written or read.
 #[derive(Debug)]
 pub struct Error {
     path: PathBuf,
     reason: String,
-    kind: Kind,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Io,
-    Content,
-    Refused,
+    code: FileCode,
 }
 
 impl Error {
@@ -24,18 +19,23 @@ impl Error {
         Self {
             path: path.as_ref().to_owned(),
             reason: format!("cannot {doing}: {source}"),
-            kind: Kind::Io,
+            code: FileCode::System,
         }
     }
 
     /// The file is not what it should be.
     pub(crate) fn content(path: impl AsRef<Path>, reason: impl Into<String>) -> Self {
-        Self { path: path.as_ref().to_owned(), reason: reason.into(), kind: Kind::Content }
+        Self::of(FileCode::Content, path, reason)
     }
 
     /// Going on would destroy something.
     pub(crate) fn refused(path: impl AsRef<Path>, reason: impl Into<String>) -> Self {
-        Self { path: path.as_ref().to_owned(), reason: reason.into(), kind: Kind::Refused }
+        Self::of(FileCode::Foreign, path, reason)
+    }
+
+    /// Anything else of the catalogue.
+    pub(crate) fn of(code: FileCode, path: impl AsRef<Path>, reason: impl Into<String>) -> Self {
+        Self { path: path.as_ref().to_owned(), reason: reason.into(), code }
     }
 
     /// The file or directory concerned.
@@ -43,14 +43,19 @@ impl Error {
         &self.path
     }
 
-    /// Whether an output directory was refused because it holds something else than a run.
+    /// Its code in the catalogue.
+    pub fn code(&self) -> FileCode {
+        self.code
+    }
+
+    /// Whether an output directory was refused: it holds something else than a run, or another process writes into it.
     pub fn is_refused(&self) -> bool {
-        self.kind == Kind::Refused
+        self.code.is_refused()
     }
 
     /// Whether a file was read but is not what it should be.
     pub fn is_content(&self) -> bool {
-        self.kind == Kind::Content
+        self.code.is_content()
     }
 }
 

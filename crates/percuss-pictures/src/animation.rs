@@ -136,20 +136,14 @@ fn record(
         Ok(go_on(done))
     })?;
     if told == Told::Done {
-        recorder.finish().map_err(|e| match e {
-            Error::System(reason) => Error::System(format!("{}: {reason}", file.display())),
-            other => other,
-        })?;
+        recorder.finish().map_err(|e| if e.is_input() { e } else { e.at(file) })?;
     }
     Ok(told)
 }
 
 /// What is to be said where ffmpeg is wanted and not there.
 pub fn no_ffmpeg() -> Error {
-    Error::Input(
-        "MP4 is made by ffmpeg, which is not on the PATH; install it, or give a name that ends with .gif or .apng, which need nothing else"
-            .into(),
-    )
+    Error::no_ffmpeg()
 }
 
 enum Recorder {

@@ -3,31 +3,74 @@
 use std::fmt;
 use std::path::Path;
 
+use percuss_codes::{Code, FileCode, RequestCode};
+
 /// Why a picture could not be made.
-#[derive(Debug)]
-pub enum Error {
-    /// What was asked for cannot be had.
-    Input(String),
-    /// The system refused.
-    System(String),
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    text: String,
+    code: Code,
+    input: bool,
 }
 
 impl Error {
     pub(crate) fn io(path: &Path, doing: &str, source: &std::io::Error) -> Self {
-        Self::System(format!("{}: cannot {doing}: {source}", path.display()))
+        let text = format!("{}: cannot {doing}: {source}", path.display());
+        Self { text, code: FileCode::System.into(), input: false }
     }
 
-    /// A fault of a library that well-formed input does not meet.
+    /// Another process has begun to write it.
+    pub(crate) fn busy(path: &Path) -> Self {
+        let text = format!("{}: another process is writing it", path.display());
+        Self { text, code: FileCode::Busy.into(), input: true }
+    }
+
+    /// What makes the picture gave up on what well-formed input does not bring.
     pub(crate) fn drawing(reason: impl fmt::Display) -> Self {
-        Self::System(format!("the picture cannot be drawn: {reason}"))
+        Self::gave_up(format!("the picture cannot be drawn: {reason}"))
+    }
+
+    /// The same, told by what gave up.
+    pub(crate) fn gave_up(text: String) -> Self {
+        Self { text, code: FileCode::Drawing.into(), input: false }
+    }
+
+    /// The shapes of the run are not what they should be.
+    pub(crate) fn content(text: impl Into<String>) -> Self {
+        Self { text: text.into(), code: FileCode::Content.into(), input: true }
+    }
+
+    /// What was asked for is beyond what its format can hold.
+    pub(crate) fn beyond(text: impl Into<String>) -> Self {
+        Self { text: text.into(), code: RequestCode::PictureBounds.into(), input: true }
+    }
+
+    /// MP4 was asked for.
+    pub(crate) fn no_ffmpeg() -> Self {
+        let text = "MP4 is made by ffmpeg, which is not on the PATH; install it, or give a name that ends with .gif or .apng, which need \
+                    nothing else";
+        Self { text: text.into(), code: FileCode::Ffmpeg.into(), input: true }
+    }
+
+    /// The same fault, of something at a place.
+    pub fn at(self, place: &Path) -> Self {
+        Self { text: format!("{}: {}", place.display(), self.text), ..self }
+    }
+
+    /// Its code in the catalogue.
+    pub fn code(&self) -> Code {
+        self.code
+    }
+
+    /// Whether what was asked for cannot be had; else the system refused, or what draws gave up.
+    pub fn is_input(&self) -> bool {
+        self.input
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Input(text) | Self::System(text) => f.write_str(text),
-        }
+        f.write_str(&self.text)
     }
 }
 

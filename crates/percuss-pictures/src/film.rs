@@ -50,7 +50,7 @@ impl Film {
     /// # Errors
     /// If frames do not fit the scene, or displacements may not be drawn larger than they are.
     pub fn open(fields: &Fields, look: &Look) -> Result<Self, Error> {
-        percuss_output::paraview::check(fields).map_err(|e| Error::Input(e.to_string()))?;
+        percuss_output::paraview::check(fields).map_err(|e| Error::content(e.to_string()))?;
         let runtime = Runtime::new().map_err(Error::drawing)?;
         runtime.set_max_stack_size(STACK);
         let context = Context::full(&runtime).map_err(Error::drawing)?;
@@ -62,8 +62,8 @@ impl Film {
         })?;
         let about: Value = serde_json::from_str(&about).map_err(Error::drawing)?;
         if look.exaggeration != 1.0 && about["exaggerable"] != true {
-            return Err(Error::Input(
-                "displacements drawn larger than they are would let bodies overlap that do not; leave --exaggeration out".into(),
+            return Err(Error::beyond(
+                "displacements drawn larger than they are would let bodies overlap that do not; leave --exaggeration out",
             ));
         }
         let pair = |value: &Value| Some([value[0].as_f64()?, value[1].as_f64()?]);
@@ -136,5 +136,5 @@ fn fault(error: CaughtError<'_>) -> Error {
         CaughtError::Exception(exception) => exception.message().unwrap_or_default(),
         other => other.to_string(),
     };
-    Error::Input(format!("fields/scene.json is damaged and cannot be drawn ({reason})"))
+    Error::content(format!("fields/scene.json is damaged and cannot be drawn ({reason})"))
 }

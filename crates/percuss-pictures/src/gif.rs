@@ -83,7 +83,7 @@ impl<W: Write> Gif<W> {
     ) -> Result<Self, Error> {
         let side = |n: u32| {
             u16::try_from(n).map_err(|_| {
-                Error::Input(format!("a GIF has at most 65535 pixels a side, not {n}"))
+                Error::beyond(format!("a GIF has at most 65535 pixels a side, not {n}"))
             })
         };
         let mut global: Vec<u8> = palette.colours.iter().flatten().copied().collect();

@@ -61,8 +61,7 @@ impl Unfinished {
             let opened = options.read(true).write(true).create(true).truncate(false).open(&path);
             let file = opened.map_err(cannot)?;
             if let Err(TryLockError::WouldBlock) = file.try_lock() {
-                let place = out.display();
-                return Err(Error::Input(format!("{place}: another process is writing it")));
+                return Err(Error::busy(out));
             }
             // The one that had it may have put it in place between opening and locking.
             if is_the_same(&file, &path) {

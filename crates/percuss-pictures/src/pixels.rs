@@ -23,7 +23,7 @@ impl Pixels {
     pub fn of_tree(tree: &Tree, size: [u32; 2]) -> Result<Self, Error> {
         let [width, height] = size;
         let mut map = Pixmap::new(width, height)
-            .ok_or_else(|| Error::Input(format!("{width} x {height} pixels cannot be drawn")))?;
+            .ok_or_else(|| Error::beyond(format!("{width} x {height} pixels cannot be drawn")))?;
         map.fill(resvg::tiny_skia::Color::WHITE);
         let scale = [width as f32 / tree.size().width(), height as f32 / tree.size().height()];
         resvg::render(tree, Transform::from_scale(scale[0], scale[1]), &mut map.as_mut());

@@ -1,7 +1,7 @@
 //! Natural modes and static equilibrium for Python.
 
 use percuss::{
-    Start, buckling_in_contact, equilibrium, equilibrium_path, modes_about,
+    AnalysisCode, Start, buckling_in_contact, equilibrium, equilibrium_path, modes_about,
     modes_about_equilibrium, reference_state,
 };
 use percuss_output::{ModesInfo, equilibrium_value, modes_value, path_value};
@@ -31,17 +31,15 @@ pub fn modes<'py>(
         let found = py.detach(|| {
             equilibrium(model).map(|e| (modes_about_equilibrium(model, &e, count), e.state))
         });
-        found.map_err(|error| analysis_error(py, error.to_string()))?
+        found.map_err(|error| analysis_error(error.code(), &error.to_string()))?
     } else {
         let state = reference_state(model).map_err(|faults| ready.refuse(py, faults))?;
         (py.detach(|| modes_about(model, &state, count)), state)
     };
     source.raised().map_or(Ok(()), Err)?;
     if modes.is_empty() {
-        return Err(analysis_error(
-            py,
-            "no modes: nothing has mass, or the tangent is singular".into(),
-        ));
+        let text = "no modes: nothing has mass, or the tangent is singular";
+        return Err(analysis_error(AnalysisCode::NoModes, text));
     }
     let info = ModesInfo {
         title: &compiled.title,
@@ -81,8 +79,8 @@ pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bou
         Ok((value, followed.end.state))
     });
     source.raised().map_or(Ok(()), Err)?;
-    let (value, state) =
-        solved.map_err(|error: percuss::Error| analysis_error(py, error.to_string()))?;
+    let told = |error: percuss::Error| analysis_error(error.code(), &error.to_string());
+    let (value, state) = solved.map_err(told)?;
     let result = PyDict::new(py);
     result.set_item("summary", value.to_string())?;
     let displacement = state.displacement.as_flattened().to_vec();

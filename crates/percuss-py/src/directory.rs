@@ -12,7 +12,7 @@ use percuss_output::{
 use pyo3::PyResult;
 use serde_json::Value;
 
-use crate::error::output_error;
+use crate::error::{output_error, system_error};
 
 /// What a run left besides its history.
 pub struct Left<'a> {
@@ -31,7 +31,9 @@ impl Directory {
     /// Prepares it; `scenario` is the text with every default written out.
     pub fn create(target: &Path, scenario: &str, report: bool) -> PyResult<Self> {
         let directory = RunDirectory::create(target).map_err(|error| output_error(&error))?;
-        std::fs::write(directory.path().join("scenario.toml"), scenario)?;
+        let file = directory.path().join("scenario.toml");
+        std::fs::write(&file, scenario)
+            .map_err(|error| system_error(&format!("{}: cannot write: {error}", file.display())))?;
         Ok(Self { directory, report })
     }
 

@@ -1,7 +1,8 @@
 //! Faults of the core as exceptions of the package.
 
+use percuss::AnalysisCode;
+use percuss_codes::{Code, FileCode, RequestCode};
 use percuss_scenario::Diagnostics;
-use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 
 /// `percuss.ScenarioError` with every fault in it.
@@ -11,29 +12,56 @@ pub fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
         .iter()
         .map(|d| {
             let place = |number: usize| (number > 0).then_some(number);
-            (&d.message, &d.help, &d.path, place(d.line), place(d.column))
+            (&d.message, &d.help, &d.path, place(d.line), place(d.column), d.code.code())
         })
         .collect();
-    let made = py.import("percuss._errors").and_then(|module| {
-        module.getattr("ScenarioError")?.call1((diagnostics.to_string(), faults))
-    });
+    let made = py
+        .import("percuss._errors")
+        .and_then(|module| module.getattr("ScenarioError")?.call1((diagnostics.coded(), faults)));
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
 /// `percuss.AnalysisError`: the solver gave up.
-pub fn analysis_error(py: Python<'_>, text: String) -> PyErr {
-    let made = py
-        .import("percuss._errors")
-        .and_then(|module| module.getattr("AnalysisError")?.call1((text,)));
-    made.map_or_else(|error| error, PyErr::from_value)
+pub fn analysis_error(code: AnalysisCode, text: &str) -> PyErr {
+    coded("AnalysisError", code.into(), text)
 }
 
-/// What the results' files met.
+/// What the results' files met: `percuss.InputError` or `percuss.FileError`.
 pub fn output_error(error: &percuss_output::Error) -> PyErr {
-    let text = error.to_string();
-    if error.is_refused() || error.is_content() {
-        PyValueError::new_err(text)
-    } else {
-        PyOSError::new_err(text)
-    }
+    let kind = kind(error.is_refused() || error.is_content());
+    coded(kind, error.code().into(), &error.to_string())
+}
+
+/// What the files of a study met.
+pub fn study_error(error: &percuss_study::Error) -> PyErr {
+    coded(kind(error.is_unfit()), error.code(), &error.to_string())
+}
+
+/// The system refused.
+pub fn system_error(text: &str) -> PyErr {
+    coded("FileError", FileCode::System.into(), text)
+}
+
+/// What receives the rows of a run failed.
+pub fn recorder_error(error: &percuss::Error) -> PyErr {
+    coded("FileError", error.code().into(), &error.to_string())
+}
+
+/// Runs of a study are missing.
+pub fn incomplete(text: &str) -> PyErr {
+    coded("StudyError", RequestCode::MissingShard.into(), text)
+}
+
+fn kind(input: bool) -> &'static str {
+    if input { "InputError" } else { "FileError" }
+}
+
+/// An exception of the package by its name, with its code.
+fn coded(kind: &str, code: Code, text: &str) -> PyErr {
+    Python::attach(|py| {
+        let made = py.import("percuss._errors").and_then(|module| {
+            module.getattr("coded")?.call1((module.getattr(kind)?, text, code.code))
+        });
+        made.map_or_else(|error| error, PyErr::from_value)
+    })
 }

@@ -83,7 +83,7 @@ pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
     let Compiled { model, settings, .. } = &ready.compiled;
     percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(py, faults))?;
     let mut advice = py.detach(|| percuss_advice::advise(model, settings));
-    percuss_advice::allow(&mut advice, |topic| ready.scenario.content().reason_to_allow(topic));
+    percuss_advice::allow(&mut advice, |code| ready.scenario.content().reason_to_allow(code));
     source.raised().map_or(Ok(()), Err)?;
     Ok(advice
         .into_iter()

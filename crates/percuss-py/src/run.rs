@@ -4,14 +4,14 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination};
-use percuss_advice::{advise, compare, review};
+use percuss_advice::{advise, audit, compare, review};
 use percuss_output::fields::FrameStore;
 use percuss_output::{RunInfo, allowances, summary_value};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::directory::{Directory, Left};
-use crate::error::output_error;
+use crate::error::{output_error, recorder_error};
 use crate::fields::to_python;
 use crate::ready::{Ready, Source};
 use crate::recorder::RunRecorder;
@@ -54,7 +54,7 @@ pub fn run<'py>(
     if let Termination::Failed(error) = &ended.summary.termination
         && error.is_recorder()
     {
-        return Err(pyo3::exceptions::PyOSError::new_err(error.to_string()));
+        return Err(recorder_error(error));
     }
     let fields = frames.finish();
     if let Some((directory, history)) = directory.zip(history) {
@@ -96,16 +96,18 @@ fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorde
     let seconds = begun.elapsed().as_secs_f64();
     advice.extend(review(&compiled.model, &compiled.settings, &summary));
     let content = ready.scenario.content();
-    percuss_advice::allow(&mut advice, |topic| content.reason_to_allow(topic));
+    percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));
+    let warnings = audit(&summary, &advice, |code| content.reason_to_allow(code));
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
         settings: &compiled.settings,
         wall_seconds: seconds,
         advice: &advice,
+        warnings: &warnings,
         comparisons: &comparisons,
     };
     let mut value = summary_value(&summary, info);
-    value["allow"] = allowances(&content.allowances(), &advice);
+    value["allow"] = allowances(&content.allowances(), &advice, &warnings);
     Ended { summary, value, seconds }
 }

@@ -1,5 +1,6 @@
 //! Derivatives of results for Python.
 
+use percuss::AnalysisCode;
 use percuss_study::{Differentiated, SensitivityError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,9 +23,8 @@ pub fn sensitivity<'py>(
     let found = py.detach(|| percuss_study::sensitivity(&ready.scenario, &parameters, &results));
     let found = found.map_err(|error| match error {
         SensitivityError::Faults(faults) => scenario_error(py, &faults),
-        SensitivityError::Refused(reason) | SensitivityError::Run(reason) => {
-            analysis_error(py, reason)
-        }
+        SensitivityError::Refused(reason) => analysis_error(AnalysisCode::NoDerivative, &reason),
+        SensitivityError::Run(code, reason) => analysis_error(code, &reason),
     })?;
     let list = |all: &[Differentiated]| -> Vec<(String, f64, String)> {
         all.iter().map(|x| (x.path.clone(), x.value, x.unit.clone())).collect()

@@ -5,13 +5,14 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
 use numpy::IntoPyArray;
+use percuss::AnalysisCode;
 use percuss_scenario::FileAccess;
 use percuss_study::{Done, Folder, Progress, Shard, Values, merge, sweep};
-use pyo3::exceptions::{PyIndexError, PyOSError, PyValueError};
+use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
 
-use crate::error::scenario_error;
+use crate::error::{analysis_error, incomplete, scenario_error, study_error};
 use crate::structure::array;
 
 /// Python is asked this often during a sweep.
@@ -85,7 +86,7 @@ impl Study {
             Some(shard.to_parquet(&self.inner))
         });
         match done {
-            Some(bytes) => Ok(PyBytes::new(py, &bytes.map_err(refused)?)),
+            Some(bytes) => Ok(PyBytes::new(py, &bytes.map_err(|error| study_error(&error))?)),
             None => Err(pyo3::exceptions::PyKeyboardInterrupt::new_err(())),
         }
     }
@@ -112,7 +113,7 @@ impl Study {
         let mut out = Vec::new();
         let merged = merge(&self.inner, shards, &mut out);
         raised.take().map_or(Ok(()), Err)?;
-        merged.map_err(refused)?;
+        merged.map_err(|error| study_error(&error))?;
         Ok(PyBytes::new(py, &out))
     }
 
@@ -159,10 +160,12 @@ impl Study {
             return Err(error);
         }
         match done {
-            Ok(Ok(Done::All)) => py.detach(|| folder.finish(&self.inner)).map_err(refused),
-            Ok(Ok(_)) => Err(PyOSError::new_err("the study is not complete")),
-            Ok(Err(error)) => Err(refused(error)),
-            Err(_) => Err(PyOSError::new_err("a thread of the sweep broke down")),
+            Ok(Ok(Done::All)) => {
+                py.detach(|| folder.finish(&self.inner)).map_err(|error| study_error(&error))
+            }
+            Ok(Ok(_)) => Err(incomplete("the study is not complete")),
+            Ok(Err(error)) => Err(study_error(&error)),
+            Err(_) => Err(analysis_error(AnalysisCode::Broken, "a thread of the sweep broke down")),
         }
     }
 
@@ -182,7 +185,7 @@ impl Study {
             let indices = percuss_study::indices(&self.inner, &table);
             percuss_study::indices_parquet(&self.inner, &indices)
         });
-        bytes.map(Some).map_err(refused)
+        bytes.map(Some).map_err(|error| study_error(&error))
     }
 
     /// `report.html` of the results in a directory.
@@ -191,13 +194,14 @@ impl Study {
         py.detach(|| {
             Ok(percuss_study::report(&self.inner, &folder.results(&self.inner)?, &folder.kept()))
         })
-        .map_err(refused)
+        .map_err(|error| study_error(&error))
     }
 
     /// Columns of `results.parquet` in a directory: (name, unit, role, what it is, values).
     fn results<'py>(&self, py: Python<'py>, directory: PathBuf) -> PyResult<Bound<'py, PyList>> {
         let folder = self.folder(&directory)?;
-        let table = py.detach(|| folder.results(&self.inner)).map_err(refused)?;
+        let table =
+            py.detach(|| folder.results(&self.inner)).map_err(|error| study_error(&error))?;
         let out = PyList::empty(py);
         for (column, values) in table.columns.into_iter().zip(table.values) {
             let values = match values {
@@ -219,11 +223,6 @@ impl Study {
     }
 
     fn folder(&self, directory: &Path) -> PyResult<Folder> {
-        Folder::open(directory, &self.inner).map_err(refused)
+        Folder::open(directory, &self.inner).map_err(|error| study_error(&error))
     }
-}
-
-fn refused(error: percuss_study::Error) -> PyErr {
-    let text = error.to_string();
-    if error.is_unfit() { PyValueError::new_err(text) } else { PyOSError::new_err(text) }
 }

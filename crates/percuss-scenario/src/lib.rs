@@ -51,7 +51,7 @@ mod vary;
 mod words;
 mod write;
 
-pub use code::FaultCode;
+pub use code::{FaultCode, in_one_line};
 pub use compile::Compiled;
 pub use content::Content;
 pub use diagnostic::{Diagnostic, Diagnostics};

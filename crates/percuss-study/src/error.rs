@@ -3,23 +3,40 @@
 use std::fmt;
 use std::path::Path;
 
+use percuss_codes::{Code, FileCode, RequestCode};
+
 /// A file of a study that cannot be read, written or used.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     message: String,
+    code: Code,
     unfit: bool,
 }
 
 impl Error {
     /// The system refused.
     pub(crate) fn io(path: &Path, what: &str, source: impl fmt::Display) -> Self {
-        let message = format!("cannot {what} {}: {source}", path.display());
-        Self { message, unfit: false }
+        Self::system(format!("cannot {what} {}: {source}", path.display()))
+    }
+
+    /// The same, told otherwise.
+    pub(crate) fn system(message: impl Into<String>) -> Self {
+        Self { message: message.into(), code: FileCode::System.into(), unfit: false }
     }
 
     /// What is there is not what it should be; says what to do.
-    pub(crate) fn unfit(message: impl Into<String>) -> Self {
-        Self { message: message.into(), unfit: true }
+    pub(crate) fn unfit(code: RequestCode, message: impl Into<String>) -> Self {
+        Self { message: message.into(), code: code.into(), unfit: true }
+    }
+
+    /// The same fault, of something at a place.
+    pub(crate) fn at(self, place: &Path) -> Self {
+        Self { message: format!("{}: {}", place.display(), self.message), ..self }
+    }
+
+    /// Its code in the catalogue.
+    pub fn code(&self) -> Code {
+        self.code
     }
 
     /// Whether the user gave something that does not fit, such as the directory of another study.

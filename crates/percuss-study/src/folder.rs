@@ -4,9 +4,11 @@ use std::fs;
 use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
 
+use percuss_codes::RequestCode;
+
 use crate::column::Table;
 use crate::error::Error;
-use crate::merge::merge;
+use crate::merge::{merge, missing};
 use crate::parquet;
 use crate::shard::Shard;
 use crate::study::Study;
@@ -42,11 +44,13 @@ impl Folder {
         match fs::read_to_string(&own) {
             Ok(found) if found == text => {}
             Ok(_) => {
-                return Err(folder.refused("holds another study, or an earlier state of this one"));
+                let what = "holds another study, or an earlier state of this one";
+                return Err(folder.refused(RequestCode::OtherStudy, what));
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 if folder.is_taken()? {
-                    return Err(folder.refused("is not empty and holds no study"));
+                    let what = "is not empty and holds no study";
+                    return Err(folder.refused(RequestCode::OtherStudy, what));
                 }
                 fs::create_dir_all(folder.path.join(SHARDS))
                     .map_err(|e| Error::io(&folder.path, "create", e))?;
@@ -71,9 +75,9 @@ impl Folder {
         }
     }
 
-    fn refused(&self, what: &str) -> Error {
+    fn refused(&self, code: RequestCode, what: &str) -> Error {
         let path = self.path.display();
-        Error::unfit(format!("{path} {what}; give another --out, or remove it to begin anew"))
+        Error::unfit(code, format!("{path} {what}; give another --out, or remove it to begin anew"))
     }
 
     /// Where it is.
@@ -91,12 +95,17 @@ impl Folder {
     /// If the shard is not there, damaged, or of another study.
     pub fn read(&self, study: &Study, index: u64) -> Result<Shard, Error> {
         let path = self.shard_path(index);
-        let bytes = fs::read(&path).map_err(|e| Error::io(&path, "read", e))?;
-        let shard = Shard::from_parquet(&bytes, study)
-            .map_err(|e| Error::unfit(format!("{}: {e}", path.display())))?;
+        let bytes = fs::read(&path).map_err(|e| match e.kind() {
+            std::io::ErrorKind::NotFound => missing(index),
+            _ => Error::io(&path, "read", e),
+        })?;
+        let shard = Shard::from_parquet(&bytes, study).map_err(|e| e.at(&path))?;
         match shard.index == index {
             true => Ok(shard),
-            false => Err(Error::unfit(format!("{} is shard {}", path.display(), shard.index))),
+            false => {
+                let text = format!("{} is shard {}", path.display(), shard.index);
+                Err(Error::unfit(RequestCode::Shard, text))
+            }
         }
     }
 

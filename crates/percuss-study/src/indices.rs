@@ -66,7 +66,7 @@ pub fn indices_parquet(study: &Study, indices: &[(String, Found)]) -> Result<Vec
         .collect();
     let layout = names.into_iter().map(column).zip(values.iter().map(Values::like)).collect();
     let fault = |e: parquet::errors::ParquetError| {
-        Error::unfit(format!("the indices cannot be written: {e}"))
+        Error::system(format!("the indices cannot be written: {e}"))
     };
     let mut bytes = Vec::new();
     let mut writer = Writer::with_layout(&mut bytes, study, layout, Vec::new()).map_err(fault)?;

@@ -2,6 +2,8 @@
 
 use std::io::Write;
 
+use percuss_codes::RequestCode;
+
 use crate::column::Values;
 use crate::error::Error;
 use crate::parquet::Writer;
@@ -23,7 +25,7 @@ pub fn merge<W: Write + Send>(
     out: W,
 ) -> Result<(), Error> {
     let fault = |e: parquet::errors::ParquetError| {
-        Error::unfit(format!("the results cannot be written: {e}"))
+        Error::system(format!("the results cannot be written: {e}"))
     };
     let more = vec![("percuss.study", study.to_toml())];
     let mut writer = Writer::new(out, study, more).map_err(fault)?;
@@ -32,7 +34,7 @@ pub fn merge<W: Write + Send>(
     for shard in shards {
         let shard = shard?;
         if shard.index != next {
-            return Err(Error::unfit(format!("shard {next} is missing")));
+            return Err(missing(next));
         }
         next += 1;
         pending.iter_mut().zip(shard.table.values).for_each(|(all, more)| all.append(more));
@@ -42,10 +44,15 @@ pub fn merge<W: Write + Send>(
         }
     }
     if next != study.shard_count() {
-        return Err(Error::unfit(format!("shard {next} is missing")));
+        return Err(missing(next));
     }
     if !pending[0].is_empty() {
         writer.write(&pending).map_err(fault)?;
     }
     writer.close().map_err(fault)
+}
+
+/// Runs that have not been done.
+pub(crate) fn missing(shard: u64) -> Error {
+    Error::unfit(RequestCode::MissingShard, format!("shard {shard} is missing"))
 }

@@ -15,6 +15,7 @@ use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
+use percuss_codes::RequestCode;
 use serde_json::{Value, json};
 
 use crate::column::{Column, Table, Values};
@@ -141,7 +142,7 @@ pub(crate) fn shard_bytes(shard: &Shard, study: &Study) -> std::result::Result<V
         writer.close()
     };
     let fault =
-        |e: ParquetError| Error::unfit(format!("shard {} cannot be written: {e}", shard.index));
+        |e: ParquetError| Error::system(format!("shard {} cannot be written: {e}", shard.index));
     write(&mut out).map_err(fault)?;
     seal::close(&mut out);
     Ok(out)
@@ -150,36 +151,40 @@ pub(crate) fn shard_bytes(shard: &Shard, study: &Study) -> std::result::Result<V
 /// The shard in a file, if it is whole and of this study.
 pub(crate) fn shard_from(bytes: &[u8], study: &Study) -> std::result::Result<Shard, Error> {
     if !seal::holds(bytes) {
-        return Err(Error::unfit("the shard is damaged"));
+        return Err(unfit("the shard is damaged"));
     }
-    let unfit = |e: ParquetError| Error::unfit(format!("the shard cannot be read: {e}"));
-    let reader = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(unfit)?;
+    let damaged = |e: ParquetError| unfit(format!("the shard cannot be read: {e}"));
+    let reader = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(damaged)?;
     let metadata = reader.metadata().file_metadata().key_value_metadata();
     let entry = |key: &str| {
         let entry = metadata.and_then(|all| all.iter().find(|entry| entry.key == key));
         entry.and_then(|entry| entry.value.clone()).unwrap_or_default()
     };
     if entry("percuss.fingerprint") != study.fingerprint() {
-        return Err(Error::unfit("the shard belongs to another study or version"));
+        return Err(unfit("the shard belongs to another study or version"));
     }
     let (columns, layout): (Vec<Column>, Vec<Values>) = study.layout().into_iter().unzip();
-    let values = read_all(&reader, layout).map_err(unfit)?;
+    let values = read_all(&reader, layout).map_err(damaged)?;
     let index = entry("percuss.shard").parse();
-    let index = index.map_err(|_| Error::unfit("the shard has no number"))?;
+    let index = index.map_err(|_| unfit("the shard has no number"))?;
     let rows = study.runs_of(index).count();
     match values.iter().all(|column| column.len() == rows) {
         true => Ok(Shard { index, table: Table { columns, values } }),
-        false => Err(Error::unfit("the shard has another number of rows")),
+        false => Err(unfit("the shard has another number of rows")),
     }
 }
 
 /// The rows of a file of this study.
 pub(crate) fn table_from(bytes: &[u8], study: &Study) -> std::result::Result<Table, Error> {
-    let damaged = |e: ParquetError| Error::unfit(format!("the table is damaged: {e}"));
+    let damaged = |e: ParquetError| unfit(format!("the table is damaged: {e}"));
     let reader = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(damaged)?;
     let (columns, layout): (Vec<Column>, Vec<Values>) = study.layout().into_iter().unzip();
     let values = read_all(&reader, layout).map_err(damaged)?;
     Ok(Table { columns, values })
+}
+
+fn unfit(message: impl Into<String>) -> Error {
+    Error::unfit(RequestCode::Shard, message)
 }
 
 fn read_all(file: &SerializedFileReader<Bytes>, mut columns: Vec<Values>) -> Result<Vec<Values>> {

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use percuss_codes::Code;
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::parameter::{Input, Variation};
@@ -40,9 +41,9 @@ impl<'s> Preparer<'s> {
         let scenario = scenario.as_mut().map_err(|reason| reason.clone())?;
         for (parameter, input) in self.study.parameters.iter().zip(inputs) {
             if let Input::Number(number) = input {
-                scenario.set_number(&parameter.field, *number).map_err(|fault| {
-                    format!("{}: found {}, expected {}", fault.path, fault.found, fault.expected)
-                })?;
+                scenario
+                    .set_number(&parameter.field, *number)
+                    .map_err(|fault| percuss_scenario::in_one_line(&fault))?;
             }
         }
         Ok(scenario)
@@ -102,17 +103,17 @@ fn with_words(study: &Study, inputs: &[Input<'_>]) -> Result<Scenario, String> {
         if !matches!(parameter.variation, Variation::Words(_)) {
             scenario
                 .set_toml(&parameter.field, &parameter.example)
-                .map_err(|f| format!("{}: found {}, expected {}", f.path, f.found, f.expected))?;
+                .map_err(|fault| percuss_scenario::in_one_line(&fault))?;
         }
     }
     Ok(scenario)
 }
 
-/// Faults without their places: the text they lie in is not the user's file.
+/// Faults with their codes, without their places: the text they lie in is not the user's file.
 pub(crate) fn in_one_line(diagnostics: &Diagnostics) -> String {
     let one = |d: &percuss_scenario::Diagnostic| {
         let path = if d.path.is_empty() { String::new() } else { format!("{}: ", d.path) };
-        format!("{path}found {}, expected {}", d.message, d.help)
+        Code::from(d.code).behind(format!("{path}found {}, expected {}", d.message, d.help))
     };
     diagnostics.all().iter().map(one).collect::<Vec<_>>().join("; ")
 }

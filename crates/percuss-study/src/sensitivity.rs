@@ -1,6 +1,7 @@
 //! Derivatives of a run's results with respect to values of its scenario.
 
 use percuss::{Fault, Grazing, Horizon, Sensitivities, Settings, Undifferentiated, sensitivities};
+use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
 use percuss_scenario::{Diagnostics, Scenario};
 
@@ -117,15 +118,15 @@ pub enum SensitivityError {
     Faults(Diagnostics),
     /// Something that has no derivatives.
     Refused(String),
-    /// The run fails.
-    Run(String),
+    /// The run fails: as what, and why.
+    Run(AnalysisCode, String),
 }
 
 impl From<Undifferentiated> for SensitivityError {
     fn from(why: Undifferentiated) -> Self {
         match why {
             Undifferentiated::Refused(why) => Self::Refused(why),
-            Undifferentiated::Failed(why) => Self::Run(why),
+            Undifferentiated::Failed(code, why) => Self::Run(code, why),
         }
     }
 }

@@ -3,8 +3,9 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use percuss::{Detail, Fault, Model, RunSummary, Settings, Termination, simulate_batch};
+use percuss_codes::{AnalysisCode, Code};
 use percuss_output::{SummaryPath, pick};
-use percuss_scenario::Compiled;
+use percuss_scenario::{Compiled, in_one_line};
 
 use crate::column::{Table, Values};
 use crate::error::Error;
@@ -63,7 +64,8 @@ impl Study {
 /// Simulates those that are ready; the others keep their reasons.
 fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
     let sound: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
-    let mut done = batch(&sound, detail).into_iter();
+    let solve = |given: &[(&Model, &Settings)]| simulate_batch(given, detail);
+    let mut done = batch(&sound, &solve).into_iter();
     let outcome = |run: &Ready| match run {
         Err(reason) => (Err(reason.clone()), "invalid"),
         Ok(_) => match done.next() {
@@ -75,25 +77,35 @@ fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
                 (Ok(summary), status)
             }
             Some(Err((reason, status))) => (Err(reason), status),
-            None => (Err("no result".to_string()), "failed"),
+            None => (Err(broken("no result")), "failed"),
         },
     };
     ready.iter().map(outcome).collect()
 }
 
+/// What a solver makes of models and settings.
+type Solved = Vec<Result<RunSummary, Vec<Fault>>>;
+
 /// Simulates all; if the solver breaks down on one of them, each alone, so that only that one is lost.
-fn batch(runs: &[&Compiled], detail: Detail) -> Vec<Result<RunSummary, (String, &'static str)>> {
+fn batch(
+    runs: &[&Compiled],
+    solve: &dyn Fn(&[(&Model, &Settings)]) -> Solved,
+) -> Vec<Result<RunSummary, (String, &'static str)>> {
     let given: Vec<(&Model, &Settings)> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
     let told = |faults: Vec<Fault>| {
-        let one = |f: &Fault| format!("{}: found {}, expected {}", f.path, f.found, f.expected);
-        (faults.iter().map(one).collect::<Vec<_>>().join("; "), "invalid")
+        (faults.iter().map(in_one_line).collect::<Vec<_>>().join("; "), "invalid")
     };
-    let done = catch_unwind(AssertUnwindSafe(|| simulate_batch(&given, detail)));
+    let done = catch_unwind(AssertUnwindSafe(|| solve(&given)));
     match (done, runs) {
         (Ok(done), _) => done.into_iter().map(|one| one.map_err(told)).collect(),
-        (Err(_), [_]) => vec![Err(("the solver broke down".to_string(), "failed"))],
-        (Err(_), _) => runs.iter().flat_map(|run| batch(&[run], detail)).collect(),
+        (Err(_), [_]) => vec![Err((broken("the solver broke down"), "failed"))],
+        (Err(_), _) => runs.iter().flat_map(|run| batch(&[run], solve)).collect(),
     }
+}
+
+/// A fault of this program, not of the scenario.
+fn broken(text: &str) -> String {
+    Code::from(AnalysisCode::Broken).behind(text)
 }
 
 impl Shard {
@@ -128,7 +140,7 @@ impl Shard {
         row.text(match &outcome {
             Err(reason) => reason.clone(),
             Ok(summary) => match &summary.termination {
-                Termination::Failed(error) => error.to_string(),
+                Termination::Failed(error) => Code::from(error.code()).behind(error),
                 _ => String::new(),
             },
         });
@@ -185,5 +197,41 @@ impl Row<'_> {
         if let Some(Values::Text(column)) = self.0.next() {
             column.push(value);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FLIGHT: &str = r#"
+        [disc.ball]
+        centre = [0, 0]
+        radius = "1 cm"
+        density = "7800 kg/m^3"
+        velocity = ["1 m/s", 0]
+        [time]
+        end = "1 ms"
+        step = "0.1 ms"
+    "#;
+
+    #[test]
+    fn a_solver_that_breaks_down_loses_its_own_run_alone() {
+        let compiled = [1.0, 2.0].map(|end| {
+            let text = FLIGHT.replace("\"1 ms\"", &format!("\"{end} ms\""));
+            let scenario =
+                percuss_scenario::read(&text, "f.toml").unwrap_or_else(|f| panic!("{f}"));
+            scenario.compile().unwrap_or_else(|f| panic!("{f}"))
+        });
+        let breaks = |settings: &Settings| settings.end > 1.5e-3;
+        let solve = |given: &[(&Model, &Settings)]| {
+            assert!(!given.iter().any(|(_, settings)| breaks(settings)), "meant");
+            simulate_batch(given, Detail::Full)
+        };
+        let done = batch(&compiled.each_ref(), &solve);
+        assert!(done[0].as_ref().is_ok_and(|run| run.steps == 10));
+        let (reason, status) = done[1].as_ref().err().cloned().unwrap_or_default();
+        assert_eq!((reason.as_str(), status), ("the solver broke down [E114]", "failed"));
+        assert_eq!(AnalysisCode::Broken.code(), "E114");
     }
 }

@@ -49,7 +49,7 @@ pub fn sweep(
     tell: &(dyn Fn(Progress) -> bool + Sync),
 ) -> Result<Done, Error> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).stack_size(STACK).build();
-    let pool = pool.map_err(|e| Error::unfit(format!("no threads can be started: {e}")))?;
+    let pool = pool.map_err(|e| Error::system(format!("no threads can be started: {e}")))?;
     pool.install(|| in_pool(study, folder, wanted, tell))
 }
 

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use percuss_codes::AnalysisCode;
+
 /// An error of a recorder, passed through the run to its caller.
 pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
 
@@ -68,6 +70,21 @@ impl Error {
     /// The recorder failed.
     pub(crate) fn recorder(source: RecorderError) -> Self {
         Self { kind: ErrorKind::Recorder(source) }
+    }
+
+    /// Its code in the catalogue.
+    pub fn code(&self) -> AnalysisCode {
+        match self.kind {
+            ErrorKind::NoConvergence { .. } => AnalysisCode::Convergence,
+            ErrorKind::NoEquilibrium { .. } => AnalysisCode::Equilibrium,
+            ErrorKind::UnsettledContacts { .. } => AnalysisCode::UnsettledContacts,
+            ErrorKind::MomentBeyondLaw { .. } => AnalysisCode::MomentBeyondLaw,
+            ErrorKind::NothingHolds { .. } => AnalysisCode::NothingHolds,
+            ErrorKind::Overlap { .. } => AnalysisCode::Overlap,
+            ErrorKind::Singular { .. } => AnalysisCode::Singular,
+            ErrorKind::Grown { .. } => AnalysisCode::Growth,
+            ErrorKind::Recorder(_) => AnalysisCode::Recorder,
+        }
     }
 
     /// Whether Newton's iteration failed down to the smallest step (of time, or of load).

@@ -44,6 +44,7 @@ pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce};
 pub use ledger::{Ledger, Measures};
 pub use model::*;
+pub use percuss_codes::{AnalysisCode, Caution};
 pub use run::{
     Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Preview, Recorder,
     ResumeError, Simulation, massless, preview, reference_state, simulate,

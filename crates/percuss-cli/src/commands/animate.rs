@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use percuss_codes::{FileCode, RequestCode};
 use percuss_output::fields;
 use percuss_pictures::{
     Error, Film, Format, Look, Plan, PrintFormat, Told, animate, ffmpeg, is_ours, picture, put,
@@ -39,10 +40,13 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
         return Err(percuss_pictures::no_ffmpeg().into());
     }
     if format == Format::Gif && arguments.fps > GIF_FPS {
-        return Err(Failure::Input(format!(
-            "--fps {}: browsers show a GIF of more than {GIF_FPS} frames a second slowly; give {GIF_FPS} or less, or a name that ends with .apng",
-            arguments.fps
-        )));
+        return Err(Failure::input(
+            RequestCode::PictureBounds,
+            format!(
+                "--fps {}: browsers show a GIF of more than {GIF_FPS} frames a second slowly; give {GIF_FPS} or less, or a name that ends with .apng",
+                arguments.fps
+            ),
+        ));
     }
     refuse_foreign(out, arguments.force)?;
     let film = open(arguments)?;
@@ -117,10 +121,13 @@ fn open(arguments: &Animate) -> Result<Film, Failure> {
     let dir = &arguments.dir;
     let fields = fields::read(dir)?.filter(|fields| !fields.frames.is_empty());
     let Some(fields) = fields else {
-        return Err(Failure::Input(format!(
-            "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
-            dir.display()
-        )));
+        return Err(Failure::input(
+            FileCode::NoShapes,
+            format!(
+                "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
+                dir.display()
+            ),
+        ));
     };
     let look = Look {
         width: arguments.width,
@@ -130,10 +137,8 @@ fn open(arguments: &Animate) -> Result<Film, Failure> {
         exaggeration: arguments.exaggeration,
         dark: arguments.dark,
     };
-    Film::open(&fields, &look).map_err(|error| match error {
-        Error::Input(text) => Failure::Input(format!("{}: {text}", dir.display())),
-        other => other.into(),
-    })
+    let told = |error: Error| if error.is_input() { error.at(dir) } else { error };
+    Ok(Film::open(&fields, &look).map_err(told)?)
 }
 
 fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {
@@ -141,7 +146,7 @@ fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {
         return film.impact.ok_or_else(|| {
             let reason =
                 "nothing touches in this run, or something does all the time; leave --impact out";
-            Failure::Input(format!("{}: {reason}", arguments.dir.display()))
+            Failure::input(RequestCode::Instant, format!("{}: {reason}", arguments.dir.display()))
         });
     }
     let [first, last] = film.whole;
@@ -152,38 +157,47 @@ fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {
         }
     }
     if from >= to {
-        return Err(Failure::Input(format!(
-            "--from {} s is not before --to {} s",
-            number(from),
-            number(to)
-        )));
+        return Err(Failure::input(
+            RequestCode::Instant,
+            format!("--from {} s is not before --to {} s", number(from), number(to)),
+        ));
     }
     Ok([from, to])
 }
 
 fn outside(option: &str, time: f64, [first, last]: [f64; 2]) -> Failure {
-    Failure::Input(format!(
-        "{option} {} s: the run has shapes from {} s to {} s",
-        number(time),
-        number(first),
-        number(last)
-    ))
+    Failure::input(
+        RequestCode::Instant,
+        format!(
+            "{option} {} s: the run has shapes from {} s to {} s",
+            number(time),
+            number(first),
+            number(last)
+        ),
+    )
 }
 
 fn ending(out: &Path, endings: &str) -> Failure {
-    Failure::Input(format!("{}: expected a name that ends with {endings}", out.display()))
+    Failure::input(
+        RequestCode::FileName,
+        format!("{}: expected a name that ends with {endings}", out.display()),
+    )
 }
 
 /// A file that percuss did not write stays as it is.
 pub fn refuse_foreign(out: &Path, force: bool) -> Result<(), Failure> {
     if out.is_dir() {
-        return Err(Failure::Input(format!("{}: is a directory; expected a file", out.display())));
+        let text = format!("{}: is a directory; expected a file", out.display());
+        return Err(Failure::input(RequestCode::FileName, text));
     }
     if force || !out.exists() || is_ours(out) {
         return Ok(());
     }
-    Err(Failure::Input(format!(
-        "{}: stands there already and percuss did not write it; give another name, or --force to replace it",
-        out.display()
-    )))
+    Err(Failure::input(
+        FileCode::Foreign,
+        format!(
+            "{}: stands there already and percuss did not write it; give another name, or --force to replace it",
+            out.display()
+        ),
+    ))
 }

@@ -2,6 +2,7 @@
 
 use percuss::{EffectiveMass, Simulation, massless};
 use percuss_advice::{Topic, advise};
+use percuss_codes::{Caution, Code, RequestCode};
 use percuss_study::Study;
 
 use crate::arguments::Check;
@@ -21,9 +22,8 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     let text = scenario::text(&arguments.file);
     if text.as_deref().is_ok_and(percuss_scenario::is_study) {
         if scenario::is_input(&arguments.file) {
-            return Err(Failure::Input(
-                "a study is read from a file, not from standard input".into(),
-            ));
+            let text = "a study is read from a file, not from standard input";
+            return Err(Failure::input(RequestCode::NotOfStudies, text));
         }
         return study(arguments);
     }
@@ -31,8 +31,10 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     let name = scenario::name(&arguments.file);
     terminal::print(&format!("{name}: sound: {}\n", contents(&ready)))?;
     let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
+    let mut denied = Vec::new();
     for fault in massless(model) {
-        terminal::warning(&format!("`percuss run` refuses it: {fault}"));
+        let text = format!("`percuss run` refuses it: {fault}");
+        denied.extend(advisor::warn(Caution::NotForRuns, &text, &arguments.deny));
     }
     let mut advice = advise(model, settings);
     advisor::judge(&mut advice, ready.scenario.content());
@@ -43,18 +45,17 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     }
     advisor::tell(&advice);
     let content = ready.scenario.content();
-    advisor::tell_in_vain(content, &advice, |topic| !topic.is_found_after_a_run());
-    match advisor::denied(&advice, &arguments.deny) {
-        denied if denied.is_empty() => Ok(Status::Done),
-        denied => Err(Failure::Input(denied.join("\n"))),
-    }
+    let before = |code: Code| Topic::of_code(code.code).is_some_and(|t| !t.is_found_after_a_run());
+    advisor::tell_in_vain(content, &advisor::codes(&advice, &[]), before);
+    denied.extend(advisor::denied(&advice, &arguments.deny));
+    refuse(denied)
 }
 
 /// Says what is wrong with a study, and which of its runs are no sound scenarios as far as a sample shows.
 fn study(arguments: &Check) -> Result<Status, Failure> {
     if !arguments.set.is_empty() {
         let text = "--set changes scenarios; give the values in the study";
-        return Err(Failure::Input(text.into()));
+        return Err(Failure::input(RequestCode::NotOfStudies, text));
     }
     let study = Study::load_with(&arguments.file, scenario::access())?;
     let (parameters, results) = (study.parameters().len(), study.results().len());
@@ -63,21 +64,30 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
     let file = arguments.file.display();
     terminal::print(&format!("{file}: sound: {}\n", contents.join(", ")))?;
     let (invalid, looked_at) = study.check_sample(SAMPLE);
+    let mut denied = Vec::new();
     if !invalid.is_empty() {
         let of = if looked_at < study.run_count() { "a sample of " } else { "" };
         let bad = runs(invalid.len() as u64);
         let text =
             format!("{bad} of {of}{looked_at} will be rows with a reason instead of results:");
-        terminal::warning(&text);
+        denied.extend(advisor::warn(Caution::UnsoundRuns, &text, &arguments.deny));
     }
     let mut told: Vec<&str> = Vec::new();
     for one in &invalid {
         if told.len() < REASONS && !told.contains(&one.reason.as_str()) {
-            terminal::warning(&format!("run {}: {}", one.run, one.reason));
+            terminal::warning(Caution::UnsoundRuns, &format!("run {}: {}", one.run, one.reason));
             told.push(&one.reason);
         }
     }
-    Ok(Status::Done)
+    refuse(denied)
+}
+
+/// What was found and is denied fails the command.
+fn refuse(denied: Vec<String>) -> Result<Status, Failure> {
+    match denied.is_empty() {
+        true => Ok(Status::Done),
+        false => Err(Failure::Denied(denied)),
+    }
 }
 
 fn runs(number: u64) -> String {

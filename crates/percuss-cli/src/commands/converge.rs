@@ -1,5 +1,6 @@
 //! `percuss converge`.
 
+use percuss_codes::{Caution, RequestCode};
 use percuss_study::{Cheapest, ConvergeError, Converged, Convergence, Ladder, Sequence, converge};
 use serde_json::{Value, json};
 
@@ -30,13 +31,15 @@ pub fn run(arguments: &Converge) -> Result<Status, Failure> {
             let changed = !arguments.set.is_empty();
             return Err(Failure::Faults { faults: Box::new(faults), changed });
         }
-        Err(ConvergeError::Refused(reason)) => return Err(Failure::Input(reason)),
-        Err(ConvergeError::Run(reason)) => {
-            terminal::error(&format!("a finer run gave up {reason}"));
+        Err(ConvergeError::Refused(reason)) => {
+            return Err(Failure::input(RequestCode::Levels, reason));
+        }
+        Err(ConvergeError::Run(code, reason)) => {
+            terminal::error(code, &format!("a finer run gave up {reason}"));
             return Ok(Status::GaveUp);
         }
         Err(ConvergeError::Interrupted) => {
-            terminal::warning("interrupted; the levels done say nothing yet");
+            terminal::warning(Caution::Interrupted, "interrupted; the levels done say nothing yet");
             return Ok(Status::Interrupted);
         }
     };

@@ -1,6 +1,6 @@
 //! `percuss explain`.
 
-use percuss_codes::Code;
+use percuss_codes::{Code, Group};
 
 use crate::arguments::Explain;
 use crate::outcome::{Failure, Status};
@@ -25,10 +25,15 @@ fn heading(one: Code) -> String {
 pub fn run(arguments: &Explain) -> Result<Status, Failure> {
     let text = match arguments.code {
         Some(one) => format!("{}\n\n{}\n", heading(one), paragraph(one.explanation)),
-        None => Code::all().into_iter().map(|one| heading(one) + "\n").collect(),
+        None => Code::groups().iter().map(list).collect::<Vec<_>>().join("\n"),
     };
     terminal::print(&text)?;
     Ok(Status::Done)
+}
+
+fn list(group: &Group) -> String {
+    let codes: String = group.codes.iter().map(|one| format!("  {}\n", heading(*one))).collect();
+    format!("{}\n{codes}", group.name)
 }
 
 /// Broken into lines between words.

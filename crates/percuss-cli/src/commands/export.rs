@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use percuss_codes::FileCode;
 use percuss_output::paraview::{self, Format};
 use percuss_output::{Extent, Results, fields};
 
@@ -23,10 +24,13 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
     let dir = &arguments.dir;
     refuse_what_is_no_run(dir)?;
     let Some(fields) = fields::read(dir)? else {
-        return Err(Failure::Input(format!(
-            "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
-            dir.display()
-        )));
+        return Err(Failure::input(
+            FileCode::NoShapes,
+            format!(
+                "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
+                dir.display()
+            ),
+        ));
     };
     let (place, names) = match &arguments.out {
         Some(out) => {

@@ -1,8 +1,8 @@
 //! `percuss modes`.
 
 use percuss::{
-    Equilibrium, Frame, Mode, ModeKind, Start, equilibrium, modes_about, modes_about_equilibrium,
-    reference_state,
+    AnalysisCode, Caution, Equilibrium, Frame, Mode, ModeKind, Start, equilibrium, modes_about,
+    modes_about_equilibrium, reference_state,
 };
 use percuss_output::{Extent, ModesInfo, Results, modes_value, write_modes};
 
@@ -24,25 +24,26 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         Start::Static => About::Static,
     });
     let count = arguments.count as usize;
-    let found = match about {
-        About::Reference => reference_state(model)
-            .map(|state| (modes_about(model, &state, count), state, None))
-            .map_err(|_| "the reference configuration cannot be set up".to_owned()),
+    let (modes, state, loaded) = match about {
+        About::Reference => {
+            let state =
+                reference_state(model).map_err(|faults| ready.refuse(faults, &arguments.set))?;
+            (modes_about(model, &state, count), state, None)
+        }
         About::Static => {
             ready.refuse_mechanism(&arguments.set)?;
-            let with_modes = |found: Equilibrium| {
-                let modes = modes_about_equilibrium(model, &found, count);
-                (modes, found.state.clone(), Some(found))
-            };
-            equilibrium(model).map(with_modes).map_err(|error| error.to_string())
+            match equilibrium(model) {
+                Ok(found) => {
+                    let modes = modes_about_equilibrium(model, &found, count);
+                    (modes, found.state.clone(), Some(found))
+                }
+                Err(error) => return Ok(gave_up(error.code(), &error.to_string())),
+            }
         }
     };
-    let (modes, state, loaded) = match found {
-        Ok(found) => found,
-        Err(text) => return Ok(gave_up(&text)),
-    };
     if modes.is_empty() {
-        return Ok(gave_up("no modes: nothing has mass, or the tangent is singular"));
+        let text = "no modes: nothing has mass, or the tangent is singular";
+        return Ok(gave_up(AnalysisCode::NoModes, text));
     }
     let info = ModesInfo {
         title: &compiled.title,
@@ -74,13 +75,13 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     let unstable = modes.iter().filter(|m| m.growth() > 0.0).count();
     if unstable > 0 {
         let grow = if unstable == 1 { "1 mode grows" } else { &format!("{unstable} modes grow") };
-        terminal::warning(&format!("the equilibrium is unstable: {grow}"));
+        terminal::warning(Caution::Unstable, &format!("the equilibrium is unstable: {grow}"));
     }
     Ok(Status::Done)
 }
 
-fn gave_up(text: &str) -> Status {
-    terminal::error(text);
+fn gave_up(code: AnalysisCode, text: &str) -> Status {
+    terminal::error(code, text);
     Status::GaveUp
 }
 

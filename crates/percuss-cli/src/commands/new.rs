@@ -4,6 +4,7 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
+use percuss_codes::FileCode;
 use percuss_scenario::{Template, study_templates, templates};
 
 use crate::arguments::New;
@@ -44,9 +45,10 @@ fn list() -> Result<(), Failure> {
 fn write(path: &Path, text: &str) -> Result<(), Failure> {
     let opened = OpenOptions::new().write(true).create_new(true).open(path);
     let mut file = opened.map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => {
-            Failure::Input(format!("{}: exists already; give another --out", path.display()))
-        }
+        ErrorKind::AlreadyExists => Failure::input(
+            FileCode::Foreign,
+            format!("{}: exists already; give another --out", path.display()),
+        ),
         _ => Failure::system(path, "create", &error),
     })?;
     file.write_all(text.as_bytes()).map_err(|error| {

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 
+use percuss_codes::RequestCode;
 use percuss_output::report::ReportData;
 use percuss_output::report::prints::{Print, prints};
 use percuss_pictures::{PrintFormat, picture, put, unfinished};
@@ -29,7 +30,8 @@ pub fn run(arguments: &Plot) -> Result<Status, Failure> {
     }
     let chosen = choose(&prints, arguments)?;
     if chosen.is_empty() {
-        return Err(Failure::Input(format!("{}: the run has no figures", dir.display())));
+        let text = format!("{}: the run has no figures", dir.display());
+        return Err(Failure::input(RequestCode::NoSuchFigure, text));
     }
     let formats: BTreeSet<_> = arguments.format.iter().copied().collect();
     let formats: Vec<PrintFormat> = formats.into_iter().map(PrintFormat::from).collect();
@@ -80,10 +82,13 @@ fn choose<'p>(prints: &'p [Print], arguments: &Plot) -> Result<Vec<&'p Print>, F
     let mut chosen: Vec<&Print> = Vec::new();
     for id in arguments.figure.iter().map(|id| id.trim()) {
         let print = prints.iter().find(|p| p.id() == id).ok_or_else(|| {
-            Failure::Input(format!(
-                "--figure {id}: the run has no such figure; expected {}",
-                one_of(id, prints.iter().map(Print::id))
-            ))
+            Failure::input(
+                RequestCode::NoSuchFigure,
+                format!(
+                    "--figure {id}: the run has no such figure; expected {}",
+                    one_of(id, prints.iter().map(Print::id))
+                ),
+            )
         })?;
         if !chosen.iter().any(|other| other.id() == print.id()) {
             chosen.push(print);

@@ -5,6 +5,7 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
+use percuss_codes::{Caution, FileCode, RequestCode};
 use percuss_output::report::side_by_side::{self, Named};
 use percuss_output::report::{ReportData, write, write_with_figures};
 
@@ -27,11 +28,14 @@ pub fn run(arguments: &Report) -> Result<Status, Failure> {
 fn compare(dirs: &[PathBuf], arguments: &Report) -> Result<Status, Failure> {
     let out = &arguments.out;
     if dirs.len() > side_by_side::MOST_RUNS {
-        return Err(Failure::Input(format!(
-            "{} runs are more than a page can tell apart; give {} at most",
-            dirs.len(),
-            side_by_side::MOST_RUNS
-        )));
+        return Err(Failure::input(
+            RequestCode::TooManyRuns,
+            format!(
+                "{} runs are more than a page can tell apart; give {} at most",
+                dirs.len(),
+                side_by_side::MOST_RUNS
+            ),
+        ));
     }
     refuse_foreign_page(out)?;
     let names = names(dirs);
@@ -40,9 +44,13 @@ fn compare(dirs: &[PathBuf], arguments: &Report) -> Result<Status, Failure> {
     side_by_side::write(out, &runs)?;
     terminal::tell(&format!("{} compares {} runs", out.display(), runs.len()));
     if arguments.open {
-        browser::open(out);
+        warn(browser::open(out));
     }
     Ok(Status::Done)
+}
+
+fn warn(of: Option<String>) {
+    of.iter().for_each(|text| terminal::warning(Caution::Browser, text));
 }
 
 /// Names of the directories, with as much of their paths as tells them apart.
@@ -71,10 +79,13 @@ fn refuse_foreign_page(out: &Path) -> Result<(), Failure> {
     let ours = read.is_ok() && String::from_utf8_lossy(&start).contains(side_by_side::MARK);
     match ours {
         true => Ok(()),
-        false => Err(Failure::Input(format!(
-            "{}: stands there already and is no comparison that percuss wrote; give another --out",
-            out.display()
-        ))),
+        false => Err(Failure::input(
+            FileCode::Foreign,
+            format!(
+                "{}: stands there already and is no comparison that percuss wrote; give another --out",
+                out.display()
+            ),
+        )),
     }
 }
 
@@ -91,7 +102,7 @@ fn rebuild(dir: &Path, arguments: &Report) -> Result<Status, Failure> {
         terminal::tell(&format!("{} rebuilt", page.display()));
     }
     if arguments.open {
-        browser::open(&page);
+        warn(browser::open(&page));
     }
     Ok(Status::Done)
 }
@@ -108,5 +119,5 @@ pub fn refuse_what_is_no_run(dir: &Path) -> Result<(), Failure> {
         return Ok(());
     };
     let expected = "give the directory that `percuss run` has written";
-    Err(Failure::Input(format!("{}: {what}; {expected}", dir.display())))
+    Err(Failure::input(FileCode::NoRun, format!("{}: {what}; {expected}", dir.display())))
 }

@@ -1,16 +1,17 @@
 //! `percuss run`.
 
-mod audit;
 mod balance;
 mod checkpoints;
 mod comparison;
 mod recorder;
+mod table;
 
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
 use percuss::{ResumeError, RunSummary, Simulation, Termination};
-use percuss_advice::{advise, compare, review};
+use percuss_advice::{AuditWarning, advise, audit, compare, review};
+use percuss_codes::{AnalysisCode, Caution, FileCode, RequestCode};
 use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
@@ -39,6 +40,8 @@ struct Ended {
     comparisons: Vec<percuss_advice::Comparison>,
     energy: EnergySeries,
     checkpoints: Option<Checkpoints>,
+    /// What its audit warns of.
+    warnings: Vec<AuditWarning>,
     /// What was found after it whose code is denied.
     denied: Vec<String>,
 }
@@ -99,11 +102,14 @@ pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
     let file = arguments.dir.join("scenario.toml");
     let before = scenario::read(&file, &[])?.compiled.settings.end;
     if arguments.end <= before {
-        return Err(Failure::Input(format!(
-            "--end: the run in {} reaches {} s already; give a later time",
-            arguments.dir.display(),
-            crate::number::number(before)
-        )));
+        return Err(Failure::input(
+            RequestCode::EndReached,
+            format!(
+                "--end: the run in {} reaches {} s already; give a later time",
+                arguments.dir.display(),
+                crate::number::number(before)
+            ),
+        ));
     }
     let set = vec![format!("time.end={:e}", arguments.end)];
     let ready = scenario::read(&file, &set)?;
@@ -147,7 +153,7 @@ fn go(
     ["history.parquet", "history.csv"].iter().for_each(|name| directory.finished(name));
     let report = match arguments.no_report {
         true => Ok(()),
-        false => write_report(ready, arguments, directory.path(), &ended),
+        false => write_report(ready, arguments, directory.path(), &mut ended),
     };
     let whole = matches!(ended.summary.termination, Termination::Completed) && report.is_ok();
     let extent = if whole { Extent::Complete } else { Extent::Partial };
@@ -162,10 +168,11 @@ fn go(
         return conclude(&ended, arguments, &out, report);
     }
     let (place, earlier) = (shown(&place), out.display());
-    terminal::warning(&format!(
+    let text = format!(
         "the results are not complete and stand in {}; {earlier} keeps the complete ones it had",
         place.display()
-    ));
+    );
+    ended.denied.extend(advisor::warn(Caution::Incomplete, &text, &arguments.deny));
     conclude(&ended, arguments, &place, report)
 }
 
@@ -180,10 +187,13 @@ fn refuse_own_input(file: &Path, out: &Path) -> Result<(), Failure> {
     let (Ok(file), Ok(dir)) = (file.canonicalize(), out.canonicalize()) else { return Ok(()) };
     match file.starts_with(dir) {
         false => Ok(()),
-        true => Err(Failure::Input(format!(
-            "{}: the scenario lies in it, and the results would replace it; give another --out",
-            out.display()
-        ))),
+        true => Err(Failure::input(
+            FileCode::OwnInput,
+            format!(
+                "{}: the scenario lies in it, and the results would replace it; give another --out",
+                out.display()
+            ),
+        )),
     }
 }
 
@@ -214,8 +224,9 @@ fn simulate(
     };
     let simulation = simulation.map_err(|error| match error {
         ResumeError::Faults(faults) => ready.refuse(faults, &arguments.set),
-        ResumeError::Foreign => Failure::Input(
-            "the checkpoint does not fit the scenario, or lies beyond its end; run it from the beginning".into(),
+        ResumeError::Foreign => Failure::input(
+            FileCode::OtherCheckpoint,
+            "the checkpoint does not fit the scenario, or lies beyond its end; run it from the beginning",
         ),
     })?;
     let content = ready.scenario.content();
@@ -226,7 +237,7 @@ fn simulate(
     }
     let denied = advisor::denied(&advice, &arguments.deny);
     if !denied.is_empty() {
-        return Err(Failure::Input(denied.join("\n")));
+        return Err(Failure::Denied(denied));
     }
     let (steps, end) = (simulation.step_count(), compiled.settings.end);
     let mut progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
@@ -247,7 +258,7 @@ fn simulate(
     if let Termination::Failed(error) = &summary.termination
         && error.is_recorder()
     {
-        return Err(Failure::System(error.to_string()));
+        return Err(Failure::System(error.code().into(), error.to_string()));
     }
     history.finish()?;
     let mut after = review(&compiled.model, &compiled.settings, &summary);
@@ -255,10 +266,12 @@ fn simulate(
     if !arguments.quiet {
         advisor::tell(&after);
     }
-    let denied = advisor::denied(&after, &arguments.deny);
+    let mut denied = advisor::denied(&after, &arguments.deny);
     advice.extend(after);
+    let warnings = audit(&summary, &advice, |code| content.reason_to_allow(code));
+    denied.extend(advisor::denied_of_audit(&warnings, &arguments.deny));
     if !arguments.quiet && matches!(summary.termination, Termination::Completed) {
-        advisor::tell_in_vain(content, &advice, |_| true);
+        advisor::tell_in_vain(content, &advisor::codes(&advice, &warnings), |_| true);
     }
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
@@ -266,12 +279,13 @@ fn simulate(
         settings: &compiled.settings,
         wall_seconds,
         advice: &advice,
+        warnings: &warnings,
         comparisons: &comparisons,
     };
     let mut value = summary_value(&summary, info);
     let file = arguments.file.display().to_string();
     value["provenance"] = provenance(&file, &arguments.set, started);
-    value["allow"] = allowances(&content.allowances(), &advice);
+    value["allow"] = allowances(&content.allowances(), &advice, &warnings);
     write_summary(dir, &value)?;
     write_envelopes(dir, &summary.section_forces)?;
     write_impacts(dir, &summary.contacts, &summary.supports)?;
@@ -284,15 +298,25 @@ fn simulate(
         comparisons,
         energy: energy.unwrap_or_default(),
         checkpoints,
+        warnings,
         denied,
     })
 }
 
 /// Writes the report and, before it, the comparison that belongs into it.
-fn write_report(ready: &Ready, arguments: &Run, dir: &Path, ended: &Ended) -> Result<(), Failure> {
+fn write_report(
+    ready: &Ready,
+    arguments: &Run,
+    dir: &Path,
+    ended: &mut Ended,
+) -> Result<(), Failure> {
     if matches!(ended.summary.termination, Termination::Completed) {
         let comparison = Comparison { ready, shows_progress: shows_progress(arguments) };
-        let series = comparison.run(&ended.energy);
+        let denied = &mut ended.denied;
+        let mut warn = |text: String| {
+            denied.extend(advisor::warn(Caution::Comparison, &text, &arguments.deny));
+        };
+        let series = comparison.run(&ended.energy, &mut warn);
         if !series.is_empty() {
             write_comparison(dir, &series)?;
         }
@@ -315,20 +339,21 @@ fn conclude(
     if arguments.json {
         terminal::print(&format!("{:#}\n", ended.value))?;
     } else if !arguments.quiet {
-        terminal::tell(&audit::table(ended, out));
+        terminal::tell(&table::table(ended, out));
     }
     if !arguments.quiet {
-        audit::warnings(ended).iter().for_each(|text| terminal::warning(text));
+        advisor::tell_audit(&ended.warnings);
     }
     match &ended.summary.termination {
         Termination::Failed(error) => {
-            terminal::error(&format!("the solver gave up: {error}"));
+            terminal::error(error.code(), &format!("the solver gave up: {error}"));
             report?;
             return Ok(Status::GaveUp);
         }
         Termination::Interrupted { time } => {
             let time = crate::number::number(*time);
-            terminal::warning(&format!("interrupted at t = {time} s; the results end there"));
+            let text = format!("interrupted at t = {time} s; the results end there");
+            terminal::warning(Caution::Interrupted, &text);
             if let Some((place, Some(time))) = ended.checkpoints.as_ref().map(Checkpoints::place) {
                 let (place, time) = (shown(place), crate::number::number(time));
                 terminal::tell(&format!(
@@ -338,7 +363,8 @@ fn conclude(
             }
         }
         _ if interrupt::requested() => {
-            terminal::warning("interrupted after the run, whose results are complete");
+            let text = "interrupted after the run, whose results are complete";
+            terminal::warning(Caution::Interrupted, text);
         }
         _ => {}
     }
@@ -346,13 +372,16 @@ fn conclude(
     if interrupt::requested() {
         return Ok(Status::Interrupted);
     }
-    if arguments.open {
-        browser::open(&out.join("report.html"));
+    let mut denied = ended.denied.clone();
+    if arguments.open
+        && let Some(text) = browser::open(&out.join("report.html"))
+    {
+        denied.extend(advisor::warn(Caution::Browser, &text, &arguments.deny));
     }
-    let mut open = if arguments.strict { balance::open(&ended.summary) } else { Vec::new() };
-    open.extend(ended.denied.iter().cloned());
-    open.iter().for_each(|text| terminal::error(text));
-    Ok(if open.is_empty() { Status::Done } else { Status::BalanceOpen })
+    let open = if arguments.strict { balance::open(&ended.summary) } else { Vec::new() };
+    open.iter().for_each(|text| terminal::error(AnalysisCode::Balance, text));
+    denied.iter().for_each(|text| terminal::error(RequestCode::Denied, text));
+    Ok(if open.is_empty() && denied.is_empty() { Status::Done } else { Status::BalanceOpen })
 }
 
 fn shows_progress(arguments: &Run) -> bool {

@@ -1,5 +1,6 @@
 //! `percuss sensitivity`.
 
+use percuss_codes::{AnalysisCode, Caution};
 use percuss_study::{Differentiated, OneSided, SensitivityError, Without, beyond, sensitivity};
 use serde_json::{Value, json};
 
@@ -17,9 +18,11 @@ pub fn run(arguments: &Sensitivity) -> Result<Status, Failure> {
             let changed = !arguments.set.is_empty();
             return Err(Failure::Faults { faults: Box::new(faults), changed });
         }
-        Err(SensitivityError::Refused(reason)) => return Err(Failure::Input(reason)),
-        Err(SensitivityError::Run(reason)) => {
-            terminal::error(&reason);
+        Err(SensitivityError::Refused(reason)) => {
+            return Err(Failure::input(AnalysisCode::NoDerivative, reason));
+        }
+        Err(SensitivityError::Run(code, reason)) => {
+            terminal::error(code, &reason);
             return Ok(Status::GaveUp);
         }
     };
@@ -29,9 +32,10 @@ pub fn run(arguments: &Sensitivity) -> Result<Status, Failure> {
         terminal::print(&table(&found))?;
     }
     if let Some(horizon) = &found.horizon {
-        terminal::warning(&beyond(horizon));
+        terminal::warning(Caution::Horizon, &beyond(horizon));
     }
-    found.one_sided.iter().for_each(|one| terminal::warning(&one.text()));
+    let warn = |one: &OneSided| terminal::warning(Caution::OneSided, &one.text());
+    found.one_sided.iter().for_each(warn);
     Ok(Status::Done)
 }
 

@@ -5,7 +5,8 @@ mod print;
 use std::path::PathBuf;
 
 use percuss::{
-    Error, LinearBuckling, Path, buckling_in_contact, equilibrium, equilibrium_path_recorded,
+    AnalysisCode, Error, LinearBuckling, Path, buckling_in_contact, equilibrium,
+    equilibrium_path_recorded,
 };
 use percuss_output::{
     EquilibriumInfo, Extent, PathInfo, PathShapes, Results, equilibrium_value, path_value,
@@ -60,7 +61,7 @@ fn out(arguments: &Static, suffix: &str) -> PathBuf {
 
 /// Why load steps found nothing; the core says why, here is what to do about it.
 fn gave_up(error: &Error) -> Status {
-    terminal::error(&error.to_string());
+    terminal::error(error.code(), &error.to_string());
     if error.is_no_convergence() {
         terminal::tell(
             "`percuss static --path` follows the equilibrium by arc length and shows how far it goes",
@@ -78,7 +79,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     let path = match found {
         Ok(path) => path,
         Err(error) => {
-            terminal::error(&error.to_string());
+            terminal::error(error.code(), &error.to_string());
             terminal::tell("a path begins with the response to the loads that act at time zero");
             return Ok(Status::GaveUp);
         }
@@ -101,12 +102,13 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
         return Ok(Status::Done);
     }
     let factor = path.points.last().map_or(0.0, |p| p.factor);
-    terminal::error(&format!(
+    let text = format!(
         "the path ends at the load factor {}, after {} points, before the end asked for ([path] in the scenario \
          sets first arc, end and number of points)",
         number(factor),
         path.points.len() - 1,
-    ));
+    );
+    terminal::error(AnalysisCode::PathEnds, &text);
     Ok(Status::GaveUp)
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use percuss_codes::Caution;
 use percuss_study::{Done, Folder, Study, sweep};
 
 use crate::arguments::Sweep;
@@ -41,7 +42,8 @@ pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     match done {
         Done::Stopped => {
             let again = "the same command goes on where it was";
-            terminal::warning(&format!("interrupted; what is done is kept, {again}"));
+            let text = format!("interrupted; what is done is kept, {again}");
+            terminal::warning(Caution::Interrupted, &text);
             return Ok(Status::Interrupted);
         }
         Done::Part => {

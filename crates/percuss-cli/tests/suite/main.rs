@@ -4,6 +4,7 @@ mod animate;
 mod bad_input;
 mod book;
 mod checkpoints;
+mod codes;
 mod commands;
 mod common;
 mod disk_faults;

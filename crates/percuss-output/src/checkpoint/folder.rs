@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use percuss::Checkpoint;
+use percuss_codes::FileCode;
 
 use super::KEPT;
 use super::format::{self, RowsMark, Saved};
@@ -72,7 +73,7 @@ impl CheckpointFolder {
         let state = self.path.join(STATE);
         if !state.is_file() {
             let reason = "there is no checkpoint to go on from: a run writes one with --checkpoint, and removes it when it is complete";
-            return Err(Error::content(&self.path, reason));
+            return Err(Error::of(FileCode::NoCheckpoint, &self.path, reason));
         }
         self.refuse_what_is_not_ours()?;
         let saved = format::read(&state, &self.scenario)?;
@@ -128,7 +129,7 @@ impl CheckpointFolder {
         if !path.is_file() {
             let reason = "holds no checkpoint to go on from: only a complete run that was given --checkpoint has one; run it from the \
                           beginning with a later time.end";
-            return Err(Error::content(dir, reason));
+            return Err(Error::of(FileCode::NoCheckpoint, dir, reason));
         }
         let saved = format::read(&path, scenario)?;
         Rows::has_history(dir)?;

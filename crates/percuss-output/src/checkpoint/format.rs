@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use percuss::Checkpoint;
+use percuss_codes::FileCode;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
@@ -92,10 +93,10 @@ pub(super) fn read(path: &Path, scenario: &str) -> Result<Saved, Error> {
              go on with that one, or run from the beginning",
             percuss::BUILD
         );
-        return Err(Error::content(path, reason));
+        return Err(Error::of(FileCode::OtherCheckpoint, path, reason));
     }
     if let Some(reason) = fingerprint::difference(&head["scenario"], scenario) {
-        return Err(Error::content(path, reason));
+        return Err(Error::of(FileCode::OtherCheckpoint, path, reason));
     }
     let Read { checkpoint, frames, rows } =
         postcard::from_bytes(numbers).map_err(|_| damaged(path))?;
@@ -112,12 +113,12 @@ pub(super) fn time(path: &Path) -> Option<f64> {
 /// The line of JSON and the numbers.
 fn parts<'a>(path: &Path, bytes: &'a [u8]) -> Result<(Value, &'a [u8]), Error> {
     if !bytes.starts_with(ANY.as_bytes()) {
-        return Err(Error::content(path, "is not a checkpoint"));
+        return Err(Error::of(FileCode::Checkpoint, path, "is not a checkpoint"));
     }
     if !bytes.starts_with(MAGIC.as_bytes()) {
         let reason =
             "is a checkpoint in a format of another version of Percuss; go on with that one";
-        return Err(Error::content(path, reason));
+        return Err(Error::of(FileCode::OtherCheckpoint, path, reason));
     }
     let end = bytes.len().checked_sub(CHECKSUM).ok_or_else(|| damaged(path))?;
     let (body, checksum) = bytes.split_at(end);
@@ -131,7 +132,8 @@ fn parts<'a>(path: &Path, bytes: &'a [u8]) -> Result<(Value, &'a [u8]), Error> {
 }
 
 pub(super) fn damaged(path: &Path) -> Error {
-    Error::content(
+    Error::of(
+        FileCode::Checkpoint,
         path,
         "the checkpoint is damaged: its checksum does not fit; run from the beginning",
     )

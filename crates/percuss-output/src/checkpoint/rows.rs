@@ -5,6 +5,7 @@ use std::io::{BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 use percuss::RecorderError;
+use percuss_codes::FileCode;
 use sha2::{Digest, Sha256};
 
 use super::format::{RowsMark, damaged};
@@ -122,9 +123,12 @@ impl Rows {
             Source::History { dir, rows } => {
                 let history = read_history(dir)?;
                 if history.columns.len() != columns || history.rows() < *rows {
-                    return Err(
-                        Error::content(dir, "its history is not that of its checkpoint").into()
-                    );
+                    return Err(Error::of(
+                        FileCode::Checkpoint,
+                        dir,
+                        "its history is not that of its checkpoint",
+                    )
+                    .into());
                 }
                 let mut values = vec![0.0; columns];
                 for k in 0..*rows {

@@ -4,6 +4,8 @@ use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{Read as _, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
 
+use percuss_codes::FileCode;
+
 use super::exchange::is_mount_point;
 use crate::error::Error;
 
@@ -72,7 +74,8 @@ fn taken(given: &Path, file: &mut File) -> Error {
     let mut who = String::new();
     let _ = file.rewind().and_then(|()| file.take(200).read_to_string(&mut who));
     let who = if who.is_empty() { "another process".to_owned() } else { who };
-    Error::refused(given, format!("is being written by {who}; wait for it, or give another --out"))
+    let reason = format!("is being written by {who}; wait for it, or give another --out");
+    Error::of(FileCode::Busy, given, reason)
 }
 
 #[cfg(unix)]

@@ -13,6 +13,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::thread::{self, JoinHandle};
 
+use percuss_codes::FileCode;
 use serde_json::{Map, Value};
 
 use crate::error::Error;
@@ -218,7 +219,7 @@ impl RunUpdate {
         exchange::recover(&target)?;
         if Manifest::read(&target)?.is_none_or(|m| m.kind != Results::Run.kind()) {
             let reason = format!("is not the directory of a run (it has no {})", manifest::NAME);
-            return Err(Error::refused(given, reason));
+            return Err(Error::of(FileCode::NoRun, given, reason));
         }
         let staging = Staging::within(&target)?;
         Ok(Self { target, staging, lock })
@@ -285,7 +286,8 @@ fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Res
         return Err(Error::refused(given, reason));
     }
     match manifest.changed(target)? {
-        Some(file) => Err(Error::refused(
+        Some(file) => Err(Error::of(
+            FileCode::Changed,
             given,
             format!(
                 "{file} was changed since it was written there, so it is left alone; give another --out"

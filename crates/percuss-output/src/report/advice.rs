@@ -14,25 +14,15 @@ pub(super) fn findings(summary: &Value) -> String {
     if list.is_empty() {
         return in_vain(summary);
     }
-    let text = |entry: &Value, key: &str| entry[key].as_str().unwrap_or_default().to_owned();
     let row = |entry: &Value| -> Vec<Cell> {
-        let verdict = text(entry, "verdict");
-        let class = match verdict.as_str() {
-            "fine" | "allowed" => "verdict",
-            _ => "verdict mark",
-        };
-        let badge = format!("<span class=\"{class}\">{}</span>", escape(&verdict));
         let value = |key: &str| quantity(entry[key].as_f64(), &unit(entry));
         vec![
             Cell::Text(text(entry, "contact")),
             Cell::Text(format!("{} {}", text(entry, "topic"), text(entry, "code"))),
-            Cell::Markup(badge),
+            badge(&text(entry, "verdict")),
             Cell::Text(value("value")),
             Cell::Text(value("reference")),
-            Cell::Text(match text(entry, "reason") {
-                reason if reason.is_empty() => text(entry, "text"),
-                reason => format!("allowed: {reason} (found: {})", text(entry, "text")),
-            }),
+            Cell::Text(meaning(entry)),
         ]
     };
     let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(row).collect();
@@ -43,6 +33,42 @@ pub(super) fn findings(summary: &Value) -> String {
     out += &table_of_cells(caption, &header, &rows);
     out += "</div>\n";
     out + &more(list.len(), rows.len()) + &in_vain(summary)
+}
+
+/// What the audit of the run warns of.
+pub(super) fn warnings(summary: &Value) -> String {
+    let list = summary["warnings"].as_array().map_or(&[][..], Vec::as_slice);
+    if list.is_empty() {
+        return String::new();
+    }
+    let row = |entry: &Value| -> Vec<Cell> {
+        let about = format!("{} {}", text(entry, "topic"), text(entry, "code"));
+        vec![Cell::Text(about), badge(&text(entry, "verdict")), Cell::Text(meaning(entry))]
+    };
+    let rows: Vec<Vec<Cell>> = list.iter().map(row).collect();
+    let header = ["", "", "what it means"];
+    let table = table_of_cells("What the audit of the run found", &header, &rows);
+    format!("<h2>Warnings</h2>\n<div class=\"prose\">\n{table}</div>\n")
+}
+
+fn text(entry: &Value, key: &str) -> String {
+    entry[key].as_str().unwrap_or_default().to_owned()
+}
+
+fn badge(verdict: &str) -> Cell {
+    let class = match verdict {
+        "fine" | "allowed" => "verdict",
+        _ => "verdict mark",
+    };
+    Cell::Markup(format!("<span class=\"{class}\">{}</span>", escape(verdict)))
+}
+
+/// What was found, and why it is allowed.
+fn meaning(entry: &Value) -> String {
+    match text(entry, "reason") {
+        reason if reason.is_empty() => text(entry, "text"),
+        reason => format!("allowed: {reason} (found: {})", text(entry, "text")),
+    }
 }
 
 /// Codes that the scenario allows though nothing of them was found.

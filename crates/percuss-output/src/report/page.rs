@@ -44,7 +44,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "impact" => section(figures, Section::Impact, "Impact"),
             "log" => log::render(summary),
             "hand_formulas" => advice::hand_formulas(summary),
-            "advice" => advice::findings(summary),
+            "advice" => advice::findings(summary) + &advice::warnings(summary),
             "balance" => section(figures, Section::Balance, "Energy and momentum"),
             "supports" => section(figures, Section::Supports, "Reactions"),
             "forces" => section(figures, Section::Forces, "Section forces"),
@@ -104,7 +104,10 @@ fn status(summary: &Value) -> String {
     let class = if status == "completed" { "status" } else { "status warning" };
     let mut out = format!("<p class=\"{class}\">{}</p>\n", escape(words));
     if let Some(error) = summary["error"].as_str() {
-        let _ = writeln!(out, "<p class=\"warning\" role=\"alert\">{}</p>", escape(error));
+        let code =
+            summary["error_code"].as_str().map_or(String::new(), |code| format!(" [{code}]"));
+        let error = format!("{error}{code}");
+        let _ = writeln!(out, "<p class=\"warning\" role=\"alert\">{}</p>", escape(&error));
     }
     out
 }

@@ -1,6 +1,7 @@
 //! The advisor's findings and the hand formulas in `summary.json`.
 
-use percuss_advice::{Advice, Comparison, Topic, Verdict};
+use percuss_advice::{Advice, AuditWarning, Comparison, Verdict};
+use percuss_codes::Code;
 use serde_json::{Value, json};
 
 /// A finding before the run.
@@ -18,11 +19,31 @@ pub(super) fn finding(advice: &Advice) -> Value {
     })
 }
 
-/// What a scenario allows, a code with its reason each, and whether the run had such a finding: `allow` of a summary.
-pub fn allowances(allowed: &[(Topic, &str)], advice: &[Advice]) -> Value {
-    let one = |&(topic, reason): &(Topic, &str)| {
-        let found = advice.iter().any(|one| one.topic == topic && one.verdict > Verdict::Fine);
-        json!({ "code": topic.code(), "topic": topic.name(), "reason": reason, "found": found })
+/// What the audit of the run warns of.
+pub(super) fn warning(warning: &AuditWarning) -> Value {
+    json!({
+        "code": warning.caution.code(),
+        "topic": warning.caution.name(),
+        "verdict": warning.verdict.name(),
+        "text": warning.text,
+        "reason": warning.reason,
+    })
+}
+
+/// What a scenario allows, a code with its reason each, and whether the run had such a finding or warning: `allow` of a summary.
+pub fn allowances(allowed: &[(Code, &str)], advice: &[Advice], warnings: &[AuditWarning]) -> Value {
+    let told = advice.iter().filter(|one| one.verdict > Verdict::Fine);
+    let found: Vec<Code> = told
+        .map(|one| one.topic.into())
+        .chain(warnings.iter().map(|one| one.caution.into()))
+        .collect();
+    let one = |(code, reason): &(Code, &str)| {
+        json!({
+            "code": code.code,
+            "topic": code.name,
+            "reason": reason,
+            "found": found.contains(code),
+        })
     };
     allowed.iter().map(one).collect()
 }

@@ -14,7 +14,7 @@ use percuss::{
     Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start, StopTouch,
     SupportSummary, Termination,
 };
-use percuss_advice::{Advice, Comparison};
+use percuss_advice::{Advice, AuditWarning, Comparison};
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;
@@ -38,6 +38,8 @@ pub struct RunInfo<'a> {
     pub wall_seconds: f64,
     /// What the advisor said before it.
     pub advice: &'a [Advice],
+    /// What its audit warns of.
+    pub warnings: &'a [AuditWarning],
     /// Its results beside hand formulas.
     pub comparisons: &'a [Comparison],
 }
@@ -70,10 +72,12 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "plastic": named(&run.plastic, |b| &b.name, plastic::value),
         "section_forces": named(&run.section_forces, |b| &b.name, section_forces),
         "advice": info.advice.iter().map(advice::finding).collect::<Vec<_>>(),
+        "warnings": info.warnings.iter().map(advice::warning).collect::<Vec<_>>(),
         "hand_formulas": info.comparisons.iter().map(advice::comparison).collect::<Vec<_>>(),
     });
     if let Termination::Failed(error) = &run.termination {
         summary["error"] = Value::from(error.to_string());
+        summary["error_code"] = Value::from(error.code().code());
     }
     summary
 }

@@ -30,6 +30,7 @@ fn rigid() -> Result<ReportData, RecorderError> {
         settings: &settings,
         wall_seconds: 0.1,
         advice: &advice,
+        warnings: &[],
         comparisons: &comparisons,
     };
     let summary = summary_value(&run, info);

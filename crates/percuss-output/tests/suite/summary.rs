@@ -21,6 +21,7 @@ fn value(run: &percuss::RunSummary) -> Value {
         settings: &settings,
         wall_seconds: 0.5,
         advice: &advice,
+        warnings: &[],
         comparisons: &comparisons,
     };
     summary_value(run, info)

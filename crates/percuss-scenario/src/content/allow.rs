@@ -1,6 +1,6 @@
-//! Findings that the author of a scenario knows of and allows.
+//! Findings and warnings that the author of a scenario knows of and allows.
 
-use percuss_codes::{Code, Topic};
+use percuss_codes::{Caution, Code, Topic};
 use serde_json::{Map, Value as Json, json};
 
 use super::Content;
@@ -10,24 +10,24 @@ use crate::node::{Body, Node, Reader};
 use crate::suggest;
 use crate::write::{self, Writer};
 
-/// A finding of the advisor that is allowed, and why.
+/// A finding of the advisor, or a warning of a run's audit, that is allowed, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Allowed {
     /// What it is about.
-    pub topic: Topic,
+    pub code: Code,
     /// Why it is no reason to worry, in the author's words.
     pub reason: String,
 }
 
 impl Content {
-    /// Why findings about a topic are allowed, if they are.
-    pub fn reason_to_allow(&self, topic: Topic) -> Option<&str> {
-        self.allow.iter().find(|one| one.topic == topic).map(|one| one.reason.as_str())
+    /// Why what has a code is allowed, if it is.
+    pub fn reason_to_allow(&self, code: Code) -> Option<&str> {
+        self.allow.iter().find(|one| one.code == code).map(|one| one.reason.as_str())
     }
 
     /// What is allowed, each with its reason.
-    pub fn allowances(&self) -> Vec<(Topic, &str)> {
-        self.allow.iter().map(|one| (one.topic, one.reason.as_str())).collect()
+    pub fn allowances(&self) -> Vec<(Code, &str)> {
+        self.allow.iter().map(|one| (one.code, one.reason.as_str())).collect()
     }
 }
 
@@ -35,28 +35,43 @@ impl Content {
 pub(crate) struct Allowances;
 
 impl Allowances {
-    /// The topic of a code, or what is wrong with it.
-    fn topic(code: &str) -> Result<Topic, (FaultCode, String, String)> {
-        let exact = Topic::of_code(code).filter(|topic| topic.code() == code);
-        if let Some(topic) = exact {
-            return Ok(topic);
+    /// What a code stands for, if it may be allowed, or what is wrong with it.
+    fn code(written: &str) -> Result<Code, (FaultCode, String, String)> {
+        let allowable = Code::allowable();
+        if let Some(code) = allowable.iter().find(|one| one.code == written) {
+            return Ok(*code);
         }
-        let found = format!("the code {code:?}");
-        match Code::find(code).filter(|_| Topic::of_code(code).is_none()) {
+        let found = format!("the code {written:?}");
+        match Code::find(written).filter(|one| !allowable.contains(one)) {
             Some(other) => {
-                let what = if other.is_error() { "an error" } else { "a warning of the command" };
-                let (first, last) = (Topic::ALL[0], Topic::ALL[Topic::ALL.len() - 1]);
-                let found = format!("{found} ({}), {what}, which cannot be allowed", other.name);
-                let expected =
-                    format!("a finding of the advisor, {} to {}", first.code(), last.code());
-                Err((FaultCode::Conflict, found, expected))
+                let what = match other.is_error() {
+                    true => "an error, which cannot be allowed",
+                    false => "which tells how a command went: it cannot be allowed",
+                };
+                let found = format!("{found} ({}), {what}", other.name);
+                Err((FaultCode::Conflict, found, Self::expected_codes()))
             }
             None => {
-                let known = suggest::one_of(code, Topic::ALL.into_iter().map(Topic::code));
+                let known = suggest::one_of(written, allowable.iter().map(|one| one.code));
                 let expected = format!("{known}; `percuss explain` lists them");
                 Err((FaultCode::UnknownName, found, expected))
             }
         }
+    }
+
+    fn expected_codes() -> String {
+        let ends = |all: &[&'static str]| match all {
+            [first, .., last] => format!("{first} to {last}"),
+            all => all.concat(),
+        };
+        let findings = Topic::ALL.map(Topic::code);
+        let audit = Caution::ALL.into_iter().filter(|one| one.is_of_the_audit());
+        let audit: Vec<&str> = audit.map(Caution::code).collect();
+        format!(
+            "a finding of the advisor, {}, or of the audit of a run, {}",
+            ends(&findings),
+            ends(&audit)
+        )
     }
 }
 
@@ -69,10 +84,10 @@ impl Format for Allowances {
             return None;
         };
         let mut all = Vec::new();
-        for (code, span) in body.keys() {
-            let Some(node) = body.get(code) else { continue };
-            let topic = match Self::topic(code) {
-                Ok(topic) => topic,
+        for (written, span) in body.keys() {
+            let Some(node) = body.get(written) else { continue };
+            let code = match Self::code(written) {
+                Ok(code) => code,
                 Err((kind, found, expected)) => {
                     reader.misplaced_as(kind, &node.path, span, (found, expected));
                     continue;
@@ -80,7 +95,7 @@ impl Format for Allowances {
             };
             match node.value.as_str().map(str::trim) {
                 Some(reason) if !reason.is_empty() => {
-                    all.push(Allowed { topic, reason: reason.to_owned() });
+                    all.push(Allowed { code, reason: reason.to_owned() });
                 }
                 found => {
                     let found = found.map_or_else(|| node.found(), |_| "an empty reason".into());
@@ -97,15 +112,15 @@ impl Format for Allowances {
     }
 
     fn expected() -> String {
-        "a table of codes of the advisor's findings, each with the reason why it is allowed".into()
+        "a table of codes of findings and warnings, each with the reason why it is allowed".into()
     }
 
     fn schema() -> Json {
-        let one = |topic: Topic| {
-            let schema = json!({ "type": "string", "minLength": 1, "description": topic.name() });
-            (topic.code().to_owned(), schema)
+        let one = |code: Code| {
+            let schema = json!({ "type": "string", "minLength": 1, "description": code.name });
+            (code.code.to_owned(), schema)
         };
-        let properties: Map<String, Json> = Topic::ALL.into_iter().map(one).collect();
+        let properties: Map<String, Json> = Code::allowable().into_iter().map(one).collect();
         json!({ "type": "object", "properties": properties, "additionalProperties": false })
     }
 }
@@ -114,7 +129,7 @@ impl Written for Allowances {
     fn write(value: &Self::Value, key: &str, out: &mut Writer) {
         out.header(key, None);
         for one in value {
-            out.line(one.topic.code(), &write::text(&one.reason), "");
+            out.line(one.code.code, &write::text(&one.reason), "");
         }
     }
 

@@ -8,6 +8,7 @@ pub use cheapest::Cheapest;
 pub use sequence::{Extrapolation, extrapolate};
 
 use percuss::{Fault, Flow, Model, Recorder, RunSummary, Settings, Simulation, Termination};
+use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, summary_paths};
 use percuss_scenario::{Diagnostics, Scenario};
 
@@ -102,8 +103,8 @@ pub enum ConvergeError {
     Faults(Diagnostics),
     /// What was asked for cannot be done.
     Refused(String),
-    /// A run did not reach its end.
-    Run(String),
+    /// A run did not reach its end: as what, and why.
+    Run(AnalysisCode, String),
     /// Somebody asked to stop.
     Interrupted,
 }
@@ -231,12 +232,14 @@ fn completed(
     match &summary.termination {
         Termination::Completed => Ok(summary),
         Termination::Interrupted { .. } => Err(ConvergeError::Interrupted),
-        Termination::Failed(error) => Err(ConvergeError::Run(format!(
-            "with a step of {:e} s and {} elements: {error}",
-            settings.step,
-            model.element_count()
-        ))),
-        Termination::Unsolved => Err(ConvergeError::Run("a run was not made".into())),
+        Termination::Failed(error) => {
+            let (step, elements) = (settings.step, model.element_count());
+            let text = format!("with a step of {step:e} s and {elements} elements: {error}");
+            Err(ConvergeError::Run(error.code(), text))
+        }
+        Termination::Unsolved => {
+            Err(ConvergeError::Run(AnalysisCode::Broken, "a run was not made".into()))
+        }
     }
 }
 

@@ -56,6 +56,31 @@ never = "contact.p.intervals[7].end"
 "#;
 
 #[test]
+fn the_base_of_the_shipped_studies_is_the_scenario_of_the_paper() {
+    // A study's base lies in its folder, so the file is there twice.
+    let read = |name: &str| {
+        let path = format!("{}/../../scenarios/{name}", env!("CARGO_MANIFEST_DIR"));
+        percuss_scenario::load(std::path::Path::new(&path))
+            .unwrap_or_else(|faults| panic!("{faults}"))
+    };
+    let [copy, original] = ["studies/elastic-clamped.toml", "paper/elastic-clamped.toml"].map(read);
+    assert_eq!(copy.content(), original.content());
+}
+
+#[test]
+fn files_of_runs_that_cannot_be_used_have_their_code() {
+    let study = study(SAMPLED);
+    let desk = tempfile::tempdir().unwrap();
+    let folder = Folder::open(desk.path().join("out"), &study).unwrap();
+    let missing = folder.read(&study, 1).expect_err("nothing is there");
+    assert_eq!((missing.code().code, missing.is_unfit()), ("E303", true), "{missing}");
+    assert_eq!(folder.finish(&study).expect_err("incomplete").code().code, "E303");
+    std::fs::write(folder.path().join("shards/shard-000001.parquet"), "none").unwrap();
+    let damaged = folder.read(&study, 1).expect_err("damaged");
+    assert_eq!((damaged.code().code, damaged.is_unfit()), ("E302", true), "{damaged}");
+}
+
+#[test]
 fn a_study_read_again_is_the_same_study() {
     let first = study(SAMPLED);
     let again = Study::from_toml(&first.to_toml(), "again.toml").expect("sound");

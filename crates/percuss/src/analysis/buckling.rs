@@ -1,5 +1,7 @@
 //! Linear buckling: the load factor at which the tangent would turn singular if the geometric stiffness grew with the load.
 
+use percuss_codes::Caution;
+
 use super::flutter::{FollowerStability, follower_stability};
 use super::spectrum::{Held, Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
@@ -65,6 +67,18 @@ pub enum BucklingOutcome {
 }
 
 impl BucklingOutcome {
+    /// Its code in the catalogue, where there is no factor to be told though loads act.
+    pub fn code(self) -> Option<Caution> {
+        match self {
+            Self::Found | Self::Never { .. } | Self::Unloaded => None,
+            Self::Follower
+            | Self::Mechanism
+            | Self::Unstable
+            | Self::Inelastic
+            | Self::Unfinished => Some(Caution::NoBuckling),
+        }
+    }
+
     /// One sentence for people; nothing to say of what was found.
     pub fn reason(self) -> Option<String> {
         Some(match self {

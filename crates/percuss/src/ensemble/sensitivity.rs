@@ -4,6 +4,8 @@
 //! itself. Where an impact is located, the instant moves with the parameters, too: it is a number with derivatives like any
 //! other, which gives the jump of the derivatives across the impact (the saltation).
 
+use percuss_codes::AnalysisCode;
+
 use super::flight::{Derived, Flight, TOGETHER};
 use super::horizon::{agreeing, withdraw};
 use super::numbers::Numbers;
@@ -58,14 +60,24 @@ pub struct Horizon {
 pub enum Undifferentiated {
     /// Something of model, settings or parameters, or something that happens in the run, has no derivatives here.
     Refused(String),
-    /// The run itself fails.
-    Failed(String),
+    /// The run itself fails: as what, and why.
+    Failed(AnalysisCode, String),
+}
+
+impl Undifferentiated {
+    /// Its code in the catalogue.
+    pub fn code(&self) -> AnalysisCode {
+        match self {
+            Self::Refused(_) => AnalysisCode::NoDerivative,
+            Self::Failed(code, _) => *code,
+        }
+    }
 }
 
 impl std::fmt::Display for Undifferentiated {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Refused(why) | Self::Failed(why) => f.write_str(why),
+            Self::Refused(why) | Self::Failed(_, why) => f.write_str(why),
         }
     }
 }
@@ -113,7 +125,7 @@ pub fn sensitivities(
         Err(faults) => return Err(faults[0].to_string().into()),
     };
     if let Termination::Failed(error) = &summary.termination {
-        return Err(Undifferentiated::Failed(error.to_string()));
+        return Err(Undifferentiated::Failed(error.code(), error.to_string()));
     }
     let case = Case { model, settings, base, fixed: Fixed::all(model) };
     let mut found =

@@ -80,3 +80,22 @@ impl Simulation<'_> {
         least
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::ModelBuilder;
+    use crate::settings::Settings;
+
+    #[test]
+    fn a_singular_tangent_has_its_code() {
+        // No model that is accepted is known to have one: what is said of it is looked at alone.
+        let model = ModelBuilder::new().build().unwrap();
+        let simulation = Simulation::new(&model, &Settings::new(1.0, 0.5)).unwrap();
+        let error = simulation.give_up(Failure::Singular(Singular::Constraints), 0.5);
+        assert!(error.is_singular(), "{error}");
+        assert_eq!(error.code().code(), "E107");
+        let text = "singular tangent at t = 0.000000000e0 s, at the joints and supports";
+        assert_eq!(error.to_string(), text);
+    }
+}

@@ -1,13 +1,13 @@
 //! The same scenario under other restitution coefficients, for the figure that compares energies.
 
 use percuss::{Simulation, Termination};
+use percuss_codes::Code;
 use percuss_output::ComparisonSeries;
 use percuss_scenario::content::ProjectileKind;
 
 use super::recorder::{EnergyRecorder, EnergySeries};
 use crate::progress::Progress;
 use crate::scenario::Ready;
-use crate::terminal;
 
 /// Coefficients compared where the scenario says nothing.
 const COEFFICIENTS: [f64; 3] = [1.0, 0.5, 0.0];
@@ -24,8 +24,8 @@ pub struct Comparison<'a> {
 
 impl Comparison<'_> {
     /// Total energies for each coefficient; those of the run itself, `own`, are taken for its own.
-    /// Nothing if the user interrupts.
-    pub fn run(&self, own: &EnergySeries) -> Vec<ComparisonSeries> {
+    /// Nothing if the user interrupts. Those that failed are warned of, by `warn`.
+    pub fn run(&self, own: &EnergySeries, warn: &mut dyn FnMut(String)) -> Vec<ComparisonSeries> {
         let own_coefficient = own_coefficient(self.ready);
         let mut all = Vec::new();
         for coefficient in coefficients(self.ready) {
@@ -40,9 +40,10 @@ impl Comparison<'_> {
                 }
                 Err(Termination::Interrupted { .. }) => return Vec::new(),
                 Err(Termination::Failed(error)) => {
-                    terminal::warning(&format!("the comparison lacks {label}: {error}"));
+                    let error = Code::from(error.code()).behind(error);
+                    warn(format!("the comparison lacks {label}: {error}"));
                 }
-                Err(_) => terminal::warning(&format!("the comparison lacks {label}")),
+                Err(_) => warn(format!("the comparison lacks {label}")),
             }
         }
         all

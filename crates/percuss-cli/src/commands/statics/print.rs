@@ -66,7 +66,9 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     if let Some(reason) = linear.outcome.reason()
         && linear.outcome != BucklingOutcome::Unloaded
     {
-        text.push_str(&format!("{reason}\n"));
+        let code =
+            linear.outcome.code().map_or(String::new(), |code| format!(" [{}]", code.code()));
+        text.push_str(&format!("{reason}{code}\n"));
     }
     if let Some(stability) = linear.stability {
         text.push_str(&format!("{}\n", under_followers(stability)));

@@ -7,6 +7,7 @@ use std::process::{Child, Command, ExitStatus};
 use std::thread;
 use std::time::Duration;
 
+use percuss_codes::RequestCode;
 use percuss_scenario::FileAccess;
 use percuss_study::{Folder, Study};
 
@@ -99,9 +100,12 @@ fn refuse_missing(study: &Path, out: &Path) -> Result<(), Failure> {
     let table = Folder::open(out, &study).and_then(|folder| folder.results(&study));
     match table {
         Ok(_) => Ok(()),
-        Err(error) => Err(Failure::System(format!(
-            "the sweep ended as if it were done, but its results are not there: {error}"
-        ))),
+        Err(error) => {
+            let text = format!(
+                "the sweep ended as if it were done, but its results are not there: {error}"
+            );
+            Err(Failure::System(RequestCode::ClusterFailed.into(), text))
+        }
     }
 }
 
@@ -118,8 +122,11 @@ fn probe(python: &OsString, name: &str) -> Result<(), Failure> {
 }
 
 fn missing(name: &str, why: &str) -> Failure {
-    Failure::Input(format!(
-        "a sweep on a cluster needs Python with percuss and Dask, and `{name}` has not both: {why}; \
+    Failure::input(
+        RequestCode::Cluster,
+        format!(
+            "a sweep on a cluster needs Python with percuss and Dask, and `{name}` has not both: {why}; \
          `pip install \".[dask]\"` in the sources of percuss installs them, {INTERPRETER} names another interpreter"
-    ))
+        ),
+    )
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use percuss_codes::RequestCode;
 use percuss_study::{KEPT, Study};
 
 use crate::commands::run;
@@ -13,10 +14,10 @@ pub fn refuse_missing(study: &Study, runs: &[u64]) -> Result<(), Failure> {
     let count = study.run_count();
     match runs.iter().find(|run| **run >= count) {
         None => Ok(()),
-        Some(run) => Err(Failure::Input(format!(
-            "--keep-run {run}: the study has runs 0 to {}",
-            count.saturating_sub(1)
-        ))),
+        Some(run) => Err(Failure::input(
+            RequestCode::NoSuchRun,
+            format!("--keep-run {run}: the study has runs 0 to {}", count.saturating_sub(1)),
+        )),
     }
 }
 
@@ -25,9 +26,9 @@ pub fn keep(study: &Study, out: &Path, runs: &[u64]) -> Result<Status, Failure> 
     let place = out.join(KEPT);
     let mut worst = Status::Done;
     for run in runs {
-        let text = study
-            .scenario_of(*run)
-            .map_err(|reason| Failure::Input(format!("run {run} has no scenario: {reason}")))?;
+        let text = study.scenario_of(*run).map_err(|reason| {
+            Failure::input(RequestCode::NoScenario, format!("run {run} has no scenario: {reason}"))
+        })?;
         std::fs::create_dir_all(&place).map_err(|e| Failure::system(&place, "create", &e))?;
         let file = place.join(format!("run-{run}.toml"));
         std::fs::write(&file, text).map_err(|e| Failure::system(&file, "write", &e))?;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use percuss_codes::Caution;
 use percuss_study::analysis::{Estimate, NoIndices, SobolIndices};
 use percuss_study::{RESULTS, Study, Table};
 use serde_json::{Map, Value, json};
@@ -64,7 +65,8 @@ pub fn tell(
             let values = table.numbers(&result.name).unwrap_or_default();
             if statuses.contains_key("completed") && values.iter().all(|x| x.is_nan()) {
                 let path = result.path.path();
-                terminal::warning(&format!("{}: no run has {path}", result.name));
+                let text = format!("{}: no run has {path}", result.name);
+                terminal::warning(Caution::NoValues, &text);
             }
         }
     }
@@ -121,13 +123,12 @@ fn warn(table: &Table) {
     let mut reasons: Vec<(&str, usize)> = reasons.into_iter().collect();
     reasons.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
     for (reason, times) in reasons.iter().take(REASONS_SHOWN) {
-        terminal::warning(&format!("{}: {reason}", count(*times, "run")));
+        let text = format!("{}: {reason}", count(*times, "run"));
+        terminal::warning(Caution::FailedRuns, &text);
     }
     if reasons.len() > REASONS_SHOWN {
         let more = reasons[REASONS_SHOWN..].iter().map(|(_, times)| times).sum();
-        terminal::warning(&format!(
-            "{} for other reasons; see the column `reason`",
-            count(more, "run")
-        ));
+        let text = format!("{} for other reasons; see the column `reason`", count(more, "run"));
+        terminal::warning(Caution::FailedRuns, &text);
     }
 }

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, Peak, PlasticHinge,
+    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, PlasticHinge,
     PlasticSummary, RunSummary, SupportSummary, Termination,
 };
-use percuss_advice::{Comparison, Topic, Verdict};
+use percuss_advice::Comparison;
 use percuss_output::report::story;
 use serde_json::Value;
 
@@ -151,106 +151,6 @@ fn impulses(run: &RunSummary) -> Vec<String> {
         let (x, y) = (told(0), told(1));
         format!("{} gave {x} N s, {y} N s{moment}, beyond its forces", support.name)
     })
-}
-
-/// A violation of the contact conditions beyond this, relative to the largest velocity, is worth a warning.
-const CONDITIONS: f64 = 1e-8;
-/// Residuals beyond this are worth a warning whatever the scheme.
-const BALANCE_OPEN: f64 = 1e-8;
-
-/// Rigid things further inside each other than this are worth a warning \[m\].
-const INSIDE: f64 = 1e-7;
-
-/// What deserves attention.
-pub(super) fn warnings(ended: &Ended) -> Vec<String> {
-    let run = &ended.summary;
-    let mut all = Vec::new();
-    if run.contact_residual_max > CONDITIONS {
-        let size = small(run.contact_residual_max);
-        all.push(format!("contacts violate their conditions by {size} of the largest velocity"));
-    }
-    all.extend(inside(run));
-    all.extend(shared_blows(run));
-    all.extend(meshes(run, &ended.value["advice"]));
-    let residuals = [
-        ("energy", run.energy.residual_max),
-        ("linear momentum", run.momentum.linear_residual_max),
-        ("angular momentum", run.momentum.angular_residual_max),
-    ];
-    for (what, residual) in residuals {
-        if residual > BALANCE_OPEN || residual.is_nan() {
-            let size = small(residual);
-            all.push(format!("the balance of {what} does not close: {size} of its scale"));
-        }
-    }
-    all
-}
-
-/// Blows that the impact law shared among bodies that touch.
-fn shared_blows(run: &RunSummary) -> Option<String> {
-    let shared = &run.shared_blows;
-    let others = match shared.count {
-        0 => return None,
-        1 => String::new(),
-        count => format!(" (and {} times more)", count - 1),
-    };
-    let [a, b] = shared.contacts.map(|k| run.contacts.get(k).map_or("?", |c| c.name.as_str()));
-    let time = number(shared.first);
-    Some(format!(
-        "several touching bodies were struck at once, at {time} s by contacts {a} and {b}{others}: the impact law shared the blow \
-         among them; with time.multiple_impacts = \"sequential\" it is passed on from one to the next"
-    ))
-}
-
-/// Contacts whose rigid impacts are properties of the mesh, unless the advisor has said so.
-fn meshes(run: &RunSummary, advice: &Value) -> Option<String> {
-    let topic = Topic::EffectiveMass.name();
-    let told = |c: &ContactSummary| {
-        let mut all = advice.as_array().into_iter().flatten();
-        all.any(|one| {
-            let told = [Verdict::Warning, Verdict::Allowed].map(Verdict::name);
-            let warns = one["topic"] == topic && told.iter().any(|word| one["verdict"] == *word);
-            warns && one["contact"] == c.name.as_str()
-        })
-    };
-    let depends = |c: &&ContactSummary| {
-        let rigid = matches!(c.record, ContactRecord::Nonsmooth { .. });
-        rigid && !told(c) && c.effective_mass.is_some_and(|mass| mass.depends_on_mesh())
-    };
-    let mut found = run.contacts.iter().filter(depends);
-    let (first, others) = (found.next()?, found.count());
-    let mass = first.effective_mass?;
-    let others = match others {
-        0 => String::new(),
-        _ => format!(" (and {})", count(others, "other contact")),
-    };
-    Some(format!(
-        "contact {}{others}: what is struck answers the first blow with {} kg on this mesh, with {} kg on ever finer ones: impulses \
-         and the number of impacts are properties of the mesh; give the contact a compliance of its own",
-        first.name,
-        number(mass.on_mesh),
-        number(mass.limit)
-    ))
-}
-
-/// Rigid things that were inside each other: the deepest, and how many others.
-fn inside(run: &RunSummary) -> Option<String> {
-    let depth = |contact: &ContactSummary| match &contact.record {
-        ContactRecord::Nonsmooth { penetration, .. } => *penetration,
-        ContactRecord::Smooth { .. } => Peak::default(),
-    };
-    let deep = || run.contacts.iter().filter(|contact| depth(contact).value > INSIDE);
-    let worst = deep().max_by(|a, b| depth(a).value.total_cmp(&depth(b).value))?;
-    let (name, [a, b], peak) = (&worst.name, &worst.between, depth(worst));
-    let others = match deep().count() - 1 {
-        0 => String::new(),
-        others => format!(" (and {others} other contacts less)"),
-    };
-    let (depth, time) = (number(peak.value), number(peak.time));
-    Some(format!(
-        "contact {name}: {a} and {b} were inside each other, by {depth} m at {time} s{others}; use a smaller time.step, unless \
-         something else holds them there"
-    ))
 }
 
 fn status(ended: &Ended) -> String {

@@ -1,0 +1,123 @@
+//! What the audit of a finished run warns of.
+
+use percuss::{ContactRecord, ContactSummary, Peak, RunSummary};
+use percuss_codes::{Caution, Topic};
+
+use super::words::quantity;
+use super::{Advice, Verdict};
+
+/// A violation of the contact conditions beyond this, relative to the largest velocity, is worth a warning.
+const CONDITIONS: f64 = 1e-8;
+/// Residuals beyond this are worth a warning whatever the scheme.
+const BALANCE_OPEN: f64 = 1e-8;
+/// Rigid things further inside each other than this are worth a warning \[m\].
+const INSIDE: f64 = 1e-7;
+
+/// What deserves attention.
+pub fn warnings(run: &RunSummary, advice: &[Advice]) -> Vec<(Caution, String)> {
+    let mut all = Vec::new();
+    if run.contact_residual_max > CONDITIONS {
+        let text = format!(
+            "contacts violate their conditions by {:.1e} of the largest velocity",
+            run.contact_residual_max
+        );
+        all.push((Caution::ContactConditions, text));
+    }
+    all.extend(inside(run).map(|text| (Caution::Inside, text)));
+    all.extend(shared_blows(run).map(|text| (Caution::SharedBlow, text)));
+    all.extend(meshes(run, advice).map(|text| (Caution::MeshImpulse, text)));
+    let residuals = [
+        ("energy", run.energy.residual_max),
+        ("linear momentum", run.momentum.linear_residual_max),
+        ("angular momentum", run.momentum.angular_residual_max),
+    ];
+    for (what, residual) in residuals {
+        if residual > BALANCE_OPEN || residual.is_nan() {
+            let text = format!("the balance of {what} does not close: {residual:.1e} of its scale");
+            all.push((Caution::Balance, text));
+        }
+    }
+    all
+}
+
+/// Rigid things that were inside each other: the deepest, and how many others.
+fn inside(run: &RunSummary) -> Option<String> {
+    let depth = |contact: &ContactSummary| match &contact.record {
+        ContactRecord::Nonsmooth { penetration, .. } => *penetration,
+        ContactRecord::Smooth { .. } => Peak::default(),
+    };
+    let deep = || run.contacts.iter().filter(|contact| depth(contact).value > INSIDE);
+    let worst = deep().max_by(|a, b| depth(a).value.total_cmp(&depth(b).value))?;
+    let (name, [a, b], peak) = (&worst.name, &worst.between, depth(worst));
+    let others = match deep().count() - 1 {
+        0 => String::new(),
+        others => format!(" (and {others} other contacts less)"),
+    };
+    let (depth, time) = (quantity(peak.value, "m"), quantity(peak.time, "s"));
+    Some(format!(
+        "contact {name}: {a} and {b} were inside each other, by {depth} at {time}{others}; use a smaller time.step, unless \
+         something else holds them there"
+    ))
+}
+
+/// Blows that the impact law shared among bodies that touch.
+fn shared_blows(run: &RunSummary) -> Option<String> {
+    let shared = &run.shared_blows;
+    let others = match shared.count {
+        0 => return None,
+        1 => String::new(),
+        count => format!(" (and {} times more)", count - 1),
+    };
+    let [a, b] = shared.contacts.map(|k| run.contacts.get(k).map_or("?", |c| c.name.as_str()));
+    let time = quantity(shared.first, "s");
+    Some(format!(
+        "several touching bodies were struck at once, at {time} by contacts {a} and {b}{others}: the impact law shared the blow \
+         among them; with time.multiple_impacts = \"sequential\" it is passed on from one to the next"
+    ))
+}
+
+/// Contacts whose rigid impacts are properties of the mesh, unless the advisor has said so.
+fn meshes(run: &RunSummary, advice: &[Advice]) -> Option<String> {
+    let told = |c: &ContactSummary| {
+        advice.iter().any(|one| {
+            let weighs = matches!(one.verdict, Verdict::Warning | Verdict::Allowed);
+            weighs && one.topic == Topic::EffectiveMass && one.contact == c.name
+        })
+    };
+    let depends = |c: &&ContactSummary| {
+        let rigid = matches!(c.record, ContactRecord::Nonsmooth { .. });
+        rigid && !told(c) && c.effective_mass.is_some_and(|mass| mass.depends_on_mesh())
+    };
+    let mut found = run.contacts.iter().filter(depends);
+    let (first, others) = (found.next()?, found.count());
+    let mass = first.effective_mass?;
+    let others = match others {
+        0 => String::new(),
+        1 => " (and 1 other contact)".to_owned(),
+        others => format!(" (and {others} other contacts)"),
+    };
+    Some(format!(
+        "contact {}{others}: what is struck answers the first blow with {} on this mesh, with {} on ever finer ones: impulses \
+         and the number of impacts are properties of the mesh; give the contact a compliance of its own",
+        first.name,
+        quantity(mass.on_mesh, "kg"),
+        quantity(mass.limit, "kg")
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use percuss::{NoRecorder, Settings, simulate};
+
+    #[test]
+    fn conditions_that_contacts_violate_have_their_code() {
+        let model = percuss::ModelBuilder::new().build();
+        let mut run = simulate(&model.unwrap(), &Settings::new(1.0, 0.5), &mut NoRecorder).unwrap();
+        assert_eq!(warnings(&run, &[]), []);
+        run.contact_residual_max = 1e-7;
+        let text = "contacts violate their conditions by 1.0e-7 of the largest velocity".to_owned();
+        assert_eq!(warnings(&run, &[]), [(Caution::ContactConditions, text)]);
+        assert_eq!(Caution::ContactConditions.code(), "W101");
+    }
+}
