@@ -5,8 +5,10 @@
 
 pub mod beam;
 pub mod collocation;
+pub mod elastic;
 pub mod energy_momentum;
 pub mod fibre;
+pub mod mapped;
 pub mod membrane;
 pub mod point;
 pub mod rotary;

@@ -2,9 +2,9 @@
 
 use super::band::{Band, LaneBlock};
 use super::numbers::{GuideNumbers, Numbers, PrescribedNumbers};
-use crate::element::beam::{ElementSums, ElementValues};
-use crate::element::energy_momentum::{End, PointStep, Quotients, Step};
-use crate::element::point::SectionLaw;
+use crate::element::beam::ElementValues;
+use crate::element::elastic::ElasticStep;
+use crate::element::energy_momentum::End;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{dot, dot4};
 use crate::model::StrainMeasure;
@@ -206,33 +206,19 @@ impl<S: Number> Engine<S> {
             let (a, element, table) = (span.first + k, first + k, span.table(k));
             let end = self.inertia::<DAMPED>(a + 1, rate, damping);
             let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-            let mut sums = ElementSums::zero(rate);
-            let (rows, starts) = (&table.rows, &self.start[element]);
-            let mut ways = [PointStep::new(&rows[0], &starts[0], &step); GAUSS];
-            for j in 1..GAUSS {
-                ways[j] = PointStep::new(&rows[j], &starts[j], &step);
+            let u = &self.displacement;
+            let (sums, _) = ElasticStep {
+                table,
+                measure,
+                starts: &self.start[element],
+                spin: &self.spin[element],
+                start: ElementValues::new(&u[a], &u[a + 1]),
+                increment: step,
+                rate,
+                lag,
+                damping,
             }
-            let quotients = Quotients::of(measure, &ways);
-            for j in 0..GAUSS {
-                let (row, old) = (&table.rows[j], &self.start[element][j]);
-                let new = Step::new(measure, &ways[j], &quotients[j]);
-                let law = SectionLaw { measure, ..row.weighed };
-                let mut point = new.response::<TANGENT>(&law, old, lag);
-                let spin = self.spin[element][j];
-                new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin, rate, damping);
-                sums.add::<TANGENT>(row, &point);
-            }
-            if let Some(samples) = &table.membrane {
-                let u = &self.displacement;
-                let steps = samples.step(&ElementValues::new(&u[a], &u[a + 1]), &step);
-                let [s0, s1, s2] = &steps;
-                let points = [
-                    s0.invariant(measure, lag),
-                    s1.invariant(measure, lag),
-                    s2.invariant(measure, lag),
-                ];
-                samples.add::<TANGENT>(&points, 0.5, &mut sums);
-            }
+            .sums::<TANGENT>();
             let [mut on_a, mut on_b] = sums.nodal_force();
             table.add_inertia(&start, &end, &mut on_a, &mut on_b);
             for i in 0..4 {

@@ -1,8 +1,6 @@
 //! The numbers of a run, apart from its shape: what differs between the lanes of an ensemble.
 
-use crate::element::beam::{ElementTable, GaussRow};
-use crate::element::membrane::MembraneTable;
-use crate::element::point::SectionLaw;
+use crate::element::beam::ElementTable;
 use crate::model::StrainMeasure;
 
 /// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
@@ -119,7 +117,7 @@ pub struct PointNumbers<S> {
 
 impl<S: Copy> Numbers<S> {
     /// The same with every number replaced, in a fixed order.
-    pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> Numbers<T> {
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> Numbers<T> {
         Numbers {
             step: f(self.step),
             spans: self.spans.iter().map(|s| s.map(f)).collect(),
@@ -152,8 +150,8 @@ impl<S: Copy> Numbers<S> {
 }
 
 impl<S: Copy> SpanNumbers<S> {
-    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> SpanNumbers<T> {
-        let tables = self.tables.iter().map(|t| map_table(t, f)).collect();
+    fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> SpanNumbers<T> {
+        let tables = self.tables.iter().map(|t| t.map(f)).collect();
         let (retardation, mass_damping) = (f(self.retardation), f(self.mass_damping));
         let Self { first, count, measure, damped, .. } = *self;
         SpanNumbers { first, count, measure, retardation, mass_damping, damped, tables }
@@ -197,44 +195,5 @@ impl<S: Copy> GuideNumbers<S> {
             speed: f(self.speed),
             stiffness: f(self.stiffness),
         }
-    }
-}
-
-fn map_table<S: Copy, T>(table: &ElementTable<S>, f: &mut impl FnMut(S) -> T) -> ElementTable<T> {
-    ElementTable {
-        length: f(table.length),
-        rows: table.rows.map(|row| map_row(&row, f)),
-        mass: table.mass.map(|row| row.map(&mut *f)),
-        membrane: table.membrane.map(|m| MembraneTable {
-            rows: m.rows.map(|row| row.map(&mut *f)),
-            tangent: m.tangent.map(|row| row.map(&mut *f)),
-            stiffness: m.stiffness.map(|row| row.map(&mut *f)),
-            at_gauss: m.at_gauss.map(|row| row.map(&mut *f)),
-        }),
-    }
-}
-
-fn map_row<S: Copy, T>(row: &GaussRow<S>, f: &mut impl FnMut(S) -> T) -> GaussRow<T> {
-    GaussRow {
-        first: row.first.map(&mut *f),
-        second: row.second.map(&mut *f),
-        weight: f(row.weight),
-        tangent: row.tangent.map(&mut *f),
-        bend: row.bend.map(&mut *f),
-        curvature: f(row.curvature),
-        weighed: map_law(&row.weighed, f),
-        section: map_law(&row.section, f),
-        mass: f(row.mass),
-        area: f(row.area),
-        half_depth: f(row.half_depth),
-    }
-}
-
-fn map_law<S: Copy, T>(law: &SectionLaw<S>, f: &mut impl FnMut(S) -> T) -> SectionLaw<T> {
-    SectionLaw {
-        axial: f(law.axial),
-        bending: f(law.bending),
-        rotary: f(law.rotary),
-        measure: law.measure,
     }
 }

@@ -8,7 +8,7 @@ use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use crate::model::Model;
-use crate::scalar::{Lanes, Mask, Number};
+use crate::scalar::{Lanes, Mask, Number, in_lanes};
 use crate::settings::{SAME_INSTANT, Settings};
 use crate::summary::{RunSummary, Termination};
 
@@ -39,7 +39,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
             })
             .collect();
         let mut keep = |index: usize, summary| done[index] = summary;
-        side_by_side(SideBySide { runs: &group, keep: &mut keep });
+        in_lanes(SideBySide { runs: &group, keep: &mut keep });
     }
     done
 }
@@ -51,22 +51,6 @@ struct LaneRun<'a> {
     model: &'a Model,
     settings: &'a Settings,
     numbers: Numbers<f64>,
-}
-
-/// Runs a group in the widest registers that the processor has: a single run too, for the same bits.
-fn side_by_side(group: SideBySide) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        use pulp::Simd;
-        use pulp::x86::{V3, V4};
-        if let Some(family) = V4::try_new() {
-            return Simd::vectorize(family, group);
-        }
-        if let Some(family) = V3::try_new() {
-            return Simd::vectorize(family, group);
-        }
-    }
-    pulp::WithSimd::with_simd(group, pulp::Scalar::new());
 }
 
 /// Runs in lanes, compiled for each of the register widths that processors have.

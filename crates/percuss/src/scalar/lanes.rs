@@ -1,10 +1,25 @@
-//! Numbers side by side, one a run: what the processor works on at once.
+//! Numbers side by side, one a run or one an element: what the processor works on at once.
 
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use pulp::{Simd, bytemuck};
+use pulp::{Simd, WithSimd, bytemuck};
 
 use super::{Mask, Number, Real, quotient};
+
+/// Does something in the widest registers that the processor has.
+pub fn in_lanes<W: WithSimd>(what: W) -> W::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use pulp::x86::{V3, V4};
+        if let Some(family) = V4::try_new() {
+            return Simd::vectorize(family, what);
+        }
+        if let Some(family) = V3::try_new() {
+            return Simd::vectorize(family, what);
+        }
+    }
+    what.with_simd(pulp::Scalar::new())
+}
 
 /// As many numbers side by side as a vector register of the processor family `P` holds.
 ///
@@ -23,6 +38,26 @@ impl<P: Simd> Lanes<P> {
     #[inline(always)]
     pub fn new(family: P, value: f64) -> Self {
         Self { family, value: family.splat_f64s(value) }
+    }
+
+    /// The first numbers of a slice, which has as many at least.
+    #[inline(always)]
+    pub fn load(self, from: &[f64]) -> Self {
+        let bytes = bytemuck::cast_slice(&from[..P::F64_LANES]);
+        self.with(bytemuck::pod_read_unaligned(bytes))
+    }
+
+    /// Writes them to the beginning of a slice.
+    #[inline(always)]
+    pub fn store(self, to: &mut [f64]) {
+        let bytes: &mut [u8] = bytemuck::cast_slice_mut(&mut to[..P::F64_LANES]);
+        bytes.copy_from_slice(bytemuck::bytes_of(&self.value));
+    }
+
+    /// The number in a lane.
+    #[inline(always)]
+    pub fn at(&self, lane: usize) -> f64 {
+        bytemuck::cast_slice::<P::f64s, f64>(std::slice::from_ref(&self.value))[lane]
     }
 
     #[inline(always)]

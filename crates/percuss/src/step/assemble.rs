@@ -2,6 +2,7 @@
 
 use super::fibres::element_step;
 use super::integration::{Integration, MidpointForces, Rule};
+use super::sweep::{SpanStep, Sweep};
 use crate::element::beam::{ElementSums, ElementValues, GaussRow, step_point};
 use crate::element::membrane::{MembranePoint, MembraneStep};
 use crate::element::point::{PointResponse, StepPoint, Strains};
@@ -38,6 +39,8 @@ pub struct EndForces {
     /// Accelerations of the beams' nodes in the equation of motion, less gravity, with what mass-proportional damping adds,
     /// shape (n_beam_node) \[m/s^2, 1/s^2\].
     pub inertia: Vec<[f64; 4]>,
+    /// Elements that are evaluated side by side.
+    pub sweep: Sweep,
 }
 
 impl EndForces {
@@ -46,6 +49,7 @@ impl EndForces {
         Self {
             on_nodes: vec![[[0.0; 4]; 2]; model.element_count()],
             inertia: vec![[0.0; 4]; model.beam_node_count()],
+            sweep: Sweep::new(model),
         }
     }
 
@@ -87,18 +91,27 @@ pub fn beams<const TANGENT: bool>(
         Strains { membrane, bending }
     };
     match integration.rule {
-        Rule::Midpoint(MidpointForces::Invariant) => ends.sum::<TANGENT>(
-            residual,
-            chain,
-            forces,
-            |point, place| {
-                let mut r =
-                    energy_momentum::response::<f64, TANGENT>(&place.row.weighed, point, place.lag);
-                add_rotary::<TANGENT>(&mut r, point, place, state, h);
-                r
-            },
-            |step, measure, place| step.invariant(measure, place.lag),
-        ),
+        Rule::Midpoint(MidpointForces::Invariant) => {
+            for (i, span) in model.spans.iter().enumerate() {
+                if forces.sweep.has(i) {
+                    let (rule, chain, forces) = (integration, &mut *chain, &mut *forces);
+                    let residual = &mut *residual;
+                    SpanStep::<TANGENT> {
+                        model,
+                        span: i,
+                        rule,
+                        gravity,
+                        increment,
+                        residual,
+                        chain,
+                        forces,
+                    }
+                    .evaluate();
+                } else {
+                    ends.invariant_span::<TANGENT>(span, residual, chain, forces);
+                }
+            }
+        }
         Rule::Midpoint(MidpointForces::StrainRate) => ends.sum::<TANGENT>(
             residual,
             chain,
@@ -189,8 +202,23 @@ impl StepState<'_> {
         response: impl Fn(&StepPoint<f64>, GaussPlace) -> PointResponse<f64>,
         membrane: impl Fn(&MembraneStep<f64>, StrainMeasure, GaussPlace) -> MembranePoint<f64>,
     ) {
-        let theta = self.integration.theta();
         for span in &self.model.spans {
+            self.sum_span::<TANGENT>(span, residual, (chain, forces), &response, &membrane);
+        }
+    }
+
+    /// The same over a span.
+    #[inline(always)]
+    fn sum_span<const TANGENT: bool>(
+        &self,
+        span: &Span,
+        residual: &mut [[f64; 4]],
+        (chain, forces): (&mut Chain, &mut EndForces),
+        response: &impl Fn(&StepPoint<f64>, GaussPlace) -> PointResponse<f64>,
+        membrane: &impl Fn(&MembraneStep<f64>, StrainMeasure, GaussPlace) -> MembranePoint<f64>,
+    ) {
+        let theta = self.integration.theta();
+        {
             let slope = self.integration.inertia_slope()
                 + span.mass_damping * self.integration.rate_slope();
             let first = span.nodes.start;
@@ -243,6 +271,29 @@ impl StepState<'_> {
                 start = end;
             }
         }
+    }
+
+    /// Sums the invariant scheme over a span that is not swept.
+    fn invariant_span<const TANGENT: bool>(
+        &self,
+        span: &Span,
+        residual: &mut [[f64; 4]],
+        chain: &mut Chain,
+        forces: &mut EndForces,
+    ) {
+        let (state, h) = (self.state, self.integration.h);
+        self.sum_span::<TANGENT>(
+            span,
+            residual,
+            (chain, forces),
+            &|point, place| {
+                let law = &place.row.weighed;
+                let mut r = energy_momentum::response::<f64, TANGENT>(law, point, place.lag);
+                add_rotary::<TANGENT>(&mut r, point, place, state, h);
+                r
+            },
+            &|step, measure, place| step.invariant(measure, place.lag),
+        );
     }
 
     /// Adds the forces of an element of fibres.

@@ -13,7 +13,7 @@ use crate::element::strain_rate;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, dot};
 use crate::model::Model;
-use crate::model::frozen::{Connector, Coordinate};
+use crate::model::frozen::{Connector, Coordinate, Span};
 use crate::state::State;
 
 /// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger.
@@ -76,6 +76,12 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
     if matches!(rule.rule, Rule::Alpha(_)) {
         return;
     }
+    if rule.sweeps() {
+        for (i, span) in model.spans.iter().enumerate() {
+            advance_spins(i, span, state, rule, work);
+        }
+        return;
+    }
     for (span, k, a, element) in model.each_element() {
         let table = span.table(k);
         let u = &state.displacement;
@@ -101,6 +107,25 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
             for (sample, stored) in samples.step(&old, &step).iter().zip(stored) {
                 stored[0] += sample.midpoint_change(span.measure);
             }
+        }
+    }
+}
+
+/// Angular rates of a span in the invariant scheme.
+fn advance_spins(i: usize, span: &Span, state: &mut State, rule: &Integration, work: &Workspace) {
+    let sweep = &work.beams.sweep;
+    for (k, element) in span.elements.clone().enumerate() {
+        if sweep.has(i) {
+            state.spin[element] = sweep.end_spin(element);
+            continue;
+        }
+        let (u, d, a) = (&state.displacement, &work.increment, span.nodes.start + k);
+        let old = ElementValues::new(&u[a], &u[a + 1]);
+        let step = ElementValues::new(&d[a], &d[a + 1]);
+        for (row, spin) in span.table(k).rows.iter().zip(&mut state.spin[element]) {
+            let point = step_point(row, &old, &step);
+            let g0 = add(point.tangent, point.slope_0);
+            *spin = 2.0 * Turn::new(g0, point.d_slope).mean_spin(rule.h.recip()) - *spin;
         }
     }
 }

@@ -84,6 +84,11 @@ impl Integration {
         Some(Self { rule: Rule::Alpha(AlphaWeights { alpha_m, alpha_f: 1.0, ..w }), ..*self })
     }
 
+    /// Whether elastic elements are evaluated side by side ([`sweep`](super::sweep)).
+    pub fn sweeps(&self) -> bool {
+        self.rule == Rule::Midpoint(MidpointForces::Invariant)
+    }
+
     /// Weight of the end of the step in the configuration where forces are evaluated.
     pub fn theta(&self) -> f64 {
         match self.rule {

@@ -1,0 +1,66 @@
+//! An elastic element over a step of the invariant energy-momentum scheme.
+
+use super::beam::{ElementSums, ElementTable, ElementValues};
+use super::energy_momentum::{End, PointStep, Quotients, Step};
+use super::point::SectionLaw;
+use super::strain::StrainMeasure;
+use crate::math::hermite::GAUSS;
+use crate::scalar::Real;
+
+/// A step of an element.
+#[derive(Clone, Copy, Debug)]
+pub struct ElasticStep<'a, S> {
+    /// The element.
+    pub table: &'a ElementTable<S>,
+    /// Its strain measure.
+    pub measure: StrainMeasure,
+    /// Its Gauss points at the start, and the angular rates of their tangents \[rad/s\].
+    pub starts: &'a [End<S>; GAUSS],
+    pub spin: &'a [S; GAUSS],
+    /// Nodal values at the start and their increments.
+    pub start: ElementValues<S>,
+    pub increment: ElementValues<S>,
+    /// One over the size of the step \[1/s\].
+    pub rate: S,
+    /// Retardation time over the step size.
+    pub lag: S,
+    /// Mass-proportional damping \[1/s\].
+    pub damping: S,
+}
+
+impl<S: Real> ElasticStep<'_, S> {
+    /// Forces but for the inertia of translation, their tangent if `TANGENT`, and the angular rates at the end of the step.
+    #[inline(always)]
+    pub fn sums<const TANGENT: bool>(&self) -> (ElementSums<S>, [S; GAUSS]) {
+        let Self { table, measure, starts, rate, lag, damping, .. } = *self;
+        let mut sums = ElementSums::zero(rate);
+        let ([r0, r1, r2], [s0, s1, s2], step) = (&table.rows, starts, &self.increment);
+        let ways = [
+            PointStep::new(r0, s0, step),
+            PointStep::new(r1, s1, step),
+            PointStep::new(r2, s2, step),
+        ];
+        let quotients = Quotients::of(measure, &ways);
+        let mut spin = *self.spin;
+        for j in 0..GAUSS {
+            let row = &table.rows[j];
+            let new = Step::new(measure, &ways[j], &quotients[j]);
+            let law = SectionLaw { measure, ..row.weighed };
+            let mut point = new.response::<TANGENT>(&law, &starts[j], lag);
+            new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin[j], rate, damping);
+            sums.add::<TANGENT>(row, &point);
+            let mean = new.turn.mean_spin(rate);
+            spin[j] = mean + mean - spin[j];
+        }
+        if let Some(samples) = &table.membrane {
+            let [s0, s1, s2] = &samples.step(&self.start, &self.increment);
+            let points = [
+                s0.invariant(measure, lag),
+                s1.invariant(measure, lag),
+                s2.invariant(measure, lag),
+            ];
+            samples.add::<TANGENT>(&points, 0.5, &mut sums);
+        }
+        (sums, spin)
+    }
+}
