@@ -85,11 +85,12 @@ fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
 
 /// What a solver makes of models and settings.
 type Solved = Vec<Result<RunSummary, Vec<Fault>>>;
+type Solver<'a> = dyn Fn(&[(&Model, &Settings)]) -> Solved + 'a;
 
 /// Simulates all; if the solver breaks down on one of them, each alone, so that only that one is lost.
 fn batch(
     runs: &[&Compiled],
-    solve: &dyn Fn(&[(&Model, &Settings)]) -> Solved,
+    solve: &Solver<'_>,
 ) -> Vec<Result<RunSummary, (String, &'static str)>> {
     let given: Vec<(&Model, &Settings)> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
     let told = |faults: Vec<Fault>| {

@@ -94,7 +94,14 @@ fn every_long_command_ends_at_the_first_signal() {
         &["static", "elastic.toml", "--out", "out", fine[0], fine[1]],
         &["modes", "elastic.toml", "--out", "out", "--count", "300", fine[0], fine[1]],
         &["converge", "elastic.toml", "--set", "time.end=20"],
-        &["sensitivity", "elastic.toml", "--parameter", "projectile.mass.mass", "--set", "time.end=1e4"],
+        &[
+            "sensitivity",
+            "elastic.toml",
+            "--parameter",
+            "projectile.mass.mass",
+            "--set",
+            "time.end=1e4",
+        ],
         &["verify"],
         &["check", "-"],
     ];
