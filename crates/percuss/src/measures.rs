@@ -1,6 +1,7 @@
 //! Energies and momenta of a state.
 
-use crate::element::beam::{ElementTable, ElementValues};
+use crate::element::beam::ElementValues;
+use crate::element::motion::ElementMeasures;
 use crate::element::strain::strains;
 use crate::ledger::Measures;
 use crate::math::vec2::{add, cross, dot, scale};
@@ -8,13 +9,23 @@ use crate::model::frozen::{BodyKind, Span};
 use crate::model::{Model, TouchLaw};
 use crate::state::State;
 use crate::step::fibres::energies;
+use crate::step::sweep::Sweep;
 
 impl Measures {
     /// Measures the state of a model; only the pairs that are `awake` can be pressed together.
-    pub(crate) fn of(model: &Model, state: &State, awake: &[usize]) -> Self {
+    pub(crate) fn of(model: &Model, state: &State, awake: &[usize], sweep: &mut Sweep) -> Self {
         let mut m = Self::default();
-        for span in &model.spans {
-            m.add_span(model, state, span);
+        // Stored strains are looked at one by one.
+        let swept = state.strain.is_empty();
+        if swept {
+            sweep.begin(model, state);
+        }
+        for (i, span) in model.spans.iter().enumerate() {
+            let sums = match swept && sweep.has(i) {
+                true => sweep.measure(model, i),
+                false => m.span(model, state, span),
+            };
+            m.add_beams(&sums);
         }
         m.add_masses(model, state);
         m.add_bodies(model, state);
@@ -25,31 +36,29 @@ impl Measures {
         m
     }
 
-    fn add_span(&mut self, model: &Model, state: &State, span: &Span) {
+    /// Sums over a span, element by element.
+    fn span(&mut self, model: &Model, state: &State, span: &Span) -> ElementMeasures<f64> {
         let stored = !state.strain.is_empty();
-        let (mut linear, mut angular) = ([0.0; 2], 0.0);
-        let (mut linear_size, mut angular_size) = (0.0, 0.0);
-        let (mut translation, mut rotation, mut axial, mut bending) = (0.0, 0.0, 0.0, 0.0);
+        let mut sums = ElementMeasures::zero(0.0);
         for (k, e) in span.elements.clone().enumerate() {
             let (a, table) = (span.nodes.start + k, span.table(k));
+            let place = |n: usize| {
+                let (frame, u) = (&model.nodes[n], &state.displacement[n]);
+                let (x, g) = (frame.position, frame.tangent);
+                [x[0] + u[0], x[1] + u[1], g[0] + u[2], g[1] + u[3]]
+            };
+            let velocity = [state.velocity[a], state.velocity[a + 1]];
+            let mut own = ElementMeasures::of_motion(
+                table,
+                &[place(a), place(a + 1)],
+                &velocity,
+                &state.spin[e],
+            );
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
-            let momentum = momentum(table, &state.velocity[a], &state.velocity[a + 1]);
-            let [pa, pb] = &momentum;
-            linear_size += (pa[0] + pb[0]).abs() + (pa[1] + pb[1]).abs();
-            for (node, p) in [(a, &momentum[0]), (a + 1, &momentum[1])] {
-                let (frame, u, v) =
-                    (&model.nodes[node], &state.displacement[node], &state.velocity[node]);
-                translation += p[0] * v[0] + p[1] * v[1] + p[2] * v[2] + p[3] * v[3];
-                linear = add(linear, [p[0], p[1]]);
-                let x = add(frame.position, [u[0], u[1]]);
-                let slope = add(frame.tangent, [u[2], u[3]]);
-                angular += cross(x, [p[0], p[1]]) + cross(slope, [p[2], p[3]]);
-                angular_size += size(x) * size([p[0], p[1]]) + size(slope) * size([p[2], p[3]]);
-            }
             if span.fibres.is_some() {
                 let [stretching, others, hardening] = energies(state, span, k, &u);
-                axial += 2.0 * stretching;
-                bending += 2.0 * others;
+                own.axial = 2.0 * stretching;
+                own.bending = 2.0 * others;
                 self.hardening += hardening;
             }
             for (j, row) in table.rows.iter().enumerate() {
@@ -63,14 +72,10 @@ impl Measures {
                         self.membrane_drift = self.membrane_drift.max((eps - s.membrane).abs());
                     }
                 }
-                let spin = state.spin[e][j];
-                rotation += row.weighed.rotary * spin * spin;
                 if span.fibres.is_none() {
-                    axial += row.weighed.axial * eps * eps;
-                    bending += row.weighed.bending * kappa * kappa;
+                    own.axial += row.weighed.axial * eps * eps;
+                    own.bending += row.weighed.bending * kappa * kappa;
                 }
-                angular += row.weighed.rotary * spin;
-                angular_size += (row.weighed.rotary * spin).abs();
             }
             if let (Some(samples), None) = (&table.membrane, &span.fibres) {
                 let mut eps = samples.strains(span.measure, &u);
@@ -80,16 +85,21 @@ impl Measures {
                         *eps = stored[0];
                     }
                 }
-                axial += 2.0 * samples.energy(eps);
+                own.axial += 2.0 * samples.energy(eps);
             }
+            sums.add(&own);
         }
-        self.kinetic_beams += 0.5 * (translation + rotation);
-        self.strain_axial += 0.5 * axial;
-        self.strain_bending += 0.5 * bending;
-        self.linear = add(self.linear, linear);
-        self.angular += angular;
-        self.linear_size += linear_size;
-        self.angular_size += angular_size;
+        sums
+    }
+
+    fn add_beams(&mut self, sums: &ElementMeasures<f64>) {
+        self.kinetic_beams += 0.5 * (sums.translation + sums.rotation);
+        self.strain_axial += 0.5 * sums.axial;
+        self.strain_bending += 0.5 * sums.bending;
+        self.linear = add(self.linear, sums.linear);
+        self.angular += sums.angular;
+        self.linear_size += sums.linear_size;
+        self.angular_size += sums.angular_size;
     }
 
     fn add_momentum(&mut self, x: [f64; 2], linear: [f64; 2], turning: f64) {
@@ -147,18 +157,4 @@ impl Measures {
 /// Sum of the components' magnitudes.
 fn size(v: [f64; 2]) -> f64 {
     v[0].abs() + v[1].abs()
-}
-
-/// `M v` of an element, per node.
-fn momentum(table: &ElementTable, a: &[f64; 4], b: &[f64; 4]) -> [[f64; 4]; 2] {
-    let mut out = [[0.0; 4]; 2];
-    for i in 0..2 {
-        let v = [a[i], a[2 + i], b[i], b[2 + i]];
-        let p = table.mass.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2] + row[3] * v[3]);
-        out[0][i] = p[0];
-        out[0][2 + i] = p[1];
-        out[1][i] = p[2];
-        out[1][2 + i] = p[3];
-    }
-    out
 }

@@ -17,7 +17,7 @@ pub struct ElasticStep<'a, S> {
     /// Its Gauss points at the start, and the angular rates of their tangents \[rad/s\].
     pub starts: &'a [End<S>; GAUSS],
     pub spin: &'a [S; GAUSS],
-    /// Nodal values at the start and their increments.
+    /// Nodal values at the start, which slender elements alone look at, and their increments.
     pub start: ElementValues<S>,
     pub increment: ElementValues<S>,
     /// One over the size of the step \[1/s\].

@@ -10,6 +10,7 @@ pub mod energy_momentum;
 pub mod fibre;
 pub mod mapped;
 pub mod membrane;
+pub mod motion;
 pub mod point;
 pub mod rotary;
 pub mod strain;

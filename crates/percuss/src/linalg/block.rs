@@ -24,6 +24,18 @@ pub fn mul(a: &Block, b: &Block) -> Block {
     c
 }
 
+/// Rows as columns.
+#[inline(always)]
+pub fn transpose(a: &Block) -> Block {
+    let mut t = ZERO;
+    for i in 0..4 {
+        for j in 0..4 {
+            t[j][i] = a[i][j];
+        }
+    }
+    t
+}
+
 /// `c -= a b`.
 #[inline(always)]
 pub fn sub_mul(c: &mut Block, a: &Block, b: &Block) {
@@ -47,41 +59,14 @@ pub fn apply(a: &Block, x: &[f64; 4]) -> [f64; 4] {
 }
 
 /// Inverse by Gauss-Jordan elimination with partial pivoting; `None` if a pivot vanishes or is not finite.
-#[inline]
+#[inline(always)]
 pub fn inverse(a: &Block) -> Option<Block> {
-    let mut m = *a;
-    let mut perm = [0_usize; 4];
-    for k in 0..4 {
-        let mut p = k;
-        for i in k + 1..4 {
-            if m[i][k].abs() > m[p][k].abs() {
-                p = i;
-            }
-        }
-        if p != k {
-            m.swap(k, p);
-        }
-        perm[k] = p;
-        let pivot = m[k][k];
-        if pivot == 0.0 || !pivot.is_finite() {
-            return None;
-        }
-        let inv = 1.0 / pivot;
-        m[k][k] = 1.0;
-        for j in 0..4 {
-            m[k][j] *= inv;
-        }
-        let row = m[k];
-        for (i, target) in m.iter_mut().enumerate() {
-            if i != k {
-                let factor = target[k];
-                target[k] = 0.0;
-                for j in 0..4 {
-                    target[j] -= factor * row[j];
-                }
-            }
-        }
-    }
+    let (mut m, mut perm) = (*a, [0; 4]);
+    // Column by column, each known when this is compiled: rows stay in registers.
+    perm[0] = eliminate::<0>(&mut m)?;
+    perm[1] = eliminate::<1>(&mut m)?;
+    perm[2] = eliminate::<2>(&mut m)?;
+    perm[3] = eliminate::<3>(&mut m)?;
     for k in (0..4).rev() {
         if perm[k] != k {
             for row in &mut m {
@@ -90,6 +75,40 @@ pub fn inverse(a: &Block) -> Option<Block> {
         }
     }
     Some(m)
+}
+
+/// Eliminates column `K`; returns the row of the pivot.
+#[inline(always)]
+fn eliminate<const K: usize>(m: &mut Block) -> Option<usize> {
+    let mut p = K;
+    for i in K + 1..4 {
+        if m[i][K].abs() > m[p][K].abs() {
+            p = i;
+        }
+    }
+    if p != K {
+        m.swap(K, p);
+    }
+    let pivot = m[K][K];
+    if pivot == 0.0 || !pivot.is_finite() {
+        return None;
+    }
+    let inv = 1.0 / pivot;
+    m[K][K] = 1.0;
+    for j in 0..4 {
+        m[K][j] *= inv;
+    }
+    let row = m[K];
+    for i in 0..4 {
+        if i != K {
+            let factor = m[i][K];
+            m[i][K] = 0.0;
+            for j in 0..4 {
+                m[i][j] -= factor * row[j];
+            }
+        }
+    }
+    Some(p)
 }
 
 /// The inverse of the block of a node on its own, which as a rule is diagonal.

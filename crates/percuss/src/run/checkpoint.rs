@@ -147,6 +147,7 @@ impl<'m> Simulation<'m> {
             return Err(ResumeError::Foreign);
         }
         run.state = checkpoint.state;
+        run.work.beams.sweep.end();
         run.monitor = checkpoint.monitor;
         run.effort = checkpoint.effort;
         run.solver_steps = checkpoint.solver_steps;

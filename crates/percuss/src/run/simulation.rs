@@ -153,7 +153,7 @@ impl<'m> Simulation<'m> {
             self.initial_acceleration();
         }
         self.damping = modal_damping(self.model, &self.state);
-        self.measures = Measures::of(self.model, &self.state, self.search.awake());
+        self.take_measures();
         let round_off = RoundOff::new(self.model, self.settings.step);
         self.state.ledger = Ledger::open(&self.measures, &round_off);
         self.monitor = Monitor::new(self.model, &self.state, &self.pressed);
@@ -254,9 +254,14 @@ impl<'m> Simulation<'m> {
         Ok(())
     }
 
+    fn take_measures(&mut self) {
+        let (awake, sweep) = (self.search.awake(), &mut self.work.beams.sweep);
+        self.measures = Measures::of(self.model, &self.state, awake, sweep);
+    }
+
     /// Measures the new state; follows every accepted step.
     pub(super) fn measure(&mut self) {
-        self.measures = Measures::of(self.model, &self.state, self.search.awake());
+        self.take_measures();
         self.state.ledger.rescale(&self.measures);
         self.monitor.audit(&self.state.ledger, &self.measures);
     }

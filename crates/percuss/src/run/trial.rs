@@ -121,6 +121,7 @@ impl Simulation<'_> {
         let before = impulsive.then(|| self.state.multiplier.clone());
         let (state, forcing) = (&mut self.state, &self.forcing);
         commit::commit(self.model, state, *rule, forcing, &self.damping, &self.work);
+        self.work.beams.sweep.end();
         state.offset += rule.h;
         if let Some(before) = before {
             // Multipliers of an impact are impulses over its time: no prediction for what follows.

@@ -1,14 +1,16 @@
 //! Values of nodes or elements, one column a component: so many beside each other go into a vector register.
 
-use crate::scalar::Lanes;
 use pulp::Simd;
+use serde::{Deserialize, Serialize};
+
+use crate::scalar::Lanes;
 
 /// More than any vector register holds: columns are so much longer than what they are of, so that the last of it fills a
 /// register, too.
 const PADDING: usize = 8;
 
 /// Columns of equal length.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Columns {
     length: usize,
     values: Vec<f64>,
@@ -19,6 +21,11 @@ impl Columns {
     pub fn zeros(columns: usize, count: usize) -> Self {
         let length = count + PADDING;
         Self { length, values: vec![0.0; columns * length] }
+    }
+
+    /// Whether they are so many columns of `count` values each.
+    pub fn fit(&self, columns: usize, count: usize) -> bool {
+        self.length == count + PADDING && self.values.len() == columns * self.length
     }
 
     /// Takes in rows, the first as row `first`.

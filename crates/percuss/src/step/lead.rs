@@ -222,6 +222,7 @@ impl Lead {
             Rule::Alpha(w) => (&self.acceleration, 1.0 - w.alpha_m),
             Rule::Static => return,
         };
+        ends.sweep.set_aside();
         let theta = rule.theta();
         let at = Middle { model, start, increment, share: theta };
         for a in &self.elements {

@@ -223,7 +223,7 @@ impl StepProblem<'_> {
         prescribe(self.model, self.forcing, &mut work.increment);
         work.lead.set(self.model, state, &self.integration, self.forcing);
         if self.integration.sweeps() {
-            work.beams.sweep.begin(self.model, state);
+            work.beams.sweep.begin_once(self.model, state);
         }
         for (i, acts) in self.forcing.constrained.iter().enumerate() {
             work.multiplier[i] = if *acts { state.multiplier[i] } else { 0.0 };

@@ -480,6 +480,16 @@ fn prescribe_block(chain: &mut Chain, dofs: &PrescribedDofs, linked: &[bool]) {
     }
     let diag = &chain.diag[i];
     let scale = (0..4).map(|k| diag[k][k].abs()).fold(0.0_f64, f64::max).max(1e-300);
+    if dofs.is_whole() {
+        chain.diag[i] = IDENTITY.map(|row| row.map(|x| scale * x));
+        if linked[i] {
+            (chain.upper[i], chain.lower[i]) = (ZERO, ZERO);
+        }
+        if i > 0 && linked[i - 1] {
+            (chain.upper[i - 1], chain.lower[i - 1]) = (ZERO, ZERO);
+        }
+        return;
+    }
     let mut block = mul(&mul(p, diag), p);
     for n in &dofs.normals {
         for r in 0..4 {

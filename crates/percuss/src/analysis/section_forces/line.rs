@@ -10,7 +10,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::math::vec2::{add, cross, dot, sub};
+use crate::math::vec2::{add, cross, sub};
+use crate::scalar::Real;
 
 /// Inverse of the mass matrix of a uniform element of unit mass and length.
 const UNIT_MASS_INVERSE: [[f64; 4]; 4] = [
@@ -19,6 +20,9 @@ const UNIT_MASS_INVERSE: [[f64; 4]; 4] = [
     [-4.0, 60.0, 16.0, 120.0],
     [-60.0, 840.0, 120.0, 1200.0],
 ];
+
+/// Numbers of a [`Line`].
+pub const NUMBERS: usize = 24;
 
 /// Forces on both nodes of an element, on values and slopes \[N, N m\].
 pub type OnNodes = [[f64; 4]; 2];
@@ -42,75 +46,177 @@ pub struct Inner {
 
 /// The configuration of an element: its nodes in the reference, their displacements, its length.
 #[derive(Clone, Copy, Debug)]
-pub struct ElementShape {
+pub struct ElementShape<S = f64> {
     /// Tangents x' at both nodes.
-    pub tangents: [[f64; 2]; 2],
+    pub tangents: [[S; 2]; 2],
     /// From the first node to the second \[m\].
-    pub chord: [f64; 2],
+    pub chord: [S; 2],
     /// Arc length of the reference \[m\].
-    pub length: f64,
+    pub length: S,
 }
 
 /// Section forces of one element.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-pub struct Line {
+#[derive(Clone, Copy, Debug)]
+pub struct Line<S = f64> {
     /// Coefficients of dx/dxi \[m\].
-    way: [[f64; 2]; 3],
+    way: [[S; 2]; 3],
     /// Coefficients of the force n that the part ahead exerts on the part behind \[N\].
-    force: [[f64; 2]; 5],
+    force: [[S; 2]; 5],
     /// Coefficients of the moment \[N m\].
-    moment: [f64; 8],
+    moment: [S; 8],
 }
 
 /// Section forces at a place.
 #[derive(Clone, Copy, Debug)]
-pub struct SectionForces {
+pub struct SectionForces<S = f64> {
     /// Axial force, positive in tension \[N\].
-    pub axial: f64,
+    pub axial: S,
     /// Shear force \[N\].
-    pub shear: f64,
+    pub shear: S,
     /// Bending moment \[N m\].
-    pub moment: f64,
+    pub moment: S,
     /// Its derivative with respect to the share of the way \[N m\].
-    pub rise: f64,
+    pub rise: S,
+}
+
+// Elements side by side and those with forces inside, one by one, are to agree to the last bit: each product is rounded.
+impl<S: Real> Line<S> {
+    /// From the forces of the neighbours on both nodes, and what accelerates the element beyond its loads; with what the moment misses at the end.
+    #[inline(always)]
+    pub fn open(shape: &ElementShape<S>, ends: &[[S; 4]; 2], along: &[[S; 4]; 2]) -> (Self, S) {
+        let (l, [ga, gb]) = (shape.length, &shape.tangents);
+        let zero = l.constant(0.0);
+        let mut line = Self { way: [[zero; 2]; 3], force: [[zero; 2]; 5], moment: [zero; 8] };
+        let per_length = l.recip();
+        for i in 0..2 {
+            let (a, b, chord) = (l * ga[i], l * gb[i], shape.chord[i] * 6.0);
+            line.way[0][i] = a;
+            line.way[1][i] = chord - a * 4.0 - b * 2.0;
+            line.way[2][i] = (a + b) * 3.0 - chord;
+            let on = [
+                along[0][i],
+                along[0][2 + i] * per_length,
+                along[1][i],
+                along[1][2 + i] * per_length,
+            ];
+            let mut spread = on;
+            for k in 0..4 {
+                let row = &UNIT_MASS_INVERSE[k];
+                spread[k] = on[0] * row[0] + on[1] * row[1] + on[2] * row[2] + on[3] * row[3];
+            }
+            let [f0, s0, f1, s1] = spread;
+            line.force[0][i] = -ends[0][i];
+            line.force[1][i] = f0;
+            line.force[2][i] = s0 * 0.5;
+            line.force[3][i] = (f1 - f0) - (s0 * 2.0 + s1) * (1.0 / 3.0);
+            line.force[4][i] = (f0 - f1) * 0.5 + (s0 + s1) * 0.25;
+        }
+        line.moment[0] = -across(ga, &[ends[0][2], ends[0][3]]);
+        for i in 0..3 {
+            for j in 0..5 {
+                let k = i + j + 1;
+                line.moment[k] = line.moment[k] - across(&line.way[i], &line.force[j]);
+            }
+        }
+        let mut sum = line.moment[0] + line.moment[1];
+        for k in 2..8 {
+            line.moment[k] = line.moment[k] * (1.0 / k as f64);
+            sum += line.moment[k];
+        }
+        (line, across(gb, &[ends[1][2], ends[1][3]]) - sum)
+    }
+
+    /// Makes the moment at the end what it is there, which it misses so much of, without forces inside.
+    #[inline(always)]
+    pub fn close_smooth(&mut self, left: S) {
+        self.moment[1] += left;
+    }
+
+    /// Section forces at a share of the way that forces inside do not jump at.
+    #[inline(always)]
+    pub fn smooth(&self, xi: f64) -> SectionForces<S> {
+        let ([a, b, c], f) = (&self.way, &self.force);
+        let (mut way, mut force) = (*a, f[4]);
+        for i in 0..2 {
+            way[i] = a[i] + (b[i] + c[i] * xi) * xi;
+            for k in 0..4 {
+                force[i] = force[i] * xi + f[3 - k][i];
+            }
+        }
+        let mut moment = self.moment[7];
+        for k in 0..7 {
+            moment = moment * xi + self.moment[6 - k];
+        }
+        self.along(&way, &force, moment)
+    }
+
+    /// Section forces where dx/dxi, force and moment are known.
+    #[inline(always)]
+    fn along(&self, way: &[S; 2], force: &[S; 2], moment: S) -> SectionForces<S> {
+        let inverse = (way[0] * way[0] + way[1] * way[1]).sqrt().recip();
+        let turn = across(way, force);
+        // What the rotary inertia adds is the difference of the first coefficients.
+        let rotary = self.moment[1] + across(&self.way[0], &self.force[0]);
+        SectionForces {
+            axial: (way[0] * force[0] + way[1] * force[1]) * inverse,
+            shear: turn * inverse,
+            moment,
+            rise: rotary - turn,
+        }
+    }
+}
+
+/// `a x b`, each product rounded.
+#[inline(always)]
+fn across<S: Real>(a: &[S; 2], b: &[S; 2]) -> S {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+impl<S: Real> Line<S> {
+    /// Its numbers in a fixed order.
+    #[inline(always)]
+    pub fn numbers(&self) -> [S; NUMBERS] {
+        let mut numbers = [self.moment[0]; NUMBERS];
+        for i in 0..3 {
+            (numbers[2 * i], numbers[2 * i + 1]) = (self.way[i][0], self.way[i][1]);
+        }
+        for i in 0..5 {
+            (numbers[6 + 2 * i], numbers[7 + 2 * i]) = (self.force[i][0], self.force[i][1]);
+        }
+        for i in 0..8 {
+            numbers[16 + i] = self.moment[i];
+        }
+        numbers
+    }
+
+    /// From its numbers.
+    #[inline(always)]
+    pub fn from_numbers(numbers: [S; NUMBERS]) -> Self {
+        let zero = [numbers[0]; 2];
+        let mut line = Self { way: [zero; 3], force: [zero; 5], moment: [numbers[0]; 8] };
+        for i in 0..3 {
+            line.way[i] = [numbers[2 * i], numbers[2 * i + 1]];
+        }
+        for i in 0..5 {
+            line.force[i] = [numbers[6 + 2 * i], numbers[7 + 2 * i]];
+        }
+        for i in 0..8 {
+            line.moment[i] = numbers[16 + i];
+        }
+        line
+    }
 }
 
 impl Line {
-    /// From the forces of the neighbours on both nodes, and what accelerates the element beyond its loads; `inner` are the
-    /// forces inside it, already taken out of both.
+    /// The same with forces inside, already taken out of `ends`.
     pub fn new(shape: &ElementShape, ends: &OnNodes, along: &OnNodes, inner: &mut [Inner]) -> Self {
-        let (l, [ga, gb]) = (shape.length, shape.tangents);
-        let mut line = Self::default();
-        for i in 0..2 {
-            let (a, b, chord) = (l * ga[i], l * gb[i], 6.0 * shape.chord[i]);
-            line.way[0][i] = a;
-            line.way[1][i] = chord - 4.0 * a - 2.0 * b;
-            line.way[2][i] = 3.0 * (a + b) - chord;
-            let on = [along[0][i], along[0][2 + i] / l, along[1][i], along[1][2 + i] / l];
-            let [f0, s0, f1, s1] =
-                UNIT_MASS_INVERSE.map(|row| (0..4).map(|k| row[k] * on[k]).sum::<f64>());
-            line.force[0][i] = -ends[0][i];
-            line.force[1][i] = f0;
-            line.force[2][i] = 0.5 * s0;
-            line.force[3][i] = (f1 - f0) - (2.0 * s0 + s1) / 3.0;
-            line.force[4][i] = 0.5 * (f0 - f1) + 0.25 * (s0 + s1);
-        }
-        line.moment[0] = -cross(ga, [ends[0][2], ends[0][3]]);
-        for (i, way) in line.way.iter().enumerate() {
-            for (j, force) in line.force.iter().enumerate() {
-                line.moment[i + j + 1] -= cross(*way, *force);
-            }
-        }
-        for k in 2..8 {
-            line.moment[k] /= k as f64;
-        }
-        line.close(cross(gb, [ends[1][2], ends[1][3]]), inner);
+        let (mut line, left) = Self::open(shape, ends, along);
+        line.close(left, inner);
         line
     }
 
     /// Makes the moment at the end what it is there.
-    fn close(&mut self, end: f64, inner: &mut [Inner]) {
-        let mut left = end - self.moment.iter().sum::<f64>();
+    fn close(&mut self, mut left: f64, inner: &mut [Inner]) {
         for force in inner.iter() {
             left -= cross(self.between(force.xi, 1.0), force.force);
         }
@@ -134,27 +240,23 @@ impl Line {
     /// Section forces at a share of the way, at a force inside those behind or ahead of it.
     #[inline]
     pub fn at(&self, xi: f64, inner: &[Inner], ahead: bool) -> SectionForces {
-        let [a, b, c] = self.way;
+        let smooth = self.smooth(xi);
+        let mut before =
+            inner.iter().filter(|one| one.xi < xi || (ahead && one.xi == xi)).peekable();
+        if before.peek().is_none() {
+            return smooth;
+        }
+        let ([a, b, c], mut moment) = (self.way, smooth.moment);
         let way = [0, 1].map(|i| a[i] + xi * (b[i] + xi * c[i]));
         let mut force = [0, 1].map(|i| {
             let f = |k: usize| self.force[k][i];
             f(0) + xi * (f(1) + xi * (f(2) + xi * (f(3) + xi * f(4))))
         });
-        let mut moment = self.moment.iter().rev().fold(0.0, |sum, c| sum * xi + c);
-        for one in inner.iter().filter(|one| one.xi < xi || (ahead && one.xi == xi)) {
+        for one in before {
             force = sub(force, one.force);
             moment += cross(self.between(one.xi, xi), one.force) - one.couple;
         }
-        let inverse = 1.0 / dot(way, way).sqrt();
-        let turn = cross(way, force);
-        // What the rotary inertia adds is the difference of the first coefficients.
-        let rotary = self.moment[1] + cross(self.way[0], self.force[0]);
-        SectionForces {
-            axial: dot(way, force) * inverse,
-            shear: turn * inverse,
-            moment,
-            rise: rotary - turn,
-        }
+        self.along(&way, &force, moment)
     }
 
     /// Where the moment is largest or smallest between two places, if it is so inside.

@@ -2,13 +2,16 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::line::{ElementShape, Inner, Line, OnNodes, place_of, resultant};
+use super::lanes::SpanLines;
+use super::line::{ElementShape, Inner, Line, NUMBERS, OnNodes, place_of, resultant};
 use crate::geometry::row::Row;
 use crate::math::vec2::{add, dot, scale};
 use crate::model::Model;
-use crate::model::frozen::{LoadAction, MaterialPoint};
+use crate::model::frozen::{LoadAction, MaterialPoint, Span};
+use crate::scalar::in_lanes;
 use crate::state::State;
 use crate::step::assemble::EndForces;
+use crate::step::columns::Columns;
 use crate::step::external::{tangent_at, turned};
 use crate::step::forcing::Forcing;
 
@@ -33,9 +36,10 @@ pub struct Acting<'a> {
 /// Section forces of all elements.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Lines {
-    lines: Vec<Line>,
+    /// Coefficients of [`Line`], shape (n_number, n_elem).
+    pub(super) lines: Columns,
     /// Forces inside elements, by element and place.
-    inner: Vec<Inner>,
+    pub(super) inner: Vec<Inner>,
     /// Nodal forces of the distributed loads, by element; empty if there are none.
     loads: Vec<OnNodes>,
 }
@@ -43,7 +47,7 @@ pub struct Lines {
 impl Lines {
     /// Whether they are those of so many elements.
     pub fn fits(&self, elements: usize) -> bool {
-        self.lines.len() == elements
+        self.lines.fit(NUMBERS, elements)
             && (self.loads.is_empty() || self.loads.len() == elements)
             && self.inner.iter().all(|one| one.element < elements)
     }
@@ -79,49 +83,83 @@ impl Lines {
             self.push(model, rows, forces);
         }
         self.inner.sort_by(|a, b| a.element.cmp(&b.element).then(a.xi.total_cmp(&b.xi)));
-        self.lines.resize(model.element_count(), Line::default());
-        let mut inner = self.inner.as_mut_slice();
+        if !self.lines.fit(NUMBERS, model.element_count()) {
+            self.lines = Columns::zeros(NUMBERS, model.element_count());
+        }
+        let mut inner = std::mem::take(&mut self.inner);
+        let mut rest = inner.as_mut_slice();
+        for (i, span) in model.spans.iter().enumerate() {
+            let swept = self.loads.is_empty() && acting.beams.sweep.has_evaluated(i);
+            if swept {
+                let (sweep, theta) = (&acting.beams.sweep, acting.theta);
+                in_lanes(SpanLines { span, number: i, sweep, theta, lines: &mut self.lines });
+            }
+            for (k, element) in span.elements.clone().enumerate() {
+                let own = rest.iter().take_while(|one| one.element == element).count();
+                if swept && own == 0 {
+                    continue;
+                }
+                let (here, others) = std::mem::take(&mut rest).split_at_mut(own);
+                self.set_one(model, acting, (span, k), here);
+                rest = others;
+            }
+        }
+        self.inner = inner;
+    }
+
+    /// Takes in a step of one element, with what acts inside it.
+    fn set_one(
+        &mut self,
+        model: &Model,
+        acting: &Acting,
+        (span, k): (&Span, usize),
+        inner: &mut [Inner],
+    ) {
+        let (table, a, element) = (span.table(k), span.nodes.start + k, span.elements.start + k);
         let share = |n: usize, i: usize| {
             acting.state.displacement[n][i] + acting.theta * acting.increment[n][i]
         };
-        for (span, k, a, element) in model.each_element() {
-            let table = span.table(k);
-            let (na, nb) = (&model.nodes[a], &model.nodes[a + 1]);
-            let shape = ElementShape {
-                tangents: [
-                    [0, 1].map(|i| na.tangent[i] + share(a, 2 + i)),
-                    [0, 1].map(|i| nb.tangent[i] + share(a + 1, 2 + i)),
-                ],
-                chord: [0, 1]
-                    .map(|i| (nb.position[i] - na.position[i]) + (share(a + 1, i) - share(a, i))),
-                length: table.length,
-            };
-            let mut along = [[0.0; 4]; 2];
-            let inertia = &acting.beams.inertia;
-            let [on_a, on_b] = &mut along;
-            table.add_inertia(&inertia[a], &inertia[a + 1], on_a, on_b);
-            let mut ends = acting.beams.on_nodes[element];
-            if let Some(load) = self.loads.get(element) {
-                take(&mut along, load);
-                take(&mut ends, load);
-            }
-            let own = inner.iter().take_while(|one| one.element == element).count();
-            let (here, rest) = std::mem::take(&mut inner).split_at_mut(own);
-            here.iter().for_each(|one| take(&mut ends, &one.on_nodes));
-            self.lines[element] = Line::new(&shape, &ends, &along, here);
-            inner = rest;
+        let (na, nb) = (&model.nodes[a], &model.nodes[a + 1]);
+        let shape = ElementShape {
+            tangents: [
+                [0, 1].map(|i| na.tangent[i] + share(a, 2 + i)),
+                [0, 1].map(|i| nb.tangent[i] + share(a + 1, 2 + i)),
+            ],
+            chord: [0, 1]
+                .map(|i| (nb.position[i] - na.position[i]) + (share(a + 1, i) - share(a, i))),
+            length: table.length,
+        };
+        let mut along = [[0.0; 4]; 2];
+        let inertia = &acting.beams.inertia;
+        let [on_a, on_b] = &mut along;
+        table.add_inertia(&inertia[a], &inertia[a + 1], on_a, on_b);
+        let mut ends = acting.beams.on_nodes[element];
+        if let Some(load) = self.loads.get(element) {
+            take(&mut along, load);
+            take(&mut ends, load);
+        }
+        inner.iter().for_each(|one| take(&mut ends, &one.on_nodes));
+        let numbers = Line::new(&shape, &ends, &along, inner).numbers();
+        for (column, x) in numbers.into_iter().enumerate() {
+            self.lines.set(column, element, x);
         }
     }
 
     /// The section forces of an element, and what acts inside it.
     #[inline]
-    pub fn of(&self, element: usize) -> (&Line, &[Inner]) {
+    pub fn of(&self, element: usize) -> (Line, &[Inner]) {
+        (Line::from_numbers(self.lines.row(element)), self.inside(element))
+    }
+
+    /// What acts inside an element.
+    #[inline]
+    pub(super) fn inside(&self, element: usize) -> &[Inner] {
         if self.inner.is_empty() {
-            return (&self.lines[element], &[]);
+            return &[];
         }
         let from = self.inner.partition_point(|one| one.element < element);
         let count = self.inner[from..].partition_point(|one| one.element == element);
-        (&self.lines[element], &self.inner[from..from + count])
+        &self.inner[from..from + count]
     }
 
     /// Axial force, shear force and moment at the start and the end of each of so many elements.

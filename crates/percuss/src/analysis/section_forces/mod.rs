@@ -5,6 +5,7 @@
 //! Of a step they are those of its middle, where the scheme has its balance, as reactions are means over the step.
 
 mod fibres;
+mod lanes;
 mod line;
 mod lines;
 
@@ -13,9 +14,11 @@ use crate::element::yielding::gauss_strains;
 use crate::math::hermite::{self, GAUSS};
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span};
+use crate::scalar::in_lanes;
 use crate::state::State;
 use crate::summary::{Envelope, SectionForceSummary, SectionRange};
 use fibres::{Fibres, Strained, section_at};
+use lanes::PlainSpan;
 use line::{Inner, Line, SectionForces};
 
 pub use lines::{Acting, Lines};
@@ -71,6 +74,11 @@ fn station(a: f64, b: f64, xi: f64) -> f64 {
 pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionForceSummary]) {
     for (beam, out) in model.beams.iter().zip(out) {
         for span in &model.spans[beam.spans.clone()] {
+            if is_plain(span) {
+                let first = beam.elements.start;
+                in_lanes(PlainSpan { span, first, lines, state, out: &mut *out });
+                continue;
+            }
             for k in 0..span.elements.len() {
                 let element = span.elements.start + k;
                 let (line, inner) = lines.of(element);
@@ -81,6 +89,11 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
             }
         }
     }
+}
+
+/// Whether a span has section forces, but no stresses.
+fn is_plain(span: &Span) -> bool {
+    span.fibres.is_none() && span.sections.iter().all(|at| at[0].half_depth.is_nan())
 }
 
 /// Strains of a span whose stresses tell of more than strains; else they follow from the forces.
@@ -113,7 +126,7 @@ fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
 struct ElementForces<'a> {
     span: &'a Span,
     k: usize,
-    line: &'a Line,
+    line: Line,
     inner: &'a [Inner],
     strained: Option<[Strained; 2]>,
     /// Extreme fibres at the Gauss points of an element that can yield.
@@ -162,11 +175,21 @@ impl ElementForces<'_> {
         if !self.inner.is_empty() {
             self.take_between_forces(out, time);
         } else {
-            for j in 1..PLACES.len() {
-                let [a, b] = [&places[j - 1], &places[j]];
-                if a.rise * b.rise < 0.0 && self.may_exceed(out, a, b) {
-                    self.take_stationary(out, [PLACES[j - 1], PLACES[j]], time);
-                }
+            self.take_between_places(out, &places, time);
+        }
+    }
+
+    /// Takes the moment where it is largest between two places.
+    fn take_between_places(
+        &self,
+        out: &mut SectionForceSummary,
+        places: &[SectionForces; 3],
+        time: f64,
+    ) {
+        for j in 1..PLACES.len() {
+            let [a, b] = [&places[j - 1], &places[j]];
+            if a.rise * b.rise < 0.0 && self.may_exceed(out, a, b) {
+                self.take_stationary(out, [PLACES[j - 1], PLACES[j]], time);
             }
         }
     }

@@ -1,0 +1,186 @@
+//! Section forces of a span, element beside element.
+
+use pulp::{Simd, WithSimd};
+
+use super::line::{ElementShape, Line, NUMBERS, SectionForces};
+use super::lines::Lines;
+use super::{ElementForces, PLACES, station, widen};
+use crate::model::frozen::Span;
+use crate::scalar::{Lanes, Mask, Number, Real};
+use crate::state::State;
+use crate::step::columns::Columns;
+use crate::step::sweep::{Alike, Sweep};
+use crate::summary::{SectionForceSummary, SectionRange};
+
+/// The lines of a span that has been swept, but for forces inside its elements.
+pub struct SpanLines<'a> {
+    pub span: &'a Span,
+    /// Number of the span.
+    pub number: usize,
+    pub sweep: &'a Sweep,
+    /// Where in the step forces are evaluated, as a share of it.
+    pub theta: f64,
+    pub lines: &'a mut Columns,
+}
+
+impl WithSimd for SpanLines<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<P: Simd>(self, family: P) {
+        let Self { span, number, sweep, theta, lines } = self;
+        let like = Lanes::new(family, 0.0);
+        let mut table = span.tables[0].map(&mut Alike(like));
+        for k in (0..span.elements.len()).step_by(P::F64_LANES) {
+            if let Some(own) = sweep.table((number, span), k, like) {
+                table = own;
+            }
+            let element = span.elements.start + k;
+            let acting = sweep.acting(like, span.nodes.start + k, element);
+            let mut moved = acting.displacement;
+            for node in 0..2 {
+                for i in 0..4 {
+                    moved[node][i] += acting.increment[node][i] * theta;
+                }
+            }
+            let ([fa, fb], [ma, mb]) = (&acting.frames, &moved);
+            let shape = ElementShape {
+                tangents: [[fa[2] + ma[2], fa[3] + ma[3]], [fb[2] + mb[2], fb[3] + mb[3]]],
+                chord: [(fb[0] - fa[0]) + (mb[0] - ma[0]), (fb[1] - fa[1]) + (mb[1] - ma[1])],
+                length: table.length,
+            };
+            let mut along = [[like; 4]; 2];
+            let [on_a, on_b] = &mut along;
+            table.add_inertia(&acting.inertia[0], &acting.inertia[1], on_a, on_b);
+            let (mut line, left) = Line::open(&shape, &acting.forces, &along);
+            line.close_smooth(left);
+            let numbers = line.numbers();
+            for i in 0..NUMBERS {
+                lines.store(i, element, numbers[i]);
+            }
+        }
+    }
+}
+
+/// Takes the section forces of a span without stresses into the extremes so far.
+pub struct PlainSpan<'a> {
+    pub span: &'a Span,
+    /// First element of its beam.
+    pub first: usize,
+    pub lines: &'a Lines,
+    pub state: &'a State,
+    pub out: &'a mut SectionForceSummary,
+}
+
+impl WithSimd for PlainSpan<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<P: Simd>(mut self, family: P) {
+        let (like, count) = (Lanes::new(family, 0.0), self.span.elements.len());
+        for k in (0..count).step_by(P::F64_LANES) {
+            let element = self.span.elements.start + k;
+            let line = Line::from_numbers(self.lines.lines.load_row(like, element));
+            let places = [line.smooth(PLACES[0]), line.smooth(PLACES[1]), line.smooth(PLACES[2])];
+            let own = 0..P::F64_LANES.min(count - k);
+            let forced = |lane: usize| !self.lines.inside(element + lane).is_empty();
+            if !self.lines.inner.is_empty() && own.clone().any(forced) {
+                own.for_each(|lane| self.take_one(k + lane));
+                continue;
+            }
+            let [exceeds, turns] = self.look_at(&places);
+            if exceeds.any() {
+                for lane in own.clone() {
+                    self.take_places(k + lane, &places, lane);
+                }
+            }
+            for lane in own.clone() {
+                self.widen(k + lane, &places, lane);
+            }
+            if turns.any() {
+                own.filter(|lane| turns.lane(*lane)).for_each(|lane| self.take_between(k + lane));
+            }
+        }
+    }
+}
+
+impl PlainSpan<'_> {
+    /// Whether elements exceed the extremes of the beam so far at the places looked at, and whether their moments may between these.
+    #[inline(always)]
+    fn look_at<P: Simd>(
+        &self,
+        places: &[SectionForces<Lanes<P>>; 3],
+    ) -> [<Lanes<P> as Number>::Mask; 2] {
+        let out = &self.out;
+        let mut exceeds = is_outside(places[0].axial, &out.axial);
+        let mut turns = !exceeds & exceeds;
+        for (j, at) in places.iter().enumerate() {
+            exceeds = exceeds
+                | is_outside(at.axial, &out.axial)
+                | is_outside(at.shear, &out.shear)
+                | is_outside(at.moment, &out.moment);
+            if j == 0 {
+                continue;
+            }
+            // Further than by its steepest rise the moment does not get between two places half an element apart.
+            let before = &places[j - 1];
+            let reach = before.rise.abs().max(at.rise.abs()) * 0.5;
+            let most = before.moment.max(at.moment) + reach;
+            let least = -((-before.moment).max(-at.moment)) - reach;
+            let beyond = is_outside(most, &out.moment) | is_outside(least, &out.moment);
+            turns = turns | beyond & (before.rise * at.rise).less(reach.constant(0.0));
+        }
+        [exceeds, turns]
+    }
+
+    #[inline(always)]
+    fn take_places<P: Simd>(
+        &mut self,
+        k: usize,
+        places: &[SectionForces<Lanes<P>>; 3],
+        lane: usize,
+    ) {
+        let time = self.state.time;
+        for (j, at) in places.iter().enumerate() {
+            let s = station(self.span.stations[k], self.span.stations[k + 1], PLACES[j]);
+            self.out.axial.take(at.axial.at(lane), s, time);
+            self.out.shear.take(at.shear.at(lane), s, time);
+            self.out.moment.take(at.moment.at(lane), s, time);
+        }
+    }
+
+    #[inline(always)]
+    fn widen<P: Simd>(&mut self, k: usize, places: &[SectionForces<Lanes<P>>; 3], lane: usize) {
+        let index = PLACES.len() * (self.span.elements.start + k - self.first);
+        let envelope = &mut self.out.envelope;
+        for (j, at) in places.iter().enumerate() {
+            let (axial, shear, moment) = (at.axial.at(lane), at.shear.at(lane), at.moment.at(lane));
+            widen(&mut envelope.axial, index + j, axial, axial);
+            widen(&mut envelope.shear, index + j, shear, shear);
+            widen(&mut envelope.moment, index + j, moment, moment);
+        }
+    }
+
+    /// Takes an element on its own.
+    fn take_one(&mut self, k: usize) {
+        let Self { span, lines, state, .. } = *self;
+        let (line, inner) = lines.of(span.elements.start + k);
+        let piece = ElementForces { span, k, line, inner, strained: None, yielded: None };
+        let index = PLACES.len() * (span.elements.start + k - self.first);
+        piece.take(self.out, index, state.time);
+    }
+
+    /// Takes the largest moments of an element between the places looked at.
+    fn take_between(&mut self, k: usize) {
+        let Self { span, lines, state, .. } = *self;
+        let (line, inner) = lines.of(span.elements.start + k);
+        let piece = ElementForces { span, k, line, inner, strained: None, yielded: None };
+        let places = PLACES.map(|xi| piece.line.at(xi, &[], false));
+        piece.take_between_places(self.out, &places, state.time);
+    }
+}
+
+/// Whether values are less than the least or more than the largest so far.
+#[inline(always)]
+fn is_outside<P: Simd>(value: Lanes<P>, range: &SectionRange) -> <Lanes<P> as Number>::Mask {
+    let (least, most) = (value.constant(range.min.value), value.constant(range.max.value));
+    !(least.at_most(value) & value.at_most(most))
+}

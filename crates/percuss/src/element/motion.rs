@@ -1,0 +1,108 @@
+//! Energies and momenta of an element.
+
+use super::beam::{ElementTable, ElementValues};
+use super::energy_momentum::End;
+use super::strain::StrainMeasure;
+use crate::math::hermite::GAUSS;
+use crate::math::vec2::{cross, dot4};
+use crate::scalar::Number;
+
+/// Energies and momenta of an element, or sums of several.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementMeasures<S> {
+    /// Twice the kinetic energies of translation and of rotation \[J\].
+    pub translation: S,
+    pub rotation: S,
+    /// Twice the axial and the bending strain energy \[J\].
+    pub axial: S,
+    pub bending: S,
+    /// Linear momentum \[kg m/s\], and the sum of its components' magnitudes.
+    pub linear: [S; 2],
+    pub linear_size: S,
+    /// Angular momentum about the origin, and the sum of the magnitudes of its parts \[kg m^2/s\].
+    pub angular: S,
+    pub angular_size: S,
+}
+
+impl<S: Number> ElementMeasures<S> {
+    /// Nothing, in as many lanes as a number has.
+    #[inline(always)]
+    pub fn zero(like: S) -> Self {
+        let zero = like.constant(0.0);
+        Self {
+            translation: zero,
+            rotation: zero,
+            axial: zero,
+            bending: zero,
+            linear: [zero; 2],
+            linear_size: zero,
+            angular: zero,
+            angular_size: zero,
+        }
+    }
+
+    /// What moves: from positions and tangents of both nodes, their velocities, and the angular rates at the Gauss points.
+    #[inline(always)]
+    pub fn of_motion(
+        table: &ElementTable<S>,
+        places: &[[S; 4]; 2],
+        velocity: &[[S; 4]; 2],
+        spin: &[S; GAUSS],
+    ) -> Self {
+        let mut m = Self::zero(spin[0]);
+        let mut momentum = [[m.angular; 4]; 2];
+        let [on_a, on_b] = &mut momentum;
+        table.add_inertia(&velocity[0], &velocity[1], on_a, on_b);
+        for i in 0..2 {
+            m.linear[i] = momentum[0][i] + momentum[1][i];
+            m.linear_size += m.linear[i].abs();
+        }
+        for (p, (x, v)) in momentum.iter().zip(places.iter().zip(velocity)) {
+            m.translation += dot4(p, v);
+            m.angular += cross([x[0], x[1]], [p[0], p[1]]) + cross([x[2], x[3]], [p[2], p[3]]);
+            m.angular_size += (x[0].abs() + x[1].abs()) * (p[0].abs() + p[1].abs());
+            m.angular_size += (x[2].abs() + x[3].abs()) * (p[2].abs() + p[3].abs());
+        }
+        for j in 0..GAUSS {
+            let turning = table.rows[j].weighed.rotary * spin[j];
+            m.rotation += turning * spin[j];
+            m.angular += turning;
+            m.angular_size += turning.abs();
+        }
+        m
+    }
+
+    /// Adds the strain energies of an elastic element.
+    #[inline(always)]
+    pub fn add_strains(
+        &mut self,
+        table: &ElementTable<S>,
+        measure: StrainMeasure,
+        ends: &[End<S>; GAUSS],
+        displacement: &ElementValues<S>,
+    ) {
+        for j in 0..GAUSS {
+            let (row, end) = (&table.rows[j], &ends[j]);
+            let kappa = end.bent(row.tangent, row.curvature).strain;
+            self.axial += row.weighed.axial * end.membrane * end.membrane;
+            self.bending += row.weighed.bending * kappa * kappa;
+        }
+        if let Some(samples) = &table.membrane {
+            self.axial += samples.energy(samples.strains(measure, displacement)) * 2.0;
+        }
+    }
+
+    /// Adds those of another element.
+    #[inline(always)]
+    pub fn add(&mut self, other: &Self) {
+        self.translation += other.translation;
+        self.rotation += other.rotation;
+        self.axial += other.axial;
+        self.bending += other.bending;
+        self.linear[0] += other.linear[0];
+        self.linear[1] += other.linear[1];
+        self.linear_size += other.linear_size;
+        self.angular += other.angular;
+        self.angular_size += other.angular_size;
+    }
+}

@@ -1,0 +1,228 @@
+//! Elastic elements side by side in vector registers: energies and momenta, residual and tangent of the invariant scheme.
+//!
+//! Every element sees the same operations in the same order, whatever registers the processor has, and nodal sums are taken element
+//! by element: bits depend on neither.
+
+mod span;
+mod start;
+
+use pulp::Simd;
+
+use super::columns::Columns;
+use crate::element::beam::{ElementTable, ElementValues};
+use crate::element::energy_momentum::End;
+use crate::element::mapped::Replacement;
+use crate::math::hermite::GAUSS;
+use crate::model::Model;
+use crate::model::frozen::Span;
+use crate::scalar::{Lanes, Real};
+
+pub use span::SpanStep;
+
+/// Numbers of an [`End`].
+const END: usize = 7;
+
+/// What is kept of the elements while a step is iterated, and what an evaluation leaves.
+#[derive(Clone, Debug, Default)]
+pub struct Sweep {
+    /// Numbers of the elements' tables, one entry a span: empty if its elements share one; nothing if it is not swept.
+    tables: Vec<Option<Columns>>,
+    /// Positions and tangents of the nodes in the reference configuration, shape (4, n_beam_node).
+    frames: Columns,
+    /// Whether the state at the start of the step has been taken in.
+    begun: bool,
+    /// Whether forces and accelerations are those of the last evaluation.
+    evaluated: bool,
+    /// Nodal displacements and velocities at the start of the step, and increments, shape (4, n_beam_node).
+    displacement: Columns,
+    velocity: Columns,
+    increment: Columns,
+    /// Gauss points at the start of the step, shape (n_gauss n_end, n_elem).
+    starts: Columns,
+    /// Angular rates of their tangents at the start and at the end, shape (n_gauss, n_elem) \[rad/s\].
+    spin: Columns,
+    end_spin: Columns,
+    /// Accelerations as in [`EndForces::inertia`](super::assemble::EndForces::inertia), shape (4, n_beam_node).
+    inertia: Columns,
+    /// Forces on both nodes, shape (8, n_elem) \[N, N m\].
+    forces: Columns,
+}
+
+impl Sweep {
+    /// Nothing evaluated yet.
+    pub fn new(model: &Model) -> Self {
+        let (nodes, elements) = (model.beam_node_count(), model.element_count());
+        let nodal = || Columns::zeros(4, nodes);
+        let mut frames = nodal();
+        for (n, frame) in model.nodes[..nodes].iter().enumerate() {
+            let ([x, y], [s, t]) = (frame.position, frame.tangent);
+            frames.gather(n, &[[x, y, s, t]]);
+        }
+        Self {
+            frames,
+            begun: false,
+            evaluated: false,
+            tables: model.spans.iter().map(tables).collect(),
+            displacement: nodal(),
+            velocity: nodal(),
+            increment: nodal(),
+            starts: Columns::zeros(GAUSS * END, elements),
+            spin: Columns::zeros(GAUSS, elements),
+            end_spin: Columns::zeros(GAUSS, elements),
+            inertia: nodal(),
+            forces: Columns::zeros(8, elements),
+        }
+    }
+
+    /// Whether the elements of a span are swept.
+    pub fn has(&self, span: usize) -> bool {
+        self.tables[span].is_some()
+    }
+
+    /// Whether the elements of a span are swept, and what acts on them is what the last evaluation found.
+    pub fn has_evaluated(&self, span: usize) -> bool {
+        self.evaluated && self.has(span)
+    }
+
+    /// Forces and accelerations get more than was evaluated.
+    pub fn set_aside(&mut self) {
+        self.evaluated = false;
+    }
+
+    /// Angular rates at the end of the step, from the evaluation before.
+    pub fn end_spin(&self, element: usize) -> [f64; GAUSS] {
+        self.end_spin.row(element)
+    }
+
+    /// Tables of elements from number `k` of a span on; nothing if they share one.
+    #[inline(always)]
+    pub fn table<P: Simd>(
+        &self,
+        (number, span): (usize, &Span),
+        k: usize,
+        like: Lanes<P>,
+    ) -> Option<ElementTable<Lanes<P>>> {
+        let numbers = self.tables[number].as_ref().filter(|_| span.tables.len() > 1)?;
+        Some(span.tables[0].map(&mut Each { like, numbers, k, column: 0 }))
+    }
+
+    /// What acts on elements from `element` on, whose first node is `a`.
+    #[inline(always)]
+    pub fn acting<P: Simd>(
+        &self,
+        like: Lanes<P>,
+        a: usize,
+        element: usize,
+    ) -> EndActions<Lanes<P>> {
+        let forces: [Lanes<P>; 8] = self.forces.load_row(like, element);
+        let [a1, a2, a3, a4, b1, b2, b3, b4] = forces;
+        EndActions {
+            frames: [self.frames.load_row(like, a), self.frames.load_row(like, a + 1)],
+            displacement: [
+                self.displacement.load_row(like, a),
+                self.displacement.load_row(like, a + 1),
+            ],
+            increment: [self.increment.load_row(like, a), self.increment.load_row(like, a + 1)],
+            inertia: [self.inertia.load_row(like, a), self.inertia.load_row(like, a + 1)],
+            forces: [[a1, a2, a3, a4], [b1, b2, b3, b4]],
+        }
+    }
+
+    /// Gauss points of elements from `element` on at the start of the step.
+    #[inline(always)]
+    fn starts<P: Simd>(&self, like: Lanes<P>, element: usize) -> [End<Lanes<P>>; GAUSS] {
+        [self.start(like, element, 0), self.start(like, element, 1), self.start(like, element, 2)]
+    }
+
+    #[inline(always)]
+    fn start<P: Simd>(&self, like: Lanes<P>, element: usize, j: usize) -> End<Lanes<P>> {
+        let (own, i) = (&self.starts, END * j);
+        End {
+            slope: [own.load(like, i, element), own.load(like, i + 1, element)],
+            bend: [own.load(like, i + 2, element), own.load(like, i + 3, element)],
+            stretch: own.load(like, i + 4, element),
+            inverse: own.load(like, i + 5, element),
+            membrane: own.load(like, i + 6, element),
+        }
+    }
+
+    #[inline(always)]
+    fn set_start<P: Simd>(&mut self, element: usize, j: usize, end: &End<Lanes<P>>) {
+        let (own, i) = (&mut self.starts, END * j);
+        own.store(i, element, end.slope[0]);
+        own.store(i + 1, element, end.slope[1]);
+        own.store(i + 2, element, end.bend[0]);
+        own.store(i + 3, element, end.bend[1]);
+        own.store(i + 4, element, end.stretch);
+        own.store(i + 5, element, end.inverse);
+        own.store(i + 6, element, end.membrane);
+    }
+}
+
+/// What acts on an element in a step, at both nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct EndActions<S> {
+    /// Reference position and tangent.
+    pub frames: [[S; 4]; 2],
+    /// Displacements at the start, and their increments.
+    pub displacement: [[S; 4]; 2],
+    pub increment: [[S; 4]; 2],
+    /// Accelerations and forces as in [`EndForces`](super::assemble::EndForces).
+    pub inertia: [[S; 4]; 2],
+    pub forces: [[S; 4]; 2],
+}
+
+/// The same number in every lane.
+pub struct Alike<P: Simd>(pub Lanes<P>);
+
+impl<P: Simd> Replacement<f64, Lanes<P>> for Alike<P> {
+    #[inline(always)]
+    fn of(&mut self, number: f64) -> Lanes<P> {
+        self.0.constant(number)
+    }
+}
+
+/// The numbers of elements from number `k` of a span on.
+struct Each<'a, P: Simd> {
+    like: Lanes<P>,
+    numbers: &'a Columns,
+    k: usize,
+    column: usize,
+}
+
+impl<P: Simd> Replacement<f64, Lanes<P>> for Each<'_, P> {
+    #[inline(always)]
+    fn of(&mut self, _: f64) -> Lanes<P> {
+        self.column += 1;
+        self.numbers.load(self.like, self.column - 1, self.k)
+    }
+}
+
+/// Numbers of a span's tables, if its elements are alike enough to stand side by side.
+fn tables(span: &Span) -> Option<Columns> {
+    let sampled = |t: &ElementTable| t.membrane.is_some();
+    let alike = span.tables.windows(2).all(|t| sampled(&t[0]) == sampled(&t[1]));
+    if span.fibres.is_some() || !alike {
+        return None;
+    }
+    if span.tables.len() == 1 {
+        return Some(Columns::default());
+    }
+    let mut count = 0;
+    span.tables[0].map(&mut |_| count += 1);
+    let mut numbers = Columns::zeros(count, span.tables.len());
+    for (k, table) in span.tables.iter().enumerate() {
+        let mut column = 0;
+        table.map(&mut |x| {
+            numbers.set(column, k, x);
+            column += 1;
+        });
+    }
+    Some(numbers)
+}
+
+/// Values of elements from node `a` on.
+#[inline(always)]
+fn values<P: Simd>(nodal: &Columns, like: Lanes<P>, a: usize) -> ElementValues<Lanes<P>> {
+    ElementValues::new(&nodal.load_row(like, a), &nodal.load_row(like, a + 1))
+}

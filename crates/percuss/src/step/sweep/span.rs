@@ -1,0 +1,179 @@
+//! Residual and tangent of a span, element beside element.
+
+use pulp::{Simd, WithSimd};
+
+use super::{Alike, Sweep, values};
+use crate::element::beam::ElementValues;
+use crate::element::elastic::ElasticStep;
+use crate::linalg::block::{Block, ZERO};
+use crate::linalg::chain::Chain;
+use crate::math::hermite::GAUSS;
+use crate::model::{Model, StrainMeasure};
+use crate::scalar::{Lanes, Real, in_lanes};
+use crate::step::assemble::EndForces;
+use crate::step::integration::Integration;
+
+/// Residual of a span's elements at an increment, and their tangent if `TANGENT`.
+pub struct SpanStep<'a, const TANGENT: bool> {
+    pub model: &'a Model,
+    /// Number of the span.
+    pub span: usize,
+    pub rule: &'a Integration,
+    pub gravity: [f64; 2],
+    pub increment: &'a [[f64; 4]],
+    pub residual: &'a mut [[f64; 4]],
+    pub chain: &'a mut Chain,
+    pub forces: &'a mut EndForces,
+}
+
+impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
+    /// Evaluates.
+    pub fn evaluate(self) {
+        self.forces.sweep.evaluated = true;
+        in_lanes(self);
+    }
+}
+
+impl<const TANGENT: bool> WithSimd for SpanStep<'_, TANGENT> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<P: Simd>(mut self, family: P) {
+        let like = Lanes::new(family, 0.0);
+        self.accelerations(like);
+        match self.model.spans[self.span].measure {
+            StrainMeasure::Green => self.elements(like, StrainMeasure::Green),
+            StrainMeasure::Engineering => self.elements(like, StrainMeasure::Engineering),
+        }
+        self.sum();
+    }
+}
+
+impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
+    /// Accelerations of the nodes in the equation of motion, less gravity, with what mass-proportional damping adds.
+    #[inline(always)]
+    fn accelerations<P: Simd>(&mut self, like: Lanes<P>) {
+        let span = &self.model.spans[self.span];
+        let Sweep { velocity, increment, inertia, .. } = &mut self.forces.sweep;
+        let nodes = span.nodes.clone();
+        increment.gather(nodes.start, &self.increment[nodes.clone()]);
+        let h = like.constant(self.rule.h);
+        let rate = h.recip();
+        let twice = rate + rate;
+        let damping = like.constant(span.mass_damping);
+        for n in nodes.clone().step_by(P::F64_LANES) {
+            for i in 0..4 {
+                let d = increment.load(like, i, n);
+                // d/h as the divider rounds it: velocities are made of the same.
+                let near = d * rate;
+                let mean = near.add_product(d.sub_product(near, h), rate);
+                let mut a = (mean - velocity.load(like, i, n)) * twice;
+                a = a.add_product(damping, mean);
+                if i < 2 {
+                    a = a - like.constant(self.gravity[i]);
+                }
+                inertia.store(i, n, a);
+            }
+        }
+        for n in nodes {
+            self.forces.inertia[n] = self.forces.sweep.inertia.row(n);
+        }
+    }
+
+    #[inline(always)]
+    fn elements<P: Simd>(&mut self, like: Lanes<P>, measure: StrainMeasure) {
+        let span = &self.model.spans[self.span];
+        if TANGENT {
+            self.chain.diag[span.nodes.start] = ZERO;
+        }
+        let rate = like.constant(self.rule.h).recip();
+        let lag = like.constant(self.rule.lag(span.retardation));
+        let damping = like.constant(span.mass_damping);
+        let slope = self.rule.inertia_slope() + span.mass_damping * self.rule.rate_slope();
+        let mut table = span.tables[0].map(&mut Alike(like));
+        let count = span.elements.len();
+        for k in (0..count).step_by(P::F64_LANES) {
+            let sweep = &mut self.forces.sweep;
+            if let Some(own) = sweep.table((self.span, span), k, like) {
+                table = own;
+            }
+            let (a, element) = (span.nodes.start + k, span.elements.start + k);
+            // Others know the start from their Gauss points.
+            let start = match table.membrane {
+                Some(_) => values(&sweep.displacement, like, a),
+                None => ElementValues { chord: [like; 2], slope_a: [like; 2], slope_b: [like; 2] },
+            };
+            let step = ElasticStep {
+                table: &table,
+                measure,
+                starts: &sweep.starts(like, element),
+                spin: &sweep.spin.load_row(like, element),
+                start,
+                increment: values(&sweep.increment, like, a),
+                rate,
+                lag,
+                damping,
+            };
+            let (sums, spin) = step.sums::<TANGENT>();
+            let [mut on_a, mut on_b] = sums.nodal_force();
+            let acceleration =
+                [sweep.inertia.load_row(like, a), sweep.inertia.load_row(like, a + 1)];
+            table.add_inertia(&acceleration[0], &acceleration[1], &mut on_a, &mut on_b);
+            for i in 0..4 {
+                sweep.forces.store(i, element, on_a[i]);
+                sweep.forces.store(4 + i, element, on_b[i]);
+            }
+            if TANGENT {
+                let blocks = sums.nodal_tangent(&table.mass, like.constant(slope));
+                spread(&blocks, a, P::F64_LANES.min(count - k), self.chain);
+            } else {
+                for j in 0..GAUSS {
+                    sweep.end_spin.store(j, element, spin[j]);
+                }
+            }
+        }
+    }
+
+    /// Sums the forces up at the nodes.
+    #[inline(always)]
+    fn sum(&mut self) {
+        let span = &self.model.spans[self.span];
+        let EndForces { on_nodes, sweep, .. } = &mut *self.forces;
+        self.residual[span.nodes.start] = [0.0; 4];
+        for (k, element) in span.elements.clone().enumerate() {
+            let a = span.nodes.start + k;
+            let [a1, a2, a3, a4, b1, b2, b3, b4] = sweep.forces.row(element);
+            let (on_a, on_b) = ([a1, a2, a3, a4], [b1, b2, b3, b4]);
+            on_nodes[element] = [on_a, on_b];
+            for i in 0..4 {
+                self.residual[a][i] += on_a[i];
+            }
+            self.residual[a + 1] = on_b;
+        }
+    }
+}
+
+/// Spreads the tangents of `count` elements from node `a` on over the band.
+#[inline(always)]
+fn spread<P: Simd>(blocks: &[[[Lanes<P>; 4]; 4]; 4], a: usize, count: usize, chain: &mut Chain) {
+    let [aa, ab, ba, bb] = blocks;
+    for lane in 0..count {
+        let n = a + lane;
+        for i in 0..4 {
+            for j in 0..4 {
+                chain.diag[n][i][j] += aa[i][j].at(lane);
+            }
+        }
+        set_block(&mut chain.upper[n], ab, lane);
+        set_block(&mut chain.lower[n], ba, lane);
+        set_block(&mut chain.diag[n + 1], bb, lane);
+    }
+}
+
+#[inline(always)]
+fn set_block<P: Simd>(target: &mut Block, block: &[[Lanes<P>; 4]; 4], lane: usize) {
+    for i in 0..4 {
+        for j in 0..4 {
+            target[i][j] = block[i][j].at(lane);
+        }
+    }
+}
