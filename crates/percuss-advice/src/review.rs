@@ -5,7 +5,7 @@ use super::words::{digits, quantity};
 use super::{Advice, Topic, Verdict};
 use percuss::Settings;
 use percuss::inspect::{ContactView, MovingPartner};
-use percuss::{ContactRecord, ContactSummary, RunSummary, Termination};
+use percuss::{ContactRecord, ContactSummary, RunSummary, SectionForceSummary, Termination};
 use percuss::{Model, StrainMeasure};
 
 /// Compressive strains from which on strain measures differ by some per cent, and by a tenth.
@@ -21,6 +21,7 @@ pub fn findings(model: &Model, settings: &Settings, run: &RunSummary) -> Vec<Adv
     }
     all.extend(reactions(model, run));
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
+    all.extend(run.section_forces.iter().filter_map(beyond_strength));
     all
 }
 
@@ -116,4 +117,21 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
     );
     let contact = format!("beam {}", beam.name());
     Some(Advice::new(contact, Topic::Strain, [strain, STRAINS[0]], "1", verdict, text))
+}
+
+/// An elastic beam that is stressed beyond what its material usually bears.
+fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
+    let first = beam.beyond?;
+    let most = beam.stress.largest();
+    let text = format!(
+        "beam {} passes what its material usually bears at {} (s = {}) with {}, and comes to {}: it stays elastic in this run; give the          material `yield`, or allow this with the strength that yours has",
+        beam.name,
+        quantity(first.time, "s"),
+        quantity(first.s, "m"),
+        quantity(first.value, "Pa"),
+        quantity(most.value, "Pa"),
+    );
+    let values = [most.value, first.value];
+    let subject = format!("beam {}", beam.name);
+    Some(Advice::new(subject, Topic::Strength, values, "Pa", Verdict::Warning, text))
 }

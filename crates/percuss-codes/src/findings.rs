@@ -78,12 +78,15 @@ catalogue! {
         Slip = "W017", "a slip of a unit?",
             "A value lies so far from what things are made of that a unit is likely wrong by a power of ten (mm for m, MPa for Pa, \
              g for kg). If it is meant, nothing is wrong.";
+        /// The largest stress of an elastic beam against what its material usually bears \[Pa\].
+        Strength = "W018", "beyond the strength",
+            "A beam of a material known by name is stressed beyond what that material usually bears: structural steel yields at 235 MPa,              concrete cracks at 2.9. In the run it stays elastic all the same, so that forces come out too large and deflections too              small. Give the material `yield` (and `hardening`, `rate`, `failure_strain`), or, where yours bears more,              allow it with the strength it has.";
     }
 }
 
 impl Topic {
     /// Whether it is judged from the results of a run alone, so that nothing is known of it before.
     pub fn is_found_after_a_run(self) -> bool {
-        matches!(self, Self::Reactions | Self::Strain | Self::Ending)
+        matches!(self, Self::Reactions | Self::Strain | Self::Ending | Self::Strength)
     }
 }

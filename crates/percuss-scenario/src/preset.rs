@@ -3,6 +3,8 @@
 //! They are values for design: what a real piece of timber, concrete or laminate has differs from them, by tens of per
 //! cent for some. Where the values matter, give `young` and `density` as measured.
 
+use percuss::Strength;
+
 use crate::words::Words;
 
 /// A material known by name.
@@ -14,52 +16,76 @@ pub struct Preset {
     pub young: f64,
     /// Density (kg/m^3).
     pub density: f64,
+    /// Stresses that it usually bears.
+    pub strength: Option<Strength>,
 }
 
 /// The name of a material known by name.
 pub(crate) struct Presets;
 
 macro_rules! presets {
-    ($($name:literal = $mega:literal MPa, $density:literal kg, $about:literal;)*) => {
+    ($($name:literal = $mega:literal MPa, $density:literal kg, $bears:expr, $about:literal;)*) => {
         &[$((
             $name,
-            Preset { name: $name, young: $mega as f64 * 1e6, density: $density as f64 },
+            Preset { name: $name, young: $mega as f64 * 1e6, density: $density as f64, strength: $bears },
             concat!($about, ": ", $mega, " MPa, ", $density, " kg/m^3"),
         )),*]
     };
+}
+
+/// What bears as much in tension as in compression (MPa).
+const fn both(stress: f64) -> Option<Strength> {
+    Some(Strength { tension: 1e6 * stress, compression: 1e6 * stress })
+}
+
+/// What bears different stresses in tension and in compression (MPa).
+const fn each(tension: f64, compression: f64) -> Option<Strength> {
+    Some(Strength { tension: 1e6 * tension, compression: 1e6 * compression })
 }
 
 impl Words for Presets {
     type Value = Preset;
     #[rustfmt::skip]
     const WORDS: &'static [(&'static str, Preset, &'static str)] = presets! {
-        "steel" = 210_000 MPa, 7850 kg,
+        // Strength: yield stress of S235 (EN 1993-1-1, table 3.1).
+        "steel" = 210_000 MPa, 7850 kg, both(235.0),
             "structural steel (EN 1993-1-1, 3.2.6; density EN 1993-1-2)";
-        "stainless-steel" = 200_000 MPa, 7900 kg,
+        // Proof stress of hot rolled plate (EN 10088-2).
+        "stainless-steel" = 200_000 MPa, 7900 kg, both(210.0),
             "austenitic stainless steel 1.4301 (EN 10088-1)";
-        "aluminium" = 70_000 MPa, 2700 kg,
+        // Proof stress of EN AW-6061 T6 (EN 1999-1-1, table 3.2b): alloys reach from 35 to some 300 MPa.
+        "aluminium" = 70_000 MPa, 2700 kg, both(240.0),
             "aluminium alloys (EN 1999-1-1, 3.2.5)";
-        "titanium" = 110_000 MPa, 4430 kg,
+        // Yield stress of annealed sheet (MMPDS: 120 ksi).
+        "titanium" = 110_000 MPa, 4430 kg, both(827.0),
             "Ti-6Al-4V, annealed (MMPDS: 16.0e3 ksi, 0.160 lb/in^3)";
-        "copper" = 117_000 MPa, 8940 kg,
+        // From soft to hard by a factor of five: no usual strength.
+        "copper" = 117_000 MPa, 8940 kg, None,
             "oxygen-free copper C10200 (Copper Development Association: 17e3 ksi, 0.323 lb/in^3)";
-        "brass" = 110_000 MPa, 8530 kg,
+        "brass" = 110_000 MPa, 8530 kg, None,
             "cartridge brass C26000 (Copper Development Association: 16e3 ksi, 0.308 lb/in^3)";
-        "concrete" = 33_000 MPa, 2500 kg,
+        // Mean tensile and characteristic compressive strength (EN 1992-1-1, table 3.1).
+        "concrete" = 33_000 MPa, 2500 kg, each(2.9, 30.0),
             "reinforced concrete C30/37, uncracked (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
-        "glass" = 70_000 MPa, 2500 kg,
+        // Characteristic bending strength of float glass (EN 572-1).
+        "glass" = 70_000 MPa, 2500 kg, each(45.0, f64::INFINITY),
             "soda lime silicate glass (EN 572-1)";
-        "spruce" = 11_000 MPa, 420 kg,
+        // Characteristic bending strengths of the classes (EN 338).
+        "spruce" = 11_000 MPa, 420 kg, both(24.0),
             "softwood along the grain, class C24, mean values (EN 338)";
-        "oak" = 11_000 MPa, 640 kg,
+        "oak" = 11_000 MPa, 640 kg, both(30.0),
             "oak along the grain, class D30, mean values (EN 338)";
-        "ash-wood" = 12_000 MPa, 670 kg,
+        // Modulus of rupture (Wood Handbook, table 5-3).
+        "ash-wood" = 12_000 MPa, 670 kg, both(103.0),
             "white ash along the grain, the wood of bats, 12 % moisture (Wood Handbook, table 5-3)";
-        "gfrp" = 23_000 MPa, 1900 kg,
+        // Flexural strength lengthwise (EN 13706-3).
+        "gfrp" = 23_000 MPa, 1900 kg, both(240.0),
             "pultruded glass fibre profiles, grade E23, lengthwise (EN 13706-3; density of equal volumes of E-glass and polyester)";
-        "cfrp-ud" = 147_000 MPa, 1600 kg,
+        // Along the fibres (Daniel and Ishai 2006).
+        "cfrp-ud" = 147_000 MPa, 1600 kg, each(2280.0, 1725.0),
             "unidirectional carbon fibre AS4/3501-6, along the fibres (Daniel and Ishai 2006)";
-        "nylon" = 3100 MPa, 1140 kg,
+        // Yield stress, dry (data sheet of Zytel 101L).
+        "nylon" = 3100 MPa, 1140 kg, both(82.0),
             "polyamide 66, dry; moist air halves its modulus (data sheet of Zytel 101L)";
     };
 }

@@ -256,7 +256,7 @@ fn touch(touch: &StopTouch) -> Value {
 
 fn section_forces(beam: &SectionForceSummary) -> Value {
     let range = |r: &SectionRange| json!({ "min": place(&r.min), "max": place(&r.max) });
-    json!({
+    let mut value = json!({
         "moment_max": place(&beam.moment.largest()),
         "axial_max": place(&beam.axial.largest()),
         "shear_max": place(&beam.shear.largest()),
@@ -265,7 +265,11 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "shear": range(&beam.shear),
         "stress": range(&beam.stress),
         "strain": range(&beam.strain),
-    })
+    });
+    if let Some(beyond) = &beam.beyond {
+        value["first_beyond_strength"] = place(beyond);
+    }
+    value
 }
 
 fn place(peak: &SectionPeak) -> Value {

@@ -99,6 +99,7 @@ fn materials<'c>(
             retardation: table.retardation,
             mass_damping: table.mass_damping,
             inelasticity: inelasticity(name, table, faults),
+            strength: table.preset.and_then(|preset| preset.strength),
             ..percuss::Material::new(name.as_str(), young, density)
         };
         materials.insert(name.as_str(), builder.material(material));

@@ -239,6 +239,7 @@ impl ModelBuilder {
             measure: material.strain,
             retardation: material.retardation,
             mass_damping: material.mass_damping,
+            strength: material.strength.filter(|_| material.inelasticity.is_none()),
             fibres: fibres::of_span(material, section, &stretch, model.fibre_count()),
         };
         for k in 0..n {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::definition::{InitialMotion, StrainMeasure};
+use super::definition::{InitialMotion, StrainMeasure, Strength};
 pub(crate) use super::striking::*;
 pub(crate) use super::ties::*;
 use super::time_function::PreparedFunction;
@@ -91,6 +91,8 @@ pub(crate) struct Span {
     pub retardation: f64,
     /// Mass-proportional damping \[1/s\].
     pub mass_damping: f64,
+    /// Stresses that an elastic material usually bears, if known.
+    pub strength: Option<Strength>,
     /// Its fibres, if its material does more than Hooke's law says.
     pub fibres: Option<SpanFibres>,
 }

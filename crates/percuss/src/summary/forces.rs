@@ -92,6 +92,8 @@ pub struct SectionForceSummary {
     pub strain: SectionRange,
     /// Stress of the extreme fibres, `N/A -+ M depth / (2 I)` \[Pa\].
     pub stress: SectionRange,
+    /// The first stress beyond the strength of an elastic material, of beams for which that is known.
+    pub beyond: Option<SectionPeak>,
     /// Extremes along the beam.
     pub envelope: Envelope,
 }

@@ -31,6 +31,10 @@ fn assert_balances(summary: &RunSummary, name: &str) {
 
 /// A bar of 20 x 20 x 400 mm, clamped at both ends, thrown at 40 m/s.
 fn thrown_bar(material: Material, step: f64) -> RunSummary {
+    thrown_bar_until(2e-3, material, step)
+}
+
+fn thrown_bar_until(end: f64, material: Material, step: f64) -> RunSummary {
     let mut b = ModelBuilder::new();
     let material = b.material(material);
     let section = b.section(Section::rectangle("square", 0.02, 0.02));
@@ -40,7 +44,7 @@ fn thrown_bar(material: Material, step: f64) -> RunSummary {
     }
     b.record_point(at("mid", bar, 0.5));
     let model = b.build().unwrap();
-    let mut run = Simulation::new(&model, &Settings::new(2e-3, step)).unwrap();
+    let mut run = Simulation::new(&model, &Settings::new(end, step)).unwrap();
     run.set_velocities(|_, x| if x[0] > 0.01 && x[0] < 0.39 { [0.0, 40.0] } else { [0.0; 2] });
     run.run(&mut NoRecorder)
 }
@@ -163,4 +167,26 @@ fn rigid_plastic_throw_of_a_simply_supported_beam_nears_its_closed_form() {
     let set = summary.plastic[0].permanent_set.unwrap();
     // What it holds elastically, a twelfth of what it is given, and rotations of 0.15 rad keep it from more than a near miss.
     assert!((set / rigid - 1.0).abs() < 0.06, "{set} {rigid} {:?}", summary.energy);
+}
+
+#[test]
+fn an_elastic_bar_tells_when_and_where_it_first_passes_its_strength() {
+    let bar = |end: f64, tension: f64, compression: f64| {
+        let strength = Some(Strength { tension, compression });
+        let material = Material { strength, inelasticity: None, ..steel(|_| {}) };
+        thrown_bar_until(end, material, 1e-5).section_forces.remove(0)
+    };
+    let (end, none) = (2e-3, f64::INFINITY);
+    let whole = bar(end, none, none);
+    let most = [-whole.stress.min.value, whole.stress.max.value];
+    assert!(whole.beyond.is_none() && most.iter().all(|s| *s > 300e6), "{most:?}");
+    // Not one that bears the largest stress of all; one that bears less first passes it no later than that is reached.
+    assert!(bar(end, 1.001 * most[1], 1.001 * most[0]).beyond.is_none());
+    let first = bar(end, 300e6, none).beyond.unwrap();
+    assert!(first.value > 300e6 && first.time <= whole.stress.max.time, "{first:?}");
+    assert!((0.0..=0.4).contains(&first.s), "{first:?}");
+    // Up to the step before nothing passes it.
+    assert!(bar(first.time - 1e-5, 300e6, none).beyond.is_none());
+    assert!(bar(first.time, 300e6, none).beyond.is_some());
+    assert!(bar(end, none, 300e6).beyond.unwrap().value < -300e6);
 }

@@ -16,7 +16,7 @@ use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span};
 use crate::scalar::in_lanes;
 use crate::state::State;
-use crate::summary::{Envelope, SectionForceSummary, SectionRange};
+use crate::summary::{Envelope, SectionForceSummary, SectionPeak, SectionRange};
 use fibres::{Fibres, Strained, section_at};
 use lanes::PlainSpan;
 use line::{Inner, Line, SectionForces};
@@ -44,6 +44,7 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
             moment: none,
             strain: none,
             stress: none,
+            beyond: None,
             envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress: open() },
         }
     };
@@ -247,6 +248,10 @@ impl ElementForces<'_> {
         for side in 0..2 {
             out.stress.take(fibres.stress[side], s, time);
             out.strain.take(fibres.strain[side], s, time);
+            let (stress, strength) = (fibres.stress[side], self.span.strength);
+            if out.beyond.is_none() && strength.is_some_and(|strength| strength.is_passed(stress)) {
+                out.beyond = Some(SectionPeak { value: stress, s, time });
+            }
         }
     }
 }

@@ -20,6 +20,25 @@ pub struct Material {
     pub mass_damping: f64,
     /// What it does beyond Hooke's law; beams of such a material are made of fibres.
     pub inelasticity: Option<Inelasticity>,
+    /// Stresses that it usually bears, where they are known. Nothing follows from them in the mechanics: what an elastic material is
+    /// stressed to beyond them is told.
+    pub strength: Option<Strength>,
+}
+
+/// Stresses up to which a material is elastic, or whole; infinite where unknown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strength {
+    /// In tension \[Pa\].
+    pub tension: f64,
+    /// In compression, its magnitude \[Pa\].
+    pub compression: f64,
+}
+
+impl Strength {
+    /// Whether a stress lies beyond it.
+    pub fn is_passed(&self, stress: f64) -> bool {
+        stress > self.tension || stress < -self.compression
+    }
 }
 
 impl Material {
@@ -33,6 +52,7 @@ impl Material {
             retardation: 0.0,
             mass_damping: 0.0,
             inelasticity: None,
+            strength: None,
         }
     }
 }
