@@ -23,9 +23,9 @@ fn refused(line: &str, parts: &[&str]) {
 fn a_reason_is_kept_and_written_back() {
     let scenario = with("W007 = \"a short beam is \\\"meant\\\"\"\nW012 = \" seen \"").unwrap();
     let content = scenario.content();
-    assert_eq!(content.reason_to_allow(Topic::Span), Some("a short beam is \"meant\""));
-    assert_eq!(content.reason_to_allow(Topic::Recording), Some("seen"));
-    assert_eq!(content.reason_to_allow(Topic::Touch), None);
+    assert_eq!(content.reason_to_allow(Topic::Span.into()), Some("a short beam is \"meant\""));
+    assert_eq!(content.reason_to_allow(Topic::Recording.into()), Some("seen"));
+    assert_eq!(content.reason_to_allow(Topic::Touch.into()), None);
     let again = read(&scenario.to_toml(), "again.toml").unwrap();
     assert_eq!(again.content(), content);
 }

@@ -49,7 +49,7 @@ impl Sweep {
     fn place<P: Simd>(&self, like: Lanes<P>, n: usize) -> [Lanes<P>; 4] {
         let mut place: [Lanes<P>; 4] = self.frames.load_row(like, n);
         for i in 0..4 {
-            place[i] = place[i] + self.displacement.load(like, i, n);
+            place[i] += self.displacement.load(like, i, n);
         }
         place
     }
