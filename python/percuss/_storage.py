@@ -104,8 +104,8 @@ class Remote:
         text = study.text.encode()
         if self._files.exists(own):
             if self._files.cat_file(own) != text:
-                text = f"{path} holds another study, or an earlier state of this one; give another out"
-                raise coded(InputError, text, "E301")
+                reason = f"{path} holds another study, or an earlier state of this one; give another out"
+                raise coded(InputError, reason, "E301")
         else:
             self._files.makedirs(f"{self._root}/shards", exist_ok=True)
             self._files.pipe_file(own, text)

@@ -108,12 +108,22 @@ fn meshes(run: &RunSummary, advice: &[Advice]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use percuss::{NoRecorder, Settings, simulate};
+    use percuss::{Disc, ModelBuilder, NoRecorder, Settings, simulate};
 
     #[test]
     fn conditions_that_contacts_violate_have_their_code() {
-        let model = percuss::ModelBuilder::new().build();
-        let mut run = simulate(&model.unwrap(), &Settings::new(1.0, 0.5), &mut NoRecorder).unwrap();
+        let mut b = ModelBuilder::new();
+        b.disc(Disc {
+            name: "ball".into(),
+            mass: 1.0,
+            inertia: None,
+            radius: 0.1,
+            position: [0.0; 2],
+            velocity: [1.0, 0.0],
+            spin: 0.0,
+        });
+        let settings = Settings::new(1.0, 0.5);
+        let mut run = simulate(&b.build().unwrap(), &settings, &mut NoRecorder).unwrap();
         assert_eq!(warnings(&run, &[]), []);
         run.contact_residual_max = 1e-7;
         let text = "contacts violate their conditions by 1.0e-7 of the largest velocity".to_owned();

@@ -6,7 +6,8 @@ catalogue! {
         /// A file that cannot be read, or is no scenario or study.
         File = "E001", "a file that cannot be read",
             "The file is not there, cannot be read, is empty, is no UTF-8 text, lies outside the folder where the scenario may name \
-             files, or is of another kind (a study where a scenario is meant). Tables of numbers and the base of a study lie in the folder of the \
+             files, or is of another kind (a study where a scenario is meant). Standard input and pipes that give \
+             nothing for some seconds count as such. Tables of numbers and the base of a study lie in the folder of the \
              file that names them or below; `--allow-outside` lifts this for scenarios that you trust.";
         /// Text that is not TOML.
         Syntax = "E002", "text that is not TOML",

@@ -18,7 +18,8 @@ catalogue! {
         /// No Python that speaks with a cluster.
         Cluster = "E304", "no way to a cluster",
             "`percuss sweep --scheduler` needs Python with percuss and Dask. `pip install \".[dask]\"` in the sources of Percuss installs \
-             them; PERCUSS_PYTHON names another interpreter.";
+             them; PERCUSS_PYTHON names another interpreter. Else no scheduler answers at the address: is it right, \
+             and the scheduler running?";
         /// The cluster ended without results.
         ClusterFailed = "E305", "a cluster that left no results",
             "The sweep ended as if it were done, and its results are not in the directory. Look whether the cluster writes to the same \

@@ -206,11 +206,19 @@ mod tests {
     use super::*;
 
     const FLIGHT: &str = r#"
-        [disc.ball]
-        centre = [0, 0]
+        [projectile.ball]
+        kind = "elastic"
+        contact = "surface"
+        mass = 1
         radius = "1 cm"
-        density = "7800 kg/m^3"
-        velocity = ["1 m/s", 0]
+        position = [0, 0]
+        velocity = [1, 0]
+        stiffness = 1e6
+        strikes = "wall"
+        [obstacle.wall]
+        kind = "half-plane"
+        point = [1, 0]
+        normal = [-1, 0]
         [time]
         end = "1 ms"
         step = "0.1 ms"

@@ -1,6 +1,6 @@
-//! `[allow]`: codes of the advisor's findings, each with a reason.
+//! `[allow]`: codes of findings and warnings, each with a reason.
 
-use percuss_codes::Topic;
+use percuss_codes::{Caution, Topic};
 use percuss_scenario::read;
 
 const ELASTIC: &str = include_str!("../files/elastic.toml");
@@ -31,7 +31,17 @@ fn a_reason_is_kept_and_written_back() {
 }
 
 #[test]
+fn warnings_of_the_audit_can_be_allowed() {
+    let scenario = with("W105 = \"the scheme is meant\"").unwrap();
+    let content = scenario.content();
+    assert_eq!(content.reason_to_allow(Caution::Balance.into()), Some("the scheme is meant"));
+    assert!(scenario.to_toml().contains("W105 = \"the scheme is meant\""));
+}
+
+#[test]
 fn what_cannot_be_allowed_is_refused() {
+    let whole = ["W107\" (interrupted), which tells how a command went", "W101 to W105", "[E008]"];
+    refused("W107 = \"x\"", &whole);
     refused("W099 = \"x\"", &["allow.W099", "found the code \"W099\"", "[E007]"]);
     refused("w007 = \"x\"", &["found the code \"w007\"", "(did you mean `W007`?)", "[E007]"]);
     let whole = ["an error, which cannot be allowed", "W001 to W018", "[E008]"];

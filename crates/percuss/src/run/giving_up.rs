@@ -84,13 +84,23 @@ impl Simulation<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::ModelBuilder;
+    use crate::model::{Disc, ModelBuilder};
     use crate::settings::Settings;
 
     #[test]
     fn a_singular_tangent_has_its_code() {
         // No model that is accepted is known to have one: what is said of it is looked at alone.
-        let model = ModelBuilder::new().build().unwrap();
+        let mut b = ModelBuilder::new();
+        b.disc(Disc {
+            name: "ball".into(),
+            mass: 1.0,
+            inertia: None,
+            radius: 0.1,
+            position: [0.0; 2],
+            velocity: [1.0, 0.0],
+            spin: 0.0,
+        });
+        let model = b.build().unwrap();
         let simulation = Simulation::new(&model, &Settings::new(1.0, 0.5)).unwrap();
         let error = simulation.give_up(Failure::Singular(Singular::Constraints), 0.5);
         assert!(error.is_singular(), "{error}");
