@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
 use percuss::{ResumeError, RunSummary, Simulation, Termination};
-use percuss_advice::{AuditWarning, advise, audit, compare, review};
+use percuss_advice::{Advice, AuditWarning, advise, audit, compare, review};
 use percuss_codes::{AnalysisCode, Caution, FileCode, RequestCode};
 use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
@@ -242,18 +242,7 @@ fn simulate(
         return Err(Failure::System(error.code().into(), error.to_string()));
     }
     history.finish()?;
-    let mut after = review(&compiled.model, &compiled.settings, &summary);
-    advisor::judge(&mut after, content);
-    if !arguments.quiet {
-        advisor::tell(&after);
-    }
-    let mut denied = advisor::denied(&after, &arguments.deny);
-    advice.extend(after);
-    let warnings = audit(&summary, &advice, |code| content.reason_to_allow(code));
-    denied.extend(advisor::denied_of_audit(&warnings, &arguments.deny));
-    if !arguments.quiet && matches!(summary.termination, Termination::Completed) {
-        advisor::tell_in_vain(content, &advisor::codes(&advice, &warnings), |_| true);
-    }
+    let (warnings, denied) = judge(ready, arguments, &summary, &mut advice);
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
@@ -282,6 +271,29 @@ fn simulate(
         warnings,
         denied,
     })
+}
+
+/// What is found after a run: findings, which join those before it, what the audit warns of, and what of all that is denied.
+fn judge(
+    ready: &Ready,
+    arguments: &Run,
+    run: &RunSummary,
+    advice: &mut Vec<Advice>,
+) -> (Vec<AuditWarning>, Vec<String>) {
+    let content = ready.scenario.content();
+    let mut after = review(&ready.compiled.model, &ready.compiled.settings, run);
+    advisor::judge(&mut after, content);
+    if !arguments.quiet {
+        advisor::tell(&after);
+    }
+    let mut denied = advisor::denied(&after, &arguments.deny);
+    advice.extend(after);
+    let warnings = audit(run, advice, |code| content.reason_to_allow(code));
+    denied.extend(advisor::denied_of_audit(&warnings, &arguments.deny));
+    if !arguments.quiet && matches!(run.termination, Termination::Completed) {
+        advisor::tell_in_vain(content, &advisor::codes(advice, &warnings), |_| true);
+    }
+    (warnings, denied)
 }
 
 /// Writes the report and, before it, the comparison that belongs into it.
