@@ -64,7 +64,7 @@ impl Study {
 /// Simulates those that are ready; the others keep their reasons.
 fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
     let sound: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
-    let solve = |given: &[(&Model, &Settings)]| simulate_batch(given, detail);
+    let solve = |given: &Given<'_>| simulate_batch(given, detail);
     let mut done = batch(&sound, &solve).into_iter();
     let outcome = |run: &Ready| match run {
         Err(reason) => (Err(reason.clone()), "invalid"),
@@ -83,14 +83,14 @@ fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
     ready.iter().map(outcome).collect()
 }
 
-/// What a solver makes of models and settings.
+/// Models and settings, and what a solver makes of them.
+type Given<'g> = [(&'g Model, &'g Settings)];
 type Solved = Vec<Result<RunSummary, Vec<Fault>>>;
-type Solver<'a> = dyn Fn(&[(&Model, &Settings)]) -> Solved + 'a;
 
 /// Simulates all; if the solver breaks down on one of them, each alone, so that only that one is lost.
 fn batch(
     runs: &[&Compiled],
-    solve: &Solver<'_>,
+    solve: &dyn Fn(&Given<'_>) -> Solved,
 ) -> Vec<Result<RunSummary, (String, &'static str)>> {
     let given: Vec<(&Model, &Settings)> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
     let told = |faults: Vec<Fault>| {
@@ -233,7 +233,7 @@ mod tests {
             scenario.compile().unwrap_or_else(|f| panic!("{f}"))
         });
         let breaks = |settings: &Settings| settings.end > 1.5e-3;
-        let solve = |given: &[(&Model, &Settings)]| {
+        let solve = |given: &Given<'_>| {
             assert!(!given.iter().any(|(_, settings)| breaks(settings)), "meant");
             simulate_batch(given, Detail::Full)
         };
