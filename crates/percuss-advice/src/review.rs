@@ -124,7 +124,8 @@ fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
     let first = beam.beyond?;
     let most = beam.stress.largest();
     let text = format!(
-        "beam {} passes what its material usually bears at {} (s = {}) with {}, and comes to {}: it stays elastic in this run; give the          material `yield`, or allow this with the strength that yours has",
+        "beam {} passes what its material usually bears at {} (s = {}) with {}, and comes to {}: it stays elastic in this run; \
+         give the material `yield`, or allow this with the strength that yours has",
         beam.name,
         quantity(first.time, "s"),
         quantity(first.s, "m"),

@@ -80,7 +80,10 @@ catalogue! {
              g for kg). If it is meant, nothing is wrong.";
         /// The largest stress of an elastic beam against what its material usually bears \[Pa\].
         Strength = "W018", "beyond the strength",
-            "A beam of a material known by name is stressed beyond what that material usually bears: structural steel yields at 235 MPa,              concrete cracks at 2.9. In the run it stays elastic all the same, so that forces come out too large and deflections too              small. Give the material `yield` (and `hardening`, `rate`, `failure_strain`), or, where yours bears more,              allow it with the strength it has.";
+            "A beam of a material known by name is stressed beyond what that material usually bears: structural steel \
+             yields at 235 MPa, concrete cracks at 2.9. In the run it stays elastic all the same, so that forces come \
+             out too large and deflections too small. Give the material `yield` (and `hardening`, `rate`, \
+             `failure_strain`), or, where yours bears more, allow it with the strength it has.";
     }
 }
 

@@ -73,7 +73,7 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
                 Topic::Taper => (of("sweet-spot"), "record.every=1"),
                 Topic::Strain | Topic::Slip => (elastic.clone(), "material.composite.young=2e5"),
                 Topic::Ending => (elastic.clone(), "time.end=0.02"),
-                Topic::Strength => (elastic.clone(), "material.composite.preset=\"concrete\""),
+                Topic::Strength => (of("disc-chain"), "material.steel.preset=\"concrete\""),
             };
             (topic, file, set)
         })
