@@ -25,6 +25,7 @@ pub mod lead;
 pub mod masses;
 pub mod modal_damping;
 pub mod newton;
+pub mod projection;
 pub mod sweep;
 pub mod tangent;
 pub mod workspace;

@@ -183,7 +183,7 @@ impl<S: Real> Line<S> {
         for i in 0..5 {
             (numbers[6 + 2 * i], numbers[7 + 2 * i]) = (self.force[i][0], self.force[i][1]);
         }
-        numbers[16..24].copy_from_slice(&self.moment);
+        numbers[16..].copy_from_slice(&self.moment);
         numbers
     }
 
@@ -198,7 +198,7 @@ impl<S: Real> Line<S> {
         for i in 0..5 {
             line.force[i] = [numbers[6 + 2 * i], numbers[7 + 2 * i]];
         }
-        line.moment.copy_from_slice(&numbers[16..24]);
+        line.moment.copy_from_slice(&numbers[16..]);
         line
     }
 }

@@ -5,6 +5,8 @@
 
 mod span;
 mod start;
+#[cfg(test)]
+mod tests;
 
 use pulp::Simd;
 

@@ -56,10 +56,10 @@ impl Sweep {
 }
 
 /// See [`Sweep::begin`].
-struct Begin<'a> {
-    sweep: &'a mut Sweep,
-    model: &'a Model,
-    state: &'a State,
+pub struct Begin<'a> {
+    pub sweep: &'a mut Sweep,
+    pub model: &'a Model,
+    pub state: &'a State,
 }
 
 impl WithSimd for Begin<'_> {
@@ -91,10 +91,10 @@ impl WithSimd for Begin<'_> {
 }
 
 /// See [`Sweep::measure`].
-struct Measure<'a> {
-    sweep: &'a mut Sweep,
-    span: &'a Span,
-    number: usize,
+pub struct Measure<'a> {
+    pub sweep: &'a mut Sweep,
+    pub span: &'a Span,
+    pub number: usize,
 }
 
 impl WithSimd for Measure<'_> {
