@@ -23,7 +23,7 @@ mod taper;
 mod tests;
 mod words;
 
-use percuss::{FirstTouches, Model, RunSummary, Settings, massless};
+use percuss::{FirstTouches, Model, RunSummary, SectionForceSummary, Settings, massless};
 use percuss_codes::Code;
 pub use percuss_codes::{Caution, Topic};
 
@@ -182,6 +182,11 @@ pub fn compare(model: &Model, settings: &Settings, summary: &RunSummary) -> Vec<
         all.extend(after::comparisons(model, settings, summary, &modes, k));
     }
     all
+}
+
+/// Beams of an equilibrium that are stressed beyond what their materials usually bear.
+pub fn beyond_strength(section_forces: &[SectionForceSummary]) -> Vec<Advice> {
+    section_forces.iter().filter_map(review::beyond_strength).collect()
 }
 
 /// What is worth knowing of a finished run before its results are used: contacts still closed or never reached at its end,

@@ -120,16 +120,21 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
 }
 
 /// An elastic beam that is stressed beyond what its material usually bears.
-fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
+pub fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
     let first = beam.beyond?;
     let most = beam.stress.largest();
+    // An equilibrium has no time.
+    let time = if first.time > 0.0 {
+        format!(" after {}", quantity(first.time, "s"))
+    } else {
+        String::new()
+    };
     let text = format!(
-        "beam {} passes what its material usually bears at {} (s = {}) with {}, and comes to {}: it stays elastic in this run; \
+        "beam {} passes what its material usually bears with {} at s = {}{time}, and comes to {}: it stays elastic here all the same; \
          give the material `yield`, or allow this with the strength that yours has",
         beam.name,
-        quantity(first.time, "s"),
-        quantity(first.s, "m"),
         quantity(first.value, "Pa"),
+        quantity(first.s, "m"),
         quantity(most.value, "Pa"),
     );
     let values = [most.value, first.value];

@@ -2,7 +2,7 @@
 
 /// Three significant digits and a unit with a prefix: `51.2 ms`, `750 kN/m`, `91.2 kg`.
 pub fn quantity(value: f64, unit: &str) -> String {
-    let prefixed = matches!(unit, "s" | "m" | "N" | "N/m" | "J" | "m/s" | "N m" | "N s");
+    let prefixed = matches!(unit, "s" | "m" | "N" | "N/m" | "J" | "m/s" | "N m" | "N s" | "Pa");
     if value == 0.0 || !value.is_finite() || !prefixed {
         return format!("{} {unit}", digits(value)).trim_end().to_owned();
     }

@@ -5,7 +5,7 @@ mod print;
 use std::path::PathBuf;
 
 use percuss::{
-    AnalysisCode, Error, LinearBuckling, Path, buckling_in_contact, equilibrium,
+    AnalysisCode, Equilibrium, Error, LinearBuckling, Path, buckling_in_contact, equilibrium,
     equilibrium_path_recorded,
 };
 use percuss_output::{
@@ -14,6 +14,7 @@ use percuss_output::{
 };
 use serde_json::Value;
 
+use crate::advisor;
 use crate::arguments::Static;
 use crate::interrupt;
 use crate::number::number;
@@ -51,7 +52,15 @@ pub fn run(arguments: &Static) -> Result<Status, Failure> {
         terminal::print(&print::table(&found, &linear))?;
         terminal::tell(&format!("results  {}", out.display()));
     }
+    warn(&ready, &found);
     Ok(Status::Done)
+}
+
+/// Warns of stresses that the materials of the scenario do not bear.
+fn warn(ready: &Ready, found: &Equilibrium) {
+    let mut advice = percuss_advice::beyond_strength(&found.section_forces);
+    advisor::judge(&mut advice, ready.scenario.content());
+    advisor::tell(&advice);
 }
 
 /// Where the results go.
@@ -98,6 +107,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
         terminal::print(&print::table(&path.end, &linear))?;
         terminal::tell(&format!("results  {}", out.display()));
     }
+    warn(ready, &path.end);
     if path.reached {
         return Ok(Status::Done);
     }
