@@ -108,10 +108,13 @@ fn every_long_command_ends_at_the_first_signal() {
     for arguments in long {
         let desk = Desk::new();
         let mut command = desk.command(arguments);
-        let child = command.stdin(Stdio::piped()).spawn().expect("the command starts");
+        let mut child = command.stdin(Stdio::piped()).spawn().expect("the command starts");
+        // What is read from must stay open until the end.
+        let input = child.stdin.take();
         std::thread::sleep(Duration::from_millis(300));
         signal(&child, "-INT");
         let ended = end_of(child);
+        drop(input);
         assert_eq!(ended.status, Some(130), "{arguments:?}: {}", ended.stderr);
         assert_eq!(desk.names(), ["elastic.toml", "rigid.toml"], "{arguments:?}");
     }
