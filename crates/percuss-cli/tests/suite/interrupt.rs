@@ -42,6 +42,18 @@ fn begun(desk: &Desk, command: &mut Command) -> Child {
     child
 }
 
+/// Whether a command has taken over Ctrl-C, where the system tells.
+fn listens(child: &Child) -> bool {
+    let status = std::fs::read_to_string(format!("/proc/{}/status", child.id()));
+    let Ok(status) = status else {
+        std::thread::sleep(Duration::from_millis(500));
+        return true;
+    };
+    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+    // Signal 2 is the second bit.
+    caught.is_some_and(|mask| u64::from_str_radix(mask.trim(), 16).is_ok_and(|m| m & 2 != 0))
+}
+
 fn signal(child: &Child, name: &str) {
     let sent = Command::new("kill").args([name, &child.id().to_string()]).status();
     assert!(sent.expect("kill starts").success());
@@ -111,7 +123,7 @@ fn every_long_command_ends_at_the_first_signal() {
         let mut child = command.stdin(Stdio::piped()).spawn().expect("the command starts");
         // What is read from must stay open until the end.
         let input = child.stdin.take();
-        std::thread::sleep(Duration::from_millis(300));
+        assert!(wait_for(|| listens(&child)), "{arguments:?} does not listen");
         signal(&child, "-INT");
         let ended = end_of(child);
         drop(input);
