@@ -123,19 +123,22 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
 pub fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
     let first = beam.beyond?;
     let most = beam.stress.largest();
+    let stress = |value| quantity(value, "Pa");
     // An equilibrium has no time.
-    let time = if first.time > 0.0 {
-        format!(" after {}", quantity(first.time, "s"))
-    } else {
-        String::new()
+    let passed = match first.time > 0.0 {
+        true => format!(
+            "with {} after {} at s = {}, and comes to {}",
+            stress(first.value),
+            quantity(first.time, "s"),
+            quantity(first.s, "m"),
+            stress(most.value)
+        ),
+        false => format!("with {} at s = {}", stress(first.value), quantity(first.s, "m")),
     };
     let text = format!(
-        "beam {} passes what its material usually bears with {} at s = {}{time}, and comes to {}: it stays elastic here all the same; \
-         give the material `yield`, or allow this with the strength that yours has",
-        beam.name,
-        quantity(first.value, "Pa"),
-        quantity(first.s, "m"),
-        quantity(most.value, "Pa"),
+        "beam {} passes what its material usually bears {passed}: it stays elastic here all the same; give the material `yield`, or allow \
+         this with the strength that yours has",
+        beam.name
     );
     let values = [most.value, first.value];
     let subject = format!("beam {}", beam.name);

@@ -89,7 +89,7 @@ fn contact(found: &StaticContact) -> Value {
 fn section_forces(beam: &SectionForceSummary) -> Value {
     let peak = |p: SectionPeak| json!({ "value": p.value, "s": p.s });
     let range = |r: &SectionRange| json!({ "min": peak(r.min), "max": peak(r.max) });
-    json!({
+    let mut value = json!({
         "moment_max": peak(beam.moment.largest()),
         "axial_max": peak(beam.axial.largest()),
         "shear_max": peak(beam.shear.largest()),
@@ -98,5 +98,9 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "shear": range(&beam.shear),
         "stress": range(&beam.stress),
         "strain": range(&beam.strain),
-    })
+    });
+    if let Some(beyond) = beam.beyond {
+        value["beyond_strength"] = peak(beyond);
+    }
+    value
 }

@@ -1,6 +1,6 @@
 //! Whole files: written under a temporary name, then renamed, so that no half file bears the final name.
 
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -48,4 +48,44 @@ pub(crate) fn rename(from: &Path, to: &Path) -> Result<(), Error> {
 /// Reads a text file.
 pub(crate) fn read_text(path: &Path) -> Result<String, Error> {
     fs::read_to_string(path).map_err(|source| Error::io(path, "read", source))
+}
+
+/// A file that at most one process has.
+#[derive(Debug)]
+pub enum Exclusive {
+    /// This one has it, until it is closed.
+    Ours(File),
+    /// Another one has it.
+    Taken(File),
+}
+
+/// Opens or makes a file that at most one process has; its content stays. Where the system keeps no locks, nothing better can be had: it is
+/// ours.
+///
+/// # Errors
+/// If the system refuses.
+pub fn open_exclusively(path: &Path) -> std::io::Result<Exclusive> {
+    loop {
+        let mut options = OpenOptions::new();
+        let file = options.read(true).write(true).create(true).truncate(false).open(path)?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => return Ok(Exclusive::Taken(file)),
+            Err(TryLockError::Error(_)) => return Ok(Exclusive::Ours(file)),
+            // Who had it before may have moved or removed it between opening and locking.
+            Ok(()) if is_the_same(&file, path) => return Ok(Exclusive::Ours(file)),
+            Ok(()) => {}
+        }
+    }
+}
+
+#[cfg(unix)]
+fn is_the_same(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let id = |m: fs::Metadata| (m.dev(), m.ino());
+    file.metadata().map(id).ok() == fs::metadata(path).map(id).ok()
+}
+
+#[cfg(not(unix))]
+fn is_the_same(_file: &File, _path: &Path) -> bool {
+    true
 }

@@ -27,6 +27,7 @@ pub use directory::{Extent, Results, RunDirectory, RunUpdate};
 pub use envelopes::{BeamEnvelope, read_envelopes, write_envelopes};
 pub use equilibrium::{EquilibriumInfo, equilibrium_value, write_equilibrium};
 pub use error::Error;
+pub use files::{Exclusive, open_exclusively};
 pub use history::{
     Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,
     read as read_history,

@@ -1,8 +1,10 @@
 //! Files that this program wrote say so, and no others are replaced.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File};
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+
+use percuss_output::{Exclusive, open_exclusively};
 
 use crate::error::Error;
 
@@ -35,7 +37,7 @@ pub fn is_ours(path: &Path) -> bool {
 /// Where a file grows until it is finished: beside its place, under a name of its own.
 pub fn unfinished(out: &Path) -> PathBuf {
     let name = out.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-    out.with_file_name(format!(".{name}.partial"))
+    out.with_file_name(format!(".{name}.percuss.partial"))
 }
 
 /// A file that is not finished: one process writes it at a time, and what a dead one left is written over.
@@ -56,17 +58,11 @@ impl Unfinished {
     pub fn of(out: &Path) -> Result<Self, Error> {
         let path = unfinished(out);
         let cannot = |source| Error::io(out, "write", &source);
-        loop {
-            let mut options = OpenOptions::new();
-            let opened = options.read(true).write(true).create(true).truncate(false).open(&path);
-            let file = opened.map_err(cannot)?;
-            if let Err(TryLockError::WouldBlock) = file.try_lock() {
-                return Err(Error::busy(out));
-            }
-            // The one that had it may have put it in place between opening and locking.
-            if is_the_same(&file, &path) {
+        match open_exclusively(&path).map_err(cannot)? {
+            Exclusive::Taken(_) => Err(Error::busy(out)),
+            Exclusive::Ours(file) => {
                 file.set_len(0).map_err(cannot)?;
-                return Ok(Self { path, file, placed: false });
+                Ok(Self { path, file, placed: false })
             }
         }
     }
@@ -93,18 +89,6 @@ impl Drop for Unfinished {
             let _ = fs::remove_file(&self.path);
         }
     }
-}
-
-#[cfg(unix)]
-fn is_the_same(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let id = |m: fs::Metadata| (m.dev(), m.ino());
-    file.metadata().map(id).ok() == fs::metadata(path).map(id).ok()
-}
-
-#[cfg(not(unix))]
-fn is_the_same(_file: &File, _path: &Path) -> bool {
-    true
 }
 
 /// Writes a file, entirely or not at all.

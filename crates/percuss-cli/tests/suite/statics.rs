@@ -266,3 +266,32 @@ fn a_mechanism_is_named_with_its_place() {
     assert!(stderr.contains("mechanism") && stderr.contains("`arm`"), "{stderr}");
     assert!(stderr.contains("supports and joints"), "{stderr}");
 }
+
+/// `P L / (2 I / depth)` at the root, against the 235 MPa at which structural steel yields.
+#[test]
+fn a_stress_beyond_the_strength_of_a_known_material_is_told() {
+    let arm = CANTILEVER
+        .replace("young = \"210 GPa\"", "preset = \"steel\"")
+        .replace("inertia = \"8 cm^4\"", "inertia = \"8 cm^4\"\ndepth = \"40 mm\"");
+    let desk = Desk::new();
+    let found = |force: f64, more: &str| {
+        let text = arm.replace("\"-100 N\"", &format!("{force}"));
+        desk.put("arm.toml", format!("{text}{CLAMP}{more}"));
+        percuss(&desk.path("arm.toml"), &["--json", "--out", desk.path("out").to_str().unwrap()])
+    };
+    let beyond = |stdout: &str| {
+        let value: serde_json::Value = serde_json::from_str(stdout).unwrap();
+        value["section_forces"]["arm"]["beyond_strength"].clone()
+    };
+    let (status, stdout, stderr) = found(-400.0, "");
+    assert_eq!(status, Some(0), "{stderr}");
+    assert!(beyond(&stdout).is_null() && !stderr.contains("W018"), "{stderr}");
+    let (_, stdout, stderr) = found(-500.0, "");
+    let (stress, hand) = (beyond(&stdout)["value"].as_f64().unwrap(), 500.0 * 2.0 * 0.02 / 8e-8);
+    assert!((stress.abs() / hand - 1.0).abs() < 5e-3, "{stress:e} {hand:e}");
+    assert_eq!(beyond(&stdout)["s"], 0.0);
+    assert!(stderr.contains("warning: beam arm, beyond the strength: "), "{stderr}");
+    assert!(stderr.contains("250 MPa at s = 0 m: it stays elastic") && stderr.contains("[W018]"));
+    let (_, _, stderr) = found(-500.0, "[allow]\nW018 = \"S355\"\n");
+    assert!(!stderr.contains("warning") && stderr.contains("(reason: S355)"), "{stderr}");
+}

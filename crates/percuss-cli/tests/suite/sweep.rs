@@ -194,6 +194,26 @@ fn a_cluster_that_leaves_no_results_is_no_success() {
     assert!(told.contains("its results are not there"), "{told}");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_sweep_on_a_cluster_hands_on_a_signal() {
+    let desk = desk();
+    let script = "#!/bin/sh\ncase \"$2\" in *runpy*) ;; *) exit 0 ;; esac\n\
+                  trap 'echo > told; exit 130' INT\n: > begun\nwhile :; do sleep 0.02; done\n";
+    let python = program(&desk, "waits", script);
+    let mut command =
+        desk.command(&["sweep", "study.toml", "--scheduler", "tcp://nowhere:1", "--out", "c"]);
+    let child = command.env("PERCUSS_PYTHON", python).spawn().expect("percuss");
+    while !desk.path("begun").exists() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let sent = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
+    assert!(sent.expect("kill").success());
+    let done = child.wait_with_output().expect("an end");
+    assert_eq!(done.status.code(), Some(130));
+    assert!(desk.path("told").exists());
+}
+
 #[test]
 fn modules_of_the_working_directory_are_not_run() {
     let desk = desk();

@@ -1,6 +1,6 @@
 //! One process fills a directory at a time.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File};
 use std::io::{Read as _, Seek as _, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -8,6 +8,7 @@ use percuss_codes::FileCode;
 
 use super::exchange::is_mount_point;
 use crate::error::Error;
+use crate::files::{Exclusive, open_exclusively};
 
 /// A lock on a directory of results, which need not exist yet; let go when dropped, or when the process dies.
 ///
@@ -25,23 +26,13 @@ impl Lock {
     /// If another process has it, which the error names as far as it said who it is.
     pub fn take(given: &Path, target: &Path) -> Result<Self, Error> {
         let path = place(target);
-        loop {
-            let open =
-                OpenOptions::new().read(true).write(true).create(true).truncate(false).open(&path);
-            let mut file = open.map_err(|e| Error::io(&path, "create", e))?;
-            match file.try_lock() {
-                Ok(()) => {}
-                Err(TryLockError::WouldBlock) => return Err(taken(given, &mut file)),
-                // A file system without locks: nothing better can be had.
-                Err(TryLockError::Error(_)) => return Ok(Self { path, _file: file }),
-            }
-            // Who had it before may have removed the file between opening and locking.
-            if is_the_same(&file, &path) {
-                let who = format!("process {} on {}", std::process::id(), host());
-                let _ = file.set_len(0).and_then(|()| file.write_all(who.as_bytes()));
-                return Ok(Self { path, _file: file });
-            }
-        }
+        let mut file = match open_exclusively(&path).map_err(|e| Error::io(&path, "create", e))? {
+            Exclusive::Ours(file) => file,
+            Exclusive::Taken(mut file) => return Err(taken(given, &mut file)),
+        };
+        let who = format!("process {} on {}", std::process::id(), host());
+        let _ = file.set_len(0).and_then(|()| file.write_all(who.as_bytes()));
+        Ok(Self { path, _file: file })
     }
 }
 
@@ -76,18 +67,6 @@ fn taken(given: &Path, file: &mut File) -> Error {
     let who = if who.is_empty() { "another process".to_owned() } else { who };
     let reason = format!("is being written by {who}; wait for it, or give another --out");
     Error::of(FileCode::Busy, given, reason)
-}
-
-#[cfg(unix)]
-fn is_the_same(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let id = |m: fs::Metadata| (m.dev(), m.ino());
-    file.metadata().map(id).ok() == fs::metadata(path).map(id).ok()
-}
-
-#[cfg(not(unix))]
-fn is_the_same(_file: &File, _path: &Path) -> bool {
-    true
 }
 
 #[cfg(unix)]

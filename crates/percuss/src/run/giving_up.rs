@@ -1,6 +1,7 @@
 //! What is said of a step that fails however small it is: what did not converge, and where.
 
 use super::simulation::Simulation;
+use super::step::MOST_CORRECTIONS;
 use crate::element::beam::ElementValues;
 use crate::error::Error;
 use crate::math::vec2::{add, norm};
@@ -51,8 +52,10 @@ impl Simulation<'_> {
                 Error::no_convergence(time, step, "two things pass through each other".into())
             }
             Failure::Endless => {
-                let what = "its impacts and cuts do not end (100000 corrections in one step)";
-                Error::no_convergence(time, step, what.into())
+                let what = format!(
+                    "its impacts and cuts do not end ({MOST_CORRECTIONS} corrections in one step)"
+                );
+                Error::no_convergence(time, step, what)
             }
             Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
             Failure::Singular(Singular::Constraints) => {

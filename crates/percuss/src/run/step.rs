@@ -10,13 +10,12 @@ use super::simulation::Simulation;
 use super::trial::{PartKind, Trial};
 use crate::error::Error;
 use crate::settings::{SAME_INSTANT, Settings};
-use crate::state::State;
 use crate::step::newton::Failure;
 
 /// A step is cut down to this share of its size before the run gives up.
 const SMALLEST_SHARE: f64 = 1e-4;
 /// Corrections of Newton's iteration in a step, over all its parts, impacts and cuts, before the run gives up: more would not end.
-const MOST_CORRECTIONS: usize = 100_000;
+pub(super) const MOST_CORRECTIONS: usize = 100_000;
 /// More instants located and impacts than this in one step count as accumulated: for the rest of it what touches stays together.
 const MOST_EVENTS: usize = 128;
 
@@ -27,7 +26,7 @@ impl Simulation<'_> {
     /// # Errors
     /// If no solution is found even for very short steps; the state is the last one accepted.
     pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<Flow, Error> {
-        let mut budget = Budget::new(&self.settings, &self.state, self.effort.iterations);
+        let mut budget = Budget::new(&self.settings, self.state.step, self.effort.iterations);
         while let Some(part) = budget.next(self.state.offset, self.time_to_cut()) {
             let trial = match self.resolution(&budget) {
                 Resolution::Jump => self.jump(&part),
@@ -124,9 +123,9 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    fn new(settings: &Settings, state: &State, corrections: usize) -> Self {
+    fn new(settings: &Settings, steps: usize, corrections: usize) -> Self {
         let step = settings.step;
-        let target = step.min(settings.end - state.step as f64 * step);
+        let target = step.min(settings.end - steps as f64 * step);
         let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
         let smallest = SMALLEST_SHARE * step;
         let most_corrections = corrections + MOST_CORRECTIONS;
@@ -161,5 +160,27 @@ impl Budget {
     fn halve(&mut self, part: &Part, failure: Failure) -> Result<(), Failure> {
         self.size = 0.5 * part.size;
         if self.size >= self.smallest { Ok(()) } else { Err(failure) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_that_failed_is_tried_again_behind_a_whole_part_alone() {
+        let settings = Settings::new(1.0, 0.1);
+        let trial = |kind| Trial { h: 0.0, active: Vec::new(), fallback_law: false, kind };
+        let mut budget = Budget::new(&settings, 0, 7);
+        assert_eq!(budget.most_corrections, 7 + MOST_CORRECTIONS);
+        let part = budget.next(0.0, f64::INFINITY).unwrap();
+        budget.halve(&part, Failure::Impact).unwrap();
+        for kind in [PartKind::Free { located: Some(0) }, PartKind::Impact] {
+            budget.spend(&trial(kind));
+            assert_eq!(budget.next(0.0, f64::INFINITY).unwrap().size, 0.05);
+        }
+        assert_eq!(budget.events_left, MOST_EVENTS - 2);
+        budget.spend(&trial(PartKind::Free { located: None }));
+        assert_eq!(budget.next(0.0, f64::INFINITY).unwrap().size, 0.1);
     }
 }

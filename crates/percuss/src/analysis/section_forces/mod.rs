@@ -249,7 +249,9 @@ impl ElementForces<'_> {
             out.stress.take(fibres.stress[side], s, time);
             out.strain.take(fibres.strain[side], s, time);
             let (stress, strength) = (fibres.stress[side], self.span.strength);
-            if out.beyond.is_none() && strength.is_some_and(|strength| strength.is_passed(stress)) {
+            // At the first instant, where it is largest.
+            let first = out.beyond.is_none_or(|b| b.time == time && stress.abs() > b.value.abs());
+            if first && strength.is_some_and(|strength| strength.is_passed(stress)) {
                 out.beyond = Some(SectionPeak { value: stress, s, time });
             }
         }
