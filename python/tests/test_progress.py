@@ -12,7 +12,7 @@ from conftest import SCENARIOS
 CODE = """
 import percuss, percuss._progress
 percuss._progress._PATIENCE = 0.0
-percuss.run({path!r}, progress=True, **{{"time.end": "2 s"}})
+percuss.run({path!r}, progress=True, **{{"time.end": "20 s"}})
 None
 """.format(path=str(SCENARIOS / "paper" / "elastic-clamped.toml"))
 
