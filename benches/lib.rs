@@ -10,6 +10,14 @@ pub fn elastic_example(elements: usize) -> Model {
     varied(elements, Besides::None)
 }
 
+/// The same struck by a rigid projectile.
+///
+/// # Panics
+/// If the restitution is none.
+pub fn rigid_example(elements: usize, restitution: f64) -> Model {
+    struck(elements, Besides::None, ProjectileKind::Rigid { restitution })
+}
+
 /// What a study may have besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Besides {
@@ -30,6 +38,11 @@ pub enum Besides {
 /// # Panics
 /// Never: the definitions are sound.
 pub fn varied(elements: usize, besides: Besides) -> Model {
+    struck(elements, besides, ProjectileKind::spring(7.5e5))
+}
+
+/// The clamped plank, struck amidst.
+fn struck(elements: usize, besides: Besides, kind: ProjectileKind) -> Model {
     let mut b = ModelBuilder::new();
     let (retardation, mass_damping) =
         if besides == Besides::Damped { (1e-5, 1.0) } else { (0.0, 0.0) };
@@ -48,7 +61,7 @@ pub fn varied(elements: usize, besides: Besides) -> Model {
     }
     b.projectile(Projectile {
         name: "mass".into(),
-        kind: ProjectileKind::spring(7.5e5),
+        kind,
         mass: 500.0,
         velocity: [0.0, 20.0],
         direction: None,

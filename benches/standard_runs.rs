@@ -1,0 +1,50 @@
+//! One of five standard runs, everything recorded in memory: `standard-runs NAME STEPS`. `scripts/instructions` counts what they take.
+//!
+//! Without arguments it says which runs there are, and which vector registers a run would use here: counts differ between them.
+
+use percuss::*;
+use percuss_bench::{elastic_example, frame, rigid_example};
+
+const STEP: f64 = 1e-4;
+const NAMES: [&str; 5] = ["elastic-6", "elastic-60", "elastic-600", "rigid-6", "frame"];
+
+fn model(name: &str) -> Option<Model> {
+    Some(match name {
+        "elastic-6" => elastic_example(6),
+        "elastic-60" => elastic_example(60),
+        "elastic-600" => elastic_example(600),
+        "rigid-6" => rigid_example(6, 0.5),
+        // Three storeys of two bays, 15 members of six elements.
+        "frame" => frame(3, 2, 6),
+        _ => return None,
+    })
+}
+
+fn registers() -> &'static str {
+    #[cfg(target_arch = "x86_64")]
+    {
+        if is_x86_feature_detected!("avx512f") {
+            return "x86_64-avx512";
+        }
+        if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+            return "x86_64-avx2";
+        }
+    }
+    std::env::consts::ARCH
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments.is_empty() {
+        return println!("{} {}", registers(), NAMES.join(" "));
+    }
+    let steps = arguments.get(1).and_then(|n| n.parse::<f64>().ok());
+    let (Some(model), Some(steps)) = (model(&arguments[0]), steps) else {
+        eprintln!("usage: standard-runs NAME STEPS, NAME one of {}", NAMES.join(", "));
+        std::process::exit(2);
+    };
+    let mut recorder = MemoryRecorder::default();
+    let summary = simulate(&model, &Settings::new(steps * STEP, STEP), &mut recorder)
+        .expect("sound settings");
+    println!("{} steps, {} corrections", summary.steps, summary.newton_iterations);
+}
