@@ -275,10 +275,12 @@ const SHORTEST: f64 = 0.25;
 /// Stiffness of a linear spring without losses.
 pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {
     match law {
-        TouchLaw::Smooth(law) if law.dissipation == 0.0 => match law.potential {
-            Potential::Linear { stiffness } => Some(stiffness),
-            _ => None,
-        },
+        TouchLaw::Smooth(law) if law.dissipation == 0.0 && law.unloading.is_none() => {
+            match law.potential {
+                Potential::Linear { stiffness } => Some(stiffness),
+                _ => None,
+            }
+        }
         _ => None,
     }
 }
@@ -287,6 +289,9 @@ pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {
 /// under a set-valued law, or at no speed where the speed matters.
 pub fn rigid_blow(law: &TouchLaw, mass: f64, speed: f64, pressed: f64) -> Option<Blow> {
     let TouchLaw::Smooth(law) = law else { return None };
+    if law.unloading.is_some() {
+        return None; // what crushes opens otherwise than it closes
+    }
     if pressed != 0.0 && !matches!(law.potential, Potential::Function(_)) {
         let (energy, force) = (|p| law.potential.energy(p), |p| law.potential.force(p));
         return pressed_blow(energy, force, mass, speed, pressed);

@@ -162,7 +162,7 @@ fn lasting(
 
 impl Lasting {
     fn blow(&self, target: &ModalTarget, step: f64, early: f64) -> Option<ModalBlow> {
-        let over = |p0: f64, p1: f64, h: f64| self.law.step_force(p0, p1, h).force;
+        let over = |p0: f64, p1: f64, h: f64| self.law.step_force([p0, p1], 0.0, h).force;
         let force = |p: f64, rate: f64| force(&self.law, p, rate);
         target.blow(&self.striker, [step, early * step], MOST, over, force)
     }

@@ -21,7 +21,7 @@ const END_ON: f64 = 0.99;
 pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec<Option<Advice>> {
     let (place, settings) = (&beams.place, desk.settings);
     let speed = beams.wall.map_or(0.0, |normal| -dot(normal, beams.velocity));
-    if speed <= 0.0 || !place.is_uniform() {
+    if speed <= 0.0 || !place.is_uniform() || desk.case.law.crushes() {
         return Vec::new();
     }
     let (section, length) = (place.section(), place.beam.length());

@@ -7,7 +7,7 @@ use crate::ledger::Measures;
 use crate::math::vec2::{add, cross, dot, scale};
 use crate::model::frozen::{BodyKind, Span};
 use crate::model::{Model, TouchLaw};
-use crate::state::State;
+use crate::state::{PairState, State};
 use crate::step::fibres::energies;
 use crate::step::sweep::Sweep;
 
@@ -144,11 +144,11 @@ impl Measures {
 
     fn add_contacts(&mut self, model: &Model, state: &State, awake: &[usize]) {
         for &i in awake {
-            let gap = state.pairs[i].gap;
+            let PairState { gap, deepest, .. } = state.pairs[i];
             if let (true, TouchLaw::Smooth(law)) =
                 (gap < 0.0, &model.contacts[model.pairs[i].contact].law)
             {
-                self.contact += law.potential.energy(-gap);
+                self.contact += law.stored(-gap, deepest);
             }
         }
     }

@@ -147,6 +147,11 @@ impl Settings {
             let expected = "energy-momentum: the work of its fibres is exact in no other";
             add("integrator.scheme", found.into(), expected);
         }
+        if self.scheme != Scheme::EnergyMomentum && model.crushes() {
+            let found = "another scheme than energy-momentum, with a contact that crushes";
+            let expected = "energy-momentum: the work of crushing is exact in no other";
+            add("integrator.scheme", found.into(), expected);
+        }
         if self.scheme.advances_accelerations() && model.has_rigid_contact() {
             let found = "a scheme that advances accelerations, with a rigid contact";
             let expected = "energy-momentum, strain-rate or midpoint: \

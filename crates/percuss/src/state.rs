@@ -38,6 +38,8 @@ pub struct PairState {
     pub closed: bool,
     /// Largest approach velocity it ever struck with \[m/s\]; the scale of the stick velocity.
     pub approach_max: f64,
+    /// Deepest penetration of a law that crushes so far \[m\]; zero of all others.
+    pub deepest: f64,
 }
 
 /// Supports that the part of a step accepted last gave an impulse: of many stops most are not touched.
@@ -299,6 +301,7 @@ impl PairState {
             memory: Memory::default(),
             closed: false,
             approach_max: 0.0,
+            deepest: 0.0,
         }
     }
 }

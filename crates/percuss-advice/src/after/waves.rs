@@ -165,6 +165,9 @@ fn bar_blow(
         let source = "Saint-Venant: one wave runs up and down the bar";
         return Some((section.bar_blow(length, desk.speed), source));
     };
+    if law.unloading.is_some() {
+        return None; // what crushes opens otherwise than it closes
+    }
     let points = points_of_end(desk.model, desk.index);
     match section.bar_on_wall(length, desk.speed, |p, rate| points * force(law, p, rate))? {
         BarOnWall::Waves(blow) => {

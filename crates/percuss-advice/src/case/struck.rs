@@ -73,6 +73,9 @@ impl Struck<'_> {
     /// The same by the integral equation, with rotary inertia and shear as the softening has them.
     pub fn softened(&self, law: &TouchLaw, speed: f64, softening: f64) -> Option<InfiniteBeamBlow> {
         let TouchLaw::Smooth(smooth) = law else { return None };
+        if law.crushes() {
+            return None;
+        }
         if speed <= 0.0 || !self.is_wave_controlled() {
             return None;
         }

@@ -15,6 +15,9 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
         value["effective_mass"] = Value::from(mass.on_mesh);
         value["effective_mass_limit"] = Value::from(mass.limit);
     }
+    if let Some(permanent) = contact.permanent_penetration {
+        value["permanent_penetration"] = Value::from(permanent);
+    }
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
             value["peak_force"] = peak(peak_force);

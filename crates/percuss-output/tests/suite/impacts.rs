@@ -11,7 +11,13 @@ use percuss_output::write_impacts;
 
 fn contact(name: &str, record: ContactRecord) -> ContactSummary {
     let between = ["girder".to_owned(), format!("{name}, the \"second\"")];
-    ContactSummary { name: name.to_owned(), between, effective_mass: None, record }
+    ContactSummary {
+        name: name.to_owned(),
+        between,
+        effective_mass: None,
+        permanent_penetration: None,
+        record,
+    }
 }
 
 /// Fields with their columns.

@@ -39,7 +39,7 @@ pub(super) fn smooth(
         Some(rebound) => dissipation(rebound, &mut fault),
         None => law.dissipation.unwrap_or(0.0),
     };
-    SmoothLaw { potential, dissipation, force: law.force }
+    SmoothLaw { potential, dissipation, force: law.force, unloading: law.potential.unloading() }
 }
 
 /// The rigid law of a coefficient of restitution and what stands beside it.
@@ -53,7 +53,7 @@ fn potential(
     fault: &mut impl FnMut(&str, String, &str),
 ) -> percuss::Potential {
     match potential {
-        Potential::Linear { stiffness } => percuss::Potential::Linear { stiffness: *stiffness },
+        Potential::Linear { stiffness, .. } => percuss::Potential::Linear { stiffness: *stiffness },
         Potential::Hertz { hertz: Some(bodies), .. } => hertz(bodies, fault),
         Potential::Hertz { hertz_stiffness, .. } => {
             // Values that could not be read are told of already.

@@ -57,9 +57,9 @@ fn bodies_and_contacts_are_those_of_the_file() {
     let text = everything();
     for part in [
         "Elastic { law: SmoothLaw { potential: Linear { stiffness: 1000000.0 }, dissipation: 0.0, \
-         force: Midpoint } }, mass: 1.0",
+         force: Midpoint, unloading: None } }, mass: 1.0",
         "law: Smooth(SmoothLaw { potential: Linear { stiffness: 3000000.0 }, dissipation: 0.1, \
-         force: Conserving })",
+         force: Conserving, unloading: Some(12000000.0) })",
         "rear: Some(RearMass { mass: 3.0, stiffness: 2000000.0, damping: 10.0 }), local_mass: 0.05",
         "Disc { name: \"marble\", mass: 0.03, inertia: Some(2e-6), radius: 0.012, position: [1.4999999",
         "velocity: [0.0, -3.0], spin: 1.5707963267948966 }",
@@ -74,7 +74,7 @@ fn bodies_and_contacts_are_those_of_the_file() {
          width: 0.06, gap: 0.0003, sides: Left }",
         "Contact { name: \"marble-rail\", between: [Disc(DiscId(0)), Beam(BeamId(2))], \
          law: Smooth(SmoothLaw { potential: Hertz { stiffness: 500000000.0 }, dissipation: 0.31",
-        "force: PlainGradient }), points_per_element: 2 }, Contact { name: \"marble-floor\", \
+        "force: PlainGradient, unloading: None }), points_per_element: 2 }, Contact { name: \"marble-floor\", \
          between: [Disc(DiscId(0)), Obstacle(ObstacleId(0))]",
         "Contact { name: \"puck-marble\", between: [Disc(DiscId(1)), Disc(DiscId(0))], \
          law: Rigid(RigidLaw { restitution: 0.8, tangential_restitution: 0.1, friction: 0.3, \

@@ -18,6 +18,9 @@ kinds! {
         Linear = "linear" {
             /// Stiffness (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
+            /// Stiffness (N/m) along which a contact opens that crushes: what is pushed in comes back along this line alone, the rest
+            /// is lost. Nowhere may the law be steeper.
+            unloading_stiffness: Option<f64> as Maybe<Quantity<measure::Stiffness>> = None,
         },
         /// With its power 3/2, as between curved bodies (Hertz).
         Hertz = "hertz" {
@@ -36,6 +39,9 @@ kinds! {
             file: Option<TableFile> as Maybe<File<Characteristic>> = None,
             /// The SHA-256 that the file must have, 64 hexadecimal digits.
             sha256: Option<String> as Maybe<Sum> = None,
+            /// Stiffness (N/m) along which a contact opens that crushes: what is pushed in comes back along this line alone, the rest
+            /// is lost. Nowhere may the law be steeper.
+            unloading_stiffness: Option<f64> as Maybe<Quantity<measure::Stiffness>> = None,
         },
         /// By a function that the program which reads the scenario gives.
         Given = "given",
@@ -103,7 +109,7 @@ fn settle_smooth(law: &mut Smooth, body: &Body<'_>, reader: &mut Reader<'_>) {
                 reader.missing(body, "hertz_stiffness", "no stiffness", expected);
             }
         }
-        Potential::Table { penetrations, forces, file, sha256 } => {
+        Potential::Table { penetrations, forces, file, sha256, .. } => {
             let lists = [("penetrations", penetrations), ("forces", forces)];
             let given = Given { file, sum: sha256, lists };
             tabulated::settle::<Characteristic>(given, body, reader);
@@ -148,6 +154,16 @@ kinds! {
 }
 
 impl Potential {
+    /// Stiffness along which it opens, if it crushes \[N/m\].
+    pub fn unloading(&self) -> Option<f64> {
+        match self {
+            Self::Linear { unloading_stiffness, .. } | Self::Table { unloading_stiffness, .. } => {
+                *unloading_stiffness
+            }
+            Self::Hertz { .. } | Self::Given => None,
+        }
+    }
+
     /// Penetrations and forces of a table, wherever they come from.
     pub fn columns(&self) -> Option<[&[f64]; 2]> {
         match self {

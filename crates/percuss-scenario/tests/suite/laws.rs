@@ -16,7 +16,10 @@ fn elastic_projectiles_follow_a_law() {
         }
     };
     let linear = law("stiffness = \"2 kN/m\"");
-    assert_eq!(linear.potential, Potential::Linear { stiffness: 2000.0 });
+    assert_eq!(
+        linear.potential,
+        Potential::Linear { stiffness: 2000.0, unloading_stiffness: None }
+    );
     assert_eq!((linear.dissipation, linear.rebound), (Some(0.0), None));
     let hertz = law("law = \"hertz\"\nhertz_stiffness = \"1 N/mm^1.5\"\ndissipation = 0.5");
     let Potential::Hertz { hertz_stiffness: Some(stiffness), hertz: None } = hertz.potential else {
@@ -31,7 +34,13 @@ fn elastic_projectiles_follow_a_law() {
     let [penetrations, forces] = lists;
     assert_eq!(
         table.potential,
-        Potential::Table { penetrations, forces, file: None, sha256: None }
+        Potential::Table {
+            penetrations,
+            forces,
+            file: None,
+            sha256: None,
+            unloading_stiffness: None
+        }
     );
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/f.toml");
     let text = [BEAM, &elastic("law = \"table\"\nfile = \"crush.csv\""), TIME].concat();
@@ -220,7 +229,10 @@ fn a_guided_projectile_may_have_a_second_mass() {
 fn contacts_follow_the_same_laws() {
     let law = |text: &str| good(&contact(text)).contact[0].table.law.clone();
     let Law::Smooth(smooth) = law("stiffness = \"1 kN/m\"") else { panic!("rigid") };
-    assert_eq!(smooth.potential, Potential::Linear { stiffness: 1000.0 });
+    assert_eq!(
+        smooth.potential,
+        Potential::Linear { stiffness: 1000.0, unloading_stiffness: None }
+    );
     let Law::Rigid { restitution, sliding } =
         law("law = \"rigid\"\nrestitution = 0.5\nfriction = 1")
     else {

@@ -147,7 +147,7 @@ impl<'m> StaticSearch<'m> {
                 let onward = moved.is_nan() || inner(&gone, ahead) >= 0.0;
                 let found = onward || !alone;
                 if found {
-                    self.contacts.accept();
+                    self.contacts.accept(self.model);
                 }
                 return found;
             }

@@ -171,7 +171,8 @@ fn is_stable_alone(structure: &Model, search: &mut StaticSearch) -> bool {
 pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibrium {
     search.foresee(true);
     search.assemble::<false>();
-    let state = search.state();
+    let mut state = search.state();
+    search.contacts.remember_crushing(&mut state);
     let model = search.model;
     let at = |p: &crate::model::frozen::MaterialPoint| p.value(&state.displacement);
     let names = model.support_names().map(str::to_owned);

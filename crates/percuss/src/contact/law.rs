@@ -116,7 +116,7 @@ impl Potential {
 }
 
 /// Penetrations nearer to each other than this share of their sum are not subtracted.
-const CLOSE: f64 = 1e-6;
+pub(super) const CLOSE: f64 = 1e-6;
 /// Difference of two potentials that rounding alone can make, relative to the larger one.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
@@ -148,16 +148,16 @@ fn line(penetration: &[f64], force: &[f64], p: f64) -> f64 {
 }
 
 impl SmoothLaw {
-    /// Force over a step of size `h` from penetration `p0` to `p1` of the midpoint family.
+    /// Force over a step of size `h` from penetration `p0` to `p1` of the midpoint family; `deepest` is the deepest penetration so
+    /// far, of which a law that crushes asks \[m\].
     ///
     /// The dissipative part is `f chi (p1 - p0) / h` with f the elastic force of the same step; what would make the sum a pull is
     /// left out. Its work is never negative.
-    pub fn step_force(&self, p0: f64, p1: f64, h: f64) -> StepForce {
-        let elastic = match self.force {
-            ContactForce::Conserving | ContactForce::PlainGradient => {
-                self.potential.quotient(p0, p1)
-            }
-            ContactForce::Midpoint => self.potential.collocated(p0, p1, 0.5),
+    pub fn step_force(&self, [p0, p1]: [f64; 2], deepest: f64, h: f64) -> StepForce {
+        let elastic = match (self.unloading, self.force) {
+            (Some(slope), _) => self.crushing(slope, [p0, p1], deepest),
+            (None, ContactForce::Midpoint) => self.potential.collocated(p0, p1, 0.5),
+            (None, _) => self.potential.quotient(p0, p1),
         };
         if self.dissipation == 0.0 {
             return elastic;
@@ -165,11 +165,12 @@ impl SmoothLaw {
         let rate = self.dissipation / h;
         let factor = 1.0 + rate * (p1 - p0);
         if factor <= 0.0 {
-            return StepForce { force: 0.0, dissipated: -elastic.force, slope: 0.0 };
+            let dissipated = elastic.dissipated - elastic.force;
+            return StepForce { force: 0.0, dissipated, slope: 0.0 };
         }
         StepForce {
             force: elastic.force * factor,
-            dissipated: elastic.force * (factor - 1.0),
+            dissipated: elastic.dissipated + elastic.force * (factor - 1.0),
             slope: elastic.slope * factor + elastic.force * rate,
         }
     }
@@ -225,15 +226,16 @@ mod tests {
             }
             for chi in [0.0, 0.3] {
                 for force in [ContactForce::Conserving, ContactForce::Midpoint] {
-                    let law = SmoothLaw { potential: law.clone(), dissipation: chi, force };
+                    let law =
+                        SmoothLaw { dissipation: chi, force, ..SmoothLaw::elastic(law.clone()) };
                     for (p0, p1) in STEPS {
                         let e = 1e-8;
                         if [p0, p1, 0.5 * (p0 + p1)].iter().any(|p| p.abs() < 2.0 * e) {
                             continue;
                         }
-                        let f = |p1: f64| law.step_force(p0, p1, 0.1).force;
+                        let f = |p1: f64| law.step_force([p0, p1], 0.0, 0.1).force;
                         let difference = (f(p1 + e) - f(p1 - e)) / (2.0 * e);
-                        let slope = law.step_force(p0, p1, 0.1).slope;
+                        let slope = law.step_force([p0, p1], 0.0, 0.1).slope;
                         let scale = 1e-4 * law.potential.stiffness(0.1);
                         assert!((slope - difference).abs() <= scale, "{law:?} {p0} {p1}");
                     }
@@ -245,9 +247,9 @@ mod tests {
     #[test]
     fn dissipation_takes_and_never_pulls() {
         for potential in potentials() {
-            let law = SmoothLaw { potential, dissipation: 2.0, force: ContactForce::Conserving };
+            let law = SmoothLaw { dissipation: 2.0, ..SmoothLaw::elastic(potential) };
             for (p0, p1) in STEPS {
-                let step = law.step_force(p0, p1, 0.01);
+                let step = law.step_force([p0, p1], 0.0, 0.01);
                 assert!(step.force >= 0.0 && step.dissipated * (p1 - p0) >= 0.0);
             }
         }
@@ -259,11 +261,7 @@ mod tests {
         for potential in potentials() {
             for e in [0.95, 0.7, 0.3] {
                 let dissipation = crate::model::hunt_crossley(e, speed);
-                let law = SmoothLaw {
-                    potential: potential.clone(),
-                    dissipation,
-                    force: ContactForce::Conserving,
-                };
+                let law = SmoothLaw { dissipation, ..SmoothLaw::elastic(potential.clone()) };
                 // Explicit midpoint steps of m p'' = -f (1 + chi p').
                 let (mut p, mut v, h) = (0.0, speed, 2e-8);
                 loop {

@@ -1,5 +1,6 @@
 //! Contact: laws, gradients of gaps over a step, the problem of impulses, the search for what is near.
 
+mod crush;
 pub mod discrete_gradient;
 pub mod free_gap;
 pub mod impact;

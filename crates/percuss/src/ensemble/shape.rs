@@ -129,6 +129,9 @@ fn guide(
             if law.force != ContactForce::Conserving {
                 return Err("a contact force other than the conserving one");
             }
+            if law.unloading.is_some() {
+                return Err("a contact that crushes");
+            }
             if law.dissipation != 0.0 {
                 return Err("a contact force that dissipates");
             }

@@ -108,6 +108,7 @@ impl<S: Number> Telling<'_, S> {
                     name: contact.name.clone(),
                     between: contact.between.clone(),
                     effective_mass: reading.fixed.get(k).map(|fixed| fixed.mass),
+                    permanent_penetration: None,
                     record: self.record(k, reading),
                 })
                 .collect(),

@@ -222,6 +222,11 @@ impl Model {
         self.spans.iter().any(|s| s.fibres.is_some())
     }
 
+    /// Whether the law of any contact crushes.
+    pub fn crushes(&self) -> bool {
+        self.contacts.iter().any(|c| c.law.crushes())
+    }
+
     /// Number of nodes of all beams.
     pub fn node_count(&self) -> usize {
         self.nodes.len()

@@ -233,7 +233,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             let force = |i: usize| {
                 let pair = &state.pairs[i];
                 let damped = (1.0 - law.dissipation * pair.rate).max(0.0);
-                law.potential.force(-pair.gap) * damped
+                law.force(-pair.gap, pair.deepest) * damped
             };
             let awake = since.search.awake().iter().filter(|i| contact.pairs.contains(i));
             row.push(awake.map(|i| force(*i)).sum());

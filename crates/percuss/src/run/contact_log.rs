@@ -15,7 +15,7 @@ use crate::geometry::pair::Pair;
 use crate::geometry::row::Row;
 use crate::geometry::touch::{Reach, Touch};
 use crate::model::frozen::ContactData;
-use crate::model::{Model, TouchLaw};
+use crate::model::{Model, SmoothLaw, TouchLaw};
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak};
@@ -70,13 +70,23 @@ struct StepViews<'a> {
     span: StepTime,
 }
 
+impl StepViews<'_> {
+    /// Law of the smooth contact `k` of the step.
+    fn law(&self, k: usize) -> Option<&SmoothLaw> {
+        match &self.model.contacts[self.model.pairs[self.work.smooth[k].pair].contact].law {
+            TouchLaw::Smooth(law) => Some(law),
+            TouchLaw::Rigid(_) => None,
+        }
+    }
+}
+
 impl ContactLog {
     /// Nothing has happened yet.
     pub fn new(model: &Model, state: &State) -> Self {
         let record = |contact: &ContactData| match &contact.law {
             TouchLaw::Smooth(law) => {
                 let each = state.pairs[contact.pairs.clone()].iter();
-                let value: f64 = each.map(|p| law.potential.force(-p.gap)).sum();
+                let value: f64 = each.map(|p| law.force(-p.gap, p.deepest)).sum();
                 // What has not closed yet has no force, not one of zero at some instant.
                 let start = Peak { value, time: state.time };
                 let peak_force = if value > 0.0 { start } else { Peak::default() };

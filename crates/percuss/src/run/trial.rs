@@ -130,6 +130,12 @@ impl Simulation<'_> {
         self.steer_obstacles();
         self.search.moved(self.model);
         self.search.see(self.model, &mut self.state, Reach::Near);
+        for contact in &self.work.smooth {
+            if self.model.contacts[self.model.pairs[contact.pair].contact].law.crushes() {
+                let pair = &mut self.state.pairs[contact.pair];
+                pair.deepest = pair.deepest.max(-pair.gap);
+            }
+        }
     }
 
     /// What approaches in an impact, or was held, has approached so fast.

@@ -187,7 +187,7 @@ impl StepProblem<'_> {
             let force = law.potential.collocated(p, p, 1.0);
             (StepForce { slope: 0.5 * force.slope, ..force }, step.row)
         } else {
-            (law.step_force(-step.gaps[0], -step.gaps[1], rule.h), step.row)
+            (law.step_force(step.gaps.map(|gap| -gap), seen.deepest, rule.h), step.row)
         };
         if TANGENT && force.force > 0.0 {
             let mid = at.at(0.5);

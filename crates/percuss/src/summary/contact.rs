@@ -255,6 +255,8 @@ pub struct ContactSummary {
     /// Effective mass of what a guided projectile strikes; under a rigid law, of the beams of any other contact where and when it
     /// first struck.
     pub effective_mass: Option<EffectiveMass>,
+    /// What stays pushed in at the end where it is deepest, of a law that crushes \[m\].
+    pub permanent_penetration: Option<f64>,
     /// What happened.
     pub record: ContactRecord,
 }

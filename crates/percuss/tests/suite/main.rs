@@ -6,6 +6,7 @@ mod common;
 mod contact;
 mod contact_resultant;
 mod crowds;
+mod crushing;
 mod driven;
 mod ensembles;
 mod frames;

@@ -219,6 +219,10 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
                 let (value, time) = (number(peak_force.value), number(peak_force.time));
                 lines.push(format!("peak force {value} N at {time} s"));
             }
+            // What has not been touched is not pushed in.
+            if let Some(permanent) = contact.permanent_penetration.filter(|p| *p > 0.0) {
+                lines.push(format!("stays pushed in by {} m", number(permanent)));
+            }
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             lines
         }

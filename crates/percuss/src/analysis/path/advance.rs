@@ -136,7 +136,7 @@ impl Tracer<'_> {
             let reach = largest(&work.increment);
             if largest(&work.correction) <= SETTLED * reach {
                 self.assemble();
-                self.search.contacts.accept();
+                self.search.contacts.accept(self.search.model);
                 return Some(iteration);
             }
         }

@@ -239,7 +239,7 @@ impl<'m> Tracer<'m> {
             let reach = largest(&work.increment);
             let small = largest(&work.correction) <= SETTLED * reach;
             if small && self.search.contacts.settled() {
-                self.search.contacts.accept();
+                self.search.contacts.accept(self.search.model);
                 return Some(iteration);
             }
         }

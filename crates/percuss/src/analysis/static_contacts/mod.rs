@@ -140,6 +140,7 @@ impl StaticContacts {
                 is_exact: rigid && !contacts.discs.iter().any(of_disc),
                 accepted: memory,
                 seen: memory,
+                deepest: base.pairs.get(i).map_or(0.0, |seen| seen.deepest),
                 gap: touch.map_or(f64::INFINITY, |t| t.gap),
                 force: 0.0,
                 slope: 0.0,
@@ -205,9 +206,21 @@ impl StaticContacts {
         self.pressing == Pressing::Exactly && self.places.iter().any(|p| p.is_exact)
     }
 
-    /// The equilibrium at hand is one: sides and closest points are those seen in it.
-    pub fn accept(&mut self) {
-        self.places.iter_mut().for_each(|p| p.accepted = p.seen);
+    /// The equilibrium at hand is one: sides and closest points are those seen in it, and what crushes has crushed so far.
+    pub fn accept(&mut self, model: &Model) {
+        for place in &mut self.places {
+            place.accepted = place.seen;
+            if model.contacts[model.pairs[place.pair].contact].law.crushes() {
+                place.deepest = place.deepest.max(-place.gap);
+            }
+        }
+    }
+
+    /// Writes what has crushed into a state.
+    pub fn remember_crushing(&self, state: &mut State) {
+        for place in &self.places {
+            state.pairs[place.pair].deepest = place.deepest;
+        }
     }
 
     /// Adds weight and weak springs of discs, forces of contacts and their tangent to those of the beams.

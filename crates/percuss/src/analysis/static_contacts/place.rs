@@ -20,6 +20,8 @@ pub struct CandidatePair {
     /// Side and closest point in the equilibrium found last, and the closest point seen last.
     pub accepted: Memory,
     pub seen: Memory,
+    /// Deepest penetration in the equilibria so far, of a law that crushes \[m\].
+    pub deepest: f64,
     /// Gap at the last look; infinite where nothing can touch \[m\].
     pub gap: f64,
     /// Force at the last look \[N\].
@@ -70,8 +72,8 @@ impl CandidatePair {
         self.s = pair.along(touch);
         match &model.contacts[pair.contact].law {
             TouchLaw::Smooth(law) => {
-                self.force = law.potential.force(-touch.gap);
-                self.slope = law.potential.stiffness(-touch.gap);
+                self.force = law.force(-touch.gap, self.deepest);
+                self.slope = law.stiffness(-touch.gap, self.deepest);
                 self.closed = false;
             }
             TouchLaw::Rigid(_) if self.is_exact && pressing != Pressing::Following => {
@@ -100,7 +102,7 @@ impl CandidatePair {
         pressing: Pressing,
     ) {
         let (slope, bend) = match &model.contacts[pair.contact].law {
-            TouchLaw::Smooth(law) => (law.potential.stiffness(-touch.gap), self.force),
+            TouchLaw::Smooth(law) => (law.stiffness(-touch.gap, self.deepest), self.force),
             TouchLaw::Rigid(_) if self.is_exact && pressing == Pressing::Exactly => {
                 (0.0, self.multiplier)
             }

@@ -67,7 +67,7 @@ impl StaticContacts {
             let touch = pair.touch(model, &at, &memory, Reach::All)?;
             let row = moving(model, &pair.normal_row(&touch, &at));
             let stiffness = match &model.contacts[pair.contact].law {
-                TouchLaw::Smooth(law) => law.potential.stiffness(-touch.gap),
+                TouchLaw::Smooth(law) => law.held_stiffness(-touch.gap),
                 TouchLaw::Rigid(_) => place.stiffnesses[1],
             };
             let of_sections = pair.section_turnings(&touch, &at).into_iter().flatten();

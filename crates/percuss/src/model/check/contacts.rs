@@ -244,9 +244,40 @@ pub(super) fn check_smooth(law: &SmoothLaw, path: &impl Fn(&str) -> String, out:
         Potential::Function(own) => check_given(own, path, out),
     }
     out.not_negative(path("dissipation"), law.dissipation, "a factor", "s/m");
+    check_unloading(law, path, out);
     if law.dissipation > 0.0 && law.force == ContactForce::Midpoint {
         let found = "dissipation with the force in the middle of the step";
         out.add(path("force"), found, "a conserving force: its balance closes");
+    }
+}
+
+/// A law that crushes opens along a line that no part of its curve is steeper than: it would give energy there.
+fn check_unloading(law: &SmoothLaw, path: &impl Fn(&str) -> String, out: &mut Faults) {
+    let Some(slope) = law.unloading else { return };
+    if law.force == ContactForce::Midpoint {
+        let found = "a contact that crushes with the force in the middle of the step";
+        return out.add(path("force"), found, "a conserving force: its balance closes");
+    }
+    let steepest = match &law.potential {
+        Potential::Linear { stiffness } => *stiffness,
+        Potential::Table { penetration, force } => {
+            let slopes = penetration.windows(2).zip(force.windows(2));
+            slopes.map(|(p, f)| (f[1] - f[0]) / (p[1] - p[0])).fold(0.0, f64::max)
+        }
+        Potential::Hertz { .. } | Potential::Function(_) => {
+            let expected =
+                "a linear law or a table: only of these is it known how steep they become";
+            return out.add(
+                path("unloading_stiffness"),
+                "a law that becomes ever steeper",
+                expected,
+            );
+        }
+    };
+    if !(slope.is_finite() && slope >= steepest && slope > 0.0) {
+        let expected =
+            format!("a stiffness of at least {steepest} N/m, the steepest part of the law");
+        out.add(path("unloading_stiffness"), format!("{slope} N/m"), &expected);
     }
 }
 

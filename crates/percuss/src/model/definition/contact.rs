@@ -160,6 +160,9 @@ pub struct SmoothLaw {
     pub dissipation: f64,
     /// How it is evaluated over a step.
     pub force: ContactForce,
+    /// Slope of the line along which it opens, if it crushes: the potential is then that of going deeper, what was pushed in comes back
+    /// along this line alone \[N/m\].
+    pub unloading: Option<f64>,
 }
 
 /// How a smooth contact force is evaluated over a step.
@@ -231,7 +234,7 @@ pub struct Contact {
 impl SmoothLaw {
     /// A law without dissipation.
     pub fn elastic(potential: Potential) -> Self {
-        Self { potential, dissipation: 0.0, force: ContactForce::Conserving }
+        Self { potential, dissipation: 0.0, force: ContactForce::Conserving, unloading: None }
     }
 }
 
@@ -313,5 +316,10 @@ impl TouchLaw {
     /// Whether a force of it depends on a rate.
     pub(crate) fn dissipates(&self) -> bool {
         matches!(self, Self::Smooth(law) if law.dissipation > 0.0)
+    }
+
+    /// Whether a force of it depends on how deep it was pushed in before.
+    pub fn crushes(&self) -> bool {
+        matches!(self, Self::Smooth(law) if law.unloading.is_some())
     }
 }

@@ -14,13 +14,17 @@ const LOOKS: u32 = 16;
 #[derive(Clone, Copy, Debug)]
 pub struct GapOverStep {
     gap: Cubic,
+    /// Deepest penetration before the step, and what stays of it, of a law that crushes; else zero \[m\].
+    deepest: f64,
+    permanent: f64,
 }
 
 impl GapOverStep {
     /// Between the ends of a step of size `h`.
-    pub fn new(h: f64, before: &PairState, after: &PairState) -> Self {
+    pub fn new(h: f64, before: &PairState, after: &PairState, law: &SmoothLaw) -> Self {
         let gap = Cubic { h, start: [before.gap, before.rate], end: [after.gap, after.rate] };
-        Self { gap }
+        let deepest = before.deepest;
+        Self { gap, deepest, permanent: law.permanent(deepest) }
     }
 
     /// Whether it is one: where an end of a beam is left to another pair, its gap is infinite.
@@ -40,13 +44,16 @@ impl GapOverStep {
         if gap >= 0.0 {
             return 0.0;
         }
-        (law.potential.force(-gap) * (1.0 - law.dissipation * rate)).max(0.0)
+        (law.force(-gap, self.deepest) * (1.0 - law.dissipation * rate)).max(0.0)
     }
 
     /// Time from the start of the step at which it closes, and the velocity of approach; `acceleration` is that of the step
     /// before.
     pub fn touch_down(&self, acceleration: f64) -> [f64; 2] {
-        let gap = &self.gap;
+        let Cubic { h, start, end } = self.gap;
+        // What has crushed before is struck where it stands now.
+        let [start, end] = [start, end].map(|[gap, rate]| [gap + self.permanent, rate]);
+        let gap = &Cubic { h, start, end };
         if gap.start[0] < 0.0 {
             return [0.0, -gap.start[1]];
         }

@@ -64,7 +64,8 @@ impl ContactLog {
     fn pressed(&self, seen: StepViews<'_>, k: usize) -> bool {
         let contact = &seen.work.smooth[k];
         let after = &seen.state.pairs[contact.pair];
-        self.before[k].gap < 0.0 || after.gap < 0.0 || contact.force.force != 0.0
+        let gap = |seen_at: &PairState| seen.law(k).map_or(0.0, |law| law.free_gap(seen_at));
+        gap(&self.before[k]) < 0.0 || gap(after) < 0.0 || contact.force.force != 0.0
     }
 
     fn smooth_contact(
@@ -84,11 +85,11 @@ impl ContactLog {
         let mut gaps = std::mem::take(&mut self.gaps);
         gaps.clear();
         let pressed = pairs.clone().filter(|k| self.pressed(seen, *k));
-        gaps.extend(pressed.map(|k| self.gap_over_step(seen, k)));
+        gaps.extend(pressed.map(|k| self.gap_over_step(seen, law, k)));
         let peak = highest(&gaps, law, seen.span.start);
         self.gaps = gaps;
         if self.open[contact].is_none() {
-            self.open_interval(seen, contact, pairs.clone());
+            self.open_interval(seen, law, contact, pairs.clone());
         }
         let ContactRecord::Smooth { peak_force, intervals } = &mut self.records[contact] else {
             return;
@@ -103,7 +104,7 @@ impl ContactLog {
             interval.peak_force = peak;
         }
         add_work(interval, seen, law, pairs.clone(), &self.before[pairs.clone()]);
-        let gap = |k: &usize| seen.state.pairs[seen.work.smooth[*k].pair].gap;
+        let gap = |k: &usize| law.free_gap(&seen.state.pairs[seen.work.smooth[*k].pair]);
         let deepest = pairs.clone().min_by(|a, b| gap(a).total_cmp(&gap(b)));
         match deepest.filter(|k| gap(k) < 0.0) {
             Some(deepest) => interval.place_end = seen.place(seen.work.smooth[deepest].pair, 0.0),
@@ -111,19 +112,25 @@ impl ContactLog {
         }
     }
 
-    fn gap_over_step(&self, seen: StepViews<'_>, k: usize) -> GapOverStep {
+    fn gap_over_step(&self, seen: StepViews<'_>, law: &SmoothLaw, k: usize) -> GapOverStep {
         let after = &seen.state.pairs[seen.work.smooth[k].pair];
-        GapOverStep::new(seen.span.h, &self.before[k], after)
+        GapOverStep::new(seen.span.h, &self.before[k], after, law)
     }
 
     /// Begins an interval with the point that touches first; of several at one instant, with the fastest.
-    fn open_interval(&mut self, seen: StepViews<'_>, contact: usize, pairs: Range<usize>) {
+    fn open_interval(
+        &mut self,
+        seen: StepViews<'_>,
+        law: &SmoothLaw,
+        contact: usize,
+        pairs: Range<usize>,
+    ) {
         let span = seen.span;
         let mut first: Option<FirstPoint> = None;
         for k in pairs.filter(|k| self.pressed(seen, *k)) {
             let pair = seen.work.smooth[k].pair;
             let acceleration = self.free[pair].before(span.start);
-            let [after, approach] = self.gap_over_step(seen, k).touch_down(acceleration);
+            let [after, approach] = self.gap_over_step(seen, law, k).touch_down(acceleration);
             let change = acceleration * span.h;
             let found = FirstPoint { after, approach, pair, change };
             let sooner = first.as_ref().is_none_or(|f| {
@@ -158,7 +165,8 @@ impl ContactLog {
         let mut last: Option<(f64, Released)> = None;
         for k in pairs.filter(|k| self.pressed(seen, *k)) {
             let pair = seen.work.smooth[k].pair;
-            let PairState { gap, rate, .. } = seen.state.pairs[pair];
+            let left = &seen.state.pairs[pair];
+            let (gap, rate) = (seen.law(k).map_or(left.gap, |law| law.free_gap(left)), left.rate);
             let released = Released { pair, contact, interval, gap, rate, span };
             let [since, _] = released.parted(0.0);
             if last.as_ref().is_none_or(|(least, _)| since < *least) {
@@ -256,7 +264,9 @@ fn add_work(
         interval.impulse += seen.span.h * force;
         seen.add_energy(&mut interval.energy, pair, &contact.row, force);
         interval.energy.lost -= contact.force.dissipated * contact.row.on(&seen.work.increment);
-        let stored = |gap: f64| if gap < 0.0 { law.potential.energy(-gap) } else { 0.0 };
-        interval.energy.stored += stored(after.gap) - stored(before.gap);
+        let stored = |pair: &PairState| {
+            if pair.gap < 0.0 { law.stored(-pair.gap, pair.deepest) } else { 0.0 }
+        };
+        interval.energy.stored += stored(after) - stored(before);
     }
 }

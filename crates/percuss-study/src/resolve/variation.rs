@@ -1,0 +1,171 @@
+//! How a parameter varies: its values in SI units, read in the words of the scenario.
+
+use percuss::Fault;
+use percuss_scenario::study::{self, Given, Spacing};
+use percuss_scenario::{Field, Scenario};
+
+use crate::distribution::{Distribution, Gauss};
+use crate::parameter::{Parameter, Variation};
+
+/// Reads values of one parameter in the words of the scenario.
+struct Values<'s> {
+    scenario: &'s mut Scenario,
+    field: Field,
+    /// Unit of the first number read; all have the same one.
+    unit: Option<&'static str>,
+}
+
+impl Values<'_> {
+    fn number(&mut self, key: &str, given: &Given) -> Result<f64, Fault> {
+        let fault = |found: String, expected: String| Fault::new(key, found, expected);
+        let set = self.scenario.set_toml(&self.field, &given.toml);
+        set.map_err(|f| fault(f.found, f.expected))?;
+        let Some((number, unit)) = self.scenario.number(&self.field) else {
+            let found = format!("{}, which is no number", given.toml);
+            return Err(fault(found, "a number, or a list of `values`".into()));
+        };
+        if *self.unit.get_or_insert(unit) != unit {
+            let found = format!("{}, of another kind than the values before", given.toml);
+            return Err(fault(found, "all of them fractions or all of them lengths".into()));
+        }
+        Ok(number)
+    }
+}
+
+pub(super) fn parameter(
+    scenario: &mut Scenario,
+    name: &str,
+    given: &study::Parameter,
+) -> Result<Parameter, Fault> {
+    let field = scenario.field(&given.path);
+    let field = field.map_err(|fault| Fault { path: "path".into(), ..fault })?;
+    let mut values = Values { scenario, field: field.clone(), unit: None };
+    let variation = if let Some(list) = &given.values {
+        list_of(&mut values, list)?
+    } else if field.is_read_anew() {
+        let found = format!("`{}`, which is no number in the base scenario", given.path);
+        let expected = "a number there to start from, or a list of `values`";
+        return Err(Fault::new("path", found, expected));
+    } else if let Some(range) = &given.range {
+        range_of(&mut values, range)?
+    } else if let Some(distribution) = &given.distribution {
+        Variation::Random(distribution_of(&mut values, distribution)?)
+    } else {
+        return Err(Fault::new("values", "nothing that varies", "`values`"));
+    };
+    let unit = match values.unit {
+        Some("") | None => "1".to_string(),
+        Some(unit) => unit.to_string(),
+    };
+    let example = match (&given.values, &given.range, &given.distribution) {
+        (Some(list), ..) => list[0].toml.clone(),
+        (_, Some(range), _) => range.from.toml.clone(),
+        (.., Some(distribution)) => distribution.example().toml.clone(),
+        _ => String::new(),
+    };
+    Ok(Parameter { name: name.into(), field, unit, example, variation })
+}
+
+/// A list: of numbers if all of them are, else of words.
+fn list_of(values: &mut Values<'_>, list: &[Given]) -> Result<Variation, Fault> {
+    if list.is_empty() {
+        return Err(Fault::new("values", "an empty list", "at least one value"));
+    }
+    let words = || Variation::Words(list.iter().map(|given| given.toml.clone()).collect());
+    if values.field.is_read_anew() {
+        return Ok(words());
+    }
+    let mut numbers = Vec::new();
+    for given in list {
+        let set = values.scenario.set_toml(&values.field, &given.toml);
+        set.map_err(|f| Fault::new("values", f.found, f.expected))?;
+        numbers.push(values.scenario.number(&values.field));
+    }
+    let first = numbers[0].map(|(_, unit)| unit);
+    if first.is_some() && numbers.iter().all(|n| n.map(|(_, unit)| unit) == first) {
+        values.unit = first;
+        return Ok(Variation::Numbers(numbers.into_iter().flatten().map(|n| n.0).collect()));
+    }
+    if values.field.path().contains('[') {
+        let found = format!("words for `{}`, an entry of a list", values.field.path());
+        return Err(Fault::new("values", found, "the path of the list, and lists as values"));
+    }
+    Ok(words())
+}
+
+fn range_of(values: &mut Values<'_>, range: &study::Range) -> Result<Variation, Fault> {
+    let from = values.number("range.from", &range.from)?;
+    let to = values.number("range.to", &range.to)?;
+    let logarithmic = range.spacing == Spacing::Logarithmic;
+    if logarithmic && !(from > 0.0 && to > 0.0) {
+        let found = "\"log\" for a range that does not lie above zero";
+        return Err(Fault::new("range.spacing", found, "both ends above zero, or \"linear\""));
+    }
+    if range.count == Some(1) && from != to {
+        return Err(Fault::new("range.count", "1", "2 values or more, both ends included"));
+    }
+    Ok(Variation::Range { from, to, count: range.count, logarithmic })
+}
+
+fn distribution_of(
+    values: &mut Values<'_>,
+    distribution: &study::Distribution,
+) -> Result<Distribution, Fault> {
+    let fault = |key: &str, found: String, what: &str| {
+        Fault::new(format!("distribution.{key}"), found, what)
+    };
+    match distribution {
+        study::Distribution::Uniform { from, to } => {
+            let from = values.number("distribution.from", from)?;
+            let to = values.number("distribution.to", to)?;
+            if from >= to {
+                return Err(fault("to", to.to_string(), "a value above `from`"));
+            }
+            Ok(Distribution::Uniform { from, to })
+        }
+        study::Distribution::Normal { mean, deviation, truncated } => {
+            let law = gauss(values, mean, deviation)?;
+            let limits = limits(values, truncated.as_ref())?;
+            let within = limits.map(|limits| limits.map(|limit| law.share(limit)));
+            Ok(Distribution::Normal { law, within: checked(within)? })
+        }
+        study::Distribution::Lognormal { mean, deviation, truncated } => {
+            let Gauss { mean, deviation } = gauss(values, mean, deviation)?;
+            if mean <= 0.0 {
+                return Err(fault("mean", mean.to_string(), "a mean above zero"));
+            }
+            let law = Gauss::of_logarithm(mean, deviation);
+            let limits = limits(values, truncated.as_ref())?;
+            let share = |limit: f64| if limit > 0.0 { law.share(limit.ln()) } else { 0.0 };
+            let within = limits.map(|limits| limits.map(share));
+            Ok(Distribution::Lognormal { law, within: checked(within)? })
+        }
+    }
+}
+
+fn gauss(values: &mut Values<'_>, mean: &Given, deviation: &Given) -> Result<Gauss, Fault> {
+    let mean = values.number("distribution.mean", mean)?;
+    let deviation = values.number("distribution.deviation", deviation)?;
+    if deviation <= 0.0 {
+        let found = deviation.to_string();
+        return Err(Fault::new("distribution.deviation", found, "a deviation above zero"));
+    }
+    Ok(Gauss { mean, deviation })
+}
+
+fn limits(values: &mut Values<'_>, given: Option<&[Given; 2]>) -> Result<Option<[f64; 2]>, Fault> {
+    let Some([low, high]) = given else { return Ok(None) };
+    let key = "distribution.truncated";
+    Ok(Some([values.number(key, low)?, values.number(key, high)?]))
+}
+
+/// Shares between which a distribution is left, all of it if it is not truncated.
+fn checked(within: Option<[f64; 2]>) -> Result<[f64; 2], Fault> {
+    let Some([low, high]) = within else { return Ok([0.0, 1.0]) };
+    if high - low < 1e-9 {
+        let found = format!("limits that hold a share of {:e} of all values", high - low);
+        let expected = "a smaller limit, then a larger one, near the mean";
+        return Err(Fault::new("distribution.truncated", found, expected));
+    }
+    Ok([low, high])
+}

@@ -1,0 +1,166 @@
+//! Contacts that crush: closed forms of a mass on a floor, balances of beams that are struck, equilibria, refusals.
+
+use crate::common;
+
+use common::*;
+use percuss::*;
+
+/// Loaded along `stiffness`, released along `unloading` \[N/m\].
+fn crushing(stiffness: f64, unloading: f64) -> SmoothLaw {
+    let potential = Potential::Linear { stiffness };
+    SmoothLaw { unloading: Some(unloading), ..SmoothLaw::elastic(potential) }
+}
+
+/// It crushes at 2 kN over 30 mm, and locks.
+fn crash_box() -> SmoothLaw {
+    let potential = Potential::Table {
+        penetration: vec![0.0, 0.4e-3, 30e-3, 32e-3],
+        force: vec![0.0, 2e3, 2e3, 60e3],
+    };
+    SmoothLaw { unloading: Some(4e7), ..SmoothLaw::elastic(potential) }
+}
+
+const MASS: f64 = 2.0;
+const SPEED: f64 = 3.0;
+
+/// A disc that falls on a floor with the given law, without gravity.
+fn on_floor(law: SmoothLaw, gravity: f64) -> ModelBuilder {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let far = b.beam(beam("far", [5.0, 0.0], [6.0, 0.0], 2, material, section));
+    b.support(Support::new("far", at("far", far, 0.0), SupportKind::Clamp));
+    let speed = if gravity > 0.0 { 0.0 } else { SPEED };
+    let disc = b.disc(disc("ball", MASS, 0.05, [0.0, 0.051], [0.0, -speed]));
+    let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
+    let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
+    let between = [ContactPartner::Disc(disc), ContactPartner::Obstacle(floor)];
+    b.contact(Contact::new("ball-floor", between, TouchLaw::Smooth(law)));
+    if gravity > 0.0 {
+        b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -gravity] }));
+    }
+    b
+}
+
+fn run(model: &Model, settings: &Settings) -> RunSummary {
+    let summary = simulate(model, settings, &mut NoRecorder).unwrap();
+    assert!(matches!(summary.termination, Termination::Completed), "{summary:?}");
+    assert!(summary.energy.residual_max < 1e-12, "{:e}", summary.energy.residual_max);
+    assert!(summary.momentum.linear_residual_max < 1e-12);
+    summary
+}
+
+fn first(summary: &RunSummary) -> (&Peak, &ContactInterval) {
+    match &summary.contacts[0].record {
+        ContactRecord::Smooth { peak_force, intervals } => (peak_force, &intervals[0]),
+        ContactRecord::Nonsmooth { .. } => panic!("a smooth contact"),
+    }
+}
+
+#[test]
+fn a_mass_on_a_floor_comes_back_as_the_two_stiffnesses_tell() {
+    let (loading, unloading) = (1e6, 4e6);
+    let model = on_floor(crushing(loading, unloading), 0.0).build().unwrap();
+    let summary = run(&model, &Settings::new(5e-3, 2e-6));
+    let deepest = SPEED * (MASS / loading).sqrt();
+    let (peak, interval) = first(&summary);
+    let near = |found: f64, exact: f64, share: f64, what: &str| {
+        assert!((found / exact - 1.0).abs() < share, "{what}: {found}, {exact} expected");
+    };
+    // The step is a seventieth of the shorter quarter of a period: its error is of second order.
+    near(peak.value, loading * deepest, 1e-5, "peak force");
+    let permanent = summary.contacts[0].permanent_penetration.unwrap();
+    near(permanent, deepest * (1.0 - loading / unloading), 1e-5, "permanent penetration");
+    let restitution = (loading / unloading).sqrt();
+    near(summary.projectiles[0].velocity_final[1], SPEED * restitution, 1e-5, "velocity after");
+    near(interval.separation_velocity, SPEED * restitution, 1e-4, "separation");
+    let energy = 0.5 * MASS * SPEED * SPEED;
+    near(interval.energy.lost, energy * (1.0 - restitution * restitution), 1e-5, "lost");
+    near(summary.energy.loss_damping, interval.energy.lost, 1e-12, "lost of the balance");
+    // A quarter of a period on each line: contact ends where the force does, not where the gap opens.
+    let quarter = |k: f64| 0.5 * std::f64::consts::PI * (MASS / k).sqrt();
+    near(interval.end - interval.start, quarter(loading) + quarter(unloading), 1e-4, "duration");
+}
+
+#[test]
+fn a_beam_struck_again_and_again_closes_its_balance() {
+    for law in [crushing(7.5e5, 3e6), crash_box(), SmoothLaw { dissipation: 0.05, ..crash_box() }] {
+        for step in [1e-4, 1e-3] {
+            let mut b = ModelBuilder::new();
+            let (material, section) = plank(&mut b);
+            let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+            for (name, f) in [("left", 0.0), ("right", 1.0)] {
+                b.support(Support::new(name, at(name, girder, f), SupportKind::Clamp));
+            }
+            let mut one = elastic("mass", at("mid", girder, 0.5), [0.0, 20.0]);
+            one.kind = ProjectileKind::Elastic { law: law.clone() };
+            let mut other = elastic("late", at("third", girder, 0.3), [0.0, -5.0]);
+            other.kind = ProjectileKind::Elastic { law: law.clone() };
+            b.projectile(one);
+            b.projectile(other);
+            let summary = run(&b.build().unwrap(), &Settings::new(0.2, step));
+            for (contact, intervals) in summary.contacts.iter().map(|c| (c, c.record.intervals())) {
+                assert!(contact.permanent_penetration.unwrap() > 0.0);
+                assert!(intervals.iter().all(|i| i.energy.lost >= 0.0), "{contact:?}");
+            }
+            let lost: f64 = summary
+                .contacts
+                .iter()
+                .flat_map(|c| c.record.intervals())
+                .map(|i| i.energy.lost)
+                .sum();
+            assert!((lost / summary.energy.loss_damping - 1.0).abs() < 1e-9, "{lost}");
+        }
+    }
+}
+
+#[test]
+fn what_rests_on_it_swings_with_the_stiffness_of_unloading() {
+    let (loading, unloading, gravity) = (1e5, 9e5, 9.81);
+    let model = on_floor(crushing(loading, unloading), gravity).build().unwrap();
+    let found = equilibrium(&model).unwrap();
+    let deep = MASS * gravity / loading;
+    assert!((-found.contacts[0].gap / deep - 1.0).abs() < 1e-9, "{:?}", found.contacts);
+    assert!((found.state.pairs[0].deepest / deep - 1.0).abs() < 1e-9);
+    // Started at rest there and left alone it stays; nothing crushes further.
+    let settings = Settings { start: Start::Static, ..Settings::new(0.1, 1e-4) };
+    let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
+    let permanent = summary.contacts[0].permanent_penetration.unwrap();
+    assert!((permanent / (deep * (1.0 - loading / unloading)) - 1.0).abs() < 1e-6, "{permanent}");
+}
+
+#[test]
+fn laws_that_would_give_energy_are_refused() {
+    let path = |law: SmoothLaw| {
+        let faults = on_floor(law, 0.0).build().unwrap_err();
+        faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+    };
+    let steep = path(crushing(2e6, 1e6));
+    assert!(steep.contains("unloading_stiffness") && steep.contains("2000000 N/m"), "{steep}");
+    let hertz = SmoothLaw { potential: Potential::Hertz { stiffness: 1e8 }, ..crushing(1e6, 1e7) };
+    assert!(path(hertz).contains("unloading_stiffness"));
+    let midpoint = SmoothLaw { force: ContactForce::Midpoint, ..crushing(1e6, 1e7) };
+    assert!(path(midpoint).contains("force"));
+    let model = on_floor(crushing(1e6, 4e6), 0.0).build().unwrap();
+    let settings = Settings { scheme: Scheme::Newmark, ..Settings::new(1e-3, 1e-5) };
+    let faults = simulate(&model, &settings, &mut NoRecorder).unwrap_err();
+    assert!(faults[0].to_string().contains("crushes"), "{faults:?}");
+}
+
+#[test]
+fn side_by_side_such_runs_are_those_alone() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, girder, f), SupportKind::Clamp));
+    }
+    let mut mass = elastic("mass", at("mid", girder, 0.5), [0.0, 20.0]);
+    mass.kind = ProjectileKind::Elastic { law: crushing(7.5e5, 3e6) };
+    b.projectile(mass);
+    let (model, settings) = (b.build().unwrap(), Settings::new(0.02, 1e-4));
+    let alone = simulate(&model, &settings, &mut NoRecorder).unwrap();
+    for found in simulate_batch(&[(&model, &settings); 9], Detail::Motion) {
+        // As text: an interval that is still open has ends that are NaN.
+        assert_eq!(format!("{:?}", found.unwrap().contacts), format!("{:?}", alone.contacts));
+    }
+}
