@@ -101,15 +101,32 @@ pub(super) fn beam_centre(point: &MaterialPoint) -> Centre {
 /// A shape that does not bend: its body, and what of it can be touched.
 #[derive(Clone, Copy)]
 enum Rigid {
-    Round { body: usize, centre: [f64; 2], radius: f64 },
-    Line { body: usize, point: [f64; 2], normal: [f64; 2] },
-    Segment { body: usize, ends: [[f64; 2]; 2], radius: f64 },
+    Round {
+        body: usize,
+        /// Its centre, shape (2) \[m\].
+        centre: [f64; 2],
+        radius: f64,
+    },
+    Line {
+        body: usize,
+        /// A point of it, shape (2) \[m\].
+        point: [f64; 2],
+        /// Unit normal, away from what lies behind it, shape (2) \[1\].
+        normal: [f64; 2],
+    },
+    Segment {
+        body: usize,
+        /// Its ends, shape (2, 2) \[m\].
+        ends: [[f64; 2]; 2],
+        radius: f64,
+    },
 }
 
 struct Pairs<'a> {
     builder: &'a ModelBuilder,
     model: &'a Model,
     contact: usize,
+    /// The pairs of the contact so far, shape (pairs).
     found: Vec<Pair>,
 }
 

@@ -1,12 +1,12 @@
 //! The documentation of a field that holds an array says the array's shape and the unit of its entries.
 //!
-//! It says them as `shape (number of nodes, 4) \[m, 1\]`: one word or number for each index, the first index first, and behind that the
-//! unit of an entry, or units where an index runs over different quantities. Entries without unit have `\[-\]`; indices and counts say
-//! what they number or count in that place, as `\[index of a beam\]`. Truth values, names and types of this crate need no unit: those
-//! of a type stand at its own fields.
+//! It says them as `shape (nodes, 4) \[m, 1\]`: for each index, the outermost first, the number of its values or what it counts, and
+//! behind that the unit of an entry, or units where entries are of several kinds. Entries without unit have `\[-\]` or `\[1\]`; indices
+//! and counts say there of what they are, as `\[index of a beam\]`. Truth values, names and types of this crate need no unit: those of a
+//! type stand at its own fields. Matrices stored one row after the other have two indices, so an index more than the type is no fault.
 //!
-//! Arrays are Vec, slices and arrays, matrices and vectors of nalgebra and faer, other names for these, and what contains one of them, as
-//! Option or Box. An unnamed field may leave it to the documentation of its type or variant.
+//! Arrays are Vec, slices and arrays, matrices and vectors of nalgebra and faer, the crate's columns, other names for these, and what
+//! contains one of them, as Option or Box do. An unnamed field may leave it to the documentation of its type or variant.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -15,15 +15,25 @@ use std::path::{Path, PathBuf};
 use syn::visit::{self, Visit};
 
 /// Types that are arrays by their name.
-const ARRAYS: [&str; 12] = [
-    "Vec", "VecDeque", "IndexVec", "SVector", "DVector", "Vector3", "SMatrix", "DMatrix", "Matrix3",
-    "Mat", "MatRef", "MatMut",
+const ARRAYS: [&str; 13] = [
+    "Columns", "Vec", "VecDeque", "IndexVec", "SVector", "DVector", "Vector3", "SMatrix",
+    "DMatrix", "Matrix3", "Mat", "MatRef", "MatMut",
 ];
 
 /// Types that contain others, and are arrays or numbers if these are.
 const AROUND: [&str; 12] = [
-    "Option", "Box", "Rc", "Arc", "Cow", "Range", "RangeInclusive", "Cell", "RefCell", "BTreeMap",
-    "HashMap", "Result",
+    "Option",
+    "Box",
+    "Rc",
+    "Arc",
+    "Cow",
+    "Range",
+    "RangeInclusive",
+    "Cell",
+    "RefCell",
+    "BTreeMap",
+    "HashMap",
+    "Result",
 ];
 
 /// Numbers; so are type parameters.
@@ -35,8 +45,21 @@ const NUMBERS: [&str; 18] = [
 /// What a type contains, however deep.
 #[derive(Clone, Copy, Default)]
 struct Contents {
-    array: bool,
+    /// Indices of the array with most of them; zero if there is none.
+    indices: usize,
+    /// Whether numbers are among its entries.
     number: bool,
+}
+
+impl Contents {
+    fn with(self, other: Self) -> Self {
+        Self { indices: self.indices.max(other.indices), number: self.number || other.number }
+    }
+
+    /// An array of them.
+    fn indexed(self) -> Self {
+        Self { indices: self.indices + 1, ..self }
+    }
 }
 
 /// Types that have another name, by it.
@@ -44,14 +67,11 @@ type Aliases = BTreeMap<String, syn::Type>;
 
 fn contents(of: &syn::Type, aliases: &Aliases) -> Contents {
     let union = |types: &mut dyn Iterator<Item = &syn::Type>| {
-        types.map(|one| contents(one, aliases)).fold(Contents::default(), |a, b| Contents {
-            array: a.array || b.array,
-            number: a.number || b.number,
-        })
+        types.map(|one| contents(one, aliases)).fold(Contents::default(), Contents::with)
     };
     match of {
-        syn::Type::Array(of) => Contents { array: true, ..contents(&of.elem, aliases) },
-        syn::Type::Slice(of) => Contents { array: true, ..contents(&of.elem, aliases) },
+        syn::Type::Array(of) => contents(&of.elem, aliases).indexed(),
+        syn::Type::Slice(of) => contents(&of.elem, aliases).indexed(),
         syn::Type::Reference(to) => contents(&to.elem, aliases),
         syn::Type::Paren(of) => contents(&of.elem, aliases),
         syn::Type::Group(of) => contents(&of.elem, aliases),
@@ -59,16 +79,13 @@ fn contents(of: &syn::Type, aliases: &Aliases) -> Contents {
         syn::Type::Path(path) => {
             let last = path.path.segments.last().unwrap();
             let name = last.ident.to_string();
+            let is_in = |list: &[&str]| list.contains(&name.as_str());
             if let Some(other) = aliases.get(&name) {
                 return contents(other, aliases);
             }
-            let array = ARRAYS.contains(&name.as_str());
-            let parameter = name.len() == 1;
-            let number = parameter || NUMBERS.contains(&name.as_str());
+            let array = is_in(&ARRAYS);
             let inside = match &last.arguments {
-                syn::PathArguments::AngleBracketed(list)
-                    if array || AROUND.contains(&name.as_str()) =>
-                {
+                syn::PathArguments::AngleBracketed(list) if array || is_in(&AROUND) => {
                     union(&mut list.args.iter().filter_map(|argument| match argument {
                         syn::GenericArgument::Type(one) => Some(one),
                         _ => None,
@@ -76,7 +93,9 @@ fn contents(of: &syn::Type, aliases: &Aliases) -> Contents {
                 }
                 _ => Contents::default(),
             };
-            Contents { array: array || inside.array, number: number || inside.number }
+            let number = name.len() == 1 || name == "Columns" || is_in(&NUMBERS);
+            let all = Contents { number: number || inside.number, ..inside };
+            if array { all.indexed() } else { all }
         }
         // Functions and trait objects hold no array that is to be read.
         _ => Contents::default(),
@@ -91,7 +110,7 @@ fn documentation(attributes: &[syn::Attribute]) -> String {
             _ => None,
         }
     });
-    let lines: Vec<String> = lines.collect();
+    let lines: Vec<String> = lines.map(|line| line.trim().to_owned()).collect();
     lines.join(" ")
 }
 
@@ -103,12 +122,16 @@ fn between<'a>(text: &'a str, open: &str, close: &str) -> Option<(&'a str, &'a s
 }
 
 /// What a documentation does not say of an array.
-fn missing(text: &str, number: bool) -> Option<&'static str> {
-    let Some((_, rest)) = between(text, "shape (", ")") else {
+fn missing(text: &str, of: Contents) -> Option<&'static str> {
+    let Some((shape, rest)) = between(text, "shape (", ")") else {
         return Some("no shape");
     };
+    let said = shape.split(',').filter(|index| !index.trim().is_empty()).count();
+    if said < of.indices {
+        return Some("a shape of fewer indices than it has");
+    }
     let unit = between(rest, r"\[", r"\]").is_some();
-    (number && !unit).then_some("no unit behind its shape")
+    (of.number && !unit).then_some("no unit behind its shape")
 }
 
 fn is_test(attributes: &[syn::Attribute]) -> bool {
@@ -164,15 +187,15 @@ impl Fields<'_> {
     fn take(&mut self, at: &[String], attributes: &[syn::Attribute], fields: &syn::Fields) {
         for (number, field) in fields.iter().enumerate() {
             let of = contents(&field.ty, self.aliases);
-            if !of.array {
+            if of.indices == 0 {
                 continue;
             }
             self.found += 1;
             let mut text = documentation(&field.attrs);
-            if field.ident.is_none() && missing(&text, of.number).is_some() {
+            if field.ident.is_none() && missing(&text, of).is_some() {
                 text = documentation(attributes);
             }
-            if let Some(lacks) = missing(&text, of.number) {
+            if let Some(lacks) = missing(&text, of) {
                 let own = field.ident.as_ref().map(syn::Ident::to_string);
                 let words = [at, &own.iter().map(|own| format!("{own}:")).collect::<Vec<_>>()];
                 let line = line_of(self.text, &words.concat());
@@ -236,9 +259,11 @@ fn fields_of_arrays_say_shape_and_unit() {
         let (of_file, lacking) = faults_of(text, &aliases);
         found += of_file;
         let file = file.strip_prefix(root).unwrap().display();
-        faults.extend(lacking.iter().map(|(line, name, lacks)| {
-            format!("{file}:{line}: `{name}` says {lacks}")
-        }));
+        faults.extend(
+            lacking
+                .iter()
+                .map(|(line, name, lacks)| format!("{file}:{line}: `{name}` says {lacks}")),
+        );
     }
     assert!(found > 300, "only {found} fields found");
     assert!(faults.is_empty(), "{} of {found} fields:\n{}", faults.len(), faults.join("\n"));
@@ -258,11 +283,24 @@ fn arrays_without_shape_or_unit_are_found() {
     assert_eq!(faults(none), [(4, "Path::Points.all".to_owned(), "no shape")]);
 
     for of in [
-        "Vec<f64>", "Option<Vec<f64>>", "Box<[f64]>", "&'a [f64]", "&'a mut [[S; 4]]", "[usize; 2]",
-        "Nodal", "Other", "Option<Box<Nodal>>", "(usize, Vec<f64>)", "nalgebra::SMatrix<f64, 2, 2>",
-        "std::collections::BTreeMap<u32, [f64; 2]>", "Vec<(Beam, f64)>", "Vec<Option<Range<usize>>>",
+        "Vec<f64>",
+        "Option<Vec<f64>>",
+        "Box<[f64]>",
+        "&'a [f64]",
+        "&'a mut [[S; 4]]",
+        "[usize; 2]",
+        "Nodal",
+        "Other",
+        "Option<Box<Nodal>>",
+        "(usize, Vec<f64>)",
+        "nalgebra::SMatrix<f64, 2, 2>",
+        "std::collections::BTreeMap<u32, [f64; 2]>",
+        "Vec<(Beam, f64)>",
+        "Vec<Option<Range<usize>>>",
     ] {
-        for wrong in ["", "Meaning.", "Of any shape.", r"\[m\], shape (n).", r"Shape shape () \[m\]."] {
+        for wrong in
+            ["", "Meaning.", "Of any shape.", r"\[m\], shape (n).", r"Shape shape () \[m\]."]
+        {
             let field = format!("struct A<'a> {{ /** {wrong} */ field: {of} }}");
             assert_eq!(faults(&field).len(), 1, "{field}");
             let unnamed = format!("/** {wrong} */ struct A<'a>({of});");
@@ -270,7 +308,9 @@ fn arrays_without_shape_or_unit_are_found() {
             let variant = format!("enum A<'a> {{ /** {wrong} */ One({of}) }}");
             assert_eq!(faults(&variant).len(), 1, "{variant}");
         }
-        for right in [r"Meaning, shape (n, 4) \[m, 1\].", r"Of shape (n), by row \[-\]; or not."] {
+        for right in
+            [r"Meaning, shape (n, 4) \[m, 1\].", r"Of shape (2 n, n), by row \[-\]; or not."]
+        {
             let field = format!("struct A<'a> {{ /** {right} */ field: {of} }}");
             assert_eq!(faults(&field), [], "{field}");
             let unnamed = format!("/** {right} */ struct A<'a>({of});");
@@ -282,7 +322,14 @@ fn arrays_without_shape_or_unit_are_found() {
         assert_eq!(faults(&with("Meaning.")).len(), 1, "{of}");
         assert_eq!(faults(&with("Meaning, shape (n).")), [], "{of}");
     }
-    for of in ["f64", "Option<f64>", "Range<usize>", "Arc<dyn Fn(&[f64]) -> f64>", "Chain<S>", "&'a str"] {
+    for of in ["Nodal", "&'a [[S; 4]]", "Vec<(usize, Vec<f64>)>", "Option<[[f64; 2]; 2]>"] {
+        let fault =
+            faults(&format!(r"struct A<'a> {{ /** Shape: shape (n) \[m\]. */ field: {of} }}"));
+        assert_eq!(fault[0].2, "a shape of fewer indices than it has", "{of}");
+    }
+    for of in
+        ["f64", "Option<f64>", "Range<usize>", "Arc<dyn Fn(&[f64]) -> f64>", "Chain<S>", "&'a str"]
+    {
         assert_eq!(faults(&format!("struct A<'a> {{ field: {of} }}")), [], "{of}");
     }
     assert_eq!(faults("#[cfg(test)]\nmod tests { struct A { field: Vec<f64> } }"), []);

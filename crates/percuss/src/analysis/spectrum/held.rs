@@ -14,6 +14,7 @@ pub struct Held {
     pub stiffness: f64,
     /// Its force \[N\], and how its direction turns.
     pub force: f64,
+    /// How its direction turns: parts of the second derivative of the gap, shape (such parts).
     pub turnings: Vec<Turning>,
 }
 
