@@ -22,8 +22,8 @@ pub struct Frame<'a> {
     pub displacement: &'a [[f64; 4]],
     /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: &'a [[f64; 4]],
-    /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an impact, shape
-    /// (elements, 2, 3) \[N, N, N m\].
+    /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an impact,
+    /// shape (elements, 2, 3) \[N, N, N m\].
     pub section_forces: &'a [[[f64; 3]; 2]],
     /// Forces of everything that touches, shape (such forces).
     pub contact_forces: &'a [FrameForce],

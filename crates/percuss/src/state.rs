@@ -106,8 +106,8 @@ pub struct State {
     pub offset: f64,
     /// Time \[s\].
     pub time: f64,
-    /// Displacements and their gradients (u1, u2, u1', u2') of the beams' nodes, then displacements and angle of the bodies, shape (nodes,
-    /// 4) \[m, 1, rad\].
+    /// Displacements and their gradients (u1, u2, u1', u2') of the beams' nodes, then displacements and angle of the bodies,
+    /// shape (nodes, 4) \[m, 1, rad\].
     pub displacement: Vec<[f64; 4]>,
     /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: Vec<[f64; 4]>,

@@ -80,6 +80,7 @@ pub struct Search {
     first: f64,
     /// Ways of the movers in the step at hand, shape (beams and bodies) \[m\].
     step: Vec<f64>,
+    /// The longest of them \[m\].
     longest: f64,
     /// Length that no element of a beam exceeds where the state stands, one a beam, shape (beams) \[m\]; empty if nothing is near a face.
     arcs: Vec<f64>,

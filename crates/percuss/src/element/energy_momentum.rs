@@ -154,6 +154,7 @@ fn divisor<S: Real>(measure: StrainMeasure, a: S, stretch: S) -> S {
 pub struct PointStep<'a, S> {
     /// Reference tangent, shape (2) \[1\].
     pub tangent: &'a [S; 2],
+    /// Reference curvature \[1/m\].
     pub curvature: &'a S,
     /// Start of the step.
     pub start: &'a End<S>,

@@ -18,6 +18,7 @@ pub struct ElementMeasures<S> {
     pub bending: S,
     /// Linear momentum, shape (2) \[kg m/s\].
     pub linear: [S; 2],
+    /// Sum of its components' magnitudes \[kg m/s\].
     pub linear_size: S,
     /// Angular momentum about the origin, and the sum of the magnitudes of its parts \[kg m^2/s\].
     pub angular: S,

@@ -16,6 +16,7 @@ pub struct LaneMeasures<S> {
     pub energy: S,
     /// Linear momentum, shape (2) \[kg m/s\].
     pub linear: [S; 2],
+    /// Sum of its components' magnitudes \[kg m/s\].
     pub linear_size: S,
     /// Angular momentum about the origin, and the sum of its magnitudes \[kg m^2/s\].
     pub angular: S,
@@ -32,16 +33,20 @@ pub struct LaneLedger<S> {
     pub angular_scale: S,
     /// Impulse of the supports and guides, shape (2) \[N s\].
     pub impulse: [S; 2],
+    /// Their angular impulse \[N m s\].
     pub angular_impulse: S,
     /// Impulse of the loads, shape (2) \[N s\].
     pub impulse_loads: [S; 2],
+    /// Their angular impulse \[N m s\].
     pub angular_impulse_loads: S,
+    /// Their work \[J\].
     pub work_loads: S,
     pub loss_impacts: S,
-    /// What damping took: energy \[J\], and its impulses against the ground \[N s, N m s\].
+    /// Energy that damping took \[J\].
     pub loss_damping: S,
     /// Impulse of damping against the ground, shape (2) \[N s\].
     pub impulse_damping: [S; 2],
+    /// Its angular impulse \[N m s\].
     pub angular_impulse_damping: S,
     /// Magnitudes of works, impulses and angular impulses, step by step, shape (3) \[J, N s, N m s\].
     pub passed: [S; 3],

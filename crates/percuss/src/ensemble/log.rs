@@ -31,7 +31,7 @@ pub struct Closed<S> {
     pub deepest: Top<S>,
     pub approach: S,
     pub separation: S,
-    /// Steps in which it was closed, and what the gap's rate changed by in the step before it and after it \[m/s\].
+    /// Steps in which it was closed.
     pub steps: S,
     /// What the gap's rate changed by in the step before it and in the one after it, shape (2) \[m/s\].
     pub changes: [S; 2],
@@ -71,10 +71,11 @@ pub struct GuideLog<S: Number> {
     pub given: [S; 2],
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
     free: S,
-    /// Lanes whose last interval ended in the step before; gap and rate at the end of that step, its time and size.
+    /// Lanes whose last interval ended in the step before.
     released: S::Mask,
+    /// Gap and rate at the end of that step.
     parted: FreeGap<S>,
-    /// Start and size of the step in which the last interval ended, shape (2) \[s\].
+    /// Its start and size, shape (2) \[s\].
     parted_at: [S; 2],
 }
 

@@ -102,8 +102,8 @@ pub struct Sensitivities {
     pub derivatives: Vec<RunSummary>,
     /// How far derivatives reach, if not to the end of the run.
     pub horizon: Option<Horizon>,
-    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it, shape (such
-    /// contacts).
+    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it,
+    /// shape (such contacts).
     pub grazing: Vec<Grazing>,
 }
 

@@ -13,8 +13,8 @@ use crate::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchShape {
-    /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains, shape
-    /// (spans, tables) \[index of a node, number of elements\].
+    /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains,
+    /// shape (spans, tables) \[index of a node, number of elements\].
     spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
     prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,

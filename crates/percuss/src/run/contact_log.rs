@@ -34,7 +34,7 @@ pub struct ContactLog {
     open: Vec<Option<usize>>,
     /// The pair that touched first in the last interval of each smooth contact, shape (contacts) \[index of a pair\].
     first: Vec<usize>,
-    /// Smooth pairs of the step at hand as they were at its start, shape (pairs).
+    /// Smooth pairs of the step at hand as they were at its start, shape (such pairs).
     before: Vec<PairState>,
     start: f64,
     /// What each smooth pair did in the last step in which it stood open, shape (pairs).
@@ -48,7 +48,7 @@ pub struct ContactLog {
     rests: Vec<Resting>,
     /// Those that have any, shape (such contacts) \[index of a contact\].
     resting: Vec<usize>,
-    /// Number of the part of a step at hand, and of that in which each contact last had an impact.
+    /// Number of the part of a step at hand.
     part: u64,
     /// Number of the part of a step in which each contact last had an impact, shape (contacts) \[number of a part\].
     struck: Vec<u64>,

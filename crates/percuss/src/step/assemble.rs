@@ -36,8 +36,7 @@ struct GaussPlace<'a> {
 pub struct EndForces {
     /// Forces on both nodes of each element, inertia and gravity included, loads along it not, shape (elements, 2, 4) \[N, N m\].
     pub on_nodes: Vec<[[f64; 4]; 2]>,
-    /// Accelerations of the beams' nodes in the equation of motion, less gravity, with what mass-proportional damping adds, shape (beam
-    /// nodes, 4) \[m/s^2, 1/s^2\].
+    /// Accelerations of the beams' nodes, less gravity, with mass-proportional damping, shape (beam nodes, 4) \[m/s^2, 1/s^2\].
     pub inertia: Vec<[f64; 4]>,
     /// Elements that are evaluated side by side.
     pub sweep: Sweep,
@@ -193,8 +192,7 @@ struct StepState<'a> {
 }
 
 impl StepState<'_> {
-    /// Sums over all elements what `response` gives at their Gauss points, `membrane` at the sampling points of slender
-    /// ones, and the inertia of their mass.
+    /// Sums over all elements `response` at their Gauss points, `membrane` at the sampling points of slender ones, and inertia.
     #[inline(always)]
     fn sum<const TANGENT: bool>(
         &self,

@@ -80,8 +80,8 @@ pub(super) struct StaticContacts {
     opened: bool,
     /// Weak springs of discs in units of their weights over the size of the structure.
     damping: f64,
-    /// Components of nodes that, held, would stop all motions of beams that neither supports nor joints do, and their weak springs, shape
-    /// (such components) \[index of a node, index of a component, N/m or N m\].
+    /// Components of nodes that, held, would stop all motions of beams that neither supports nor joints do, and their weak springs,
+    /// shape (such components) \[index of a node, index of a component, N/m or N m\].
     loose: Vec<(usize, usize, f64)>,
     /// What has left for good: beams first, then bodies.
     lost: Option<usize>,

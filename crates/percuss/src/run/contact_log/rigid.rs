@@ -15,9 +15,9 @@ pub(super) struct Resting {
     /// Number of the part of a step in which a pair last pressed, and that pair.
     pressed: u64,
     pub pair: usize,
-    /// Number of the part of a step in which pairs ceased to press; when, and the rate of the last of them.
+    /// Number of the part of a step in which pairs ceased to press.
     ceased: u64,
-    /// Time at which those ceased to press, and the rate of the last of them, shape (2) \[s, m/s\].
+    /// When they did, and the rate of the last of them, shape (2) \[s, m/s\].
     end: [f64; 2],
 }
 
