@@ -40,7 +40,7 @@ pub struct Equilibrium {
     pub reactions: Vec<(String, [f64; 3])>,
     /// Contacts that take part, in the model's order, shape (contacts).
     pub contacts: Vec<StaticContact>,
-    /// Contacts that press, with their forces \[N\], shape (pairs that press) \[N\].
+    /// Contacts that press, with their forces, shape (pairs that press) \[N\].
     pub(crate) pressed: Vec<(Row, f64)>,
     /// Contacts of beams that press, as they stay closed in small motions, shape (pairs that press).
     pub(crate) held: Vec<Held>,

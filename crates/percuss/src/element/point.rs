@@ -103,11 +103,11 @@ impl<S: Real> Form<S> {
 /// Generalised forces at a Gauss point and their derivatives with respect to (g, p) at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct PointResponse<S> {
-    /// Force conjugate to g, shape (2) \[N\].
+    /// Force conjugate to g, shape (2) \[N; N m with section constants times the weight\].
     pub force_g: [S; 2],
-    /// Force conjugate to p, shape (2) \[N m\].
+    /// Force conjugate to p, shape (2) \[N m; N m^2 likewise\].
     pub force_p: [S; 2],
-    /// Derivatives of (force_g, force_p), row by row, with respect to (g, p), shape (4, 4) \[N, N m, N m^2\].
+    /// Derivatives of (force_g, force_p), row by row, with respect to (g, p), shape (4, 4) \[N, N m, N m^2; times m likewise\].
     pub tangent: [[S; 4]; 4],
 }
 

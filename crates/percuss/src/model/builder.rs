@@ -15,7 +15,7 @@ use crate::math::vec2::norm;
 /// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
 #[derive(Clone, Debug, Default)]
 pub struct ModelBuilder {
-    /// Materials, in the order they were defined as all below, shape (materials).
+    /// Materials, shape (materials); these and all below in the order they were defined.
     pub(super) materials: Vec<Material>,
     /// Sections, shape (sections).
     pub(super) sections: Vec<Section>,

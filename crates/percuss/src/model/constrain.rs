@@ -264,7 +264,7 @@ struct Independent<'b> {
 /// A constraint kept, across those before it.
 struct Known {
     row: BTreeMap<usize, f64>,
-    /// The value it prescribes, as the drive of a constraint, shape (motions that take part) \[index of a motion, m or rad\].
+    /// The value it prescribes, scaled as its row is, shape (motions that take part) \[index of a motion, m or rad by the row's scale\].
     drive: Drive,
     /// Supports that prescribe it, shape (such supports) \[index of a support\].
     supports: Vec<usize>,

@@ -12,10 +12,7 @@ use crate::math::vec2::{add, norm, rot90, scale};
 /// A beam touches itself no nearer along its axis than this, in elements and in half depths.
 const OWN_NEIGHBOURHOOD: [f64; 2] = [2.0, 8.0];
 
-/// Adds the contacts with their pairs.
-///
-/// # Errors
-/// A fault for each contact that starts with one thing inside the other.
+/// Adds the contacts with their pairs; the errors are a fault for each contact that starts with one thing inside the other.
 pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
     for (i, projectile) in builder.projectiles.iter().enumerate() {
         guided(i, projectile, model);
@@ -375,7 +372,6 @@ impl Pairs<'_> {
     }
 }
 
-/// Half depth at a point; zero where the section has none.
 /// Ends of the segments that stand around a point of a beam, with a free way to its surface, on the given sides \[m\].
 pub(super) fn clearance_segments(
     model: &Model,
@@ -393,6 +389,7 @@ pub(super) fn clearance_segments(
     sides.iter().map(segment).collect()
 }
 
+/// Half depth at a point; zero where the section has none.
 fn half_depth(model: &Model, point: &MaterialPoint) -> f64 {
     let axis = &model.beams[point.beam].axis;
     let element = axis.iter().find(|e| e.node == point.node);

@@ -11,7 +11,7 @@ pub(crate) struct PrescribedDofs {
     pub support: Option<usize>,
     /// Held directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
     pub normals: Vec<[f64; 4]>,
-    /// Motion along each of them, shape (directions held, motions that take part) \[index of a motion, m or 1\].
+    /// Motion along each of them, shape (directions held, motions that take part) \[index of a motion, m\].
     pub drives: Vec<Drive>,
     /// What they leave free: `I - N N^T` with the held directions as columns of N, shape (4, 4) \[-\].
     pub free: Block,

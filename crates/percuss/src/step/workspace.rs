@@ -38,8 +38,8 @@ pub struct Workspace {
     /// The factored tangent.
     pub tangent: Tangent,
 
-    /// Answers of the model to unit forces at active contacts along normal and tangent: nodal vectors and multipliers,
-    /// shape (2 active contacts, nodes or constraints, 4 or nothing) \[m/N, 1/N; 1, m\].
+    /// Answers of the model to unit forces at active contacts along normal and tangent: nodal vectors,
+    /// shape (2 active contacts or more, nodes, 4) \[m/N, 1/N\], and multipliers, shape (at least 2 active contacts, constraints) \[1, m\].
     pub contact_columns: Vec<(Vec<[f64; 4]>, Vec<f64>)>,
     /// The impact problem of the active contacts.
     pub impact: ImpactProblem,
