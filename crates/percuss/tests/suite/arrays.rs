@@ -10,9 +10,11 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use syn::visit::{self, Visit};
+
+use super::layers::{is_test, sources};
 
 /// Types that are arrays by their name.
 const ARRAYS: [&str; 13] = [
@@ -134,12 +136,6 @@ fn missing(text: &str, of: Contents) -> Option<&'static str> {
     (of.number && !unit).then_some("no unit behind its shape")
 }
 
-fn is_test(attributes: &[syn::Attribute]) -> bool {
-    let test = |list: &syn::MetaList| list.tokens.to_string() == "test";
-    let is = |a: &syn::Attribute| a.path().is_ident("cfg") && a.meta.require_list().is_ok_and(test);
-    attributes.iter().any(is)
-}
-
 /// Collects the names that types have besides their own.
 struct Names<'a>(&'a mut Aliases);
 
@@ -159,7 +155,8 @@ struct Fields<'a> {
     faults: Vec<(usize, String, &'static str)>,
 }
 
-/// Line, counted from one, where the last of some words begins a line or stands behind its visibility, each looked for behind the one before.
+/// Line, counted from one, where the last of some words begins a line or stands behind its visibility; each is looked for behind the one
+/// before.
 fn line_of(text: &str, words: &[String]) -> usize {
     let mut words = words.iter();
     let mut next = words.next();
@@ -226,18 +223,7 @@ impl<'ast> Visit<'ast> for Fields<'_> {
     }
 }
 
-/// Source files below a folder, those of tests left out.
-fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        match path.is_dir() {
-            true => sources(&path, all),
-            false if path.ends_with("tests.rs") => {}
-            false => all.push(path),
-        }
-    }
-}
-
+/// How many fields of arrays a source has, and lines, names and what they lack of those that lack something.
 fn faults_of(text: &str, aliases: &Aliases) -> (usize, Vec<(usize, String, &'static str)>) {
     let mut fields = Fields { text, aliases, found: 0, faults: Vec::new() };
     fields.visit_file(&syn::parse_file(text).unwrap());
@@ -249,6 +235,7 @@ fn fields_of_arrays_say_shape_and_unit() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = Vec::new();
     sources(&root.join("src"), &mut files);
+    files.retain(|file| !file.ends_with("tests.rs"));
     files.sort();
     let texts: Vec<String> = files.iter().map(|file| fs::read_to_string(file).unwrap()).collect();
     let mut aliases = Aliases::new();
