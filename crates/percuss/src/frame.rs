@@ -5,9 +5,9 @@
 pub struct FrameForce {
     /// Number of the contact in the model.
     pub contact: usize,
-    /// Where the two touch \[m\].
+    /// Where the two touch, shape (2) \[m\].
     pub position: [f64; 2],
-    /// On the second of its two partners, the mean over the last step \[N\], or \[N s\] in an impact.
+    /// On the second of its two partners, the mean over the last step, shape (2) \[N\], or \[N s\] in an impact.
     pub force: [f64; 2],
     /// Whether it is an impulse.
     pub impulsive: bool,
@@ -18,15 +18,15 @@ pub struct FrameForce {
 pub struct Frame<'a> {
     /// Time \[s\].
     pub time: f64,
-    /// Displacements (u1, u2, u1', u2') of beams' nodes, (u1, u2, angle, 0) of bodies; shape (n_node) \[m, 1, rad\].
+    /// Displacements (u1, u2, u1', u2') of beams' nodes, (u1, u2, angle, 0) of bodies, shape (nodes, 4) \[m, 1, rad\].
     pub displacement: &'a [[f64; 4]],
-    /// Velocities of the same; shape (n_node) \[m/s, 1/s, rad/s\].
+    /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: &'a [[f64; 4]],
-    /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an
-    /// impact; shape (n_elem) \[N, N, N m\].
+    /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an impact,
+    /// shape (elements, 2, 3) \[N, N, N m\].
     pub section_forces: &'a [[[f64; 3]; 2]],
-    /// Forces of everything that touches.
+    /// Forces of everything that touches, shape (such forces).
     pub contact_forces: &'a [FrameForce],
-    /// Factors of the loads, means over the last step; shape (n_load).
+    /// Factors of the loads, means over the last step, shape (loads) \[-\].
     pub load_factors: &'a [f64],
 }

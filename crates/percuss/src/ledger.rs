@@ -21,19 +21,19 @@ pub struct Ledger {
     pub loss_plastic: f64,
     /// Energy that was stored in fibres that failed \[J\].
     pub loss_failure: f64,
-    /// Linear momentum at the start \[kg m/s\].
+    /// Linear momentum at the start, shape (2) \[kg m/s\].
     pub linear_initial: [f64; 2],
     /// Angular momentum about the origin at the start \[kg m^2/s\].
     pub angular_initial: f64,
-    /// Impulse of the loads \[N s\].
+    /// Impulse of the loads, shape (2) \[N s\].
     pub impulse_loads: [f64; 2],
-    /// Impulse of the supports \[N s\].
+    /// Impulse of the supports, shape (2) \[N s\].
     pub impulse_supports: [f64; 2],
     /// Angular impulse of the loads about the origin \[N m s\].
     pub angular_impulse_loads: f64,
     /// Angular impulse of the supports and of the projectiles' guides about the origin \[N m s\].
     pub angular_impulse_supports: f64,
-    /// Impulse of damping forces against the ground \[N s\].
+    /// Impulse of damping forces against the ground, shape (2) \[N s\].
     pub impulse_damping: [f64; 2],
     /// Their angular impulse about the origin \[N m s\].
     pub angular_impulse_damping: f64,
@@ -43,12 +43,12 @@ pub struct Ledger {
     pub linear_scale: f64,
     /// Scale of angular momentum: the largest so far \[kg m^2/s\].
     pub angular_scale: f64,
-    /// Magnitudes of the works, the impulses and the angular impulses of loads and supports, step by step \[J, N s, N m s\]: what passed
-    /// through, however little of it stays.
+    /// Magnitudes of the works, the impulses and the angular impulses of loads and supports, step by step, shape (3) \[J, N s, N m s\]: what
+    /// passed through, however little of it stays.
     pub passed: [f64; 3],
-    /// What the sums above have lost by rounding.
+    /// What the sums above have lost by rounding, shape (15) \[J, N s, N m s\].
     rest: [f64; FLOWS],
-    /// Energy, momentum and angular momentum that are none \[J, kg m/s, kg m^2/s\].
+    /// Energy, momentum and angular momentum that are none, shape (3) \[J, kg m/s, kg m^2/s\].
     negligible: [f64; 3],
 }
 
@@ -67,8 +67,8 @@ pub(crate) struct RoundOff {
     pub momentum: f64,
     /// Size of the structure \[m\].
     pub size: f64,
-    /// Energy, momentum and angular momentum that no residual is held against: what a strain of 1e-12 stores, and a velocity of as much
-    /// energy carries \[J, kg m/s, kg m^2/s\].
+    /// Energy, momentum and angular momentum that no residual is held against, shape (3) \[J, kg m/s, kg m^2/s\]: what a strain of 1e-12
+    /// stores, and a velocity of as much energy carries.
     pub negligible: [f64; 3],
 }
 
@@ -112,7 +112,7 @@ pub struct Measures {
     pub contact: f64,
     /// Energy of springs, elastic supports and stops \[J\].
     pub springs: f64,
-    /// Linear momentum \[kg m/s\].
+    /// Linear momentum, shape (2) \[kg m/s\].
     pub linear: [f64; 2],
     /// Angular momentum about the origin \[kg m^2/s\].
     pub angular: f64,

@@ -15,9 +15,9 @@ use crate::settings::Scheme;
 /// What moves of a projectile, guided or free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProjectileState {
-    /// Position of its centre \[m\].
+    /// Position of its centre, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Velocity \[m/s\].
+    /// Velocity, shape (2) \[m/s\].
     pub velocity: [f64; 2],
     /// Angle turned \[rad\].
     pub angle: f64,
@@ -45,10 +45,11 @@ pub struct PairState {
 /// Supports that the part of a step accepted last gave an impulse: of many stops most are not touched.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Reacting {
-    /// Number of the part, and of the last one in which each support got an impulse, shape (n_support).
+    /// Number of the part of a step at hand.
     part: u64,
+    /// Number of the part of a step in which each support last got an impulse, shape (supports) \[number of a part\].
     last: Vec<u64>,
-    /// These supports, and what they had before.
+    /// These supports, and what they had before, shape (such supports, 3) \[index of a support, N s, N m s\].
     list: Vec<(usize, [f64; 3])>,
 }
 
@@ -92,9 +93,9 @@ pub(crate) struct Followed {
 pub(crate) struct Instant {
     /// Time from it to the end of its step \[s\].
     pub since: f64,
-    /// Of each support, shape (n_support) \[N, N m\].
+    /// Of each support, shape (supports, 3) \[N, N m\].
     pub reactions: Vec<[f64; 3]>,
-    /// Of all supports and guides: force, and moment about the origin \[N, N m\].
+    /// Of all supports and guides: force, and moment about the origin, shape (3) \[N, N m\].
     pub total: [f64; 3],
 }
 
@@ -108,34 +109,34 @@ pub struct State {
     /// Time \[s\].
     pub time: f64,
     /// Displacements and their gradients (u1, u2, u1', u2') of the beams' nodes, then displacements and angle of the bodies,
-    /// shape (n_node) \[m, 1, rad\].
+    /// shape (nodes, 4) \[m, 1, rad\].
     pub displacement: Vec<[f64; 4]>,
-    /// Velocities of the same, shape (n_node) \[m/s, 1/s\].
+    /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: Vec<[f64; 4]>,
-    /// Accelerations of the same; empty for schemes that do not advance them.
+    /// Accelerations of the same, shape (nodes, 4) \[m/s^2, 1/s^2, rad/s^2\]; empty for schemes that do not advance them.
     pub acceleration: Vec<[f64; 4]>,
-    /// Angular rate of the tangent at the Gauss points, shape (n_elem, n_gauss) \[rad/s\].
+    /// Angular rate of the tangent at the Gauss points, shape (elements, Gauss points) \[rad/s\].
     pub spin: Vec<[f64; GAUSS]>,
-    /// Stored strains (membrane, bending) at the Gauss points, shape (n_elem, n_gauss) \[1, 1/m\]; strain-rate scheme
-    /// only, empty otherwise.
+    /// Stored strains (membrane, bending) at the Gauss points, shape (elements, Gauss points, 2) \[1, 1/m\]; strain-rate scheme only, empty
+    /// otherwise.
     pub strain: Vec<[[f64; 2]; GAUSS]>,
-    /// What fibres remember, shape (n_fibre).
+    /// What fibres remember, shape (fibres).
     pub fibres: Vec<FibreState>,
-    /// How far prescribed motions were followed, shape (n_motion).
+    /// How far prescribed motions were followed, shape (motions).
     pub(crate) followed: Vec<Followed>,
-    /// Coordinates of springs and dampers, angles unwound, shape (n_connector) \[m, rad\].
+    /// Coordinates of springs and dampers, angles unwound, shape (connectors) \[m, rad\].
     pub coordinates: Vec<f64>,
-    /// Angular rates of the point masses, shape (n_mass) \[rad/s\].
+    /// Angular rates of the point masses, shape (point masses) \[rad/s\].
     pub mass_spin: Vec<f64>,
-    /// Impulse and angular impulse about its own point of each support so far, shape (n_support) \[N s, N m s\].
+    /// Impulse and angular impulse about its own point of each support so far, shape (supports, 3) \[N s, N m s\].
     pub reactions: Vec<[f64; 3]>,
     /// Reactions at the last instant of balance of a scheme that advances accelerations.
     pub(crate) instant: Option<Instant>,
     /// Which of them the part of a step accepted last has changed.
     pub(crate) reacting: Reacting,
-    /// Multipliers of the constraints, shape (n_constraint) \[N, N m\].
+    /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     pub multiplier: Vec<f64>,
-    /// Pairs that can touch, in the model's order.
+    /// Pairs that can touch, in the model's order, shape (pairs).
     pub pairs: Vec<PairState>,
     /// The one whose instant of contact this is, if the state stands at one.
     pub(crate) located: Option<usize>,

@@ -24,14 +24,14 @@ const NO_LOAD: f64 = 1e-14;
 pub struct BucklingMode {
     /// Factor on the loads that act at time zero.
     pub factor: f64,
-    /// Nodal displacements and slopes, largest component one, shape (n_node).
+    /// Nodal displacements and slopes, the largest component of a displacement one, shape (nodes, 4) \[1, 1/m\].
     pub shape: Vec<[f64; 4]>,
 }
 
 /// Linear buckling modes, or why there are none.
 #[derive(Clone, Debug)]
 pub struct LinearBuckling {
-    /// Lowest positive factors, ascending.
+    /// Lowest positive factors, ascending, shape (modes found).
     pub modes: Vec<BucklingMode>,
     /// What is known.
     pub outcome: BucklingOutcome,

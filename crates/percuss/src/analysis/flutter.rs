@@ -46,6 +46,7 @@ pub enum FollowerStability {
 struct At {
     factor: f64,
     reached: Reached,
+    /// Its lowest modes, shape (modes found).
     modes: Vec<Mode>,
 }
 

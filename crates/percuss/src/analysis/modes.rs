@@ -32,7 +32,8 @@ pub struct Mode {
     /// Imaginary part of the square \[1/s^2\], not negative: of two modes that forces following the beams have brought together,
     /// one grows and one decays, and both are told as one. Zero otherwise.
     pub imaginary: f64,
-    /// Nodal displacements and slopes (u1, u2, u1', u2') of unit modal mass, shape (n_node); of flutter the part in phase.
+    /// Nodal displacements and slopes (u1, u2, u1', u2') of unit modal mass, shape (nodes, 4) \[kg^(-1/2), kg^(-1/2)/m\]; of flutter the part
+    /// in phase.
     pub shape: Vec<[f64; 4]>,
 }
 

@@ -55,9 +55,12 @@ pub(super) struct StaticSearch<'m> {
 /// A place on the way to an equilibrium.
 #[derive(Clone)]
 pub(super) struct Reached {
+    /// Increment of the nodal displacements from the base, shape (nodes, 4) \[m, 1\].
     pub increment: Vec<[f64; 4]>,
+    /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     multiplier: Vec<f64>,
     contacts: StaticContacts,
+    /// What fibres remember, shape (fibres).
     fibres: Vec<FibreState>,
 }
 
@@ -351,7 +354,7 @@ pub(super) fn linearized<'m>(model: &'m Model, state: &State) -> StaticSearch<'m
 }
 
 /// What loads and inner forces leave unbalanced at the nodes of a structure at rest, supports and constraints not counted,
-/// shape (n_node) \[N, N m\].
+/// shape (nodes, 4) \[N, N m\].
 pub(crate) fn unbalanced_forces(
     structure: &Model,
     state: &State,
@@ -365,7 +368,7 @@ pub(crate) fn unbalanced_forces(
     search.work.residual.iter().map(|f| f.map(|c| -c)).collect()
 }
 
-/// Strains of a configuration, as the scheme that stores them keeps them, shape (n_elem, n_gauss) \[1, 1/m\].
+/// Strains of a configuration, as the scheme that stores them keeps them, shape (elements, Gauss points, 2) \[1, 1/m\].
 pub(crate) fn stored_strains(structure: &Model, state: &State) -> Vec<[[f64; 2]; GAUSS]> {
     let mut search = StaticSearch::at(structure, state);
     search.foresee(true);

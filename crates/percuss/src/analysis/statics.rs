@@ -26,27 +26,27 @@ const FINEST_SHARE: f64 = 1.0 / 128.0;
 pub struct Equilibrium {
     /// The state of equilibrium, at rest.
     pub state: State,
-    /// Displacements of the recorded points \[m\], with their names.
+    /// Displacements of the recorded points, with their names, shape (points, 2) \[m\].
     pub points: Vec<(String, [f64; 2])>,
-    /// Section forces of largest magnitude, one entry a beam.
+    /// Section forces of largest magnitude, one entry a beam, shape (beams).
     pub section_forces: Vec<SectionForceSummary>,
-    /// Axial force, shear force and moment at the start and the end of every element; shape (n_elem) \[N, N, N m\].
+    /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
     pub element_forces: Vec<[[f64; 3]; 2]>,
-    /// Forces of everything that presses, on the second of its partners.
+    /// Forces of everything that presses, on the second of its partners, shape (places where something presses).
     pub contact_forces: Vec<FrameForce>,
-    /// Factors of the loads, in the model's order.
+    /// Factors of the loads, in the model's order, shape (loads) \[-\].
     pub load_factors: Vec<f64>,
-    /// Forces (1, 2) and moment of each support on the structure \[N, N m\], with their names.
+    /// Forces (1, 2) and moment of each support on the structure, with their names, shape (supports, 3) \[N, N m\].
     pub reactions: Vec<(String, [f64; 3])>,
-    /// Contacts that take part, in the model's order.
+    /// Contacts that take part, in the model's order, shape (contacts).
     pub contacts: Vec<StaticContact>,
-    /// Contacts that press, with their forces \[N\].
+    /// Contacts that press, with their forces, shape (pairs that press) \[N\].
     pub(crate) pressed: Vec<(Row, f64)>,
-    /// Contacts of beams that press, as they stay closed in small motions.
+    /// Contacts of beams that press, as they stay closed in small motions, shape (pairs that press).
     pub(crate) held: Vec<Held>,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
-    /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here.
+    /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here, shape (such beams).
     pub sliding: Vec<String>,
     /// Load steps taken.
     pub load_steps: usize,

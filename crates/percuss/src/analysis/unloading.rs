@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::state::State;
 
 /// Displacements of the beams' nodes in the equilibrium without loads and contacts that the structure springs back to, its plastic
-/// strains as they are, shape (n_beam_node); none where supports do not hold it or no such equilibrium is near.
+/// strains as they are, shape (beam nodes, 4); none where supports do not hold it or no such equilibrium is near.
 pub fn unloaded(model: &Model, state: &State) -> Option<Vec<[f64; 4]>> {
     let mut structure = model.structure();
     if !mechanisms(model).is_empty() {

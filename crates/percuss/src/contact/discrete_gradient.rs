@@ -20,7 +20,7 @@ const NO_MOTION: f64 = 1e-14;
 /// A pair over a step.
 #[derive(Clone, Copy, Debug)]
 pub struct StepGap {
-    /// Gaps at start and end of the step \[m\].
+    /// Gaps at start and end of the step, shape (2) \[m\].
     pub gaps: [f64; 2],
     /// Form of the gap's change on the increment.
     pub row: Row,
@@ -139,11 +139,13 @@ impl Pair {
 /// A node of a row in the middle of the step.
 #[derive(Clone, Copy, Default)]
 struct Mover {
-    /// Position \[m\], and the tangent; zero for a body, whose angle takes no part.
+    /// Position, shape (2) \[m\].
     position: [f64; 2],
+    /// The tangent, shape (2) \[1\]; zero for a body, whose angle takes no part.
     tangent: [f64; 2],
-    /// Increments of both.
+    /// Increment of the position, shape (2) \[m\].
     moves: [f64; 2],
+    /// Increment of the tangent, shape (2) \[1\].
     turns: [f64; 2],
     /// Weight of slopes: the square of a length \[m^2\].
     weight: f64,

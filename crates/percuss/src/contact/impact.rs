@@ -22,7 +22,7 @@ pub struct Conditions {
     pub friction: f64,
     /// Sliding rate of a contact that sticks \[m/s\].
     pub target: f64,
-    /// Impulses along normal and tangent that it has carried already: signs and limits of friction are those of the sums \[N s\].
+    /// Impulses along normal and tangent that it has carried already, shape (2) \[N s\]: signs and limits of friction are those of the sums.
     pub carried: [f64; 2],
 }
 
@@ -38,12 +38,13 @@ impl Conditions {
 /// The problem: rows 2 i and 2 i + 1 belong to normal and tangent of contact i.
 #[derive(Clone, Debug, Default)]
 pub struct ImpactProblem {
-    /// Contacts.
+    /// Contacts, shape (contacts).
     pub contacts: Vec<Conditions>,
-    /// Delassus operator, shape (2 n, 2 n), column by column; without friction those of the tangent are not looked at \[1/kg\].
+    /// Delassus operator, shape (2 contacts, 2 contacts), column by column \[1/kg\]; without friction those of the tangent are not looked at.
     pub delassus: Vec<f64>,
-    /// Rates without impulses, shape (2 n) \[m/s\].
+    /// Rates without impulses, shape (2 contacts) \[m/s\].
     pub free: Vec<f64>,
+    /// Rates with the impulses at hand, shape (2 contacts) \[m/s\].
     rates: Vec<f64>,
     newton: Newton,
     direct: Direct,

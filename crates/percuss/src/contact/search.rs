@@ -71,23 +71,24 @@ pub fn longest_arcs(model: &Model, start: &[f64], increment: &[[f64; 4]], arcs: 
 /// Sleeping and waking pairs.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Search {
-    /// Way of each mover since the start, beams then bodies \[m\].
+    /// Way of each mover since the start, beams then bodies, shape (beams and bodies) \[m\].
     travelled: Vec<f64>,
-    /// Sum of both movers' ways at which a pair wakes, shape (n_pair) \[m\].
+    /// Sum of both movers' ways at which a pair wakes, shape (pairs) \[m\].
     wake: Vec<f64>,
     /// Way of any mover, and the least one at which any pair wakes, counted twice \[m\].
     any: f64,
     first: f64,
-    /// Ways of the movers in the step at hand, and the longest \[m\].
+    /// Ways of the movers in the step at hand, shape (beams and bodies) \[m\].
     step: Vec<f64>,
+    /// The longest of them \[m\].
     longest: f64,
-    /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing is near a face \[m\].
+    /// Length that no element of a beam exceeds where the state stands, one a beam, shape (beams) \[m\]; empty if nothing is near a face.
     arcs: Vec<f64>,
     /// By how much these have grown with the beams' ways since they were taken, as shares of the longest elements, summed up.
     loose: f64,
-    /// Pairs looked at where the state stands.
+    /// Pairs looked at where the state stands, shape (such pairs) \[index of a pair\].
     awake: Vec<usize>,
-    /// Of these, the ones so near that they are looked at in every step; the others sleep.
+    /// Of these, the ones so near that they are looked at in every step, shape (such pairs) \[index of a pair\]; the others sleep.
     restless: Vec<usize>,
     /// Whether every pair is that of a guided projectile: so few that all are looked at always.
     guided: bool,

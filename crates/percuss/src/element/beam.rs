@@ -16,15 +16,15 @@ use crate::scalar::Real;
 /// no other.
 #[derive(Clone, Copy, Debug)]
 pub struct GaussRow<S = f64> {
-    /// Coefficients of u'.
+    /// Coefficients of u', shape (3) \[1/m, 1, 1\].
     pub first: [S; 3],
-    /// Coefficients of u''.
+    /// Coefficients of u'', shape (3) \[1/m^2, 1/m, 1/m\].
     pub second: [S; 3],
     /// Integration weight \[m\].
     pub weight: S,
-    /// Reference tangent X'.
+    /// Reference tangent X', shape (2) \[1\].
     pub tangent: [S; 2],
-    /// Reference second derivative X'' \[1/m\].
+    /// Reference second derivative X'', shape (2) \[1/m\].
     pub bend: [S; 2],
     /// Reference curvature X' x X'' \[1/m\].
     pub curvature: S,
@@ -46,9 +46,9 @@ pub struct GaussRow<S = f64> {
 pub struct ElementTable<S = f64> {
     /// Length between its nodes by the arc of the centre line \[m\].
     pub length: S,
-    /// Rows at the Gauss points.
+    /// Rows at the Gauss points, shape (Gauss points).
     pub rows: [GaussRow<S>; GAUSS],
-    /// Mass matrix of one displacement component, `int rhoA N_a N_b ds`, order (u_a, u_a', u_b, u_b').
+    /// Mass matrix of one displacement component, `int rhoA N_a N_b ds`, order (u_a, u_a', u_b, u_b'), shape (4, 4) \[kg, kg m, kg m^2\].
     pub mass: [[S; 4]; 4],
     /// Membrane strains sampled at the nodes and the middle, in elements long against the radius of gyration.
     pub membrane: Option<MembraneTable<S>>,
@@ -70,9 +70,9 @@ pub struct SectionValues {
 /// Position and unit tangent of a node in the reference configuration.
 #[derive(Clone, Copy, Debug)]
 pub struct NodeFrame {
-    /// Position \[m\].
+    /// Position, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Tangent.
+    /// Tangent, shape (2) \[1\].
     pub tangent: [f64; 2],
 }
 
@@ -178,11 +178,11 @@ fn chord_form(c: [f64; 4]) -> [f64; 3] {
 /// Nodal values of one element in the form the interpolation uses.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementValues<S> {
-    /// u_b - u_a.
+    /// u_b - u_a, shape (2) \[m\], or another unit if these are rates.
     pub chord: [S; 2],
-    /// u_a'.
+    /// u_a', shape (2) \[1\], or that per unit of time.
     pub slope_a: [S; 2],
-    /// u_b'.
+    /// u_b', shape (2) \[1\], or that per unit of time.
     pub slope_b: [S; 2],
 }
 
@@ -225,9 +225,9 @@ pub fn step_point<S: Real>(
 /// Forces and tangent of an element on the six values (chord, slope_a, slope_b) x (1, 2).
 #[derive(Clone, Copy, Debug)]
 pub struct ElementSums<S> {
-    /// Forces.
+    /// Forces, shape (6) \[N, N m\].
     pub force: [S; 6],
-    /// Derivatives of the forces.
+    /// Derivatives of the forces, shape (6, 6) \[N/m, N, N m\].
     pub tangent: [[S; 6]; 6],
 }
 

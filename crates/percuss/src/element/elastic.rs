@@ -14,8 +14,9 @@ pub struct ElasticStep<'a, S> {
     pub table: &'a ElementTable<S>,
     /// Its strain measure.
     pub measure: StrainMeasure,
-    /// Its Gauss points at the start, and the angular rates of their tangents \[rad/s\].
+    /// Its Gauss points at the start, shape (Gauss points).
     pub starts: &'a [End<S>; GAUSS],
+    /// Angular rates of their tangents at the start, shape (Gauss points) \[rad/s\].
     pub spin: &'a [S; GAUSS],
     /// Nodal values at the start, which slender elements alone look at, and their increments.
     pub start: ElementValues<S>,

@@ -32,9 +32,9 @@ pub fn response<S: Real, const TANGENT: bool>(
 /// One end of a step at a Gauss point.
 #[derive(Clone, Copy, Debug)]
 pub struct End<S> {
-    /// Displacement gradient u' \[1\].
+    /// Displacement gradient u', shape (2) \[1\].
     pub slope: [S; 2],
-    /// Second derivative x'' \[1/m\].
+    /// Second derivative x'', shape (2) \[1/m\].
     pub bend: [S; 2],
     /// Stretch |x'|.
     pub stretch: S,
@@ -152,13 +152,15 @@ fn divisor<S: Real>(measure: StrainMeasure, a: S, stretch: S) -> S {
 /// A Gauss point on its way over a step.
 #[derive(Clone, Copy, Debug)]
 pub struct PointStep<'a, S> {
-    /// Reference tangent \[1\] and curvature \[1/m\].
+    /// Reference tangent, shape (2) \[1\].
     pub tangent: &'a [S; 2],
+    /// Reference curvature \[1/m\].
     pub curvature: &'a S,
     /// Start of the step.
     pub start: &'a End<S>,
-    /// Increments of u' \[1\] and x'' \[1/m\].
+    /// Increment of u', shape (2) \[1\].
     pub d_slope: [S; 2],
+    /// Increment of x'', shape (2) \[1/m\].
     pub d_bend: [S; 2],
 }
 
@@ -223,11 +225,11 @@ impl<S: Real> Quotients<S> {
 pub struct Step<S> {
     /// The end.
     end: End<S>,
-    /// Bending at the start and at the end.
+    /// Bending at the start and at the end, shape (2).
     bent: [Bent<S>; 2],
-    /// Tangent x' at the end.
+    /// Tangent x' at the end, shape (2) \[1\].
     g: [S; 2],
-    /// Tangent and x'' in the middle.
+    /// x'' in the middle, shape (2) \[1/m\].
     p_mid: [S; 2],
     /// How the tangent turns.
     pub turn: Turn<S>,
@@ -290,7 +292,7 @@ impl<S: Real> Step<S> {
 /// The bending strain over a step, where the moment does not follow from it alone.
 #[derive(Clone, Copy, Debug)]
 pub struct BendingStep<S> {
-    /// Bending strain at the start and at the end \[1/m\].
+    /// Bending strain at the start and at the end, shape (2) \[1/m\].
     pub strain: [S; 2],
     /// Discrete gradient: on the increment of the step it is the change of the strain, exactly.
     pub gradient: Form<S>,
@@ -298,7 +300,9 @@ pub struct BendingStep<S> {
     pub end: Form<S>,
     /// A unit moment with the coefficients of the discrete gradient, their derivatives, and where it is evaluated.
     unit: Stress<S>,
+    /// Derivatives, for a unit moment, of the coefficients along the discrete gradient's two parts, shape (2).
     turned: [Form<S>; 2],
+    /// Where the discrete gradient is evaluated: tangent x' and x'' in the middle of the step, shape (2, 2) \[1, 1/m\].
     middle: [[S; 2]; 2],
 }
 
@@ -346,9 +350,11 @@ impl<S: Real> Step<S> {
 struct StepStates<'a, S> {
     start: &'a End<S>,
     end: &'a End<S>,
+    /// Bending at the start and at the end, shape (2).
     bent: &'a [Bent<S>; 2],
     /// Reciprocal of the sum of their stretches.
     q: S,
+    /// Weights of start and end in the stresses, shape (2) \[-\].
     weights: [S; 2],
 }
 

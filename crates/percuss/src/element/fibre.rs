@@ -87,7 +87,8 @@ pub enum StressLaw {
 /// Yielding with isotropic and kinematic hardening, rate and failure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plasticity {
-    /// Parts of the curve of the yield stress over accumulated plastic strain, the first from zero on; the last goes on for ever.
+    /// Parts of the curve of the yield stress over accumulated plastic strain, the first from zero on, shape (parts); the last goes on for
+    /// ever.
     pub curve: Vec<Hardening>,
     /// Kinematic plastic modulus, d(back stress)/d(plastic strain) \[Pa\].
     pub kinematic: f64,
@@ -221,7 +222,7 @@ struct StressPath {
     length: f64,
     /// How far it has been gathered, from 0 to 1.
     at: f64,
-    /// `int Et dt`, `int Et (1 - t) dt`, `int Et t dt`.
+    /// `int Et dt`, `int Et (1 - t) dt`, `int Et t dt`, shape (3) \[Pa\].
     sums: [f64; 3],
     /// Tangent modulus of the part gathered last.
     modulus: f64,

@@ -17,13 +17,13 @@ pub const SAMPLES: usize = 3;
 /// Membrane strains at the sampling points and the stiffness between them.
 #[derive(Clone, Copy, Debug)]
 pub struct MembraneTable<S = f64> {
-    /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b').
+    /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b'), shape (sampling points, 3) \[1/m, 1, 1\].
     pub rows: [[S; 3]; SAMPLES],
-    /// Reference tangents there.
+    /// Reference tangents there, shape (sampling points, 2) \[1\].
     pub tangent: [[S; 2]; SAMPLES],
-    /// `int EA L_i L_k ds` with the quadratics L through the sampling points \[N m\].
+    /// `int EA L_i L_k ds` with the quadratics L through the sampling points, shape (sampling points, sampling points) \[N m\].
     pub stiffness: [[S; SAMPLES]; SAMPLES],
-    /// Values of the L at the Gauss points, shape (n_gauss, n_sample).
+    /// Values of the L at the Gauss points, shape (Gauss points, sampling points) \[-\].
     pub at_gauss: [[S; SAMPLES]; GAUSS],
 }
 
@@ -36,11 +36,11 @@ pub struct MembranePoint<S> {
     pub geometric: S,
     /// alpha.
     pub alpha: S,
-    /// Configuration of evaluation.
+    /// Configuration of evaluation: tangent x', shape (2) \[1\].
     pub g: [S; 2],
-    /// Derivative of `strain` with respect to g at the end of the step.
+    /// Derivative of `strain` with respect to g at the end of the step, shape (2) \[1\].
     pub d_strain: [S; 2],
-    /// Derivative of `alpha` with respect to g at the end of the step.
+    /// Derivative of `alpha` with respect to g at the end of the step, shape (2) \[1\].
     pub d_alpha: [S; 2],
 }
 
@@ -169,11 +169,11 @@ fn add_block<S: Real>(
 /// The ends of a step at a sampling point.
 #[derive(Clone, Copy, Debug)]
 pub struct MembraneStep<S> {
-    /// Reference tangent.
+    /// Reference tangent, shape (2) \[1\].
     pub tangent: [S; 2],
-    /// Displacement gradient at the start.
+    /// Displacement gradient at the start, shape (2) \[1\].
     pub slope_0: [S; 2],
-    /// Its increment.
+    /// Its increment, shape (2) \[1\].
     pub d_slope: [S; 2],
 }
 

@@ -16,8 +16,9 @@ pub struct ElementMeasures<S> {
     /// Twice the axial and the bending strain energy \[J\].
     pub axial: S,
     pub bending: S,
-    /// Linear momentum \[kg m/s\], and the sum of its components' magnitudes.
+    /// Linear momentum, shape (2) \[kg m/s\].
     pub linear: [S; 2],
+    /// Sum of its components' magnitudes \[kg m/s\].
     pub linear_size: S,
     /// Angular momentum about the origin, and the sum of the magnitudes of its parts \[kg m^2/s\].
     pub angular: S,

@@ -23,17 +23,17 @@ pub struct SectionLaw<S> {
 /// The two ends of a step at a Gauss point.
 #[derive(Clone, Copy, Debug)]
 pub struct StepPoint<S> {
-    /// Reference tangent X', of unit length \[1\].
+    /// Reference tangent X', of unit length, shape (2) \[1\].
     pub tangent: [S; 2],
     /// Reference curvature X' x X'' \[1/m\].
     pub curvature: S,
-    /// Displacement gradient u' at the start of the step \[1\].
+    /// Displacement gradient u' at the start of the step, shape (2) \[1\].
     pub slope_0: [S; 2],
-    /// Second derivative x'' at the start of the step \[1/m\].
+    /// Second derivative x'' at the start of the step, shape (2) \[1/m\].
     pub bend_0: [S; 2],
-    /// Increment of u' over the step \[1\].
+    /// Increment of u' over the step, shape (2) \[1\].
     pub d_slope: [S; 2],
-    /// Increment of x'' over the step \[1/m\].
+    /// Increment of x'' over the step, shape (2) \[1/m\].
     pub d_bend: [S; 2],
 }
 
@@ -49,9 +49,9 @@ pub struct Strains<S> {
 /// A linear form over `(dg, dp)`.
 #[derive(Clone, Copy, Debug)]
 pub struct Form<S> {
-    /// Coefficients of dg.
+    /// Coefficients of dg, shape (2) \[unit of the form\].
     pub g: [S; 2],
-    /// Coefficients of dp.
+    /// Coefficients of dp, shape (2) \[unit of the form times m\].
     pub p: [S; 2],
 }
 
@@ -103,11 +103,11 @@ impl<S: Real> Form<S> {
 /// Generalised forces at a Gauss point and their derivatives with respect to (g, p) at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct PointResponse<S> {
-    /// Force conjugate to g \[N\].
+    /// Force conjugate to g, shape (2) \[N; N m with section constants times the weight\].
     pub force_g: [S; 2],
-    /// Force conjugate to p \[N m\].
+    /// Force conjugate to p, shape (2) \[N m; N m^2 likewise\].
     pub force_p: [S; 2],
-    /// Derivatives of (force_g, force_p), row by row, with respect to (g, p).
+    /// Derivatives of (force_g, force_p), row by row, with respect to (g, p), shape (4, 4) \[N, N m, N m^2; times m likewise\].
     pub tangent: [[S; 4]; 4],
 }
 

@@ -20,11 +20,11 @@ type ElementForm = [f64; 6];
 /// The fibres of an element and what they remember.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementFibres<'a> {
-    /// Their laws.
+    /// Their laws, shape (laws of the span).
     pub laws: &'a [StressLaw],
-    /// Fibres at the Gauss points.
+    /// Fibres at the Gauss points, shape (Gauss points, fibres at one).
     pub fibres: &'a [Vec<Fibre>; GAUSS],
-    /// What they remember at the start of the step, Gauss point after Gauss point.
+    /// What they remember at the start of the step, Gauss point after Gauss point, shape (fibres of the element).
     pub states: &'a [FibreState],
 }
 
@@ -49,6 +49,7 @@ pub struct ElementStep<'a> {
 struct SectionResponse {
     axial: f64,
     moment: f64,
+    /// Derivatives of axial force and moment, row by row, with respect to membrane and bending strain, shape (2, 2) \[N, N m, N m^2\].
     tangent: [[f64; 2]; 2],
 }
 

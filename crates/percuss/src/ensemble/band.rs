@@ -12,11 +12,11 @@ pub type LaneBlock<S> = [[S; 4]; 4];
 /// A block-tridiagonal matrix, or its factors.
 #[derive(Clone, Debug)]
 pub struct Band<S> {
-    /// Diagonal blocks; after factorisation the inverses of the pivots.
+    /// Diagonal blocks, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation the inverses of the pivots.
     pub diag: Vec<LaneBlock<S>>,
-    /// Block in row i, column i + 1; after factorisation `pivot^-1 upper`.
+    /// Block in row i, column i + 1, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `pivot^-1 upper` \[1, m, 1/m\].
     pub upper: Vec<LaneBlock<S>>,
-    /// Block in row i + 1, column i; after factorisation `lower pivot^-1`.
+    /// Block in row i + 1, column i, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `lower pivot^-1` \[1, m, 1/m\].
     pub lower: Vec<LaneBlock<S>>,
 }
 

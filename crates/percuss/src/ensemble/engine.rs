@@ -16,27 +16,32 @@ pub struct Engine<S: Number> {
     pub numbers: Numbers<S>,
     /// Size of the step at hand \[s\].
     pub h: S,
-    /// Displacements and velocities of the beams' nodes.
+    /// Displacements of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
     pub displacement: Vec<[S; 4]>,
+    /// Velocities of the same, shape (beam nodes, 4) \[m/s, 1/s\].
     pub velocity: Vec<[S; 4]>,
-    /// Gauss points at the start of the step, and angular rates of their tangents.
+    /// Gauss points at the start of the step, shape (elements, Gauss points).
     pub start: Vec<[End<S>; GAUSS]>,
+    /// Angular rates of their tangents, shape (elements, Gauss points) \[rad/s\].
     pub spin: Vec<[S; GAUSS]>,
-    /// Guided projectiles.
+    /// Guided projectiles, shape (guided projectiles).
     pub guides: Vec<GuideState<S>>,
-    /// Reactions of the supports in the directions held \[N, N m\].
+    /// Reactions of the supports in the directions held, shape (nodes held, 4) \[N, N m\].
     pub reactions: Vec<[S; 4]>,
     /// Lanes whose step is solved, reactions and all, while others go on.
     pub settled: S::Mask,
-    /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the
-    /// next one's.
+    /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the next
+    /// one's, shape (nodes held, 3, 4, 4) \[N/m, N, N m\].
     pub reaction_rows: Vec<[LaneBlock<S>; 3]>,
-    /// Mean factors of the loads over the step at hand; what they all apply to the nodes \[N, N m\].
+    /// Mean factors of the loads over the step at hand, shape (loads) \[-\].
     pub load_factors: Vec<S>,
+    /// What loads apply to the nodes, shape (beam nodes, 4) \[N, N m\].
     pub applied: Vec<[S; 4]>,
-    /// Increment over the step, residual in the free directions, and correction.
+    /// Increment over the step, shape (beam nodes, 4) \[m, 1\].
     pub increment: Vec<[S; 4]>,
+    /// Residual in the free directions, shape (beam nodes, 4) \[N, N m\].
     pub residual: Vec<[S; 4]>,
+    /// Correction of the increment, shape (beam nodes, 4) \[m, 1\].
     pub correction: Vec<[S; 4]>,
     /// The tangent, once assembled and then factored, and the factors in use.
     pub tangent: Band<S>,
@@ -60,13 +65,14 @@ pub struct GuideState<S> {
     pub correction: S,
     /// Change of the gap over the step \[m\].
     pub gap_change: S,
-    /// What the loads apply \[N\].
+    /// What the loads apply, shape (2) \[N\].
     pub applied: [S; 2],
     /// Force \[N\], its slope by the penetration at the end of the step \[N/m\].
     pub force: S,
     pub slope: S,
-    /// Slope, and inertia with the slope, of the tangent assembled last; and of the factors in use.
+    /// Slope, and inertia with the slope, of the tangent assembled last, shape (2) \[N/m\].
     pub assembled: [S; 2],
+    /// The same of the factors in use, shape (2) \[N/m\].
     pub factored: [S; 2],
     /// Impulse of a rigid contact that strikes in this step \[N s\].
     pub impulse: S,

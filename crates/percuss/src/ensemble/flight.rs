@@ -33,7 +33,7 @@ pub struct Flight<'a> {
     pub log: Log<Derived>,
     pub search: LaneNewton<Derived>,
     pub solver_steps: usize,
-    /// Projectiles that came near without touching: number, time, gap.
+    /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     misses: Vec<(usize, Derived, Derived)>,
 }
 

@@ -14,8 +14,9 @@ use crate::scalar::{Number, array};
 pub struct LaneMeasures<S> {
     /// Energy \[J\].
     pub energy: S,
-    /// Linear momentum, and the sum of its magnitudes \[kg m/s\].
+    /// Linear momentum, shape (2) \[kg m/s\].
     pub linear: [S; 2],
+    /// Sum of its components' magnitudes \[kg m/s\].
     pub linear_size: S,
     /// Angular momentum about the origin, and the sum of its magnitudes \[kg m^2/s\].
     pub angular: S,
@@ -30,20 +31,26 @@ pub struct LaneLedger<S> {
     pub energy_scale: S,
     pub linear_scale: S,
     pub angular_scale: S,
-    /// Impulses of the supports and guides, and of the loads \[N s, N m s\], and the work of these \[J\].
+    /// Impulse of the supports and guides, shape (2) \[N s\].
     pub impulse: [S; 2],
+    /// Their angular impulse \[N m s\].
     pub angular_impulse: S,
+    /// Impulse of the loads, shape (2) \[N s\].
     pub impulse_loads: [S; 2],
+    /// Their angular impulse \[N m s\].
     pub angular_impulse_loads: S,
+    /// Their work \[J\].
     pub work_loads: S,
     pub loss_impacts: S,
-    /// What damping took: energy \[J\], and its impulses against the ground \[N s, N m s\].
+    /// Energy that damping took \[J\].
     pub loss_damping: S,
+    /// Impulse of damping against the ground, shape (2) \[N s\].
     pub impulse_damping: [S; 2],
+    /// Its angular impulse \[N m s\].
     pub angular_impulse_damping: S,
-    /// Magnitudes of works, impulses and angular impulses, step by step \[J, N s, N m s\].
+    /// Magnitudes of works, impulses and angular impulses, step by step, shape (3) \[J, N s, N m s\].
     pub passed: [S; 3],
-    /// Sums up to the last step: work, impulses, angular impulses.
+    /// Sums up to the last step: work of the loads, impulses of supports and of loads, angular impulses of both, shape (7) \[J, N s, N m s\].
     before: [S; 7],
     pub energy_residual: S,
     pub linear_residual: S,

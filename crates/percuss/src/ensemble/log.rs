@@ -23,7 +23,7 @@ pub struct Closed<S> {
     pub start: S,
     pub end: S,
     pub impulse: S,
-    /// Work on beam and projectile \[J\].
+    /// Work on beam and projectile, shape (2) \[J\].
     pub given: [S; 2],
     /// Potential at its end, where it is still closed \[J\].
     pub stored: S,
@@ -31,11 +31,13 @@ pub struct Closed<S> {
     pub deepest: Top<S>,
     pub approach: S,
     pub separation: S,
-    /// Steps in which it was closed, and what the gap's rate changed by in the step before it and after it \[m/s\].
+    /// Steps in which it was closed.
     pub steps: S,
+    /// What the gap's rate changed by in the step before it and in the one after it, shape (2) \[m/s\].
     pub changes: [S; 2],
-    /// Where it closed, and where it was last \[m\].
+    /// Where it closed, shape (2) \[m\].
     pub place: [S; 2],
+    /// Where it was last, shape (2) \[m\].
     pub place_end: [S; 2],
 }
 
@@ -46,7 +48,9 @@ pub struct Struck<S> {
     pub impulse: S,
     pub approach: S,
     pub separation: S,
+    /// Work on beam and projectile, shape (2) \[J\].
     pub given: [S; 2],
+    /// Where it struck, shape (2) \[m\].
     pub place: [S; 2],
 }
 
@@ -55,21 +59,23 @@ pub struct Struck<S> {
 pub struct GuideLog<S: Number> {
     /// The interval that is open in each lane, as it stands.
     open: Closed<S>,
-    /// Which lanes have one.
+    /// Which lanes have one, shape (lanes).
     is_open: Vec<bool>,
-    /// Intervals that have ended, by lane.
+    /// Intervals that have ended, by lane, shape (lanes, intervals of one).
     pub closed: Vec<Vec<Closed<S>>>,
     /// Deepest penetration of the run \[m\].
     pub deepest: Top<S>,
-    /// Impacts, by lane.
+    /// Impacts, by lane, shape (lanes, impacts of one).
     pub impacts: Vec<Vec<Struck<S>>>,
-    /// Impulse that the projectile gave, and work that it did \[N s, J\].
+    /// Impulse that the projectile gave, and work that it did, shape (2) \[N s, J\].
     pub given: [S; 2],
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
     free: S,
-    /// Lanes whose last interval ended in the step before; gap and rate at the end of that step, its time and size.
+    /// Lanes whose last interval ended in the step before.
     released: S::Mask,
+    /// Gap and rate at the end of that step.
     parted: FreeGap<S>,
+    /// Its start and size, shape (2) \[s\].
     parted_at: [S; 2],
 }
 
@@ -78,12 +84,13 @@ pub struct GuideLog<S: Number> {
 pub struct Log<S: Number> {
     /// Time at the start of the step at hand \[s\].
     pub time: S,
-    /// Extremes of the recorded points, by component.
+    /// Extremes of the recorded points, by component, shape (recorded points, 2).
     pub points: Vec<[Crest<S>; 2]>,
-    /// One entry a guided projectile.
+    /// One entry a guided projectile, shape (guided projectiles).
     pub guides: Vec<GuideLog<S>>,
-    /// Points, gaps and their rates at the start of the step.
+    /// Displacements and velocities of the recorded points at the start of the step, shape (recorded points, 2, 2) \[m, m/s\].
     point_start: Vec<[[S; 2]; 2]>,
+    /// Gaps and their rates at the start of the step, shape (guided projectiles, 2) \[m, m/s\].
     gap_start: Vec<[S; 2]>,
 }
 

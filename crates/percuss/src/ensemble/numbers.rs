@@ -8,21 +8,21 @@ use crate::model::StrainMeasure;
 pub struct Numbers<S> {
     /// Step size \[s\].
     pub step: S,
-    /// Spans of all beams.
+    /// Spans of all beams, shape (spans).
     pub spans: Vec<SpanNumbers<S>>,
-    /// Reference position and tangent of the beams' nodes.
+    /// Reference position and tangent of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
     pub nodes: Vec<[S; 4]>,
-    /// Components held at nodes.
+    /// Components held at nodes, shape (nodes held).
     pub prescribed: Vec<PrescribedNumbers<S>>,
-    /// Guided projectiles.
+    /// Guided projectiles, shape (guided projectiles).
     pub guides: Vec<GuideNumbers<S>>,
-    /// Dead loads.
+    /// Dead loads, shape (loads).
     pub loads: Vec<LoadNumbers<S>>,
-    /// Recorded points.
+    /// Recorded points, shape (recorded points).
     pub points: Vec<PointNumbers<S>>,
-    /// Energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\] that are round-off.
+    /// Energy, linear and angular momentum that are round-off, shape (3) \[J, kg m/s, kg m^2/s\].
     pub round_off: [S; 3],
-    /// The same below which no residual counts.
+    /// The same below which no residual counts, shape (3) \[J, kg m/s, kg m^2/s\].
     pub negligible: [S; 3],
     /// Mass of all there is \[kg\].
     pub total_mass: S,
@@ -44,7 +44,7 @@ pub struct SpanNumbers<S> {
     pub mass_damping: S,
     /// Whether there is any of either.
     pub damped: bool,
-    /// One table for all elements, or one for each.
+    /// One table for all elements, or one for each, shape (1 or elements).
     pub tables: Vec<ElementTable<S>>,
 }
 
@@ -53,9 +53,9 @@ pub struct SpanNumbers<S> {
 pub struct PrescribedNumbers<S> {
     /// Node.
     pub node: usize,
-    /// Components held, where the directions are those of components.
+    /// Components held, where the directions are those of components, shape (4).
     pub components: Option<[bool; 4]>,
-    /// Directions.
+    /// Directions in (u1, u2, u1', u2'), of unit length, shape (directions, 4) \[-\].
     pub normals: Vec<[S; 4]>,
 }
 
@@ -77,13 +77,13 @@ pub struct GuideNumbers<S> {
     pub node: usize,
     /// Law of its contact.
     pub law: GuideLaw,
-    /// Shape functions of the struck point.
+    /// Shape functions of the struck point, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
     pub shape: [S; 4],
-    /// Reference position of the struck point \[m\].
+    /// Reference position of the struck point, shape (2) \[m\].
     pub struck: [S; 2],
-    /// Reference position of the projectile \[m\].
+    /// Reference position of the projectile, shape (2) \[m\].
     pub position: [S; 2],
-    /// Line of flight, unit vector towards the beam.
+    /// Line of flight, unit vector towards the beam, shape (2) \[1\].
     pub direction: [S; 2],
     /// Gap in the reference configuration \[m\].
     pub standoff: S,
@@ -98,11 +98,11 @@ pub struct GuideNumbers<S> {
 /// A dead load, for a factor of one.
 #[derive(Clone, Debug)]
 pub struct LoadNumbers<S> {
-    /// Nodes it acts on, in increasing order.
+    /// Nodes it acts on, in increasing order, shape (nodes of the load) \[index of a node\].
     pub nodes: Vec<usize>,
-    /// Forces on their values and slopes \[N, N m\].
+    /// Forces on their values and slopes, shape (nodes of the load, 4) \[N, N m\].
     pub forces: Vec<[S; 4]>,
-    /// Forces on the guided projectiles, by gravity \[N\].
+    /// Forces on the guided projectiles, by gravity, shape (guided projectiles, 2) \[N\].
     pub on_guides: Vec<[S; 2]>,
 }
 
@@ -111,7 +111,7 @@ pub struct LoadNumbers<S> {
 pub struct PointNumbers<S> {
     /// Node `a` of its element.
     pub node: usize,
-    /// Shape functions.
+    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
     pub shape: [S; 4],
 }
 

@@ -55,6 +55,7 @@ struct LaneRun<'a> {
 
 /// Runs in lanes, compiled for each of the register widths that processors have.
 struct SideBySide<'a, 'r> {
+    /// The runs, shape (runs).
     runs: &'a [LaneRun<'r>],
     keep: &'a mut dyn FnMut(usize, Option<RunSummary>),
 }
@@ -73,7 +74,7 @@ struct Ensemble<S: Number> {
     ledger: LaneLedger<S>,
     log: Log<S>,
     search: LaneNewton<S>,
-    /// The run in each lane and its steps done.
+    /// The run in each lane and its steps done, shape (lanes) \[index of a run, number of steps\].
     lanes: Vec<Option<(usize, usize)>>,
     /// The first run that no lane has taken yet.
     next: usize,

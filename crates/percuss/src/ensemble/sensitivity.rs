@@ -21,11 +21,11 @@ use crate::summary::{RunSummary, Termination};
 /// A parameter, by the models that it makes.
 #[derive(Clone, Debug)]
 pub struct Variation {
-    /// The model with the parameter less twice, less once, plus once, plus twice its change. What a model is made of is a
-    /// smooth function of its parameters: its derivative is the fourth-order difference.
+    /// The model with the parameter less twice, less once, plus once, plus twice its change, shape (4). What a model is made of is a smooth
+    /// function of its parameters: its derivative is the fourth-order difference.
     pub models: [Model; 4],
-    /// Time at which the run ends with each of them \[s\]. No other setting may change with a parameter: what the step does to a result
-    /// is its error.
+    /// Time at which the run ends with each of them, shape (4) \[s\]. No other setting may change with a parameter: what the step does to a
+    /// result is its error.
     pub ends: [f64; 4],
     /// Change of the parameter.
     pub change: f64,
@@ -42,7 +42,8 @@ pub struct Grazing {
     pub time: f64,
     /// Whether the run misses the contact, by so much gap \[m\]; else it has it.
     pub missed_by: Option<f64>,
-    /// For every parameter, the change that would just make it touch, or miss, to first order; infinite where it has no say.
+    /// For every parameter, the change that would just make it touch, or miss, to first order, shape (parameters) \[unit of the parameter\];
+    /// infinite where it has no say.
     pub changes: Vec<f64>,
 }
 
@@ -95,13 +96,14 @@ impl From<String> for Undifferentiated {
 pub struct Sensitivities {
     /// The run.
     pub summary: RunSummary,
-    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`; NaN where there is none: of section
-    /// forces and reactions, of measures of error, of the time of a peak that steps do not resolve, of what is later than
+    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`, shape (parameters); NaN where there is none:
+    /// of section forces and reactions, of measures of error, of the time of a peak that steps do not resolve, of what is later than
     /// `horizon`. Counts have none either and are those of the run.
     pub derivatives: Vec<RunSummary>,
     /// How far derivatives reach, if not to the end of the run.
     pub horizon: Option<Horizon>,
-    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it.
+    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it,
+    /// shape (such contacts).
     pub grazing: Vec<Grazing>,
 }
 
@@ -151,11 +153,11 @@ fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferent
 
 /// What a parameter changes, by unit of it.
 struct ParameterSlopes {
-    /// Numbers of the model.
+    /// Numbers of the model, in the order of [`Numbers::flat`], shape (numbers) \[unit of the number by that of the parameter\].
     numbers: Vec<f64>,
     /// End of the run.
     end: f64,
-    /// What the model tells by itself.
+    /// What the model tells by itself, shape (guided projectiles).
     fixed: Vec<Fixed>,
 }
 
@@ -203,6 +205,7 @@ struct Case<'a> {
     model: &'a Model,
     settings: &'a Settings,
     base: Numbers<f64>,
+    /// What the model tells by itself, shape (guided projectiles).
     fixed: Vec<Fixed>,
 }
 

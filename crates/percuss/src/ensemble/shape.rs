@@ -13,15 +13,16 @@ use crate::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchShape {
-    /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains.
+    /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains,
+    /// shape (spans, tables) \[index of a node, number of elements\].
     spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
-    /// Node, number of directions held, components.
+    /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
     prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
-    /// Struck node and law of each guided projectile.
+    /// Struck node and law of each guided projectile, shape (guided projectiles) \[index of a node\].
     pub guides: Vec<(usize, GuideLaw)>,
-    /// Nodes of each load.
+    /// Nodes of each load, shape (loads, nodes of one) \[index of a node\].
     loads: Vec<Vec<usize>>,
-    /// Node of each recorded point.
+    /// Node of each recorded point, shape (recorded points) \[index of a node\].
     points: Vec<usize>,
 }
 

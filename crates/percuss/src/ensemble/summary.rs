@@ -29,7 +29,7 @@ pub struct Telling<'a, S: Number> {
 pub struct Reading<'a, S> {
     /// What is read of a number: its value in a lane, or one of its derivatives.
     pub read: &'a dyn Fn(S) -> f64,
-    /// What is read of the numbers that the model tells by itself, one entry a projectile.
+    /// What is read of the numbers that the model tells by itself, shape (guided projectiles).
     pub fixed: &'a [Fixed],
     /// Whether derivatives are read. What measures errors of the computation has none: it is NaN.
     pub derivative: bool,

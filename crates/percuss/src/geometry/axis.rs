@@ -29,7 +29,7 @@ pub struct AxisElement {
     pub length: f64,
     /// Arc length from the start of the beam \[m\].
     pub s: f64,
-    /// Distance of either face from the axis at both ends, linear between \[m\].
+    /// Distance of either face from the axis at both ends, linear between, shape (2) \[m\].
     pub half_depths: [f64; 2],
 }
 
@@ -44,12 +44,14 @@ impl AxisElement {
 /// The elements of a beam's axis.
 #[derive(Clone, Debug)]
 pub struct AxisElements {
+    /// The elements, in their order along the beam, shape (elements of the beam).
     list: Vec<AxisElement>,
     /// Length of the longest \[m\].
     pub longest: f64,
     /// Largest half depth \[m\].
     pub deepest: f64,
-    /// Elements before the first of these, and from the second on, are within half a depth of an end.
+    /// Elements before the first of these, and from the second on, are within half a depth of an end, shape (2)
+    /// \[index of an element of the beam\].
     near_ends: [usize; 2],
 }
 
@@ -181,11 +183,13 @@ pub struct Nearest {
 /// The axis of a beam in a configuration.
 #[derive(Clone, Copy)]
 pub struct Axis<'a> {
+    /// Frames of all nodes in the reference configuration, shape (nodes).
     pub nodes: &'a [NodeFrame],
     pub elements: &'a AxisElements,
-    /// Elements left out, for a beam against itself.
+    /// Elements left out, for a beam against itself: the first of them, and the first behind them, shape (2)
+    /// \[index of an element of the beam\].
     pub skip: [usize; 2],
-    /// Where it ends.
+    /// Where it starts and ends, shape (2).
     pub ends: &'a [AxisEnd; 2],
     /// Length that none of the elements exceeds \[m\].
     pub arc: f64,

@@ -3,13 +3,13 @@
 /// Displacements `u + share d` of the nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Configuration<'a> {
-    /// Displacements at the start of the step.
+    /// Displacements at the start of the step, shape (nodes, 4) \[m, 1, rad\].
     pub start: &'a [[f64; 4]],
-    /// Their increments.
+    /// Their increments, shape (nodes, 4) \[m, 1, rad\].
     pub increment: &'a [[f64; 4]],
     /// Share of the increment.
     pub share: f64,
-    /// Length that no element of a beam exceeds at any share, one a beam \[m\]; empty if not known. It is for speed alone.
+    /// Length that no element of a beam exceeds at any share, one a beam, shape (beams) \[m\]; empty if not known. It is for speed alone.
     pub arcs: &'a [f64],
 }
 

@@ -10,11 +10,11 @@ use crate::math::vec2::{add, dot, norm, rot90, scale, sub};
 pub struct EdgeTouch {
     /// Signed distance from it \[m\].
     pub distance: f64,
-    /// Unit normal.
+    /// Unit normal, shape (2) \[1\].
     pub normal: [f64; 2],
-    /// The nearest point, seen from the end of the axis along and across it \[m\].
+    /// The nearest point, seen from the end of the axis along and across it, shape (2) \[m\].
     pub offset: [f64; 2],
-    /// Its position \[m\].
+    /// Its position, shape (2) \[m\].
     pub place: [f64; 2],
     /// The face it belongs to, as a sign; zero for the edge and its corners.
     pub side: f64,
@@ -34,8 +34,11 @@ enum Feature {
 
 /// The frame of an end: the way out of the beam, and across.
 struct EndFrame {
+    /// Place of the axis' end, shape (2) \[m\].
     origin: [f64; 2],
+    /// Unit vector out of the beam, shape (2) \[1\].
     out: [f64; 2],
+    /// Unit vector across the axis, shape (2) \[1\].
     across: [f64; 2],
 }
 

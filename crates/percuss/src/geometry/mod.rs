@@ -16,7 +16,7 @@ use axis::AxisElements;
 
 /// The axes of all beams in the reference configuration.
 pub trait Axes {
-    /// Frames of all nodes, shape (n_node).
+    /// Frames of all nodes, shape (nodes).
     fn frames(&self) -> &[NodeFrame];
 
     /// Elements of the axis of a beam.

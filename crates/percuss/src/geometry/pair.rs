@@ -15,7 +15,7 @@ use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 /// A point that follows one node, or the two of an element.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Centre {
-    /// Position in the reference configuration \[m\].
+    /// Position in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
     /// Node, or node `a` of the element.
     pub node: usize,
@@ -28,21 +28,35 @@ pub struct Centre {
 pub enum Carrier {
     /// A rigid body: its third degree of freedom is an angle. The point is off its centre by `offset`; that of a body that
     /// turns is its centre.
-    Body { offset: [f64; 2] },
+    Body {
+        /// From its centre to the point, shape (2) \[m\].
+        offset: [f64; 2],
+    },
     /// A beam: shape functions and their slopes at a point of its axis, and the reference tangent there. The point itself is off
     /// the axis by `offset`, along it and across it, and turns with the section.
-    Beam { shape: [f64; 4], slope: [f64; 4], tangent: [f64; 2], offset: [f64; 2] },
+    Beam {
+        /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+        shape: [f64; 4],
+        /// Their slopes, shape (4) \[1/m, 1, 1/m, 1\].
+        slope: [f64; 4],
+        /// Reference tangent, shape (2) \[1\].
+        tangent: [f64; 2],
+        /// From the axis to the point, along it and across it, shape (2) \[m\].
+        offset: [f64; 2],
+    },
 }
 
 /// A section of a beam in a configuration.
 struct PlacedSection<'a> {
+    /// Slopes of the shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1/m, 1, 1/m, 1\].
     slope: &'a [f64; 4],
-    /// Unit tangent and normal of the axis.
+    /// Unit tangent of the axis, shape (2) \[1\].
     tangent: [f64; 2],
+    /// Unit normal of the axis, shape (2) \[1\].
     normal: [f64; 2],
     /// Length of the derivative that the slopes give.
     stretch: f64,
-    /// From the axis to the point \[m\].
+    /// From the axis to the point, shape (2) \[m\].
     arm: [f64; 2],
 }
 
@@ -185,7 +199,7 @@ pub enum Target {
     Guided {
         /// The point.
         point: Centre,
-        /// Unit vector from the point back to the projectile.
+        /// Unit vector from the point back to the projectile, shape (2) \[1\].
         normal: [f64; 2],
         /// Gap in the reference configuration \[m\].
         standoff: f64,
@@ -193,11 +207,24 @@ pub enum Target {
     /// The rim of a disc.
     Round { centre: Centre },
     /// A straight line, with what lies behind it.
-    Line { point: Centre, normal: [f64; 2] },
+    Line {
+        point: Centre,
+        /// Unit normal, away from what lies behind the line, shape (2) \[1\].
+        normal: [f64; 2],
+    },
     /// A wall between two points, from either side.
-    Segment { ends: [Centre; 2] },
+    Segment {
+        /// Both ends, shape (2).
+        ends: [Centre; 2],
+    },
     /// The outline of a beam: faces at half a depth from its axis, and what closes them at both ends.
-    Axis { beam: usize, skip: [usize; 2], ends: [AxisEnd; 2] },
+    Axis {
+        beam: usize,
+        /// Elements left out: the first of them, and the first behind them, shape (2) \[index of an element of the beam\].
+        skip: [usize; 2],
+        /// Where the axis starts and ends, shape (2).
+        ends: [AxisEnd; 2],
+    },
 }
 
 /// A pair.
@@ -217,7 +244,7 @@ pub struct Pair {
     pub skips_ends: bool,
     /// The obstacle among the two, if one is.
     pub obstacle: Option<usize>,
-    /// Things that move: beams first, then bodies. Source and target.
+    /// Things that move, source and target: beams first, then bodies, shape (2) \[index of a mover\].
     pub movers: [usize; 2],
     /// Which of the contact's two partners the source is.
     pub source_partner: usize,

@@ -17,6 +17,7 @@ const SAMPLES: usize = 32;
 /// An element in a configuration: position and slope at both ends.
 #[derive(Clone, Copy)]
 pub struct ElementEnds {
+    /// Position and tangent x' at both ends, shape (2, 4) \[m, 1\].
     nodes: [[f64; 4]; 2],
     length: f64,
 }
@@ -80,7 +81,7 @@ impl ElementEnds {
 /// whose circle is, so on a tapered element the normal leans back from the thick end.
 #[derive(Clone, Copy)]
 pub struct Placed {
-    /// Coefficients of the powers of the share.
+    /// Coefficients of the powers of the share, shape (4, 2) \[m\].
     powers: [[f64; 2]; 4],
     length: f64,
     /// Half depth at the first end, and its growth to the other.
@@ -91,9 +92,9 @@ pub struct Placed {
 /// A place of an element as a point sees it.
 #[derive(Clone, Copy)]
 struct SeenPlace {
-    /// From the point to the place.
+    /// From the point to the place, shape (2) \[m\].
     away: [f64; 2],
-    /// Derivative with respect to the share.
+    /// Derivative with respect to the share, shape (2) \[m\].
     tangent: [f64; 2],
 }
 

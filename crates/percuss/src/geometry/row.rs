@@ -8,7 +8,9 @@ pub const CAPACITY: usize = 6;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Row {
     len: usize,
+    /// Its nodes, those in use first, shape (6) \[index of a node\].
     nodes: [usize; CAPACITY],
+    /// Coefficients of their degrees of freedom, shape (6, 4) \[1, m for a form that is a length\].
     values: [[f64; 4]; CAPACITY],
 }
 

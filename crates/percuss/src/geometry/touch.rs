@@ -21,11 +21,11 @@ pub struct Touch {
     pub gap: f64,
     /// How far the surfaces are apart \[m\].
     pub apart: f64,
-    /// Unit normal, from target to source.
+    /// Unit normal, from target to source, shape (2) \[1\].
     pub normal: [f64; 2],
     /// Point of the target's axis that is nearest.
     pub closest: Centre,
-    /// Position of the closest point \[m\].
+    /// Position of the closest point, shape (2) \[m\].
     pub closest_place: [f64; 2],
     /// Distance of the target's surface from the closest point \[m\].
     pub radius: f64,
@@ -47,7 +47,13 @@ pub enum Bend {
     /// With the section at the end of an axis, at this signed distance.
     Edge { distance: f64 },
     /// The closest point slides along an axis.
-    Curve { distance: f64, tangent: [f64; 2], bend: [f64; 2] },
+    Curve {
+        distance: f64,
+        /// Tangent x' there, shape (2) \[1\].
+        tangent: [f64; 2],
+        /// Second derivative x'' there, shape (2) \[1/m\].
+        bend: [f64; 2],
+    },
 }
 
 /// Where the closest point of an axis is looked for.

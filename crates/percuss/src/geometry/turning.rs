@@ -9,9 +9,9 @@ use crate::math::vec2::{dot, rot90, scale};
 /// Second derivative of a gap, or a part of it: the sum of `weights[i][j] forms[i] (x) forms[j]`.
 #[derive(Clone, Copy, Debug)]
 pub struct Turning {
-    /// Forms on the nodes of the pair.
+    /// Forms on the nodes of the pair, shape (2).
     pub forms: [Row; 2],
-    /// Symmetric \[1/m\].
+    /// Symmetric, shape (2, 2) \[1/m between forms of motions, 1 where one is a turn, m where both are\].
     pub weights: [[f64; 2]; 2],
 }
 

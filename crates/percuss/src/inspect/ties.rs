@@ -15,7 +15,7 @@ pub struct PointView<'m> {
     pub beam: usize,
     /// Arc length from the start of the beam \[m\].
     pub s: f64,
-    /// Position in the reference configuration \[m\].
+    /// Position in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
 }
 
@@ -32,7 +32,7 @@ pub struct PrescribedView<'m> {
     pub node: usize,
     /// The support that prescribes them; none for a guide or an obstacle.
     pub support: Option<usize>,
-    /// Prescribed directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4).
+    /// Prescribed directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
     pub directions: &'m [[f64; 4]],
     /// Whether a motion is prescribed along any of them.
     pub moves: bool,
@@ -134,7 +134,7 @@ pub struct GuidedView<'m> {
     pub body: &'m Body,
     /// The mass behind it, if it has one.
     pub rear: Option<&'m Body>,
-    /// Unit vector of the line of flight, from projectile to beam.
+    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[1\].
     pub direction: [f64; 2],
     /// The point struck.
     pub point: PointView<'m>,

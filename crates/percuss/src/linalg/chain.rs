@@ -12,12 +12,14 @@ use pulp::{Simd, WithSimd};
 pub struct Chain {
     /// First node from which on all are on their own.
     pub isolated: usize,
-    /// Diagonal blocks, shape (n); after factorisation the inverses of the pivots, transposed as all factors.
+    /// Diagonal blocks, shape (nodes, 4, 4) \[N/m, N, N m of a stiffness, kg, kg m, kg m^2 of a mass\]; after factorisation the inverses of
+    /// the pivots, transposed as all factors.
     pub diag: Vec<Block>,
-    /// Block in row i, column i + 1, shape (n); the last one is unused. After factorisation `pivot^-1 upper` before the middle, `upper
-    /// pivot^-1` behind it.
+    /// Block in row i, column i + 1, shape (nodes, 4, 4) \[as the diagonal\]; the last one is unused. After factorisation `pivot^-1 upper`
+    /// before the middle, `upper pivot^-1` behind it \[1, m, 1/m\].
     pub upper: Vec<Block>,
-    /// Block in row i + 1, column i, shape (n); the last one is unused. After factorisation the other way round.
+    /// Block in row i + 1, column i, shape (nodes, 4, 4) \[as the diagonal\]; the last one is unused. After factorisation the other way round
+    /// \[1, m, 1/m\].
     pub lower: Vec<Block>,
 }
 
@@ -149,7 +151,7 @@ impl WithSimd for Factor<'_> {
     }
 }
 
-/// See [`Chain::solve`].
+/// See [`Chain::solve`]; right side and solution, shape (nodes, 4) \[unit of either\].
 struct Solve<'a>(&'a Chain, &'a mut [[f64; 4]]);
 
 impl WithSimd for Solve<'_> {

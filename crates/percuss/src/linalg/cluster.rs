@@ -9,18 +9,19 @@ use super::dense::DenseLu;
 /// and equations are taken along the columns of Tm with `Cm^T... Tm = 0`: no multiplier is left.
 #[derive(Clone, Debug)]
 pub struct Cluster {
-    /// Slots of its nodes, ascending.
+    /// Slots of its nodes, ascending, shape (nodes of the cluster) \[index of a slot\].
     pub slots: Vec<usize>,
-    /// Numbers of its constraints.
+    /// Numbers of its constraints, shape (constraints of the cluster) \[index of a constraint\].
     pub constraints: Vec<usize>,
     /// First unknown in the reduced system.
     pub first: usize,
-    /// Components that follow from the others, one a constraint.
+    /// Components that follow from the others, one a constraint, shape (constraints of the cluster) \[index of a component of the cluster\].
     dependent: Vec<usize>,
-    /// The others.
+    /// The others, shape (free components) \[index of a component of the cluster\].
     free: Vec<usize>,
-    /// T1 and Tm, shape (4 n_node, n_free), row by row.
+    /// T1, shape (4 nodes, free components), row by row \[unit of the row's component by that of the column's\].
     trial: Vec<f64>,
+    /// Tm, likewise, shape (4 nodes, free components) \[unit of the row's component by that of the column's\].
     test: Vec<f64>,
     /// Constraints on the dependent components: `C1_d`, and `Cm_d` transposed.
     row_lu: DenseLu,

@@ -13,15 +13,20 @@ use super::dense::DenseLu;
 pub struct Lemke {
     n: usize,
     tied: f64,
-    /// A row for each basic variable: its value, and its coefficients of the variables outside the basis, shape (n, n + 2).
+    /// A row for each basic variable: its value, and its coefficients of the variables outside the basis, shape (n, n + 2) \[-\].
     rows: Vec<f64>,
+    /// The basic variable of each row, shape (n).
     basis: Vec<Variable>,
+    /// The variable of each column outside the basis, shape (n + 1).
     outside: Vec<Variable>,
-    /// Row in which each w is basic, or column that it has outside the basis.
+    /// Row in which each w is basic, or column that it has outside the basis, shape (n).
     places: Vec<TableauPlace>,
+    /// Rows that are equal in the ratio test, shape (such rows) \[index of a row\].
     ties: Vec<usize>,
+    /// The row exchanged last, shape (n + 2) \[-\].
     pivot_row: Vec<f64>,
     lu: DenseLu,
+    /// The matrix among the x that are basic at the end, row by row, shape (basic x, basic x) \[-\].
     matrix: Vec<f64>,
 }
 

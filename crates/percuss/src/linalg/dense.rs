@@ -4,7 +4,9 @@
 #[derive(Clone, Debug, Default)]
 pub struct DenseLu {
     n: usize,
+    /// The matrix, then its factors in place, row by row, shape (n, n) \[unit of the matrix\].
     lu: Vec<f64>,
+    /// The row exchanged with each, shape (n) \[index of a row\].
     pivots: Vec<usize>,
 }
 

@@ -14,16 +14,19 @@ use crate::scalar::Wide;
 /// Order and places of a sparse matrix of blocks, found once.
 #[derive(Clone, Debug)]
 pub struct Pattern {
-    /// Unknowns of each group.
+    /// Unknowns of each group, shape (groups) \[number of unknowns\].
     sizes: Vec<usize>,
-    /// First unknown of each group.
+    /// First unknown of each group, shape (groups) \[index of an unknown\].
     pub first: Vec<usize>,
-    /// Groups in the order of their elimination, and the place of each in it.
+    /// Groups in the order of their elimination, shape (groups) \[index of a group\].
     order: Vec<usize>,
+    /// Place of each group in that order, shape (groups) \[index in `order`\].
     rank: Vec<usize>,
-    /// Groups that are left when a group goes and that it knows, in the order of their elimination, by group.
+    /// Groups that are left when a group goes and that it knows, in the order of their elimination, by group, shape (groups, such groups)
+    /// \[index of a group\].
     later: Vec<Vec<usize>>,
-    /// Place of a group's diagonal block in the values; blocks to the right and below follow, pair by pair.
+    /// Place of a group's diagonal block in the values, shape (groups) \[index of a value\]; blocks to the right and below follow, pair by
+    /// pair.
     start: Vec<usize>,
     total: usize,
 }
@@ -109,6 +112,7 @@ fn eliminate(sizes: &[usize], mut known: Vec<Vec<usize>>) -> (Vec<usize>, Vec<Ve
 #[derive(Clone, Debug)]
 pub struct Factors<'p> {
     pattern: &'p Pattern,
+    /// The factors, in the order of the pattern, shape (values of the pattern) \[unit of the matrix\].
     values: Vec<Wide>,
     /// Negative eigenvalues of the matrix, if it is symmetric and they were asked for.
     pub negative: usize,

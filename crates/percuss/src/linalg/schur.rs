@@ -10,8 +10,15 @@ const DENSE: usize = 36;
 #[derive(Clone, Debug)]
 pub enum SchurComplement {
     Empty,
-    Dense { order: usize, matrix: Vec<f64>, lu: DenseLu },
-    Sparse { lu: Box<SparseLu> },
+    Dense {
+        order: usize,
+        /// The matrix, row by row, shape (order, order) \[N/m, N, N m; of the border's rows and columns those of the constraints\].
+        matrix: Vec<f64>,
+        lu: DenseLu,
+    },
+    Sparse {
+        lu: Box<SparseLu>,
+    },
 }
 
 impl SchurComplement {

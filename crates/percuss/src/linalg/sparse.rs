@@ -11,9 +11,9 @@ pub struct SparseLu {
     pattern: SymbolicSparseColMat<usize>,
     symbolic: SymbolicLu<usize>,
     factors: Option<Lu<usize, f64>>,
-    /// Values, in the order of the pattern: column by column, rows ascending.
+    /// Values, in the order of the pattern: column by column, rows ascending, shape (values) \[unit of the matrix\].
     pub values: Vec<f64>,
-    /// Scales of rows and columns in the factors.
+    /// Scales of rows and columns in the factors, shape (order of the matrix) \[reciprocal of the square root of the entries' unit\].
     scale: Vec<f64>,
 }
 

@@ -68,9 +68,9 @@ pub const GAUSS_WEIGHTS: [f64; GAUSS] = [5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0];
 pub struct Cubic {
     /// Length of the interval.
     pub h: f64,
-    /// Value and slope at 0.
+    /// Value and slope at 0, shape (2) \[unit of the value, and that by the unit of `h`\].
     pub start: [f64; 2],
-    /// Value and slope at `h`.
+    /// Value and slope at `h`, shape (2) \[unit of the value, and that by the unit of `h`\].
     pub end: [f64; 2],
 }
 

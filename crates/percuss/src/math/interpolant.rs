@@ -8,9 +8,9 @@ use crate::scalar::Number;
 pub struct Interpolant<S> {
     /// Size of the step \[s\].
     pub h: S,
-    /// Value and rate at its start.
+    /// Value and rate at its start, shape (2) \[unit of the value, and that by s\].
     pub start: [S; 2],
-    /// Value and rate at its end.
+    /// Value and rate at its end, shape (2) \[unit of the value, and that by s\].
     pub end: [S; 2],
 }
 

@@ -3,9 +3,11 @@
 /// A cubic spline through values at increasing abscissae, of vanishing second derivative at both ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spline {
+    /// Abscissae, increasing, shape (points) \[unit of the abscissa\].
     x: Vec<f64>,
+    /// Values there, shape (points) \[unit of the value\].
     y: Vec<f64>,
-    /// Second derivatives at the abscissae.
+    /// Second derivatives there, shape (points) \[unit of the value by the square of that of the abscissa\].
     bend: Vec<f64>,
 }
 

@@ -15,22 +15,36 @@ use crate::math::vec2::norm;
 /// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
 #[derive(Clone, Debug, Default)]
 pub struct ModelBuilder {
+    /// Materials, shape (materials); these and all below in the order they were defined.
     pub(super) materials: Vec<Material>,
+    /// Sections, shape (sections).
     pub(super) sections: Vec<Section>,
+    /// Beams, shape (beams).
     pub(super) beams: Vec<Beam>,
+    /// Supports, shape (supports).
     pub(super) supports: Vec<Support>,
+    /// Joints, shape (joints).
     pub(super) joints: Vec<Joint>,
+    /// Guided projectiles, shape (projectiles).
     pub(super) projectiles: Vec<Projectile>,
+    /// Discs, shape (discs).
     pub(super) discs: Vec<Disc>,
+    /// Obstacles, shape (obstacles).
     pub(super) obstacles: Vec<Obstacle>,
+    /// Contacts, shape (contacts).
     pub(super) contacts: Vec<Contact>,
+    /// Loads, shape (loads).
     pub(super) loads: Vec<Load>,
+    /// Springs, shape (springs).
     pub(super) springs: Vec<Spring>,
+    /// Point masses, shape (point masses).
     pub(super) masses: Vec<PointMass>,
     pub(super) initial_motion: InitialMotion,
-    /// Motions of beams and point masses of their own, by name.
+    /// Motions of beams and point masses of their own, by name, shape (such motions).
     pub(super) own_motions: Vec<(String, InitialMotion)>,
+    /// Ratios of damping of the flexible modes, from the lowest on, shape (modes) \[-\].
     pub(super) modal_damping: Vec<f64>,
+    /// Recorded points, shape (recorded points).
     pub(super) points: Vec<PointRef>,
 }
 

@@ -8,11 +8,30 @@ use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 #[derive(Clone, Debug)]
 pub enum Piece {
     /// From a point along a unit tangent.
-    Straight { start: [f64; 2], tangent: [f64; 2], length: f64 },
+    Straight {
+        /// Where it starts, shape (2) \[m\].
+        start: [f64; 2],
+        /// Unit tangent, shape (2) \[1\].
+        tangent: [f64; 2],
+        length: f64,
+    },
     /// About a centre from an angle on, of signed curvature.
-    Arc { centre: [f64; 2], from: f64, curvature: f64, length: f64 },
+    Arc {
+        /// Its centre, shape (2) \[m\].
+        centre: [f64; 2],
+        from: f64,
+        curvature: f64,
+        length: f64,
+    },
     /// Splines of both coordinates over a parameter, and the arc length at fine steps of it.
-    Smooth { x: Spline, y: Spline, parameter: Vec<f64>, arc: Vec<f64> },
+    Smooth {
+        x: Spline,
+        y: Spline,
+        /// Fine steps of the parameter, from zero on, shape (steps) \[parameter of the splines\].
+        parameter: Vec<f64>,
+        /// Arc length at these, shape (steps) \[m\].
+        arc: Vec<f64>,
+    },
 }
 
 /// Steps of the parameter between two points of a smooth curve, for its arc length.
@@ -21,6 +40,7 @@ const STEPS: usize = 64;
 /// The centre line of a beam whose points have been checked.
 #[derive(Clone, Debug)]
 pub struct CentreLine {
+    /// Its smooth parts, from its start on, shape (pieces).
     pub pieces: Vec<Piece>,
 }
 

@@ -14,6 +14,7 @@ use crate::math::vec2::{cross, dot, norm, rot90, scale};
 /// A support holds a direction of the displacement, or of the slope.
 #[derive(Clone, Copy)]
 struct HeldDirection {
+    /// The direction, of unit length, shape (2) \[-\].
     direction: [f64; 2],
     gradient: bool,
 }
@@ -253,8 +254,9 @@ fn join(
 /// indeterminate (Gram-Schmidt on the constraint gradients of the reference configuration).
 struct Independent<'b> {
     builder: &'b ModelBuilder,
+    /// The constraints kept, shape (constraints kept).
     basis: Vec<Known>,
-    /// Basis vectors that touch a component.
+    /// Basis vectors that touch a component, by its number among all of the nodes, shape (such vectors) \[index in `basis`\].
     touching: BTreeMap<usize, Vec<usize>>,
     prescribed: Prescribed,
 }
@@ -262,8 +264,9 @@ struct Independent<'b> {
 /// A constraint kept, across those before it.
 struct Known {
     row: BTreeMap<usize, f64>,
-    /// The value it prescribes, and the supports that do.
+    /// The value it prescribes, scaled as its row is, shape (motions that take part) \[index of a motion, m or rad by the row's scale\].
     drive: Drive,
+    /// Supports that prescribe it, shape (such supports) \[index of a support\].
     supports: Vec<usize>,
 }
 

@@ -7,7 +7,7 @@ use crate::math::hermite::{self, GAUSS};
 
 /// Where the elements of a span lie.
 pub(super) struct Stretch<'a> {
-    /// Arc length from the start of the beam at its nodes \[m\].
+    /// Arc length from the start of the beam at its nodes, shape (nodes of the span) \[m\].
     pub stations: &'a [f64],
     /// Arc length of the beam \[m\].
     pub total: f64,

@@ -20,43 +20,43 @@ use crate::math::vec2::norm;
 /// each, whose degrees of freedom are (u1, u2, angle, nothing).
 #[derive(Clone, Debug)]
 pub struct Model {
-    /// Nodes in the reference configuration, shape (n_node).
+    /// Nodes in the reference configuration, shape (nodes).
     pub(crate) nodes: Vec<NodeFrame>,
-    /// Beams, in the order they were defined.
+    /// Beams, in the order they were defined, shape (beams).
     pub(crate) beams: Vec<BeamData>,
-    /// Spans of all beams, in the order of their nodes.
+    /// Spans of all beams, in the order of their nodes, shape (spans).
     pub(crate) spans: Vec<Span>,
-    /// Components held at nodes, in the order of the nodes.
+    /// Components held at nodes, in the order of the nodes, shape (nodes held).
     pub(crate) prescribed: Vec<PrescribedDofs>,
-    /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time.
+    /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time, shape (constraints).
     pub(crate) constraints: Vec<Constraint>,
-    /// Springs and dampers.
+    /// Springs and dampers, shape (connectors).
     pub(crate) connectors: Vec<Connector>,
-    /// Masses at points.
+    /// Masses at points, shape (point masses).
     pub(crate) masses: Vec<MassData>,
-    /// Supports, in the order they were defined.
+    /// Supports, in the order they were defined, shape (supports).
     pub(crate) supports: Vec<SupportData>,
-    /// Prescribed motions.
+    /// Prescribed motions, shape (motions).
     pub(crate) motions: Vec<PreparedFunction>,
-    /// Rigid bodies: guided projectiles, discs, obstacles, in the order of their nodes.
+    /// Rigid bodies: guided projectiles, discs, obstacles, in the order of their nodes, shape (bodies).
     pub(crate) bodies: Vec<Body>,
-    /// Obstacles, in the order they were defined.
+    /// Obstacles, in the order they were defined, shape (obstacles).
     pub(crate) obstacles: Vec<ObstacleData>,
-    /// Guided projectiles, in the order they were defined.
+    /// Guided projectiles, in the order they were defined, shape (guided projectiles).
     pub(crate) projectiles: Vec<ProjectileData>,
-    /// Contacts: those of guided projectiles, then those defined.
+    /// Contacts: those of guided projectiles, then those defined, shape (contacts).
     pub(crate) contacts: Vec<ContactData>,
-    /// Pairs that can touch, contact after contact.
+    /// Pairs that can touch, contact after contact, shape (pairs).
     pub(crate) pairs: Vec<Pair>,
-    /// Loads, in the order they were defined.
+    /// Loads, in the order they were defined, shape (loads).
     pub(crate) loads: Vec<LoadData>,
-    /// Ratios of damping of the flexible modes, from the lowest on.
+    /// Ratios of damping of the flexible modes, from the lowest on, shape (modes) \[-\].
     pub(crate) modal_damping: Vec<f64>,
     /// Motion at the start.
     pub(crate) initial_motion: InitialMotion,
-    /// Motions at the start of nodes that have one of their own; later ones count.
+    /// Motions at the start of nodes that have one of their own, shape (such motions) \[indices of nodes\]; later ones count.
     pub(crate) own_motions: Vec<(Range<usize>, InitialMotion)>,
-    /// Recorded points, each once.
+    /// Recorded points, each once, shape (recorded points).
     pub(crate) points: Vec<MaterialPoint>,
     /// Mass of beams, point masses and projectiles, a scale \[kg\].
     pub(crate) total_mass: f64,
@@ -80,11 +80,11 @@ pub(crate) struct BeamData {
 pub(crate) struct Span {
     pub nodes: Range<usize>,
     pub elements: Range<usize>,
-    /// One table for all elements, or one for each.
+    /// One table for all elements, or one for each, shape (1 or elements).
     pub tables: Vec<ElementTable>,
-    /// Sections at the start, in the middle and at the end of the elements, as many as tables.
+    /// Sections at the start, in the middle and at the end of the elements, as many as tables, shape (tables, 3).
     pub sections: Vec<[SectionValues; 3]>,
-    /// Arc length from the start of the beam at the nodes, shape (n_node of the span) \[m\].
+    /// Arc length from the start of the beam at the nodes, shape (nodes of the span) \[m\].
     pub stations: Vec<f64>,
     pub measure: StrainMeasure,
     /// Retardation time of Kelvin-Voigt damping \[s\].
@@ -100,10 +100,10 @@ pub(crate) struct Span {
 /// The fibres of a span.
 #[derive(Clone, Debug)]
 pub(crate) struct SpanFibres {
-    /// Laws of its materials.
+    /// Laws of its materials, shape (laws).
     pub laws: Vec<StressLaw>,
-    /// Fibres at the Gauss points, as many entries as the span has tables; the last two at each are of no area, at the lower and the
-    /// upper surface.
+    /// Fibres at the Gauss points, as many entries as the span has tables, shape (tables, Gauss points, fibres at one); the last two at
+    /// each are of no area, at the lower and the upper surface.
     pub at: Vec<[Vec<Fibre>; GAUSS]>,
     /// Fibres of an element, all its Gauss points together.
     pub count: usize,
@@ -155,20 +155,37 @@ pub(crate) struct LoadData {
 #[derive(Clone, Debug)]
 pub(crate) enum LoadAction {
     /// Acceleration of everything that has mass.
-    Gravity { acceleration: [f64; 2] },
+    Gravity {
+        /// The acceleration, shape (2) \[m/s^2\].
+        acceleration: [f64; 2],
+    },
     /// A force, dead or along (tangent, normal), and a moment.
-    Point { point: MaterialPoint, force: [f64; 2], moment: f64, follower: bool },
+    Point {
+        point: MaterialPoint,
+        /// The force, shape (2) \[N\].
+        force: [f64; 2],
+        moment: f64,
+        follower: bool,
+    },
     /// Nodal forces of a dead distributed load, and each element's share of them, by its node a.
-    Dead { nodal: Vec<(usize, [f64; 4])>, shares: Vec<(usize, [[f64; 4]; 2])> },
+    Dead {
+        /// Forces on values and slopes of nodes, shape (nodes of the load, 4) \[index of a node, N, N m\].
+        nodal: Vec<(usize, [f64; 4])>,
+        /// Share of each element, by its node a, shape (elements of the load, 2, 4) \[index of a node, N, N m\].
+        shares: Vec<(usize, [[f64; 4]; 2])>,
+    },
     /// Forces per length along (tangent, normal) at quadrature points.
-    Follower { points: Vec<FollowerPoint> },
+    Follower {
+        /// The points, shape (points).
+        points: Vec<FollowerPoint>,
+    },
 }
 
 /// A quadrature point of a follower load.
 #[derive(Clone, Debug)]
 pub(crate) struct FollowerPoint {
     pub point: MaterialPoint,
-    /// Force per length times the weight of the point, along (tangent, normal) \[N\].
+    /// Force per length times the weight of the point, along (tangent, normal), shape (2) \[N\].
     pub force: [f64; 2],
 }
 

@@ -16,7 +16,7 @@ pub struct SpanPlan {
     pub piece: usize,
     /// Arc length from the start of the piece to that of the span \[m\].
     pub offset: f64,
-    /// Arc length from the start of the beam at the nodes \[m\]; at least two.
+    /// Arc length from the start of the beam at the nodes, shape (nodes, at least 2) \[m\].
     pub stations: Vec<f64>,
     pub material: MaterialId,
     pub section: SectionId,

@@ -12,10 +12,7 @@ use crate::math::vec2::{add, norm, rot90, scale};
 /// A beam touches itself no nearer along its axis than this, in elements and in half depths.
 const OWN_NEIGHBOURHOOD: [f64; 2] = [2.0, 8.0];
 
-/// Adds the contacts with their pairs.
-///
-/// # Errors
-/// A fault for each contact that starts with one thing inside the other.
+/// Adds the contacts with their pairs; the errors are a fault for each contact that starts with one thing inside the other.
 pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
     for (i, projectile) in builder.projectiles.iter().enumerate() {
         guided(i, projectile, model);
@@ -101,15 +98,32 @@ pub(super) fn beam_centre(point: &MaterialPoint) -> Centre {
 /// A shape that does not bend: its body, and what of it can be touched.
 #[derive(Clone, Copy)]
 enum Rigid {
-    Round { body: usize, centre: [f64; 2], radius: f64 },
-    Line { body: usize, point: [f64; 2], normal: [f64; 2] },
-    Segment { body: usize, ends: [[f64; 2]; 2], radius: f64 },
+    Round {
+        body: usize,
+        /// Its centre, shape (2) \[m\].
+        centre: [f64; 2],
+        radius: f64,
+    },
+    Line {
+        body: usize,
+        /// A point of it, shape (2) \[m\].
+        point: [f64; 2],
+        /// Unit normal, away from what lies behind it, shape (2) \[1\].
+        normal: [f64; 2],
+    },
+    Segment {
+        body: usize,
+        /// Its ends, shape (2, 2) \[m\].
+        ends: [[f64; 2]; 2],
+        radius: f64,
+    },
 }
 
 struct Pairs<'a> {
     builder: &'a ModelBuilder,
     model: &'a Model,
     contact: usize,
+    /// The pairs of the contact so far, shape (pairs).
     found: Vec<Pair>,
 }
 
@@ -358,7 +372,6 @@ impl Pairs<'_> {
     }
 }
 
-/// Half depth at a point; zero where the section has none.
 /// Ends of the segments that stand around a point of a beam, with a free way to its surface, on the given sides \[m\].
 pub(super) fn clearance_segments(
     model: &Model,
@@ -376,6 +389,7 @@ pub(super) fn clearance_segments(
     sides.iter().map(segment).collect()
 }
 
+/// Half depth at a point; zero where the section has none.
 fn half_depth(model: &Model, point: &MaterialPoint) -> f64 {
     let axis = &model.beams[point.beam].axis;
     let element = axis.iter().find(|e| e.node == point.node);

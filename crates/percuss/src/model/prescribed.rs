@@ -13,7 +13,8 @@ const SAME: f64 = 1e-9;
 /// Who prescribes what, and the contradictions found.
 #[derive(Default)]
 pub(super) struct Prescribed {
-    /// Supports that hold the directions of each node, in the order of the directions.
+    /// Supports that hold the directions of each node, in the order of the directions, shape (directions held at the node)
+    /// \[index of a support\].
     pub at_nodes: BTreeMap<usize, Vec<usize>>,
     /// Contradictions: where, and the supports that take part.
     found: BTreeMap<String, BTreeSet<usize>>,

@@ -9,25 +9,26 @@ pub(super) const MOST_STATIONS: usize = 1500;
 /// What stands in a model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    /// Nodes whose displacements place the scene, among those of the state: of stations, then of bodies.
+    /// Nodes whose displacements place the scene, among those of the state: of stations, then of bodies, shape (stations and bodies)
+    /// \[index of a node\].
     pub nodes: Vec<usize>,
-    /// Beams, in the order of the model.
+    /// Beams, in the order of the model, shape (beams).
     pub beams: Vec<SceneBeam>,
-    /// Discs, guided projectiles, obstacles that move.
+    /// Discs, guided projectiles, obstacles that move, shape (such bodies).
     pub bodies: Vec<SceneBody>,
-    /// Obstacles.
+    /// Obstacles, shape (obstacles).
     pub obstacles: Vec<SceneObstacle>,
-    /// Supports.
+    /// Supports, shape (supports).
     pub supports: Vec<SceneSupport>,
-    /// Joints.
+    /// Joints, shape (joints).
     pub joints: Vec<SceneJoint>,
-    /// Springs between two points.
+    /// Springs between two points, shape (such springs).
     pub springs: Vec<SceneSpring>,
-    /// Point masses.
+    /// Point masses, shape (point masses).
     pub masses: Vec<SceneMass>,
-    /// Loads, in the order of the model.
+    /// Loads, in the order of the model, shape (loads).
     pub loads: Vec<SceneLoad>,
-    /// Contacts, in the order of the model.
+    /// Contacts, in the order of the model, shape (contacts).
     pub contacts: Vec<SceneContact>,
 }
 
@@ -36,7 +37,7 @@ pub struct Scene {
 pub struct SceneBeam {
     /// Name.
     pub name: String,
-    /// Stations, start to end; at a corner or a change of section two of them stand at one place.
+    /// Stations, start to end, shape (stations); at a corner or a change of section two of them stand at one place.
     pub stations: Vec<DrawnStation>,
 }
 
@@ -49,9 +50,9 @@ pub struct DrawnStation {
     pub element: usize,
     /// Whether a span ends here.
     pub ends_span: bool,
-    /// Position in the reference configuration \[m\].
+    /// Position in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Unit tangent in the reference configuration.
+    /// Unit tangent in the reference configuration, shape (2) \[1\].
     pub tangent: [f64; 2],
     /// Distance of the extreme fibres from the axis \[m\]; NaN if unknown.
     pub half_depth: f64,
@@ -75,7 +76,7 @@ pub struct OnBeam {
 pub struct SceneBody {
     /// Name.
     pub name: String,
-    /// Position of its centre in the reference configuration \[m\].
+    /// Position of its centre in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
     /// What it is.
     pub shape: BodyShape,
@@ -91,7 +92,7 @@ pub enum BodyShape {
     },
     /// A guided projectile: a point on its line of flight.
     Guided {
-        /// Unit vector of the line of flight.
+        /// Unit vector of the line of flight, shape (2) \[1\].
         direction: [f64; 2],
         /// Whether it strikes with a spring.
         elastic: bool,
@@ -122,21 +123,21 @@ pub struct SceneObstacle {
 pub enum ObstacleOutline {
     /// Everything behind a straight line.
     HalfPlane {
-        /// A point of the line \[m\].
+        /// A point of the line, shape (2) \[m\].
         point: [f64; 2],
-        /// Unit normal, out of the obstacle.
+        /// Unit normal, out of the obstacle, shape (2) \[1\].
         normal: [f64; 2],
     },
     /// A disc.
     Disc {
-        /// Centre \[m\].
+        /// Centre, shape (2) \[m\].
         centre: [f64; 2],
         /// Radius \[m\].
         radius: f64,
     },
     /// Walls between two ends each.
     Walls {
-        /// Ends of each wall \[m\].
+        /// Ends of each wall, shape (walls, 2, 2) \[m\].
         ends: Vec<[[f64; 2]; 2]>,
         /// Thickness \[m\].
         thickness: f64,
@@ -167,19 +168,19 @@ pub enum SupportSymbol {
     Pin,
     /// One displacement held; free along the direction.
     Roller {
-        /// Unit vector of free motion.
+        /// Unit vector of free motion, shape (2) \[1\].
         direction: [f64; 2],
     },
     /// Rotation held, displacements not.
     Guide,
     /// Springs.
     Elastic {
-        /// Unit vector of the stiffer one.
+        /// Unit vector of the stiffer one, shape (2) \[1\].
         direction: [f64; 2],
     },
     /// A stop after a free way.
     Stop {
-        /// Unit vector of the motion stopped.
+        /// Unit vector of the motion stopped, shape (2) \[1\].
         direction: [f64; 2],
         /// Free way \[m\].
         gap: f64,
@@ -204,7 +205,7 @@ pub struct SceneJoint {
 pub enum SceneAnchor {
     /// On a beam.
     Beam(OnBeam),
-    /// Fixed in space \[m\].
+    /// Fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }
 
@@ -213,7 +214,7 @@ pub enum SceneAnchor {
 pub struct SceneSpring {
     /// Name.
     pub name: String,
-    /// Its ends.
+    /// Its ends, shape (2).
     pub between: [SceneAnchor; 2],
     /// Whether it has stiffness; a mere damper has none.
     pub springs: bool,
@@ -246,14 +247,14 @@ pub struct SceneLoad {
 pub enum SceneLoadKind {
     /// Gravity.
     Gravity {
-        /// Acceleration \[m/s^2\].
+        /// Acceleration, shape (2) \[m/s^2\].
         acceleration: [f64; 2],
     },
     /// A force and a moment at a point.
     Point {
         /// Where.
         at: OnBeam,
-        /// Force \[N\]; along (tangent, normal) if it follows.
+        /// Force, shape (2) \[N\]; along (tangent, normal) if it follows.
         force: [f64; 2],
         /// Moment \[N m\].
         moment: f64,
@@ -262,9 +263,9 @@ pub enum SceneLoadKind {
     Distributed {
         /// The beam.
         beam: usize,
-        /// From and to \[m\].
+        /// From and to, arc length, shape (2) \[m\].
         stretch: [f64; 2],
-        /// At both ends \[N/m\].
+        /// At both ends, shape (2, 2) \[N/m\].
         force: [[f64; 2]; 2],
     },
 }
@@ -274,7 +275,7 @@ pub enum SceneLoadKind {
 pub struct SceneContact {
     /// Name.
     pub name: String,
-    /// Its two partners.
+    /// Its two partners, shape (2).
     pub between: [String; 2],
     /// Whether its law is set-valued.
     pub rigid: bool,

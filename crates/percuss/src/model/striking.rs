@@ -16,7 +16,7 @@ pub struct Body {
     pub mass: f64,
     /// Moment of inertia about its centre \[kg m^2\].
     pub inertia: f64,
-    /// Velocity at the start \[m/s\].
+    /// Velocity at the start, shape (2) \[m/s\].
     pub velocity: [f64; 2],
     /// Angular velocity at the start \[rad/s\].
     pub spin: f64,
@@ -29,7 +29,7 @@ pub enum BodyKind {
     Guided,
     /// A mass behind it; the body before it in the row is the front.
     Rear {
-        /// Unit vector of the line of flight.
+        /// Unit vector of the line of flight, shape (2) \[1\].
         direction: [f64; 2],
         /// Stiffness of the spring between both \[N/m\].
         stiffness: f64,
@@ -51,7 +51,7 @@ pub(crate) struct ObstacleData {
     pub body: usize,
     /// Where its reactions are kept.
     pub support: usize,
-    /// The point its moment is about, in the reference configuration \[m\].
+    /// The point its moment is about, in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
 }
 
@@ -61,7 +61,7 @@ pub(crate) struct ProjectileData {
     /// Its body that strikes; a rear mass is the next one.
     pub body: usize,
     pub has_rear: bool,
-    /// Unit vector of the line of flight, from projectile to beam.
+    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[1\].
     pub direction: [f64; 2],
     /// The point struck.
     pub point: MaterialPoint,
@@ -71,7 +71,7 @@ pub(crate) struct ProjectileData {
 #[derive(Clone, Debug)]
 pub(crate) struct ContactData {
     pub name: String,
-    /// Names of the partners.
+    /// Names of the partners, shape (2).
     pub between: [String; 2],
     pub law: TouchLaw,
     /// Its pairs.

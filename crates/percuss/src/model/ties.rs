@@ -9,11 +9,11 @@ pub(crate) struct PrescribedDofs {
     /// The support that holds them, the first one where several do; `None` for the guide of a projectile
     /// and for obstacles, whose reactions are those of their contacts.
     pub support: Option<usize>,
-    /// Held directions in (u1, u2, u1', u2'), orthonormal; at most four.
+    /// Held directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
     pub normals: Vec<[f64; 4]>,
-    /// Motion along each of them.
+    /// Motion along each of them, shape (directions held, motions that take part) \[index of a motion, m\].
     pub drives: Vec<Drive>,
-    /// What they leave free: `I - N N^T` with the held directions as columns of N.
+    /// What they leave free: `I - N N^T` with the held directions as columns of N, shape (4, 4) \[-\].
     pub free: Block,
 }
 
@@ -66,13 +66,13 @@ pub(crate) struct MaterialPoint {
     pub node: usize,
     /// Arc length from the start of the beam \[m\].
     pub s: f64,
-    /// Shape functions (u_a, u_a', u_b, u_b').
+    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
     pub shape: [f64; 4],
-    /// Derivatives of the shape functions.
+    /// Derivatives of the shape functions, shape (4) \[1/m, 1, 1/m, 1\].
     pub slope: [f64; 4],
-    /// Reference position \[m\].
+    /// Reference position, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Reference tangent.
+    /// Reference tangent, shape (2) \[1\].
     pub tangent: [f64; 2],
 }
 
@@ -137,7 +137,7 @@ pub(crate) struct Constraint {
     pub kind: ConstraintKind,
     /// The support it belongs to; a joint's belong to none.
     pub support: Option<usize>,
-    /// Prescribed value.
+    /// Prescribed value, shape (motions that take part) \[index of a motion, m or rad\].
     pub drive: Drive,
     /// Holds until this time \[s\].
     pub until: f64,
@@ -147,13 +147,28 @@ pub(crate) struct Constraint {
 #[derive(Clone, Debug)]
 pub(crate) enum ConstraintKind {
     /// `direction . u(point) = value`, or of its gradient: a support between nodes.
-    Held { point: MaterialPoint, direction: [f64; 2], gradient: bool },
+    Held {
+        point: MaterialPoint,
+        /// The direction, of unit length, shape (2) \[-\].
+        direction: [f64; 2],
+        gradient: bool,
+    },
     /// `J t . g(point) = 0` with t the reference tangent turned by the prescribed angle.
     Turned { point: MaterialPoint },
     /// `direction . (u(a) - u(b)) = 0`: positions shared.
-    Shared { points: Box<[MaterialPoint; 2]>, direction: [f64; 2] },
+    Shared {
+        /// The points a and b, shape (2).
+        points: Box<[MaterialPoint; 2]>,
+        /// The direction, of unit length, shape (2) \[-\].
+        direction: [f64; 2],
+    },
     /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is kept.
-    Angle { points: Box<[MaterialPoint; 2]>, cosine: f64, sine: f64 },
+    Angle {
+        /// The points a and b, shape (2).
+        points: Box<[MaterialPoint; 2]>,
+        cosine: f64,
+        sine: f64,
+    },
 }
 
 impl Constraint {
@@ -187,9 +202,18 @@ pub(crate) struct Connector {
 #[derive(Clone, Debug)]
 pub(crate) enum Coordinate {
     /// `direction . u(point)` less a prescribed motion.
-    Displacement { point: MaterialPoint, direction: [f64; 2], drive: Drive },
+    Displacement {
+        point: MaterialPoint,
+        /// The direction, of unit length, shape (2) \[-\].
+        direction: [f64; 2],
+        /// The prescribed motion, shape (motions that take part) \[index of a motion, m\].
+        drive: Drive,
+    },
     /// Distance between two places.
-    Distance { ends: Box<[ConnectorEnd; 2]> },
+    Distance {
+        /// The two places, shape (2).
+        ends: Box<[ConnectorEnd; 2]>,
+    },
     /// Angle from the tangent at b, or its reference, to that at a, less that in the reference configuration; the rotation R
     /// takes the reference tangent of b to that of a.
     Angle { a: Box<MaterialPoint>, b: Option<Box<MaterialPoint>>, cosine: f64, sine: f64 },
@@ -199,6 +223,7 @@ pub(crate) enum Coordinate {
 #[derive(Clone, Debug)]
 pub(crate) enum ConnectorEnd {
     Point(MaterialPoint),
+    /// A point fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }
 

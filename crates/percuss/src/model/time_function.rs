@@ -43,9 +43,9 @@ pub enum TimeFunction {
     },
     /// Values at given times, the first and the last held outside.
     Table {
-        /// Times, increasing \[s\].
+        /// Times, increasing, shape (points) \[s\].
         times: Vec<f64>,
-        /// Values there.
+        /// Values there, shape (points) \[-\].
         values: Vec<f64>,
         /// A natural cubic spline through the values instead of straight lines.
         smooth: bool,
@@ -82,7 +82,7 @@ impl TimeFunction {
 pub(crate) struct PreparedFunction {
     function: TimeFunction,
     spline: Option<Spline>,
-    /// Times at which the function is not smooth, increasing.
+    /// Times at which the function is not smooth, increasing, shape (kinks) \[s\].
     kinks: Vec<f64>,
 }
 

@@ -199,13 +199,13 @@ fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
 
 /// What happened since the row before.
 pub struct SinceLast<'a> {
-    /// Impulses along normal and tangent, shape (n_contact) \[N s\].
+    /// Impulses along normal and tangent, shape (contacts, 2) \[N s\].
     pub impulse: &'a [[f64; 2]],
     /// Which pairs were looked at where the state stands, and how near the others can be.
     pub search: &'a Search,
-    /// Mean reactions, shape (n_support) \[N, N m\].
+    /// Mean reactions, shape (supports, 3) \[N, N m\].
     pub reactions: &'a [[f64; 3]],
-    /// Their impulses beside, shape (n_support) \[N s, N m s\].
+    /// Their impulses beside, shape (supports, 3) \[N s, N m s\].
     pub reaction_impulses: &'a [[f64; 3]],
     /// Section forces of the last step without impact.
     pub lines: &'a Lines,

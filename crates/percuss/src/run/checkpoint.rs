@@ -29,11 +29,13 @@ pub struct Checkpoint {
     accumulated_steps: usize,
     measures: Measures,
     rows: Rows,
+    /// What striking bodies gave through contacts, shape (striking bodies).
     given: Vec<Given>,
     search: Search,
+    /// Effective masses of the beams of each contact, once it has struck, shape (contacts).
     struck_masses: Vec<Option<EffectiveMass>>,
     shared_blows: SharedBlows,
-    /// Nodes tied together by contacts in the pattern of the tangent.
+    /// Nodes tied together by contacts in the pattern of the tangent, shape (pairs of nodes) \[index of a node, index of a node\].
     ties: Vec<(usize, usize)>,
 }
 
@@ -43,7 +45,7 @@ pub(super) const MOST_COUNTED: usize = 1 << 48;
 /// Why a run cannot go on from a checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ResumeError {
-    /// Faults of the settings.
+    /// Faults of the settings, shape (faults).
     Faults(Vec<Fault>),
     /// The checkpoint belongs to another model or another scheme, or its step lies beyond the end.
     Foreign,

@@ -26,29 +26,31 @@ use smooth::{Free, Released};
 /// The record of all contacts.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct ContactLog {
-    /// One record a contact.
+    /// One record a contact, shape (contacts).
     pub records: Vec<ContactRecord>,
     /// Largest violation of the conditions of impulses, relative to the largest rate.
     pub residual: f64,
-    /// Number of the open interval of each smooth contact in its record.
+    /// Number of the open interval of each smooth contact in its record, shape (contacts) \[index of an interval\].
     open: Vec<Option<usize>>,
-    /// The pair that touched first in the last interval of each smooth contact.
+    /// The pair that touched first in the last interval of each smooth contact, shape (contacts) \[index of a pair\].
     first: Vec<usize>,
-    /// Smooth pairs of the step at hand as they were at its start.
+    /// Smooth pairs of the step at hand as they were at its start, shape (such pairs).
     before: Vec<PairState>,
     start: f64,
-    /// What each smooth pair did in the last step in which it stood open.
+    /// What each smooth pair did in the last step in which it stood open, shape (pairs).
     free: Vec<Free>,
-    /// Intervals that ended in the step before.
+    /// Intervals that ended in the step before, shape (such intervals).
     released: Vec<Released>,
-    /// Gaps of the contact at hand that are closed over the step.
+    /// Gaps of the contact at hand that are closed over the step, shape (such pairs).
     #[serde(skip)]
     gaps: Vec<GapOverStep>,
-    /// Persistent contact, one entry a contact; those that have any.
+    /// Persistent contact, one entry a contact, shape (contacts).
     rests: Vec<Resting>,
+    /// Those that have any, shape (such contacts) \[index of a contact\].
     resting: Vec<usize>,
-    /// Number of the part of a step at hand, and of that in which each contact last had an impact.
+    /// Number of the part of a step at hand.
     part: u64,
+    /// Number of the part of a step in which each contact last had an impact, shape (contacts) \[number of a part\].
     struck: Vec<u64>,
 }
 

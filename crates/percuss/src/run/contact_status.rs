@@ -22,9 +22,9 @@ pub(super) enum Resolution {
     Jump,
     /// Nothing touches: up to the first contact, or its whole size.
     Free,
-    /// These pairs touch; all strike at once.
+    /// These pairs touch, shape (pairs) \[index of a pair\]; all strike at once.
     Impact(Vec<usize>),
-    /// These pairs touch; they strike one after another.
+    /// These pairs touch, shape (pairs) \[index of a pair\]; they strike one after another.
     Sequence(Vec<usize>),
     /// Too many impacts have happened in the step for them to be followed one by one.
     Accumulated,

@@ -21,6 +21,7 @@ pub struct FirstTouches<'m> {
 struct FirstTouch<'a> {
     pair: &'a Pair,
     touch: Touch,
+    /// Displacements of the nodes, shape (nodes, 4) \[m, 1, rad\].
     u: Vec<[f64; 4]>,
     comes: bool,
 }

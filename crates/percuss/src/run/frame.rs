@@ -10,7 +10,9 @@ use crate::math::vec2::{add, norm, scale};
 /// What frames are made in.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Frames {
+    /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
     section_forces: Vec<[[f64; 3]; 2]>,
+    /// Forces of everything that touches, shape (such forces).
     contact_forces: Vec<FrameForce>,
     /// Size of the part of a step accepted last \[s\], and whether impulses acted in it.
     pub part: (f64, bool),

@@ -11,18 +11,24 @@ use crate::summary::SupportSummary;
 /// What supports gave since the last row: mean reactions, and impulses beyond them in impacts and jumps.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct RowReactions {
-    /// Impulses of the parts that were not impulsive, and the time they took.
+    /// Impulses and angular impulse of the parts that were not impulsive, shape (supports, 3) \[N s, N m s\].
     sum: Vec<[f64; 3]>,
+    /// The time they took \[s\].
     time: f64,
     /// Whether a part was impulsive.
     carries_impulses: bool,
+    /// Mean reactions over the time before the row, shape (supports, 3) \[N, N m\].
     mean: Vec<[f64; 3]>,
+    /// Impulses beyond these since the last row, shape (supports, 3) \[N s, N m s\].
     impulses: Vec<[f64; 3]>,
-    /// All that supports had given at the last row, and when it was.
+    /// All that supports had given at the last row, shape (supports, 3) \[N s, N m s\].
     before: Vec<[f64; 3]>,
+    /// When that was \[s\].
     row: f64,
-    /// Reactions in the last part that was not impulsive in which a support gave anything, and that part's number.
+    /// Reactions in the last part that was not impulsive in which a support gave anything, and that part's number, shape (supports, 3)
+    /// \[N, N m, number of a part\].
     last: Vec<([f64; 3], u64)>,
+    /// Number of such parts so far.
     part: u64,
 }
 
@@ -126,7 +132,7 @@ impl RowReactions {
 /// What a striking body gave to others through its contacts.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Given {
-    /// Impulse \[N s\].
+    /// Impulse, shape (2) \[N s\].
     pub impulse: [f64; 2],
     /// Work \[J\].
     pub work: f64,

@@ -30,7 +30,7 @@ pub(super) struct PartEnd<'a> {
     pub trial: &'a Trial,
     /// Whether it is as short as an impact, so that quotients over it are impulsive.
     pub impulsive: bool,
-    /// Pairs that were looked at at its end.
+    /// Pairs that were looked at at its end, shape (such pairs) \[index of a pair\].
     pub awake: &'a [usize],
 }
 
@@ -73,6 +73,7 @@ fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], 
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct StepStart {
     time: f64,
+    /// Displacements and velocities of the recorded points, shape (recorded points, 2, 2) \[m, m/s\].
     points: Vec<[[f64; 2]; 2]>,
 }
 
@@ -82,17 +83,18 @@ pub struct Monitor {
     start: StepStart,
     /// What happens at contacts.
     pub contacts: ContactLog,
-    /// Extremes of the recorded points.
+    /// Extremes of the recorded points, by component, shape (recorded points, 2).
     pub points: Vec<[Crest<f64>; 2]>,
-    /// Extremes of the section forces, one entry a beam.
+    /// Extremes of the section forces, one entry a beam, shape (beams).
     pub section_forces: Vec<SectionForceSummary>,
-    /// Extremes of the reactions, one entry a support, those of the start among them, and the supports that reacted last.
+    /// Extremes of the reactions, one entry a support, those of the start among them, shape (supports).
     pub supports: Vec<SupportSummary>,
+    /// The supports that reacted last, shape (such supports) \[index of a support\]; nothing if all are to be looked at.
     reacted: Option<Vec<usize>>,
     /// Section forces of the last step without impact, and whether the step in hand is one with.
     lines: Lines,
     jumps: bool,
-    /// What is noted of beams that can yield, one entry a beam; empty if none can.
+    /// What is noted of beams that can yield, one entry a beam, shape (beams); empty if none can.
     pub yielded: Vec<YieldRecord>,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,

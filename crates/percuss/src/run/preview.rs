@@ -15,7 +15,7 @@ pub struct Preview {
     pub time: f64,
     /// Elements times iterations that it took.
     pub effort: usize,
-    /// Beginning and end of the first interval of each contact \[s\]; the end is not a number while it is closed.
+    /// Beginning and end of the first interval of each contact, shape (contacts, 2) \[s\]; the end is not a number while it is closed.
     pub first: Vec<Option<[f64; 2]>>,
 }
 

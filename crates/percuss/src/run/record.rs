@@ -104,9 +104,9 @@ impl Recorder for NoRecorder {
 /// Keeps every row in memory.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryRecorder {
-    /// The columns.
+    /// The columns, shape (channels).
     pub channels: Vec<Channel>,
-    /// Values, shape (n_rows, n_channels), row by row.
+    /// Values, shape (rows, channels), row by row \[unit of the channel\].
     pub values: Vec<f64>,
 }
 

@@ -20,11 +20,11 @@ pub(super) struct Rows {
     pub time: f64,
     /// Newton iterations up to it.
     pub iterations: usize,
-    /// Impulses since then along normal and tangent, shape (n_contact) \[N s\].
+    /// Impulses since then along normal and tangent, shape (contacts, 2) \[N s\].
     pub impulse: Vec<[f64; 2]>,
     /// What supports gave since then.
     pub reactions: RowReactions,
-    /// Values of a row.
+    /// Values of a row, shape (channels) \[unit of the channel\].
     #[serde(skip)]
     values: Vec<f64>,
 }

@@ -24,7 +24,7 @@ const COUPLED: f64 = 0.01;
 pub(super) struct Sequence {
     /// Length of an impact interval \[s\].
     interval: f64,
-    /// Contacts that take part: those that touched at its beginning, and those that rested.
+    /// Contacts that take part: those that touched at its beginning, and those that rested, shape (such contacts) \[index of a pair\].
     members: Vec<usize>,
     /// What approaches slower than this has no impact of its own \[m/s\].
     least: f64,

@@ -63,11 +63,11 @@ pub struct Simulation<'m> {
 
     // What follows from model and settings.
     pub(super) damping: ModalDamping,
-    /// Times at which steps are cut, increasing \[s\].
+    /// Times at which steps are cut, increasing, shape (cuts) \[s\].
     pub(super) cuts: Vec<f64>,
     /// Size of the structure \[m\].
     pub(super) size: f64,
-    /// Contacts that press in the equilibrium the run started from, with their forces \[N\]; empty otherwise.
+    /// Contacts that press in the equilibrium the run started from, with their forces, shape (such contacts) \[N\]; empty otherwise.
     pub(super) pressed: Vec<(Row, f64)>,
 
     // What the summary, rows and frames tell.
@@ -77,9 +77,9 @@ pub struct Simulation<'m> {
     pub(super) solver_steps: usize,
     pub(super) step_cuts: usize,
     pub(super) accumulated_steps: usize,
-    /// What striking bodies gave through contacts.
+    /// What striking bodies gave through contacts, shape (striking bodies).
     pub(super) given: Vec<Given>,
-    /// Effective masses of the beams of each contact, once it has struck under a rigid law.
+    /// Effective masses of the beams of each contact, once it has struck under a rigid law, shape (contacts).
     pub(super) struck_masses: Vec<Option<EffectiveMass>>,
     /// Impacts so far that several touching bodies shared.
     pub(super) shared_blows: SharedBlows,

@@ -40,11 +40,11 @@ impl Attempt {
 /// Pairs of the part of a step solved last.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Encounters {
-    /// Those taken into it.
+    /// Those taken into it, shape (such pairs) \[index of a pair\].
     pub near: Vec<usize>,
-    /// Those that its motion brought within reach of each other.
+    /// Those that its motion brought within reach of each other, shape (such pairs) \[index of a pair\].
     pub reached: Vec<usize>,
-    /// Sleeping ones that were looked at on that account.
+    /// Sleeping ones that were looked at on that account, shape (such pairs) \[index of a pair\].
     pub looked: Vec<usize>,
 }
 

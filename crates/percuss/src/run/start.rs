@@ -199,9 +199,9 @@ pub fn massless(model: &Model) -> Vec<Fault> {
 /// Where a run starts.
 pub(super) struct Initial {
     pub state: State,
-    /// Reactions of the supports, shape (n_support) \[N, N m\].
+    /// Reactions of the supports, shape (supports, 3) \[N, N m\].
     pub reactions: Vec<[f64; 3]>,
-    /// Contacts of an equilibrium that press, with their forces \[N\]; empty for the reference configuration.
+    /// Contacts of an equilibrium that press, with their forces, shape (such contacts) \[N\]; empty for the reference configuration.
     pub pressed: Vec<(Row, f64)>,
 }
 

@@ -33,7 +33,7 @@ pub(super) enum PartKind {
     PlasticPostStep,
     /// A step of the paper's: impulses act over all of it.
     TimeStepping {
-        /// Which of the active contacts rest.
+        /// Which of the active contacts rest, shape (active contacts).
         persistent: Vec<bool>,
     },
 }
@@ -43,7 +43,7 @@ pub(super) enum PartKind {
 pub(super) struct Trial {
     /// Its size \[s\].
     pub h: f64,
-    /// Rigid contacts that took part, in the order of the workspace's.
+    /// Rigid contacts that took part, in the order of the workspace's, shape (active contacts).
     pub active: Vec<ActiveContact>,
     /// Whether their impulses obey a law that stands in for their own, which would have given energy.
     pub fallback_law: bool,

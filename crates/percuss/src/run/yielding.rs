@@ -28,9 +28,11 @@ struct GaussFibres<'a> {
     length: f64,
     span: &'a Span,
     of: &'a SpanFibres,
+    /// Its fibres, shape (fibres of the point).
     fibres: &'a [Fibre],
+    /// What they remember, shape (fibres of the point).
     states: &'a [FibreState],
-    /// Membrane and bending strain.
+    /// Membrane and bending strain, shape (2) \[1, 1/m\].
     strains: [f64; 2],
 }
 

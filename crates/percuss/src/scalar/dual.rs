@@ -10,7 +10,7 @@ use super::{Number, Real};
 pub struct Dual<const P: usize> {
     /// Value.
     pub value: f64,
-    /// Derivatives.
+    /// Derivatives, shape (P) \[unit of the value by that of the parameter\].
     pub slope: [f64; P],
 }
 

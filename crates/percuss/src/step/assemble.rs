@@ -34,10 +34,9 @@ struct GaussPlace<'a> {
 /// What acts on the elements, as last assembled: section forces follow from it.
 #[derive(Clone, Debug, Default)]
 pub struct EndForces {
-    /// Forces on both nodes of each element, inertia and gravity included, loads along it not, shape (n_elem) \[N, N m\].
+    /// Forces on both nodes of each element, inertia and gravity included, loads along it not, shape (elements, 2, 4) \[N, N m\].
     pub on_nodes: Vec<[[f64; 4]; 2]>,
-    /// Accelerations of the beams' nodes in the equation of motion, less gravity, with what mass-proportional damping adds,
-    /// shape (n_beam_node) \[m/s^2, 1/s^2\].
+    /// Accelerations of the beams' nodes, less gravity, with mass-proportional damping, shape (beam nodes, 4) \[m/s^2, 1/s^2\].
     pub inertia: Vec<[f64; 4]>,
     /// Elements that are evaluated side by side.
     pub sweep: Sweep,
@@ -186,13 +185,14 @@ struct StepState<'a> {
     model: &'a Model,
     state: &'a State,
     integration: &'a Integration,
+    /// Acceleration of gravity, shape (2) \[m/s^2\].
     gravity: [f64; 2],
+    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, 1, rad\].
     increment: &'a [[f64; 4]],
 }
 
 impl StepState<'_> {
-    /// Sums over all elements what `response` gives at their Gauss points, `membrane` at the sampling points of slender
-    /// ones, and the inertia of their mass.
+    /// Sums over all elements `response` at their Gauss points, `membrane` at the sampling points of slender ones, and inertia.
     #[inline(always)]
     fn sum<const TANGENT: bool>(
         &self,

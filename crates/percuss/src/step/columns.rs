@@ -13,6 +13,7 @@ const PADDING: usize = 8;
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Columns {
     length: usize,
+    /// Columns one after another, shape (columns, length) \[unit of what is stored\].
     values: Vec<f64>,
 }
 

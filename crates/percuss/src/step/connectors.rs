@@ -27,13 +27,14 @@ pub struct ConnectorStep {
     pub damper: f64,
     /// Change of the coordinate over the step.
     pub change: f64,
-    /// Forms of the coordinate's change at both ends, on displacements or slopes.
+    /// Forms of the coordinate's change at both ends, on displacements or slopes, shape (2, 2) \[-\].
     pub forms: [[f64; 2]; 2],
     /// Derivative of the force with respect to the coordinate at the end of the step.
     pub slope: f64,
-    /// Derivatives of the forces `force * form` with respect to the ends' increments.
+    /// Derivatives of the forces `force * form` with respect to the ends' increments: by end, end and components, shape (2, 2, 2, 2)
+    /// \[N/m, or N m on slopes\].
     tangent: Blocks,
-    /// Of them, what comes of the turning of the forms.
+    /// Of them, what comes of the turning of the forms, shape (2, 2, 2, 2) \[N/m, or N m on slopes\].
     turning: Blocks,
 }
 

@@ -11,9 +11,9 @@ use crate::model::frozen::{Constraint, ConstraintKind, MaterialPoint};
 /// A step as constraints see it.
 #[derive(Clone, Copy, Debug)]
 pub struct ConstraintStep<'a> {
-    /// Displacements at the start.
+    /// Displacements at the start, shape (nodes, 4) \[m, 1, rad\].
     pub start: &'a [[f64; 4]],
-    /// Their increments.
+    /// Their increments, shape (nodes, 4) \[m, 1, rad\].
     pub increment: &'a [[f64; 4]],
     /// Prescribed motions.
     pub forcing: &'a Forcing,

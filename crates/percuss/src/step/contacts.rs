@@ -40,7 +40,7 @@ pub enum Phase {
     Resting { mean: bool },
     /// After a step that held it by impulses of this size: both together are those of a plastic impact.
     PlasticPostStep {
-        /// Along normal and tangent \[N s\].
+        /// Along normal and tangent, shape (2) \[N s\].
         carried: [f64; 2],
     },
 }
@@ -93,7 +93,7 @@ pub struct RigidContact {
     pub normal: Row,
     /// Form of the sliding velocity.
     pub tangent: Row,
-    /// Impulses along normal and tangent \[N s\].
+    /// Impulses along normal and tangent, shape (2) \[N s\].
     pub impulse: [f64; 2],
 }
 

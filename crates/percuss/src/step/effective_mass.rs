@@ -145,7 +145,7 @@ struct StruckPlace {
     node: usize,
     /// Arc length \[m\].
     s: f64,
-    /// Unit tangent.
+    /// Unit tangent, shape (2) \[1\].
     tangent: [f64; 2],
 }
 

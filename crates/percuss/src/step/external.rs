@@ -123,7 +123,7 @@ fn add_moment<const TANGENT: bool>(
 pub struct LoadWork {
     /// Work \[J\].
     pub work: f64,
-    /// Impulse \[N s\].
+    /// Impulse, shape (2) \[N s\].
     pub impulse: [f64; 2],
     /// Angular impulse about the origin \[N m s\].
     pub angular_impulse: f64,

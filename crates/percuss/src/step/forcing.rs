@@ -8,21 +8,21 @@ use crate::state::Followed;
 /// Loads and motions over a step.
 #[derive(Clone, Debug)]
 pub struct Forcing {
-    /// Acceleration of gravity \[m/s^2\].
+    /// Acceleration of gravity, shape (2) \[m/s^2\].
     pub gravity: [f64; 2],
-    /// Mean factors of the loads, shape (n_load).
+    /// Mean factors of the loads, shape (loads) \[-\].
     pub factors: Vec<f64>,
-    /// Increments of the prescribed motions' time functions, shape (n_motion).
+    /// Increments of the prescribed motions' time functions, shape (motions) \[-\].
     moved: Vec<f64>,
-    /// What the time functions had moved by at the start, shape (n_motion).
+    /// What the time functions had moved by at the start, shape (motions) \[-\].
     started: Vec<f64>,
-    /// Derivatives of the time functions at the end, from the left, shape (n_motion) \[1/s\].
+    /// Derivatives of the time functions at the end, from the left, shape (motions) \[1/s\].
     rates: Vec<f64>,
-    /// Second derivatives at the start, from the right, and at the end, from the left, shape (n_motion) \[1/s^2\].
+    /// Second derivatives at the start, from the right, and at the end, from the left, shape (motions, 2) \[1/s^2\].
     second_rates: Vec<[f64; 2]>,
-    /// Whether each constraint acts, shape (n_constraint).
+    /// Whether each constraint acts, shape (constraints).
     pub constrained: Vec<bool>,
-    /// Whether each connector acts, shape (n_connector).
+    /// Whether each connector acts, shape (connectors).
     pub connected: Vec<bool>,
 }
 

@@ -21,12 +21,13 @@ use middle::{Middle, times_mass};
 /// By how much prescribed velocities and accelerations at the end of a step lead those of the scheme.
 #[derive(Clone, Debug)]
 pub struct Lead {
-    /// Nodes that can lead, and first nodes of the elements next to them.
+    /// Nodes that can lead, shape (such nodes) \[index of a node\].
     nodes: Vec<usize>,
+    /// First nodes of the elements next to them, shape (such elements) \[index of a node\].
     elements: Vec<usize>,
-    /// Lead in velocity, shape (n_node), empty if nothing is driven \[m/s, 1/s\].
+    /// Lead in velocity, shape (nodes, 4), empty if nothing is driven \[m/s, 1/s\].
     pub velocity: Vec<[f64; 4]>,
-    /// Lead in acceleration, likewise \[m/s^2, 1/s^2\].
+    /// Lead in acceleration, likewise, shape (nodes, 4) \[m/s^2, 1/s^2\].
     pub acceleration: Vec<[f64; 4]>,
 }
 
@@ -43,11 +44,11 @@ pub struct LeadWork {
 #[derive(Clone, Copy)]
 struct PrescribedStep {
     increment: f64,
-    /// Velocity and acceleration at the start, as the scheme has them.
+    /// Velocity and acceleration at the start, as the scheme has them, shape (2) \[unit of the value by s, by s^2\].
     start: [f64; 2],
     /// Velocity at the end, as prescribed.
     rate: f64,
-    /// Acceleration at the start and at the end, as prescribed.
+    /// Acceleration at the start and at the end, as prescribed, shape (2) \[unit of the value by s^2\].
     second_rates: [f64; 2],
 }
 

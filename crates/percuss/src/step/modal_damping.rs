@@ -8,9 +8,9 @@ use super::tangent::inner;
 /// Vectors `M phi` and their rates `2 zeta omega`.
 #[derive(Clone, Debug, Default)]
 pub struct ModalDamping {
-    /// `M phi`, nodal vectors.
+    /// `M phi`, nodal vectors, shape (modes, nodes, 4) \[kg^(1/2), kg^(1/2) m\].
     pub vectors: Vec<Vec<[f64; 4]>>,
-    /// `2 zeta omega` \[1/s\].
+    /// `2 zeta omega`, shape (modes) \[1/s\].
     pub rates: Vec<f64>,
 }
 

@@ -35,15 +35,15 @@ pub struct StepProblem<'a> {
     pub damping: &'a ModalDamping,
     /// Size of the structure, the scale of positions \[m\].
     pub size: f64,
-    /// Pairs near enough to touch.
+    /// Pairs near enough to touch, shape (such pairs) \[index of a pair\].
     pub near: &'a [usize],
-    /// Rigid contacts that may carry an impulse.
+    /// Rigid contacts that may carry an impulse, shape (active contacts).
     pub active: &'a [ActiveContact],
     /// How impulses follow from velocities.
     pub law: ImpulseLaw,
     /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
     pub feedback: f64,
-    /// Length that no element of a beam exceeds at the start, one a beam; empty if nothing is near a face \[m\].
+    /// Length that no element of a beam exceeds at the start, one a beam, shape (beams) \[m\]; empty if nothing is near a face.
     pub arcs: &'a [f64],
     /// Where the closest points of smooth contacts at the end of the step are looked for. In the neighbourhood of the last ones is enough
     /// unless something else has come nearer, which only a look at the solved step can tell.

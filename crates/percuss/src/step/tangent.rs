@@ -18,18 +18,20 @@ pub use super::projection::{project, project_node};
 #[derive(Clone, Debug)]
 pub struct Tangent {
     matrix: Condensed,
-    /// Whether the band links a node to the next one.
+    /// Whether the band links a node to the next one, shape (nodes).
     linked: Vec<bool>,
-    /// Couplings of contacts, as they come and go: (row node, column node, block).
+    /// Couplings of contacts, as they come and go: (row node, column node, block), shape (couplings, 4, 4)
+    /// \[index of a node, index of a node, N/m, N, N m\].
     contacts: Vec<(usize, usize, Block)>,
     /// Bodies that touch one element only, eliminated first.
     condensed_bodies: CondensedBodies,
     /// Number of couplings that are always there; those of contacts that no condensed body took follow.
     permanent: usize,
-    /// Number of the first coupling of each connector.
+    /// Number of the first coupling of each connector, shape (connectors) \[index of a coupling\].
     of_connector: Vec<usize>,
-    /// Number of the first coupling of each constraint.
+    /// Number of the first coupling of each constraint, shape (constraints) \[index of a coupling\].
     of_constraint: Vec<usize>,
+    /// Right side of the constraints, then the change of their multipliers, shape (constraints) \[m, 1, then N, N m\].
     right: Vec<f64>,
     low_rank: LowRank,
 }
@@ -37,9 +39,12 @@ pub struct Tangent {
 /// Solutions for the vectors of modal damping, and the small system between them (Woodbury).
 #[derive(Clone, Debug, Default)]
 struct LowRank {
+    /// Nodal values of the solutions, shape (modes, nodes, 4) \[kg^(1/2) m/N, kg^(1/2)/N\].
     columns: Vec<Vec<[f64; 4]>>,
+    /// Multipliers of the solutions, shape (modes, constraints) \[kg^(1/2), kg^(1/2) m\].
     multipliers: Vec<Vec<f64>>,
     lu: DenseLu,
+    /// Right side and solution of the small system, shape (modes) \[kg^(1/2) m, then N/kg^(1/2)\].
     right: Vec<f64>,
 }
 

@@ -11,38 +11,39 @@ use crate::model::Model;
 /// Scratch of a step: the increment sought and what is needed to find it.
 #[derive(Clone, Debug)]
 pub struct Workspace {
-    /// Increment of the nodal displacements over the step, shape (n_node).
+    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, 1, rad\].
     pub increment: Vec<[f64; 4]>,
     /// Lead of prescribed velocities over those of the scheme.
     pub lead: Lead,
-    /// Multipliers of the constraints in the step, shape (n_constraint) \[N, N m\].
+    /// Multipliers of the constraints in the step, shape (constraints) \[N, N m\].
     pub multiplier: Vec<f64>,
-    /// Smooth contacts in the step.
+    /// Smooth contacts in the step, shape (smooth contacts).
     pub smooth: Vec<SmoothContact>,
-    /// Length that no element of a beam exceeds in the step, one a beam; empty if not known \[m\].
+    /// Length that no element of a beam exceeds in the step, one a beam, shape (beams) \[m\]; empty if not known.
     pub arcs: Vec<f64>,
-    /// Active rigid contacts in the step, in the order of the problem's.
+    /// Active rigid contacts in the step, in the order of the problem's, shape (active rigid contacts).
     pub rigid: Vec<RigidContact>,
     /// What their forms have turned by with the last correction, times their impulses \[N s\].
     pub turned: f64,
-    /// Their pairs.
+    /// Their pairs, shape (active rigid contacts) \[index of a pair\].
     pub rigid_pairs: Vec<usize>,
-    /// Residual `M a + f_int - f_ext` of the nodes with everything in it, supports' reactions left over, shape (n_node).
+    /// Residual `M a + f_int - f_ext` of the nodes with everything in it, supports' reactions left over, shape (nodes, 4) \[N, N m\].
     pub residual: Vec<[f64; 4]>,
     /// What acts on the elements.
     pub beams: EndForces,
-    /// Right-hand side and correction, shape (n_node).
+    /// Right-hand side, then correction, shape (nodes, 4) \[N, N m, then m, 1, rad\].
     pub correction: Vec<[f64; 4]>,
-    /// The correction before, in iterations that take long.
+    /// The correction before, in iterations that take long, shape (nodes, 4) \[m, 1, rad\].
     pub correction_before: Vec<[f64; 4]>,
     /// The factored tangent.
     pub tangent: Tangent,
 
-    /// Answers of the model to unit forces at active contacts along normal and tangent: nodal vectors and multipliers.
+    /// Answers of the model to unit forces at active contacts along normal and tangent: nodal vectors,
+    /// shape (2 active contacts or more, nodes, 4) \[m/N, 1/N\], and multipliers, shape (at least 2 active contacts, constraints) \[1, m\].
     pub contact_columns: Vec<(Vec<[f64; 4]>, Vec<f64>)>,
     /// The impact problem of the active contacts.
     pub impact: ImpactProblem,
-    /// Impulses of the active contacts, along normal and tangent \[N s\].
+    /// Impulses of the active contacts, along normal and tangent, shape (2 active contacts) \[N s\].
     pub impulses: Vec<f64>,
     /// Violation of their conditions, relative to the largest rate.
     pub impact_residual: f64,

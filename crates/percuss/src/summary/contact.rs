@@ -10,7 +10,7 @@ use crate::step::effective_mass::EffectiveMass;
 pub struct ContactPlace {
     /// Arc length along the first partner, if it is a beam; else NaN \[m\].
     pub s: f64,
-    /// Position in the plane \[m\].
+    /// Position in the plane, shape (2) \[m\].
     pub position: [f64; 2],
 }
 
@@ -25,7 +25,7 @@ impl Default for ContactPlace {
 /// `given[0] + given[1] + lost + stored + scheme` is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySplit {
-    /// Work of the contact on either partner: what goes into a beam runs on as waves \[J\].
+    /// Work of the contact on either partner, shape (2) \[J\]: what goes into a beam runs on as waves.
     pub given: [f64; 2],
     /// Energy lost in the contact \[J\].
     pub lost: f64,
@@ -206,12 +206,12 @@ pub enum ContactRecord {
     Smooth {
         /// Largest force, summed over all points at one instant; unset if the contact never closed.
         peak_force: Peak,
-        /// Closed intervals, in the order they began; the first [`ContactRecord::IMPACTS_KEPT`] of them.
+        /// Closed intervals, in the order they began, shape (intervals); the first [`ContactRecord::IMPACTS_KEPT`] of them.
         intervals: Vec<ContactInterval>,
     },
     /// Under a set-valued law.
     Nonsmooth {
-        /// Impacts, in order; the first [`ContactRecord::IMPACTS_KEPT`] of them.
+        /// Impacts, in order, shape (impacts); the first [`ContactRecord::IMPACTS_KEPT`] of them.
         impacts: Vec<Impact>,
         /// Number of impacts, kept or not.
         impact_count: usize,
@@ -219,7 +219,7 @@ pub enum ContactRecord {
         fallback_count: usize,
         /// Impulse of all impacts and of persistent contact \[N s\].
         impulse_total: f64,
-        /// Intervals in which the contact stayed closed (persistent contact); impulse included.
+        /// Intervals in which the contact stayed closed (persistent contact), shape (intervals); impulse included.
         intervals: Vec<ContactInterval>,
         /// How deep one thing was inside the other at most \[m\]: next to nothing where impacts are located, the way of a step
         /// where time steps over them, or what impulses could not hold. Zero has no time.
@@ -250,7 +250,7 @@ impl ContactRecord {
 pub struct ContactSummary {
     /// The projectile's or the contact's name.
     pub name: String,
-    /// Names of the two partners; of a guided projectile's contact, the label of the struck point and the projectile.
+    /// Names of the two partners, shape (2); of a guided projectile's contact, the label of the struck point and the projectile.
     pub between: [String; 2],
     /// Effective mass of what a guided projectile strikes; under a rigid law, of the beams of any other contact where and when it
     /// first struck.
@@ -268,7 +268,7 @@ pub struct SharedBlows {
     pub count: usize,
     /// Time of the first \[s\]; NaN if there was none.
     pub first: f64,
-    /// Numbers of two of its contacts, as in [`RunSummary::contacts`](super::RunSummary::contacts).
+    /// Numbers of two of its contacts, as in [`RunSummary::contacts`](super::RunSummary::contacts), shape (2) \[index of a contact\].
     pub contacts: [usize; 2],
 }
 

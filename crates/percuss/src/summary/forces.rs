@@ -9,9 +9,9 @@ use super::Peak;
 pub struct PointSummary {
     /// The user's words for it.
     pub name: String,
-    /// Displacements of largest magnitude, signed, per component.
+    /// Displacements of largest magnitude, signed, per component, shape (2).
     pub displacement_max: [Peak; 2],
-    /// Whether steps resolve each of them; if not, it is the largest at the end of a step, and between there may be more.
+    /// Whether steps resolve each of them, shape (2); if not, it is the largest at the end of a step, and between there may be more.
     pub resolved: [bool; 2],
 }
 
@@ -58,18 +58,18 @@ impl SectionRange {
     }
 }
 
-/// Smallest and largest values along a beam, over time: start, middle and end of each element, shapes (3 n_element).
+/// Smallest and largest values along a beam, over time: start, middle and end of each element.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Envelope {
-    /// Arc length from the start of the beam \[m\].
+    /// Arc length from the start of the beam, shape (3 elements) \[m\].
     pub s: Vec<f64>,
-    /// Axial force, smallest and largest \[N\].
+    /// Axial force, smallest and largest, shape (2, 3 elements) \[N\].
     pub axial: [Vec<f64>; 2],
-    /// Shear force \[N\].
+    /// Shear force, shape (2, 3 elements) \[N\].
     pub shear: [Vec<f64>; 2],
-    /// Bending moment \[N m\].
+    /// Bending moment, shape (2, 3 elements) \[N m\].
     pub moment: [Vec<f64>; 2],
-    /// Stress of the extreme fibres \[Pa\]; NaN where the section has no depth.
+    /// Stress of the extreme fibres, shape (2, 3 elements) \[Pa\]; NaN where the section has no depth.
     pub stress: [Vec<f64>; 2],
 }
 
@@ -124,14 +124,14 @@ impl Range {
 pub struct SupportSummary {
     /// The user's name for it.
     pub name: String,
-    /// Components of the force \[N\].
+    /// Components of the force, shape (2) \[N\].
     pub force: [Range; 2],
     /// Moment about the support's point \[N m\].
     pub moment: Range,
     /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
-    /// point \[N s, N m s\].
+    /// point, shape (3) \[N s, N m s\].
     pub impulse: [f64; 3],
-    /// When it pressed, in the order of time; of a stop alone.
+    /// When it pressed, in the order of time, shape (touches); of a stop alone.
     pub touches: Option<Vec<StopTouch>>,
 }
 

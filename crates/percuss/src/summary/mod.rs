@@ -97,7 +97,7 @@ pub struct AuditSummary {
 pub struct ProjectileSummary {
     /// The user's name for it.
     pub name: String,
-    /// Velocity at the end \[m/s\].
+    /// Velocity at the end, shape (2) \[m/s\].
     pub velocity_final: [f64; 2],
     /// Angular velocity at the end \[rad/s\]; zero for a guided one.
     pub spin_final: f64,
@@ -135,20 +135,20 @@ pub struct RunSummary {
     pub momentum: MomentumSummary,
     /// Drift of stored strains.
     pub audit: AuditSummary,
-    /// One entry a guided projectile, then one a disc, in the model's order.
+    /// One entry a guided projectile, then one a disc, in the model's order, shape (guided projectiles and discs).
     pub projectiles: Vec<ProjectileSummary>,
-    /// One entry a guided projectile, then one a contact, in the model's order.
+    /// One entry a guided projectile, then one a contact, in the model's order, shape (guided projectiles and contacts).
     pub contacts: Vec<ContactSummary>,
     /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[1\].
     pub contact_residual_max: f64,
     /// Blows that several touching bodies shared.
     pub shared_blows: SharedBlows,
-    /// One entry a recorded point.
+    /// One entry a recorded point, shape (recorded points).
     pub points: Vec<PointSummary>,
-    /// One entry a support, in the model's order.
+    /// One entry a support, in the model's order, shape (supports).
     pub supports: Vec<SupportSummary>,
-    /// One entry a beam.
+    /// One entry a beam, shape (beams).
     pub section_forces: Vec<SectionForceSummary>,
-    /// One entry a beam that can yield.
+    /// One entry a beam that can yield, shape (beams that can yield).
     pub plastic: Vec<PlasticSummary>,
 }

@@ -39,7 +39,7 @@ pub struct PlasticSummary {
     pub accumulated_max: SectionPeak,
     /// Where and when it first yielded, if it did.
     pub first_yield: Option<FirstYield>,
-    /// Where it has bent plastically up to the end, in the order along it.
+    /// Where it has bent plastically up to the end, in the order along it, shape (hinges).
     pub hinges: Vec<PlasticHinge>,
     /// Energy dissipated by plastic flow \[J\].
     pub dissipated: f64,

@@ -69,7 +69,7 @@ impl Imports<'_> {
     }
 }
 
-fn is_test(attributes: &[syn::Attribute]) -> bool {
+pub fn is_test(attributes: &[syn::Attribute]) -> bool {
     let test = |list: &syn::MetaList| list.tokens.to_string() == "test";
     let is = |a: &syn::Attribute| a.path().is_ident("cfg") && a.meta.require_list().is_ok_and(test);
     attributes.iter().any(is)
@@ -139,7 +139,8 @@ fn faults_of(file: &Path, text: &str, modules: &[String]) -> Vec<String> {
     unique.iter().map(|name| format!("{} uses `{name}`", file.display())).collect()
 }
 
-fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
+/// Adds the files below a folder.
+pub fn sources(folder: &Path, all: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         match path.is_dir() {

@@ -26,7 +26,7 @@ const STEEPEST: f64 = 3.0;
 /// Where an arc begins, and what its end is held against.
 struct Departure {
     start: Mark,
-    /// Rigid contacts that press there.
+    /// Whether each place of the contacts, in their order, is rigid and presses there, shape (places).
     pressed: Vec<bool>,
     /// The arc, the least that is gone unless something closes or opens, and the largest change of the load factor.
     arc: f64,

@@ -25,18 +25,18 @@ const LONGEST_ARC: f64 = 0.05;
 pub struct PathPoint {
     /// Factor on the loads that act at time zero.
     pub factor: f64,
-    /// Displacements of the recorded points \[m\], in their order.
+    /// Displacements of the recorded points, in their order, shape (points, 2) \[m\].
     pub displacements: Vec<[f64; 2]>,
 }
 
 /// An equilibrium path.
 #[derive(Clone, Debug)]
 pub struct Path {
-    /// Names of the recorded points.
+    /// Names of the recorded points, shape (recorded points).
     pub names: Vec<String>,
-    /// Its points, from rest on.
+    /// Its points, from rest on, shape (points of the path).
     pub points: Vec<PathPoint>,
-    /// Points where the load factor turns, in their order.
+    /// Points where the load factor turns, in their order, shape (such points).
     pub limit_points: Vec<PathPoint>,
     /// The equilibrium at its end.
     pub end: Equilibrium,

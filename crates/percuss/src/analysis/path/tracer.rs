@@ -22,8 +22,9 @@ const LITTLE: f64 = 1e-4;
 pub(super) struct Mark {
     pub factor: f64,
     pub reached: Reached,
-    /// The last way along the path, and the rigid contacts that pressed where it began.
+    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, 1\].
     pub way: Vec<[f64; 4]>,
+    /// Which rigid contacts pressed where it began, shape (places of contacts).
     pub pressed: Vec<bool>,
     /// Whether the load factor grew where the last way began.
     pub rising: bool,
@@ -44,7 +45,9 @@ pub(super) struct Tracer<'m> {
     pub arc: f64,
     pub changed: f64,
     pub given: bool,
+    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, 1\].
     pub way: Vec<[f64; 4]>,
+    /// Which rigid contacts pressed where it began, shape (places of contacts).
     pub pressed: Vec<bool>,
     pub rising: bool,
     /// Response to the loads.

@@ -20,6 +20,7 @@ pub struct SpanLines<'a> {
     pub sweep: &'a Sweep,
     /// Where in the step forces are evaluated, as a share of it.
     pub theta: f64,
+    /// Coefficients of the lines of all elements, shape (numbers of a line, elements) \[m, N, N m\].
     pub lines: &'a mut Columns,
 }
 

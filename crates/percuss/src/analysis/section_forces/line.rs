@@ -34,22 +34,22 @@ pub struct Inner {
     pub element: usize,
     /// Share of the way along it.
     pub xi: f64,
-    /// The force \[N\].
+    /// The force, shape (2) \[N\].
     pub force: [f64; 2],
     /// Its couple, counter-clockwise \[N m\].
     pub couple: f64,
     /// Whether it has one: then that is what the balance of moments leaves over.
     pub has_couple: bool,
-    /// What it exerts on the nodes of the element.
+    /// What it exerts on the nodes of the element, on values and slopes, shape (2, 4) \[N, N m\].
     pub on_nodes: OnNodes,
 }
 
 /// The configuration of an element: its nodes in the reference, their displacements, its length.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementShape<S = f64> {
-    /// Tangents x' at both nodes.
+    /// Tangents x' at both nodes, shape (2, 2) \[1\].
     pub tangents: [[S; 2]; 2],
-    /// From the first node to the second \[m\].
+    /// From the first node to the second, shape (2) \[m\].
     pub chord: [S; 2],
     /// Arc length of the reference \[m\].
     pub length: S,
@@ -58,11 +58,11 @@ pub struct ElementShape<S = f64> {
 /// Section forces of one element.
 #[derive(Clone, Copy, Debug)]
 pub struct Line<S = f64> {
-    /// Coefficients of dx/dxi \[m\].
+    /// Coefficients of dx/dxi, by powers of xi, shape (3, 2) \[m\].
     way: [[S; 2]; 3],
-    /// Coefficients of the force n that the part ahead exerts on the part behind \[N\].
+    /// Coefficients of the force n that the part ahead exerts on the part behind, by powers of xi, shape (5, 2) \[N\].
     force: [[S; 2]; 5],
-    /// Coefficients of the moment \[N m\].
+    /// Coefficients of the moment, by powers of xi, shape (8) \[N m\].
     moment: [S; 8],
 }
 

@@ -23,7 +23,7 @@ const AT_NODE: f64 = 1e-9;
 pub struct Acting<'a> {
     /// Start of the step.
     pub state: &'a State,
-    /// The increment that leads to its end.
+    /// The increment that leads to its end, shape (nodes, 4) \[m, 1\].
     pub increment: &'a [[f64; 4]],
     /// Where in the step forces are evaluated, as a share of it.
     pub theta: f64,
@@ -36,11 +36,11 @@ pub struct Acting<'a> {
 /// Section forces of all elements.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Lines {
-    /// Coefficients of [`Line`], shape (n_number, n_elem).
+    /// Coefficients of [`Line`], shape (numbers of a line, elements) \[m, N, N m\].
     pub(super) lines: Columns,
-    /// Forces inside elements, by element and place.
+    /// Forces inside elements, by element and place, shape (such forces).
     pub(super) inner: Vec<Inner>,
-    /// Nodal forces of the distributed loads, by element; empty if there are none.
+    /// Nodal forces of the distributed loads, by element, on values and slopes, shape (elements, 2, 4) \[N, N m\]; empty if there are none.
     loads: Vec<OnNodes>,
 }
 

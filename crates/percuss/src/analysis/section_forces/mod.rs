@@ -128,9 +128,11 @@ struct ElementForces<'a> {
     span: &'a Span,
     k: usize,
     line: Line,
+    /// Forces inside the element, by place, shape (such forces).
     inner: &'a [Inner],
+    /// Strains at both nodes, where they do not follow from the forces, shape (2).
     strained: Option<[Strained; 2]>,
-    /// Extreme fibres at the Gauss points of an element that can yield.
+    /// Extreme fibres at the Gauss points of an element that can yield, shape (Gauss points).
     yielded: Option<[Fibres; GAUSS]>,
 }
 

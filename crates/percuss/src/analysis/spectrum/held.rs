@@ -12,8 +12,9 @@ pub struct Held {
     pub row: Row,
     /// Of its law, or far above that of the beams \[N/m\].
     pub stiffness: f64,
-    /// Its force \[N\], and how its direction turns.
+    /// Its force \[N\].
     pub force: f64,
+    /// How its direction turns: parts of the second derivative of the gap, shape (such parts).
     pub turnings: Vec<Turning>,
 }
 

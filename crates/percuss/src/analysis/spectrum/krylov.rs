@@ -13,7 +13,9 @@ pub type Nodal = Vec<[f64; 4]>;
 /// A vector and its image under the matrix of the inner product.
 #[derive(Clone, Debug)]
 pub struct ImagePair {
+    /// The vector, shape (nodes, 4) \[1, 1/m, to a common factor\].
     pub x: Nodal,
+    /// Its image, shape (nodes, 4) \[unit of the matrix times that of the vector\].
     pub image: Nodal,
 }
 
@@ -30,10 +32,12 @@ pub struct Krylov<'a> {
     image_of: Box<dyn Fn(&Nodal) -> Nodal + 'a>,
     /// The operator: from the image of a vector.
     solve: Box<dyn Fn(&Nodal) -> Nodal + 'a>,
-    /// Directions left out.
+    /// Directions left out, shape (such directions).
     deflated: &'a [ImagePair],
+    /// The vectors of the basis with their images, shape (size of the basis).
     basis: Vec<ImagePair>,
-    /// Images of the basis in it, vector by vector as far as they are formed.
+    /// Images of the basis in it, vector by vector as far as they are formed, shape (images, coefficients of one)
+    /// \[unit of the operator's eigenvalues\].
     columns: Vec<Vec<f64>>,
     seed: u64,
     nodes: usize,
@@ -52,6 +56,7 @@ pub fn random(nodes: usize, seed: &mut u64) -> Nodal {
 #[derive(Clone, Debug)]
 pub struct Ritz {
     pub value: Complex<f64>,
+    /// Coordinates of the vector in the basis, shape (size of the basis) \[-\].
     coordinates: DVector<Complex<f64>>,
     residual: f64,
 }

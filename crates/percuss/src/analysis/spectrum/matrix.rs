@@ -23,21 +23,22 @@ pub(super) const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 pub struct Layout<'m> {
     pub model: &'m Model,
     pub(super) pattern: Pattern,
-    /// First unknown of each node in its group, with the group.
+    /// Group of each node, with its first unknown there, shape (nodes) \[index of a group, index within it\].
     pub(super) home: Vec<(usize, usize)>,
-    /// The same for the multipliers.
+    /// The same for the multipliers, shape (constraints) \[index of a group, index within it\].
     pub(super) multiplier: Vec<(usize, usize)>,
-    /// What holds leave free, by their number.
+    /// What holds leave free, by their number, shape (nodes held, 4, 4) \[-\].
     pub(super) free: Vec<WideBlock>,
-    /// Number of a node's hold.
+    /// Number of a node's hold, shape (nodes) \[index of a hold\].
     pub(super) hold: Vec<Option<usize>>,
-    /// Contacts that stay closed.
+    /// Contacts that stay closed, shape (such contacts).
     pub(super) held: Vec<Held>,
 }
 
 /// A matrix before factorisation.
 #[derive(Clone)]
 pub struct Matrix {
+    /// Entries, in the order of the pattern, shape (entries of the pattern) \[N/m, N, N m for stiffness; kg, kg m, kg m^2 for mass\].
     pub(super) values: Vec<Wide>,
     /// Constraints that act: as many eigenvalues are negative for them alone.
     pub(super) constrained: usize,

@@ -67,7 +67,9 @@ pub(super) enum Pressing {
 /// Contacts and discs that take part in statics.
 #[derive(Clone, Debug, Default)]
 pub(super) struct StaticContacts {
+    /// Pairs that take part, in the model's order, shape (such pairs).
     places: Vec<CandidatePair>,
+    /// Discs at rest that take part, shape (such discs).
     discs: Vec<RestingDisc>,
     /// Bodies in the model: all of them stand still but those discs.
     has_bodies: bool,
@@ -78,11 +80,12 @@ pub(super) struct StaticContacts {
     opened: bool,
     /// Weak springs of discs in units of their weights over the size of the structure.
     damping: f64,
-    /// Components of nodes that, held, would stop all motions of beams that neither supports nor joints do, and their weak springs:
-    /// (node, component, \[N/m\] or \[N m\]).
+    /// Components of nodes that, held, would stop all motions of beams that neither supports nor joints do, and their weak springs,
+    /// shape (such components) \[index of a node, index of a component, N/m or N m\].
     loose: Vec<(usize, usize, f64)>,
     /// What has left for good: beams first, then bodies.
     lost: Option<usize>,
+    /// Length that no element of a beam exceeds, one a beam, shape (beams) \[m\]; empty if not known.
     arcs: Vec<f64>,
     pressing: Pressing,
 }

@@ -32,7 +32,7 @@ pub struct CandidatePair {
     pub multiplier: f64,
     /// Stiffness of a rigid pair \[N/m\]; zero for a compliant one.
     pub stiffness: f64,
-    /// The one an iteration begins with, and the largest \[N/m\].
+    /// The one an iteration begins with, and the largest, shape (2) \[N/m\].
     pub stiffnesses: [f64; 2],
     /// Rigid and closed at the last look, and in the tangent assembled last.
     pub closed: bool,

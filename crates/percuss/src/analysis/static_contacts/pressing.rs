@@ -40,32 +40,39 @@ const HALVINGS: usize = 52;
 
 /// The rigid contacts about a configuration.
 pub struct Programme {
-    /// Places of [`StaticContacts`], and what is known of each.
+    /// Places of [`StaticContacts`], shape (contacts) \[index of a place\].
     places: Vec<usize>,
+    /// Gradients of their gaps on the nodes that move, shape (contacts).
     rows: Vec<Row>,
+    /// Their gaps, shape (contacts) \[m\].
     gaps: Vec<f64>,
+    /// Stiffnesses with which gaps are weighed, shape (contacts) \[N/m\].
     stiffness: Vec<f64>,
-    /// Multipliers about which forces are sought.
+    /// Multipliers about which forces are sought, shape (contacts) \[N\].
     multipliers: Vec<f64>,
-    /// Which contacts are closed in the tangent factored last.
+    /// Which contacts are closed in the tangent factored last, shape (contacts).
     closed: Vec<bool>,
 }
 
 /// A correction, with the forces it is in equilibrium with: of either sign where closed.
 #[derive(Clone)]
 struct Balanced {
+    /// The correction of the nodal values, shape (nodes, 4) \[m, 1\].
     correction: Vec<[f64; 4]>,
+    /// Forces of the contacts, shape (contacts) \[N\].
     forces: Vec<f64>,
-    /// Gaps it leads to.
+    /// Gaps it leads to, shape (contacts) \[m\].
     gaps: Vec<f64>,
+    /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     constraints: Vec<f64>,
 }
 
 /// What of a search stays the same during a correction.
 struct Linear {
     tangent: Tangent,
-    /// Unbalanced forces without those of the contacts.
+    /// Unbalanced forces without those of the contacts, shape (nodes, 4) \[N, N m\].
     residual: Vec<[f64; 4]>,
+    /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     constraints: Vec<f64>,
 }
 

@@ -18,15 +18,15 @@ use crate::state::State;
 pub struct StaticContact {
     /// Its name.
     pub name: String,
-    /// Its partners.
+    /// Its partners, shape (2).
     pub between: [String; 2],
     /// Forces along the normals, summed \[N\].
     pub force: f64,
-    /// Resultant on the first of the two partners \[N\].
+    /// Resultant on the first of the two partners, shape (2) \[N\].
     pub resultant: [f64; 2],
     /// Least gap \[m\]; negative where a compliant contact is pressed in, infinite where nothing can touch.
     pub gap: f64,
-    /// Where it is closed along the beam: from and to, arc length \[m\]; NaN where it is open or on no beam.
+    /// Where it is closed along the beam: from and to, arc length, shape (2) \[m\]; NaN where it is open or on no beam.
     pub s: [f64; 2],
     /// Arc length at which the forces have their centre \[m\]; NaN likewise.
     pub centre: f64,

@@ -14,12 +14,17 @@ use crate::linalg::complementarity::Lemke;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Direct {
     lemke: Lemke,
+    /// The matrix of the complementarity problem, row by row, shape (unknowns, unknowns) \[-\].
     matrix: Vec<f64>,
+    /// What is complementary to the unknowns where all of them vanish, shape (unknowns) \[kg^(1/2)\].
     right: Vec<f64>,
+    /// The unknowns found, shape (unknowns) \[kg^(1/2)\].
     values: Vec<f64>,
+    /// What each unknown is, shape (unknowns).
     unknowns: Vec<Unknown>,
-    /// `1 / sqrt(W)` of each row's diagonal; none for what cannot move or has no friction.
+    /// `1 / sqrt(W)` of each row's diagonal, shape (2 contacts) \[kg^(1/2)\]; none for what cannot move or has no friction.
     units: Vec<f64>,
+    /// Impulses along normal and tangent, shape (2 contacts) \[N s\].
     impulses: Vec<f64>,
 }
 

@@ -8,12 +8,17 @@ use crate::linalg::dense::DenseLu;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Newton {
     lu: DenseLu,
+    /// Impulses along normal and tangent, shape (2 contacts) \[N s\].
     impulses: Vec<f64>,
+    /// Rates with these impulses, shape (2 contacts) \[m/s\].
     rates: Vec<f64>,
+    /// Rates by impulses sought, row by row, shape (sought, sought) \[1/kg\].
     matrix: Vec<f64>,
+    /// Rates that are missing, then the changes of the impulses sought, shape (sought) \[m/s, then N s\].
     right: Vec<f64>,
+    /// What each contact does, shape (contacts).
     statuses: Vec<Status>,
-    /// Rows of the impulses sought.
+    /// Rows of the impulses sought, shape (sought) \[index of a row\].
     sought: Vec<usize>,
 }
 

@@ -37,30 +37,33 @@ struct NodeRun {
 pub struct Condensed {
     /// The band.
     pub chain: Chain,
-    /// Blocks beyond the band: (row node, column node, block). The places never change.
+    /// Blocks beyond the band: (row node, column node, block), shape (couplings, 4, 4) \[index of a node, index of a node, N/m, N, N m\]. The
+    /// places never change.
     pub couplings: Vec<(usize, usize, Block)>,
-    /// Border columns, one a constraint; nodes as in the pattern.
+    /// Border columns, by node as in the pattern, shape (constraints, nodes of one, 4)
+    /// \[index of a node, unit of the constraint by that of the component\].
     pub columns: Vec<BorderVector>,
-    /// Border rows, one a constraint.
+    /// Border rows, likewise, shape (constraints, nodes of one, 4) \[index of a node, unit of the constraint by that of the component\].
     pub rows: Vec<BorderVector>,
-    /// Border diagonal: zero for a constraint, one for one that does not act.
+    /// Border diagonal: zero for a constraint, one for one that does not act, shape (constraints) \[-\].
     pub corner: Vec<f64>,
+    /// Runs of nodes between interface nodes, ascending, shape (runs).
     runs: Vec<NodeRun>,
-    /// Interface nodes, ascending.
+    /// Interface nodes, ascending, shape (interface nodes) \[index of a node\].
     interface: Vec<usize>,
-    /// Whether interface node i and i + 1 are neighbours in the band.
+    /// Whether interface node i and i + 1 are neighbours in the band, shape (interface nodes less one).
     adjacent: Vec<bool>,
-    /// `pivot^-1 (block to the left interface node)` of the nodes of runs.
+    /// `pivot^-1 (block to the left interface node)` of the nodes of runs, shape (nodes, 4, 4) \[1, m, 1/m\].
     to_left: Vec<Block>,
-    /// Block of the left interface node's row in the column of a node of a run.
+    /// Block of the left interface node's row in the column of a node of a run, shape (nodes, 4, 4) \[N/m, N, N m\].
     from_left: Vec<Block>,
-    /// The interface matrix by pairs of slots, ascending.
+    /// The interface matrix by pairs of slots, ascending, shape (pairs of slots, 4, 4) \[index of a slot, index of a slot, N/m, N, N m\].
     blocks: Vec<(usize, usize, Block)>,
-    /// Joints, and interface nodes on their own.
+    /// Joints, and interface nodes on their own, shape (clusters).
     clusters: Vec<Cluster>,
-    /// Cluster of a slot, and its number there.
+    /// Cluster of a slot, and its number there, shape (interface nodes) \[index of a cluster, index within it\].
     home: Vec<(usize, usize)>,
-    /// Constraints that no cluster took.
+    /// Constraints that no cluster took, shape (such constraints) \[index of a constraint\].
     border: Vec<usize>,
     schur: SchurComplement,
     scratch: Scratch,
@@ -69,16 +72,20 @@ pub struct Condensed {
 /// Room for a solution.
 #[derive(Clone, Debug, Default)]
 struct Scratch {
+    /// Right side on the interface, shape (4 interface nodes) \[N, N m\].
     right: Vec<f64>,
+    /// Values of the interface nodes, shape (4 interface nodes) \[m, 1\].
     nodal: Vec<f64>,
+    /// What these leave of the right side, shape (4 interface nodes) \[N, N m\].
     left_over: Vec<f64>,
+    /// Right side and solution of the reduced system, shape (reduced unknowns) \[N, N m, then m, 1\].
     reduced: Vec<f64>,
 }
 
 /// How the constraints of the border touch nodes.
 #[derive(Clone, Debug)]
 pub struct BorderPattern {
-    /// Nodes.
+    /// Nodes, shape (nodes of the constraint) \[index of a node\].
     pub nodes: Vec<usize>,
     /// Whether it always acts: only then can a joint be reduced by it.
     pub permanent: bool,

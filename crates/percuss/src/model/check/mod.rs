@@ -19,7 +19,7 @@ use yielding::{check_fibres, check_plasticity};
 
 pub(super) use actions::line_of_flight;
 
-/// Collects faults; each check says what was found and what would be right.
+/// Collects faults, shape (faults); each check says what was found and what would be right.
 #[derive(Default)]
 struct Faults(Vec<Fault>);
 

@@ -74,7 +74,7 @@ pub enum Ends {
 pub struct Beam {
     /// The user's name for it.
     pub name: String,
-    /// Points the centre line runs through \[m\].
+    /// Points the centre line runs through, shape (points, 2) \[m\].
     pub points: Vec<[f64; 2]>,
     /// How the points are joined.
     pub curve: Curve,
@@ -84,7 +84,7 @@ pub struct Beam {
     pub material: MaterialId,
     /// Its section, up to the first change.
     pub section: SectionId,
-    /// Changes of material and section, in the order of their places.
+    /// Changes of material and section, in the order of their places, shape (changes).
     pub changes: Vec<Change>,
     /// What closes its outline at its ends.
     pub ends: Ends,

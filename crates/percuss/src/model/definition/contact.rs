@@ -25,9 +25,9 @@ pub struct Disc {
     pub inertia: Option<f64>,
     /// Radius \[m\]; zero for a point.
     pub radius: f64,
-    /// Centre at the start \[m\].
+    /// Centre at the start, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Velocity at the start \[m/s\].
+    /// Velocity at the start, shape (2) \[m/s\].
     pub velocity: [f64; 2],
     /// Angular velocity at the start, positive counter-clockwise \[rad/s\].
     pub spin: f64,
@@ -38,21 +38,21 @@ pub struct Disc {
 pub enum ObstacleShape {
     /// Everything behind a straight line.
     HalfPlane {
-        /// A point of the line \[m\].
+        /// A point of the line, shape (2) \[m\].
         point: [f64; 2],
-        /// Direction out of the obstacle; need not be of unit length.
+        /// Direction out of the obstacle, shape (2) \[-\]; need not be of unit length.
         normal: [f64; 2],
     },
     /// A disc.
     Disc {
-        /// Centre \[m\].
+        /// Centre, shape (2) \[m\].
         centre: [f64; 2],
         /// Radius \[m\].
         radius: f64,
     },
     /// A wall of finite length with round ends; it can be struck from both sides.
     Segment {
-        /// Its ends \[m\].
+        /// Its ends, shape (2, 2) \[m\].
         ends: [[f64; 2]; 2],
         /// Thickness \[m\].
         thickness: f64,
@@ -119,9 +119,9 @@ pub enum Potential {
     },
     /// Integral of a force that is a straight line between given values, and beyond the last one.
     Table {
-        /// Penetrations, from zero on, increasing \[m\].
+        /// Penetrations, from zero on, increasing, shape (points) \[m\].
         penetration: Vec<f64>,
-        /// Forces, from zero on, never falling \[N\].
+        /// Forces, from zero on, never falling, shape (points) \[N\].
         force: Vec<f64>,
     },
     /// Any other, given as code.
@@ -223,7 +223,7 @@ pub enum TouchLaw {
 pub struct Contact {
     /// The user's name for it.
     pub name: String,
-    /// What touches.
+    /// What touches, shape (2).
     pub between: [ContactPartner; 2],
     /// What acts.
     pub law: TouchLaw,

@@ -10,9 +10,9 @@ pub struct LinePoint {
     pub s: f64,
     /// Arc length of the whole line \[m\].
     pub length: f64,
-    /// Position \[m\].
+    /// Position, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Unit tangent; at a corner that of the part before it.
+    /// Unit tangent, shape (2) \[1\]; at a corner that of the part before it.
     pub tangent: [f64; 2],
 }
 

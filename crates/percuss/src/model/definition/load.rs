@@ -8,14 +8,14 @@ use super::{Along, BeamId, PointRef};
 pub enum LoadKind {
     /// Gravity on every beam, point mass and projectile.
     Gravity {
-        /// Acceleration \[m/s^2\].
+        /// Acceleration, shape (2) \[m/s^2\].
         acceleration: [f64; 2],
     },
     /// A force and a moment at a point of a beam.
     Point {
         /// The loaded point.
         at: PointRef,
-        /// Force \[N\]; along (e1, e2), or along (tangent, normal) if it follows.
+        /// Force, shape (2) \[N\]; along (e1, e2), or along (tangent, normal) if it follows.
         force: [f64; 2],
         /// Moment, positive counter-clockwise \[N m\].
         moment: f64,
@@ -26,10 +26,10 @@ pub enum LoadKind {
     Distributed {
         /// The beam.
         beam: BeamId,
-        /// Ends of the stretch.
+        /// Ends of the stretch, shape (2).
         stretch: [Along; 2],
-        /// Force per length at both ends \[N/m\]. Dead: along (e1, e2), per reference length. Follower: along (tangent, normal),
-        /// per current length; a pressure is a follower along the normal.
+        /// Force per length at both ends, shape (2, 2) \[N/m\]. Dead: along (e1, e2), per reference length. Follower: along (tangent,
+        /// normal), per current length; a pressure is a follower along the normal.
         force: [[f64; 2]; 2],
         /// Whether it turns with the tangent.
         follower: bool,

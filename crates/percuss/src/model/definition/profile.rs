@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, SymmetricEigen};
 pub enum Profile {
     /// Not known: such a section cannot yield.
     Unknown,
-    /// Strips of uniform width in the upper half, mirrored in the lower one, from the centre line outwards.
+    /// Strips of uniform width in the upper half, mirrored in the lower one, from the centre line outwards, shape (strips).
     Strips(Vec<Strip>),
     /// A circle with a round hole.
     Ring {

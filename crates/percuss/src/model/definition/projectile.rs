@@ -44,9 +44,9 @@ pub struct Projectile {
     pub kind: ProjectileKind,
     /// Mass \[kg\]; of two masses, that of the front one.
     pub mass: f64,
-    /// Initial velocity \[m/s\].
+    /// Initial velocity, shape (2) \[m/s\].
     pub velocity: [f64; 2],
-    /// Line of flight towards the beam; needed only where the velocity is zero. Need not be of unit length.
+    /// Line of flight towards the beam, shape (2) \[-\]; needed only where the velocity is zero. Need not be of unit length.
     pub direction: Option<[f64; 2]>,
     /// The material point struck.
     pub strikes: PointRef,

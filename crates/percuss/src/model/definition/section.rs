@@ -27,7 +27,7 @@ pub struct Section {
     pub depth: Option<f64>,
     /// Rotary inertia per unit length.
     pub rotary_inertia: RotaryInertia,
-    /// Stations of a tapered section; empty for a uniform one, whose values stand above. Area, inertia and depth vary
+    /// Stations of a tapered section, shape (stations); empty for a uniform one, whose values stand above. Area, inertia and depth vary
     /// linearly between stations.
     pub stations: Vec<Station>,
     /// How its area lies about the centre line; that of the first station of a tapered one, the others being alike but for size.

@@ -25,21 +25,21 @@ pub enum SupportKind {
     Pin,
     /// The displacement across `direction`, along which the support rolls freely.
     Roller {
-        /// Direction of free motion; need not be of unit length.
+        /// Direction of free motion, shape (2) \[-\]; need not be of unit length.
         direction: [f64; 2],
     },
     /// The listed components.
     Fix {
-        /// Components held.
+        /// Components held, shape (components held).
         components: Vec<Component>,
     },
     /// Springs and dampers between the point and where it was in the reference configuration.
     Elastic {
-        /// First axis of the springs; need not be of unit length. The second is across it.
+        /// First axis of the springs, shape (2) \[-\]; need not be of unit length. The second is across it.
         direction: [f64; 2],
-        /// Stiffness along and across `direction` \[N/m\].
+        /// Stiffness along and across `direction`, shape (2) \[N/m\].
         stiffness: [f64; 2],
-        /// Damping along and across `direction` \[N s/m\].
+        /// Damping along and across `direction`, shape (2) \[N s/m\].
         damping: [f64; 2],
         /// Stiffness against rotation of the tangent \[N m\].
         rotational_stiffness: f64,
@@ -48,7 +48,7 @@ pub enum SupportKind {
     },
     /// A spring that pushes back once the point has moved by `gap` along `direction`.
     Stop {
-        /// Direction of motion that is stopped; need not be of unit length.
+        /// Direction of motion that is stopped, shape (2) \[-\]; need not be of unit length.
         direction: [f64; 2],
         /// Free way in the reference configuration \[m\].
         gap: f64,
@@ -62,7 +62,7 @@ pub enum SupportKind {
 /// Prescribed motion of what a support holds: amplitudes times a function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// Displacement \[m\].
+    /// Displacement, shape (2) \[m\].
     pub displacement: [f64; 2],
     /// Rotation of the tangent, positive counter-clockwise \[rad\].
     pub rotation: f64,
@@ -115,7 +115,7 @@ pub struct Joint {
     pub name: String,
     /// What is shared.
     pub kind: JointKind,
-    /// The two points joined.
+    /// The two points joined, shape (2).
     pub between: [PointRef; 2],
 }
 
@@ -124,7 +124,7 @@ pub struct Joint {
 pub enum Anchor {
     /// A point of a beam.
     Point(PointRef),
-    /// A point fixed in space \[m\].
+    /// A point fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }
 
@@ -133,7 +133,7 @@ pub enum Anchor {
 pub struct Spring {
     /// The user's name for it.
     pub name: String,
-    /// Its ends.
+    /// Its ends, shape (2).
     pub between: [Anchor; 2],
     /// Stiffness \[N/m\].
     pub stiffness: f64,
@@ -159,10 +159,10 @@ pub struct PointMass {
 /// Rigid motion in which all beams and point masses start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct InitialMotion {
-    /// Velocity of the point `about` \[m/s\].
+    /// Velocity of the point `about`, shape (2) \[m/s\].
     pub velocity: [f64; 2],
     /// Angular velocity, positive counter-clockwise \[rad/s\].
     pub spin: f64,
-    /// Centre of the rotation \[m\].
+    /// Centre of the rotation, shape (2) \[m\].
     pub about: [f64; 2],
 }

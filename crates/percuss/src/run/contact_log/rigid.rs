@@ -15,8 +15,9 @@ pub(super) struct Resting {
     /// Number of the part of a step in which a pair last pressed, and that pair.
     pressed: u64,
     pub pair: usize,
-    /// Number of the part of a step in which pairs ceased to press; when, and the rate of the last of them.
+    /// Number of the part of a step in which pairs ceased to press.
     ceased: u64,
+    /// When they did, and the rate of the last of them, shape (2) \[s, m/s\].
     end: [f64; 2],
 }
 
@@ -25,7 +26,7 @@ struct Deed {
     contact: usize,
     pair: usize,
     phase: Phase,
-    /// Impulses along normal and tangent \[N s\].
+    /// Impulses along normal and tangent, shape (2) \[N s\].
     impulse: [f64; 2],
     /// Rates of the gap \[m/s\].
     before: f64,

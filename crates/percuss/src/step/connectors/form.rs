@@ -9,8 +9,12 @@ use crate::model::frozen::ConnectorEnd;
 /// derivative of `mean` with respect to the end (`bend`).
 pub(super) struct CoordinateForm {
     pub change: f64,
+    /// Form at the middle, on displacements or slopes of both ends, shape (2, 2) \[-\].
     pub mean: [[f64; 2]; 2],
+    /// Derivative at the end of the step, likewise, shape (2, 2) \[-\].
     pub end: [[f64; 2]; 2],
+    /// Derivative of `mean` with respect to the ends' increments: by end, end and components, shape (2, 2, 2, 2)
+    /// \[1/m of a distance, 1 of an angle\].
     pub bend: Blocks,
 }
 

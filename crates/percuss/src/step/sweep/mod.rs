@@ -27,26 +27,30 @@ const END: usize = 7;
 /// What is kept of the elements while a step is iterated, and what an evaluation leaves.
 #[derive(Clone, Debug, Default)]
 pub struct Sweep {
-    /// Numbers of the elements' tables, one entry a span: empty if its elements share one; nothing if it is not swept.
+    /// Numbers of the elements' tables, one entry a span, shape (spans, numbers of a table, elements) \[each its own\]: empty if its elements
+    /// share one; nothing if it is not swept.
     tables: Vec<Option<Columns>>,
-    /// Positions and tangents of the nodes in the reference configuration, shape (4, n_beam_node).
+    /// Positions and tangents of the nodes in the reference configuration, shape (4, beam nodes) \[m, 1\].
     frames: Columns,
     /// Whether the state at the start of the step has been taken in.
     begun: bool,
     /// Whether forces and accelerations are those of the last evaluation.
     evaluated: bool,
-    /// Nodal displacements and velocities at the start of the step, and increments, shape (4, n_beam_node).
+    /// Nodal displacements at the start of the step, shape (4, beam nodes) \[m, 1\].
     displacement: Columns,
+    /// Nodal velocities at the start of the step, shape (4, beam nodes) \[m/s, 1/s\].
     velocity: Columns,
+    /// Increments of the nodal displacements, shape (4, beam nodes) \[m, 1\].
     increment: Columns,
-    /// Gauss points at the start of the step, shape (n_gauss n_end, n_elem).
+    /// Gauss points at the start of the step, shape (Gauss points times numbers of an end, elements) \[1, 1/m\].
     starts: Columns,
-    /// Angular rates of their tangents at the start and at the end, shape (n_gauss, n_elem) \[rad/s\].
+    /// Angular rates of their tangents at the start, shape (Gauss points, elements) \[rad/s\].
     spin: Columns,
+    /// The same at the end, shape (Gauss points, elements) \[rad/s\].
     end_spin: Columns,
-    /// Accelerations as in [`EndForces::inertia`](super::assemble::EndForces::inertia), shape (4, n_beam_node).
+    /// Accelerations as in [`EndForces::inertia`](super::assemble::EndForces::inertia), shape (4, beam nodes) \[m/s^2, 1/s^2\].
     inertia: Columns,
-    /// Forces on both nodes, shape (8, n_elem) \[N, N m\].
+    /// Forces on both nodes, shape (8, elements) \[N, N m\].
     forces: Columns,
 }
 
@@ -164,13 +168,15 @@ impl Sweep {
 /// What acts on an element in a step, at both nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct EndActions<S> {
-    /// Reference position and tangent.
+    /// Reference position and tangent, shape (2, 4) \[m, 1\].
     pub frames: [[S; 4]; 2],
-    /// Displacements at the start, and their increments.
+    /// Displacements at the start, shape (2, 4) \[m, 1\].
     pub displacement: [[S; 4]; 2],
+    /// Their increments, shape (2, 4) \[m, 1\].
     pub increment: [[S; 4]; 2],
-    /// Accelerations and forces as in [`EndForces`](super::assemble::EndForces).
+    /// Accelerations as in [`EndForces`](super::assemble::EndForces), shape (2, 4) \[m/s^2, 1/s^2\].
     pub inertia: [[S; 4]; 2],
+    /// Forces as there, shape (2, 4) \[N, N m\].
     pub forces: [[S; 4]; 2],
 }
 
@@ -187,6 +193,7 @@ impl<P: Simd> Replacement<f64, Lanes<P>> for Alike<P> {
 /// The numbers of elements from number `k` of a span on.
 struct Each<'a, P: Simd> {
     like: Lanes<P>,
+    /// Numbers of the tables, shape (numbers of a table, elements of the span) \[each its own\].
     numbers: &'a Columns,
     k: usize,
     column: usize,

@@ -7,10 +7,11 @@ use super::{Programme, TOUCHING};
 /// How a structure answers to a load while what is closed stays closed.
 #[derive(Clone, Debug, Default)]
 pub struct Response {
-    /// Displacements, and forces of constraints.
+    /// Displacements, shape (nodes, 4) \[m, 1\].
     pub nodal: Vec<[f64; 4]>,
+    /// Forces of constraints, shape (constraints) \[N, N m\].
     pub constraints: Vec<f64>,
-    /// Forces of rigid contacts, by place.
+    /// Forces of rigid contacts, by place, shape (rigid contacts near) \[index of a place, N\].
     pub(super) contacts: Vec<(usize, f64)>,
 }
 
