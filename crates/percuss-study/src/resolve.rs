@@ -7,7 +7,7 @@ use std::path::Path;
 
 use percuss::{Fault, NoRecorder, RunSummary};
 use percuss_output::SummaryPath;
-use percuss_scenario::study::{self, StudyContent};
+use percuss_scenario::study::StudyContent;
 use percuss_scenario::{Diagnostics, Scenario, StudyFile, one_of};
 
 use self::design::design;

@@ -3,6 +3,7 @@
 mod balance;
 mod checkpoints;
 mod comparison;
+mod conclude;
 mod recorder;
 mod table;
 
@@ -11,7 +12,7 @@ use std::time::{Instant, SystemTime};
 
 use percuss::{ResumeError, RunSummary, Simulation, Termination};
 use percuss_advice::{Advice, AuditWarning, advise, audit, compare, review};
-use percuss_codes::{AnalysisCode, Caution, FileCode, RequestCode};
+use percuss_codes::{Caution, FileCode, RequestCode};
 use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
@@ -22,15 +23,14 @@ use percuss_output::{
 use serde_json::Value;
 
 use crate::advisor;
-use crate::browser;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
 use crate::run_arguments::{Every, Extend, History, Run};
 use crate::scenario::{self, Ready};
-use crate::terminal;
 use checkpoints::{Checkpoints, without_end};
 use comparison::Comparison;
+use conclude::conclude;
 use recorder::{EnergySeries, RunRecorder};
 
 /// A run that has ended, one way or the other.
@@ -339,61 +339,6 @@ fn write_report(
         false => report::write(dir, &data)?,
     }
     Ok(())
-}
-
-/// Says how the run went; the results are in their place.
-fn conclude(
-    ended: &Ended,
-    arguments: &Run,
-    out: &Path,
-    report: Result<(), Failure>,
-) -> Result<Status, Failure> {
-    if arguments.json {
-        terminal::print(&format!("{:#}\n", ended.value))?;
-    } else if !arguments.quiet {
-        terminal::tell(&table::table(ended, out));
-    }
-    if !arguments.quiet {
-        advisor::tell_audit(&ended.warnings);
-    }
-    match &ended.summary.termination {
-        Termination::Failed(error) => {
-            terminal::error(error.code(), &format!("the solver gave up: {error}"));
-            report?;
-            return Ok(Status::GaveUp);
-        }
-        Termination::Interrupted { time } => {
-            let time = crate::number::number(*time);
-            let text = format!("interrupted at t = {time} s; the results end there");
-            terminal::warning(Caution::Interrupted, &text);
-            if let Some((place, Some(time))) = ended.checkpoints.as_ref().map(Checkpoints::place) {
-                let (place, time) = (shown(place), crate::number::number(time));
-                terminal::tell(&format!(
-                    "the same command with --resume goes on from t = {time} s ({})",
-                    place.display()
-                ));
-            }
-        }
-        _ if interrupt::requested() => {
-            let text = "interrupted after the run, whose results are complete";
-            terminal::warning(Caution::Interrupted, text);
-        }
-        _ => {}
-    }
-    report?;
-    if interrupt::requested() {
-        return Ok(Status::Interrupted);
-    }
-    let mut denied = ended.denied.clone();
-    if arguments.open
-        && let Some(text) = browser::open(&out.join("report.html"))
-    {
-        denied.extend(advisor::warn(Caution::Browser, &text, &arguments.deny));
-    }
-    let open = if arguments.strict { balance::open(&ended.summary) } else { Vec::new() };
-    open.iter().for_each(|text| terminal::error(AnalysisCode::Balance, text));
-    denied.iter().for_each(|text| terminal::error(RequestCode::Denied, text));
-    Ok(if open.is_empty() && denied.is_empty() { Status::Done } else { Status::BalanceOpen })
 }
 
 fn shows_progress(arguments: &Run) -> bool {

@@ -11,10 +11,6 @@ fn quantity(value: Option<f64>, unit: &str) -> String {
     quantity::quantity(rounded, unit)
 }
 
-fn number(value: f64) -> String {
-    format!("{value:.0e}")
-}
-
 /// Beside what they come from, smaller velocities are none.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -285,9 +281,9 @@ fn balance(summary: &Value) -> String {
             format!("The energy balance closes to round-off, relative to {scale}.")
         }
         Some(r) if r < 1e-8 => {
-            format!("The energy balance closes to {}, relative to {scale}.", number(r))
+            format!("The energy balance closes to {r:.0e}, relative to {scale}.")
         }
-        Some(r) => format!("The energy balance is off by {}, relative to {scale}.", number(r)),
+        Some(r) => format!("The energy balance is off by {r:.0e}, relative to {scale}."),
         None => String::new(),
     };
     if let Some(status @ ("failed" | "interrupted")) = summary["status"].as_str() {

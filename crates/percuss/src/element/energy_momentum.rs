@@ -1,6 +1,8 @@
 //! The invariant energy-momentum scheme: a discrete gradient written through the invariants
 //! `a = g.g` and `b = g x p`, with no strain history.
 
+mod bending;
+
 use super::beam::{ElementValues, GaussRow};
 use super::point::{Form, PointResponse, SectionLaw, StepPoint, Stress, b_of, form_b};
 use super::rotary::Turn;
@@ -286,63 +288,6 @@ impl<S: Real> Step<S> {
         let on_a = (c1 * moment_a).add_product(moment, c1_a);
         let y = Form::along(on_a, self.g, c1 * moment_b, &b_form);
         stress.forces_with_tangent(x, y, 0.5, g_mid, p_mid)
-    }
-}
-
-/// The bending strain over a step, where the moment does not follow from it alone.
-#[derive(Clone, Copy, Debug)]
-pub struct BendingStep<S> {
-    /// Bending strain at the start and at the end, shape (2) \[1/m\].
-    pub strain: [S; 2],
-    /// Discrete gradient: on the increment of the step it is the change of the strain, exactly.
-    pub gradient: Form<S>,
-    /// Gradient of the strain at the end.
-    pub end: Form<S>,
-    /// A unit moment with the coefficients of the discrete gradient, their derivatives, and where it is evaluated.
-    unit: Stress<S>,
-    /// Derivatives, for a unit moment, of the coefficients along the discrete gradient's two parts, shape (2).
-    turned: [Form<S>; 2],
-    /// Where the discrete gradient is evaluated: tangent x' and x'' in the middle of the step, shape (2, 2) \[1, 1/m\].
-    middle: [[S; 2]; 2],
-}
-
-impl<S: Real> BendingStep<S> {
-    /// Force of a moment, with the tangent of its lever arms alone.
-    #[inline(always)]
-    pub fn response(&self, moment: S) -> PointResponse<S> {
-        let [x, y] = self.turned.map(|form| form.times(moment));
-        let [g, p] = self.middle;
-        Stress { moment, ..self.unit }.forces_with_tangent(x, y, 0.5, g, p)
-    }
-}
-
-impl<S: Real> Step<S> {
-    /// The bending strain over the step.
-    #[inline(always)]
-    pub fn bending(&self, law: &SectionLaw<S>, start: &End<S>) -> BendingStep<S> {
-        let one = law.axial.constant(1.0);
-        let zero = law.axial.constant(0.0);
-        let law = SectionLaw { axial: zero, bending: one, ..*law };
-        let weights = [zero, one];
-        let ends = StepStates { start, end: &self.end, bent: &self.bent, q: self.q, weights };
-        let (unit, slopes) = match law.measure {
-            StrainMeasure::Green => ends.green(&law),
-            StrainMeasure::Engineering => ends.engineering(&law),
-        };
-        let unit = Stress { moment: one, ..unit };
-        let middle = [self.turn.g, self.p_mid];
-        let b_form = form_b(self.g, self.end.bend);
-        BendingStep {
-            strain: [self.bent[0].strain, self.bent[1].strain],
-            gradient: Form::along(unit.c2, middle[0], unit.c1, &form_b(middle[0], middle[1])),
-            end: Form::along(slopes.moment_a, self.g, slopes.moment_b, &b_form),
-            unit,
-            turned: [
-                Form::along(slopes.c2_a, self.g, slopes.c2_b, &b_form),
-                Form::along(slopes.c1_a, self.g, zero, &b_form),
-            ],
-            middle,
-        }
     }
 }
 

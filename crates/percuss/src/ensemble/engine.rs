@@ -1,7 +1,9 @@
 //! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
 
+mod guide;
+
 use super::band::{Band, LaneBlock};
-use super::numbers::{GuideNumbers, Numbers, PrescribedNumbers};
+use super::numbers::{Numbers, PrescribedNumbers};
 use crate::element::beam::ElementValues;
 use crate::element::elastic::ElasticStep;
 use crate::element::energy_momentum::End;
@@ -9,6 +11,8 @@ use crate::math::hermite::GAUSS;
 use crate::math::vec2::{dot, dot4};
 use crate::model::StrainMeasure;
 use crate::scalar::{Number, array};
+
+pub use guide::GuideState;
 
 /// Runs side by side (or one, with its derivatives), in a step of their own each.
 #[derive(Clone, Debug)]
@@ -48,34 +52,6 @@ pub struct Engine<S: Number> {
     pub factors: Band<S>,
     /// The rigid projectile that strikes in the step at hand, if one does; runs side by side have none.
     pub striking: Option<usize>,
-}
-
-/// A guided projectile on its way, and in the step at hand.
-#[derive(Clone, Copy, Debug)]
-pub struct GuideState<S> {
-    /// Way along the line of flight \[m\], velocity \[m/s\].
-    pub way: S,
-    pub velocity: S,
-    /// Gap \[m\] and its rate \[m/s\].
-    pub gap: S,
-    pub rate: S,
-    /// Increment of the way, residual and correction.
-    pub increment: S,
-    pub residual: S,
-    pub correction: S,
-    /// Change of the gap over the step \[m\].
-    pub gap_change: S,
-    /// What the loads apply, shape (2) \[N\].
-    pub applied: [S; 2],
-    /// Force \[N\], its slope by the penetration at the end of the step \[N/m\].
-    pub force: S,
-    pub slope: S,
-    /// Slope, and inertia with the slope, of the tangent assembled last, shape (2) \[N/m\].
-    pub assembled: [S; 2],
-    /// The same of the factors in use, shape (2) \[N/m\].
-    pub factored: [S; 2],
-    /// Impulse of a rigid contact that strikes in this step \[N s\].
-    pub impulse: S,
 }
 
 impl<S: Number> Engine<S> {
@@ -371,76 +347,11 @@ impl<S: Number> Engine<S> {
     }
 }
 
-impl<S: Number> GuideNumbers<S> {
-    /// Nodal values of the struck point along the line of flight, as a form on its two nodes.
-    #[inline(always)]
-    pub fn row(&self) -> [S; 8] {
-        let ([n0, n1, n2, n3], [e1, e2]) = (self.shape, self.direction);
-        [n0 * e1, n0 * e2, n1 * e1, n1 * e2, n2 * e1, n2 * e2, n3 * e1, n3 * e2]
-    }
-
-    /// The same on given nodal values.
-    #[inline(always)]
-    pub fn along(&self, nodal: &[[S; 4]]) -> S {
-        let w = self.value(nodal);
-        dot(self.direction, w)
-    }
-
-    /// Nodal values interpolated to the struck point.
-    #[inline(always)]
-    pub fn value(&self, nodal: &[[S; 4]]) -> [S; 2] {
-        interpolate(&self.shape, self.node, nodal)
-    }
-}
-
 /// Interpolates nodal values with shape functions.
 #[inline(always)]
 pub fn interpolate<S: Number>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
     let (a, b) = (&nodal[node], &nodal[node + 1]);
     [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
-}
-
-impl<S: Number> GuideState<S> {
-    fn at_start(guide: &GuideNumbers<S>) -> Self {
-        let zero = guide.mass.constant(0.0);
-        Self {
-            way: zero,
-            velocity: guide.speed,
-            gap: guide.standoff,
-            rate: -guide.speed,
-            increment: zero,
-            residual: zero,
-            correction: zero,
-            gap_change: zero,
-            applied: [zero; 2],
-            force: zero,
-            slope: zero,
-            assembled: [zero, guide.mass],
-            factored: [zero, guide.mass],
-            impulse: zero,
-        }
-    }
-
-    /// What the contact takes of the projectile's residual when it is eliminated \[N\].
-    #[inline(always)]
-    pub fn left_over(&self) -> S {
-        let [slope, inertia] = self.factored;
-        slope * self.residual / inertia
-    }
-
-    fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
-        for (mine, other) in [
-            (&mut self.way, from.way),
-            (&mut self.velocity, from.velocity),
-            (&mut self.gap, from.gap),
-            (&mut self.rate, from.rate),
-            (&mut self.increment, from.increment),
-            (&mut self.impulse, from.impulse),
-            (&mut self.force, from.force),
-        ] {
-            mine.set_lane(lane, other, from_lane);
-        }
-    }
 }
 
 fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {

@@ -3,21 +3,23 @@
 //! The tangent is factored at the predictor and kept while the iteration contracts well with it; unbalanced forces are
 //! always those of the current increment, so the result does not depend on how often the tangent was renewed.
 
+mod balance;
+
 use serde::{Deserialize, Serialize};
 
 use super::constraint::ConstraintStep;
 use super::contacts::{ActiveContact, ImpulseLaw};
-use super::convergence::{ConvergenceMonitor, ROUND_OFF, WORK_TOLERANCE};
+use super::convergence::ConvergenceMonitor;
 use super::forcing::Forcing;
 use super::integration::Integration;
 use super::modal_damping::ModalDamping;
-use super::tangent::{Singular, project};
+use super::tangent::Singular;
 use super::workspace::Workspace;
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
 use crate::geometry::touch::Reach;
 use crate::model::Model;
-use crate::model::frozen::{Constraint, ConstraintKind};
+use crate::model::frozen::ConstraintKind;
 use crate::state::State;
 
 /// A step to be solved: from `state`, by `integration`, with the `active` contacts.
@@ -173,46 +175,6 @@ impl StepProblem<'_> {
         Err(Failure::Diverged { residual: convergence.unbalanced / convergence.energy, node })
     }
 
-    /// The largest energy of the run so far, or what the loads bring in this step; in a first step without either, the work of
-    /// the first correction.
-    fn energy_in_play(&self, work: &Workspace, correction_work: f64) -> f64 {
-        let rule = &self.integration;
-        let loads = external::work(
-            self.model,
-            self.state,
-            rule.h,
-            rule.theta(),
-            self.forcing,
-            &work.increment,
-        );
-        // Supports that move leave nothing unbalanced at the predictor.
-        let moved = |(c, m): (&Constraint, &f64)| (m * self.forcing.increment(&c.drive)).abs();
-        let mut supports: f64 =
-            self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
-        for dofs in &self.model.prescribed {
-            for (n, drive) in dofs.normals.iter().zip(&dofs.drives) {
-                let force: f64 = (0..4).map(|k| n[k] * work.residual[dofs.node][k]).sum();
-                supports += (force * self.forcing.increment(drive)).abs();
-            }
-        }
-        let energy = self.state.ledger.energy_scale.max(loads.work.abs()).max(supports);
-        if energy > 0.0 { energy } else { correction_work }
-    }
-
-    /// Whether nothing is left unbalanced, or nothing but round-off.
-    fn balanced(&self, work: &Workspace, convergence: &ConvergenceMonitor<f64>) -> bool {
-        let impulse = self.unbalanced_impulse(work) / self.momentum_in_play(convergence.energy);
-        if convergence.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
-            return true;
-        }
-        // Forces along forms that have turned since may do no work and still have a moment.
-        let turned = work.turned / self.momentum_in_play(convergence.energy);
-        convergence.unbalanced <= WORK_TOLERANCE * convergence.energy
-            && (turned <= TURNED_TOLERANCE || turned.is_nan())
-            && (impulse <= IMPULSE_TOLERANCE || impulse.is_nan())
-            && self.constraints_met(work)
-    }
-
     fn predict(&self, work: &mut Workspace) {
         let state = self.state;
         for (n, d) in work.increment.iter_mut().enumerate() {
@@ -318,50 +280,6 @@ impl StepProblem<'_> {
             }
         }
         Ok(correction)
-    }
-
-    /// Work of the unbalanced forces over the step, all taken with the same sign \[J\].
-    fn unbalanced_work(&self, work: &mut Workspace) -> f64 {
-        let Workspace { residual, correction, increment, .. } = work;
-        // The correction is free now: it holds the residual without the reactions of the supports.
-        correction.copy_from_slice(residual);
-        project(self.model, correction);
-        let mut sum = 0.0;
-        for (r, d) in correction.iter().zip(increment.iter()) {
-            for i in 0..4 {
-                sum += (r[i] * d[i]).abs();
-            }
-        }
-        sum
-    }
-
-    /// Impulse of the unbalanced forces \[N s\]; follows [`StepProblem::unbalanced_work`], whose projection it uses.
-    fn unbalanced_impulse(&self, work: &Workspace) -> f64 {
-        let mut sum = [0.0; 2];
-        for r in &work.correction {
-            sum[0] += r[0];
-            sum[1] += r[1];
-        }
-        self.integration.h * sum[0].hypot(sum[1])
-    }
-
-    /// The largest momentum of the run so far, or the one that goes with the energy scale; NaN where nothing moves.
-    fn momentum_in_play(&self, energy: f64) -> f64 {
-        let scale = (2.0 * self.model.total_mass * energy).sqrt();
-        let scale = scale.max(self.state.ledger.linear_scale);
-        if scale > 0.0 { scale } else { f64::NAN }
-    }
-
-    fn constraints_met(&self, work: &Workspace) -> bool {
-        let u = &self.state.displacement;
-        let (_, reach) = largest(u);
-        let (_, step) = largest(&work.increment);
-        let tolerance = ROUND_OFF * (step + self.feedback * (1.0 + reach));
-        let seen = self.constraint_step(&work.increment);
-        self.model.constraints.iter().zip(&self.forcing.constrained).all(|(c, acts)| {
-            let left = seen.change(c) + self.feedback * seen.start_value(c);
-            !acts || left.abs() <= tolerance
-        })
     }
 }
 

@@ -1,6 +1,9 @@
 //! The tangent of a step: the band of the beams with the components held at nodes, what ties it together, and the low-rank
 //! part of modal damping.
 
+mod low_rank;
+
+use self::low_rank::LowRank;
 use super::condensed_bodies::CondensedBodies;
 use super::constraint::{self, ConstraintStep};
 use super::modal_damping::ModalDamping;
@@ -8,7 +11,6 @@ use super::projection::{prescribe_block, project_coupling};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
 use crate::linalg::condensed::{BorderPattern, Condensed};
-use crate::linalg::dense::DenseLu;
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, Connector, Constraint, ConstraintKind, MaterialPoint};
 
@@ -34,18 +36,6 @@ pub struct Tangent {
     /// Right side of the constraints, then the change of their multipliers, shape (constraints) \[m, 1, then N, N m\].
     right: Vec<f64>,
     low_rank: LowRank,
-}
-
-/// Solutions for the vectors of modal damping, and the small system between them (Woodbury).
-#[derive(Clone, Debug, Default)]
-struct LowRank {
-    /// Nodal values of the solutions, shape (modes, nodes, 4) \[kg^(1/2) m/N, kg^(1/2)/N\].
-    columns: Vec<Vec<[f64; 4]>>,
-    /// Multipliers of the solutions, shape (modes, constraints) \[kg^(1/2), kg^(1/2) m\].
-    multipliers: Vec<Vec<f64>>,
-    lu: DenseLu,
-    /// Right side and solution of the small system, shape (modes) \[kg^(1/2) m, then N/kg^(1/2)\].
-    right: Vec<f64>,
 }
 
 /// Why a tangent cannot be factored.
@@ -315,31 +305,6 @@ impl Tangent {
         if self.factor_damping(model, damping) { Ok(()) } else { Err(Singular::Constraints) }
     }
 
-    /// Solutions for the vectors of modal damping; `false` if the system between them is singular.
-    fn factor_damping(&mut self, model: &Model, damping: Option<(&ModalDamping, f64)>) -> bool {
-        let Some((damping, h)) = damping.filter(|(d, _)| !d.is_empty()) else {
-            self.low_rank.columns.clear();
-            return true;
-        };
-        let n = damping.vectors.len();
-        let mut low_rank = std::mem::take(&mut self.low_rank);
-        low_rank.columns.resize(n, Vec::new());
-        low_rank.multipliers.resize(n, Vec::new());
-        let mut matrix = vec![0.0; n * n];
-        for (j, vector) in damping.vectors.iter().enumerate() {
-            low_rank.columns[j].clone_from(vector);
-            low_rank.multipliers[j] = vec![0.0; model.constraints.len()];
-            self.solve_plain(model, &mut low_rank.columns[j], &mut low_rank.multipliers[j]);
-            for (i, other) in damping.vectors.iter().enumerate() {
-                matrix[i * n + j] = inner(other, &low_rank.columns[j]);
-            }
-            matrix[j * n + j] += h / damping.rates[j];
-        }
-        let regular = low_rank.lu.factor(n, &matrix);
-        self.low_rank = low_rank;
-        regular
-    }
-
     fn solve_plain(&mut self, model: &Model, x: &mut [[f64; 4]], border: &mut [f64]) {
         project(model, x);
         self.condensed_bodies.before(x);
@@ -384,31 +349,6 @@ impl Tangent {
         let mut border = vec![0.0; model.constraints.len()];
         self.solve_plain(model, x, &mut border);
         border
-    }
-
-    fn correct_for_damping(
-        &mut self,
-        damping: &ModalDamping,
-        x: &mut [[f64; 4]],
-        border: &mut [f64],
-    ) {
-        let low_rank = &mut self.low_rank;
-        if low_rank.columns.is_empty() {
-            return;
-        }
-        low_rank.right.clear();
-        low_rank.right.extend(damping.vectors.iter().map(|v| inner(v, x)));
-        low_rank.lu.solve(&mut low_rank.right);
-        for ((column, multipliers), share) in
-            low_rank.columns.iter().zip(&low_rank.multipliers).zip(&low_rank.right)
-        {
-            for (target, c) in x.iter_mut().zip(column) {
-                (0..4).for_each(|i| target[i] -= share * c[i]);
-            }
-            for (target, m) in border.iter_mut().zip(multipliers) {
-                *target -= share * m;
-            }
-        }
     }
 }
 

@@ -1,0 +1,181 @@
+//! Forces and tangents of every scheme at a Gauss point, against derivatives in dual numbers.
+
+use super::*;
+use crate::element::point::{SectionLaw, Strains};
+use crate::element::strain::StrainMeasure;
+use crate::element::{collocation, energy_momentum, rotary, strain, strain_rate};
+use crate::math::vec2::{add, cross, dot};
+use nalgebra::SVector;
+use num_dual::{DualNum, DualSVec64, jacobian};
+use proptest::prelude::*;
+
+type Dual = DualSVec64<4>;
+
+impl Real for Dual {
+    fn constant(self, value: f64) -> Self {
+        Dual::from_re(value)
+    }
+    fn sqrt(self) -> Self {
+        DualNum::sqrt(&self)
+    }
+}
+
+const H: f64 = 1e-3;
+/// Share of Kelvin-Voigt stresses.
+const LAG: f64 = 0.2;
+
+fn law<S: Real>(like: S, measure: StrainMeasure) -> SectionLaw<S> {
+    let [axial, bending, rotary] = [5.0e3, 40.0, 0.3].map(|x| like.constant(x));
+    SectionLaw { axial, bending, rotary, measure }
+}
+
+/// A scheme as a function of its step point; `spin`, `old` are its histories.
+fn evaluate<S: Real, const T: bool>(
+    scheme: usize,
+    measure: StrainMeasure,
+    point: &StepPoint<S>,
+) -> PointResponse<S> {
+    let like = point.curvature;
+    let law = law(like, measure);
+    let g0 = add(point.tangent, point.slope_0);
+    let old = Strains { membrane: like.constant(0.02), bending: like.constant(-0.3) };
+    let (spin, h) = (like.constant(3.0), like.constant(H));
+    match scheme {
+        0 => {
+            let mut r = energy_momentum::response::<S, T>(&law, point, like.constant(LAG));
+            rotary::Turn::new(g0, point.d_slope).add_inertia::<T>(
+                &mut r,
+                law.rotary,
+                spin,
+                h.recip(),
+                like.constant(30.0),
+            );
+            r
+        }
+        1 => strain_rate::response::<S, T>(&law, point, old, LAG),
+        2 => collocation::damped::<S, T>(&law, point, LAG),
+        _ => {
+            let theta = 0.7;
+            let mut r = collocation::response::<S, T>(&law, point, theta);
+            let g = [g0[0] + point.d_slope[0] * theta, g0[1] + point.d_slope[1] * theta];
+            let (rate, acc) = (600.0, 2.0e5);
+            let linear = |c: f64, offset: [f64; 2]| {
+                [
+                    point.d_slope[0] * c + like.constant(offset[0]),
+                    point.d_slope[1] * c + like.constant(offset[1]),
+                ]
+            };
+            let (g_dot, g_ddot) = (linear(rate, [0.4, -2.0]), linear(acc, [30.0, -10.0]));
+            rotary::add_collocated::<S, T>(
+                &mut r,
+                law.rotary,
+                g,
+                g_dot,
+                g_ddot,
+                [theta, rate, acc],
+            );
+            r
+        }
+    }
+}
+
+fn point_from(v: [f64; 8], angle: f64) -> StepPoint<f64> {
+    StepPoint {
+        tangent: [angle.cos(), angle.sin()],
+        curvature: 0.4,
+        slope_0: [v[0], v[1]],
+        bend_0: [v[2], v[3]],
+        d_slope: [v[4], v[5]],
+        d_bend: [v[6], v[7]],
+    }
+}
+
+fn lift(p: &StepPoint<f64>, end: &SVector<Dual, 4>) -> StepPoint<Dual> {
+    let c = |v: [f64; 2]| [Dual::from_re(v[0]), Dual::from_re(v[1])];
+    StepPoint {
+        tangent: c(p.tangent),
+        curvature: Dual::from_re(p.curvature),
+        slope_0: c(p.slope_0),
+        bend_0: c(p.bend_0),
+        d_slope: [end[0], end[1]],
+        d_bend: [end[2], end[3]],
+    }
+}
+
+fn measures() -> [StrainMeasure; 2] {
+    [StrainMeasure::Green, StrainMeasure::Engineering]
+}
+
+proptest! {
+    #[test]
+    fn tangents_equal_dual_numbers(v in prop::array::uniform8(-0.3..0.3_f64), angle in 0.0..6.3_f64) {
+        let point = point_from(v, angle);
+        for measure in measures() {
+            for scheme in 0..4 {
+                let (force, exact) = jacobian(
+                    |end: SVector<Dual, 4>| {
+                        let r = evaluate::<Dual, false>(scheme, measure, &lift(&point, &end));
+                        SVector::from([
+                            r.force_g[0], r.force_g[1],
+                            r.force_p[0], r.force_p[1],
+                        ])
+                    },
+                    &SVector::from([v[4], v[5], v[6], v[7]]),
+                );
+                let ours = evaluate::<f64, true>(scheme, measure, &point);
+                let scale = exact.norm();
+                for i in 0..4 {
+                    let f = [ours.force_g, ours.force_p][i / 2][i % 2];
+                    prop_assert!((f - force[i]).abs() <= 1e-12 * (1.0 + force.norm()));
+                    for j in 0..4 {
+                        prop_assert!(
+                            (ours.tangent[i][j] - exact[(i, j)]).abs() <= 1e-12 * scale,
+                            "scheme {scheme} {measure:?} ({i},{j}): {} {}", ours.tangent[i][j], exact[(i, j)]
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn work_of_the_invariant_scheme_is_the_change_of_strain_energy(
+        v in prop::array::uniform8(-0.3..0.3_f64), angle in 0.0..6.3_f64,
+    ) {
+        let p = point_from(v, angle);
+        for measure in measures() {
+            let law = law(0.0, measure);
+            let energy = |slope, bend| {
+                let s = strain::strains(measure, p.tangent, p.curvature, slope, bend);
+                0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
+            };
+            let r = energy_momentum::response::<f64, false>(&law, &p, 0.0);
+            let work = dot(r.force_g, p.d_slope) + dot(r.force_p, p.d_bend);
+            let change = energy(add(p.slope_0, p.d_slope), add(p.bend_0, p.d_bend))
+                - energy(p.slope_0, p.bend_0);
+            prop_assert!((work - change).abs() <= 1e-12 * (1.0 + law.axial));
+        }
+    }
+
+    #[test]
+    fn forces_of_every_energy_momentum_scheme_do_no_work_on_rigid_rotation(
+        v in prop::array::uniform8(-0.3..0.3_f64), angle in 0.0..6.3_f64,
+    ) {
+        let p = point_from(v, angle);
+        let g0 = add(p.tangent, p.slope_0);
+        let g = add(g0, [0.5 * p.d_slope[0], 0.5 * p.d_slope[1]]);
+        let b = add(p.bend_0, [0.5 * p.d_bend[0], 0.5 * p.d_bend[1]]);
+        let old = Strains { membrane: 0.02, bending: -0.3 };
+        for measure in measures() {
+            let law = law(0.0, measure);
+            for r in [
+                energy_momentum::response::<f64, false>(&law, &p, LAG),
+                strain_rate::response::<f64, false>(&law, &p, old, LAG),
+                collocation::damped::<f64, false>(&law, &p, LAG),
+            ] {
+                let turn = cross(g, r.force_g) + cross(b, r.force_p);
+                prop_assert!(turn.abs() <= 1e-12 * law.axial);
+            }
+        }
+    }
+}
