@@ -160,7 +160,7 @@ impl Potential {
             Self::Linear { unloading_stiffness, .. } | Self::Table { unloading_stiffness, .. } => {
                 *unloading_stiffness
             }
-            Self::Hertz { .. } | Self::Given => None,
+            _ => None,
         }
     }
 
