@@ -1,5 +1,6 @@
 //! The summary of a run that has ended.
 
+use super::pace::Pace;
 use super::simulation::Simulation;
 use super::yielding;
 use crate::math::vec2::{dot, norm, scale};
@@ -21,6 +22,7 @@ impl Simulation<'_> {
             newton_iterations: self.effort.iterations,
             factorizations: self.effort.factorizations,
             rows: self.rows.count,
+            step_control: self.pace.as_ref().map(Pace::told),
             energy: EnergySummary {
                 initial: ledger.energy_initial,
                 final_: self.measures.total(),

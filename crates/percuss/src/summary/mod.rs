@@ -3,10 +3,12 @@
 mod contact;
 mod forces;
 mod plastic;
+mod step_control;
 
 pub use contact::*;
 pub use forces::*;
 pub use plastic::*;
+pub use step_control::*;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
@@ -129,6 +131,8 @@ pub struct RunSummary {
     pub factorizations: usize,
     /// Rows recorded.
     pub rows: usize,
+    /// Sizes of steps, where an accuracy was asked for in place of one.
+    pub step_control: Option<StepControl>,
     /// Energies.
     pub energy: EnergySummary,
     /// Momenta.
