@@ -61,7 +61,7 @@ pub(super) struct Pace {
     past: [Means; 2],
     /// How many of them belong to the motion: none behind an impact.
     known: usize,
-    /// Velocities of what is watched at the start \[m/s\].
+    /// Velocities at the start of what flies \[m/s\].
     start: Vec<[f64; 2]>,
     /// Displacements from a motion that goes on as it started \[m\].
     moved: Vec<[f64; 2]>,
@@ -92,11 +92,16 @@ impl Pace {
     pub fn new(model: &Model, settings: &Settings, state: &State) -> Option<Self> {
         let accuracy = settings.accuracy?;
         let nodes = watched(model);
-        let start: Vec<[f64; 2]> = state.velocity[nodes.clone()].iter().map(plane).collect();
+        let mut start: Vec<[f64; 2]> = state.velocity[nodes.clone()].iter().map(plane).collect();
         let mut deflects = vec![true; nodes.len()];
-        let moves = |range: std::ops::Range<usize>| start[range].iter().any(|v| norm(*v) > 0.0);
-        for beam in model.beams.iter().filter(|beam| moves(beam.nodes.clone())) {
-            deflects[beam.nodes.clone()].fill(false);
+        for beam in &model.beams {
+            let own = beam.nodes.clone();
+            let flies = start[own.clone()].iter().any(|v| norm(*v) > 0.0)
+                && own.clone().all(|node| model.dofs_at(node).is_none());
+            match flies {
+                true => deflects[own].fill(false),
+                false => start[own].fill([0.0; 2]),
+            }
         }
         if deflects.iter().all(|deflects| !deflects) {
             deflects.fill(true);
