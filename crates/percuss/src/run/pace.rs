@@ -17,12 +17,16 @@ use super::trial::{PartKind, Trial};
 use crate::math::vec2::norm;
 use crate::model::Model;
 use crate::settings::Settings;
-use crate::state::State;
+use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::StepControl;
 
 /// The error of a step may be so many times the accuracy, to the power 3/2. Found by runs beside converged ones (docs/results.md).
-const ADMITTED: f64 = 2.0;
+const ADMITTED: f64 = 1.0;
+/// So is that of velocities before an impact, times the accuracy, ...
+const VELOCITY: f64 = 0.3;
+/// ... that may come within so many steps.
+const SOON: f64 = 10.0;
 /// Part of the step that the estimate admits that is taken.
 const SAFETY: f64 = 0.9;
 /// Bounds of the size of a step beside that of the step before, and of one that is repeated beside the one refused.
@@ -51,6 +55,8 @@ struct Means {
 pub(super) struct Pace {
     /// Error of a step that is admitted.
     admitted: f64,
+    /// Error of a velocity that is admitted beside that of an impact before one that may come soon.
+    velocity: f64,
     /// First step \[s\].
     first: f64,
     /// Size of the next step \[s\].
@@ -115,6 +121,7 @@ impl Pace {
         };
         Some(Self {
             admitted: (ADMITTED * accuracy).powf(1.5),
+            velocity: VELOCITY * accuracy,
             first,
             next: first,
             admits: f64::INFINITY,
@@ -210,7 +217,9 @@ impl Pace {
                     deflection = deflection.max(norm(self.moved_by(k, d, h)));
                 }
             }
+            let velocity = error / (h * motion.bounce(h));
             error = if error > 0.0 { error / deflection } else { 0.0 };
+            error = error.max(self.admitted * (velocity / self.velocity).powf(1.5));
         }
         let energy = motion.state.ledger.energy_scale;
         for (c, now) in motion.forces().into_iter().enumerate() {
@@ -299,6 +308,17 @@ impl Motion<'_> {
             forces[self.model.pairs[contact.pair].contact] += contact.force.force;
         }
         forces
+    }
+
+    /// Largest velocity with which what has struck under a rigid law, and may strike again soon, ever struck \[m/s\]; infinite if there
+    /// is none.
+    fn bounce(&self, h: f64) -> f64 {
+        let may = |pair: &PairState| {
+            !pair.closed && pair.approach_max > 0.0 && pair.gap < SOON * h * pair.approach_max
+        };
+        let near = self.state.pairs.iter().filter(|pair| may(pair));
+        let fastest = near.map(|pair| pair.approach_max).fold(0.0, f64::max);
+        if fastest > 0.0 { fastest } else { f64::INFINITY }
     }
 
     /// Largest velocity of approach of a contact with a force law, at most `before` before.
