@@ -189,6 +189,11 @@ impl Pace {
         size <= SMALLEST * self.first * (1.0 + 1e-9)
     }
 
+    /// Whether a part of so small a size beside the one before tells nothing of the motion; what came before an impact does not count.
+    fn is_short(&self, size: f64) -> bool {
+        self.known > 0 && size < SHORT * self.past[0].size
+    }
+
     /// Size that an error over a part of size `h` admits \[s\].
     fn size_for(&self, error: f64, h: f64) -> f64 {
         SAFETY * h * (self.admitted / error).cbrt()
@@ -338,7 +343,7 @@ impl Simulation<'_> {
     pub(super) fn too_long(&self, trial: &Trial) -> Option<f64> {
         let pace = self.pace.as_ref()?;
         let free = matches!(trial.kind, PartKind::Free { .. });
-        if !free || pace.is_smallest(trial.h) || trial.h < SHORT * pace.past[0].size {
+        if !free || pace.is_smallest(trial.h) || pace.is_short(trial.h) {
             return None;
         }
         let error = pace.error(&self.motion(trial.h));
@@ -351,7 +356,7 @@ impl Simulation<'_> {
         let Some(mut pace) = self.pace.take() else { return };
         let motion = self.motion(trial.h);
         let kind = match trial.kind {
-            PartKind::Free { .. } if trial.h < SHORT * pace.past[0].size => Taken::Short,
+            PartKind::Free { .. } if pace.is_short(trial.h) => Taken::Short,
             PartKind::Free { .. } => Taken::Smooth { error: pace.error(&motion) },
             _ => Taken::Jump,
         };
