@@ -23,9 +23,11 @@ use crate::summary::StepControl;
 
 /// The error of a step may be so many times the accuracy, to the power 3/2. Found by runs beside converged ones (docs/results.md).
 const ADMITTED: f64 = 1.0;
-/// So is that of velocities before an impact, times the accuracy, ...
-const VELOCITY: f64 = 0.3;
-/// ... that may come within so many steps.
+/// The error of a force beside the largest one may be so many times the accuracy.
+const FORCE: f64 = 1.0;
+/// Accuracy of which first steps are what follows a rigid impact, ...
+const BOUNCES: f64 = 2.5e-3;
+/// ... where another may come within so many steps.
 const SOON: f64 = 10.0;
 /// Part of the step that the estimate admits that is taken.
 const SAFETY: f64 = 0.9;
@@ -55,8 +57,10 @@ struct Means {
 pub(super) struct Pace {
     /// Error of a step that is admitted.
     admitted: f64,
-    /// Error of a velocity that is admitted beside that of an impact before one that may come soon.
-    velocity: f64,
+    /// Error of a force that is admitted beside the largest one.
+    force: f64,
+    /// Largest step where what has struck may strike again soon \[s\].
+    soon: f64,
     /// First step \[s\].
     first: f64,
     /// Size of the next step \[s\].
@@ -77,6 +81,8 @@ pub(super) struct Pace {
     deflection: f64,
     /// Largest velocities of approach, shape (n_contact) \[m/s\].
     approach: Vec<f64>,
+    /// Largest forces, shape (n_contact) \[N\].
+    peak: Vec<f64>,
     /// Largest error of an accepted step so far.
     error: f64,
     /// What the summary tells.
@@ -121,7 +127,8 @@ impl Pace {
         };
         Some(Self {
             admitted: (ADMITTED * accuracy).powf(1.5),
-            velocity: VELOCITY * accuracy,
+            force: FORCE * accuracy,
+            soon: (accuracy / BOUNCES).sqrt() * first,
             first,
             next: first,
             admits: f64::INFINITY,
@@ -132,6 +139,7 @@ impl Pace {
             deflects,
             deflection: speed * first,
             approach: vec![0.0; model.contacts.len()],
+            peak: vec![0.0; model.contacts.len()],
             error: 0.0,
             told: StepControl::new(accuracy),
         })
@@ -142,7 +150,7 @@ impl Pace {
         let lengths = |one: &Self| {
             let past = one.past.each_ref().map(|p| (p.velocity.len(), p.force.len()));
             let others = [one.start.len(), one.moved.len(), one.deflects.len()];
-            (past, others, one.approach.len())
+            (past, others, one.approach.len(), one.peak.len())
         };
         let sound = self.next > 0.0 && self.next.is_finite();
         sound && lengths(self) == lengths(other) && self.first == other.first
@@ -168,14 +176,18 @@ impl Pace {
         (self.known == 0).then_some(self.first)
     }
 
-    /// Counts a step that is done, and sets the size of the next one.
-    pub fn close(&mut self, size: f64) {
+    /// Counts a step that is done, and sets the size of the next one. What has struck under a rigid law may strike again: what comes of it
+    /// hangs on waves that the deflections hardly know.
+    pub fn close(&mut self, size: f64, pairs: &[PairState]) {
         self.told.count(size);
         let most = (GROWS * size).min(LARGEST * self.first);
         self.next = self.admits.min(most).max(SHRINKS * size).max(SMALLEST * self.first);
         if self.known < 2 {
             self.next = self.next.min(self.first);
         }
+        let bounced = pairs.iter().filter(|pair| pair.approach_max > 0.0 && !pair.closed);
+        let time = bounced.map(|pair| pair.gap / pair.approach_max).fold(f64::INFINITY, f64::min);
+        self.next = self.next.min(self.soon.max(time / SOON));
         self.admits = f64::INFINITY;
     }
 
@@ -222,15 +234,19 @@ impl Pace {
                     deflection = deflection.max(norm(self.moved_by(k, d, h)));
                 }
             }
-            let velocity = error / (h * motion.bounce(h));
             error = if error > 0.0 { error / deflection } else { 0.0 };
-            error = error.max(self.admitted * (velocity / self.velocity).powf(1.5));
         }
         let energy = motion.state.ledger.energy_scale;
         for (c, now) in motion.forces().into_iter().enumerate() {
             let lost = third * bend(now, [self.past[0].force[c], self.past[1].force[c]]).abs();
-            let work = lost * motion.approach(c, self.approach[c]);
-            error = if work > 0.0 { error.max(work / energy) } else { error };
+            let approach = motion.approach(c, self.approach[c]);
+            if lost > 0.0 && approach > 0.0 {
+                error = error.max(lost * approach / energy);
+                // The force of all the energy on a spring as stiff as this one.
+                let stiffness = (now - self.past[0].force[c]).abs() / (approach * h);
+                let largest = self.peak[c].max((2.0 * energy * stiffness).sqrt()).max(now.abs());
+                error = error.max(self.admitted * (lost / (h * largest * self.force)).powf(1.5));
+            }
         }
         error
     }
@@ -256,6 +272,9 @@ impl Pace {
             if self.deflects[k] {
                 self.deflection = self.deflection.max(norm(self.moved[k]));
             }
+        }
+        for (peak, force) in self.peak.iter_mut().zip(motion.forces()) {
+            *peak = peak.max(force.abs());
         }
         for c in 0..self.approach.len() {
             self.approach[c] = motion.approach(c, self.approach[c]);
@@ -313,17 +332,6 @@ impl Motion<'_> {
             forces[self.model.pairs[contact.pair].contact] += contact.force.force;
         }
         forces
-    }
-
-    /// Largest velocity with which what has struck under a rigid law, and may strike again soon, ever struck \[m/s\]; infinite if there
-    /// is none.
-    fn bounce(&self, h: f64) -> f64 {
-        let may = |pair: &PairState| {
-            !pair.closed && pair.approach_max > 0.0 && pair.gap < SOON * h * pair.approach_max
-        };
-        let near = self.state.pairs.iter().filter(|pair| may(pair));
-        let fastest = near.map(|pair| pair.approach_max).fold(0.0, f64::max);
-        if fastest > 0.0 { fastest } else { f64::INFINITY }
     }
 
     /// Largest velocity of approach of a contact with a force law, at most `before` before.

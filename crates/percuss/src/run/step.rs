@@ -120,7 +120,7 @@ impl Simulation<'_> {
         self.accumulated_steps += usize::from(budget.events_left == 0);
         self.state.step += 1;
         if let Some(pace) = &mut self.pace {
-            pace.close(self.state.offset);
+            pace.close(self.state.offset, &self.state.pairs);
             self.state.offset = 0.0;
             if (self.state.time - self.settings.end).abs() <= SAME_INSTANT * step {
                 self.state.time = self.settings.end;
