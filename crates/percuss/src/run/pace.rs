@@ -22,13 +22,13 @@ use crate::step::workspace::Workspace;
 use crate::summary::StepControl;
 
 /// The error of a step may be so many times the accuracy, to the power 3/2. Found by runs beside converged ones (docs/results.md).
-const ADMITTED: f64 = 1.0;
+const ADMITTED: f64 = 0.5;
 /// The error of a force beside the largest one may be so many times the accuracy.
 const FORCE: f64 = 1.0;
 /// Accuracy of which first steps are what follows a rigid impact, ...
 const BOUNCES: f64 = 2.5e-3;
 /// ... where another may come within so many steps.
-const SOON: f64 = 10.0;
+const SOON: f64 = 40.0;
 /// Part of the step that the estimate admits that is taken.
 const SAFETY: f64 = 0.9;
 /// Bounds of the size of a step beside that of the step before, and of one that is repeated beside the one refused.
