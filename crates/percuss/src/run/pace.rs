@@ -4,8 +4,8 @@
 //! 1993, II.9). Here `u'''` comes from second divided differences of mean velocities `d / h` of the last three parts of steps. An
 //! oscillation that no step resolves has a small share of the displacements and so of these, though it may have most of the
 //! accelerations. The error counts beside the largest deflection so far. A force of contact is taken likewise: what its mean misses of
-//! the impulse, `h^3 F'' / 12`, times the largest velocity of approach, counts beside the largest energy. A step in which either is too
-//! large is refused before it is accepted, as one that does not converge is.
+//! the impulse, `h^3 F'' / 12`, times the largest velocity of approach, counts beside the largest energy; and `h^2 F'' / 12` beside the
+//! largest force. A step in which any of them is too large is refused before it is accepted, as one that does not converge is.
 //!
 //! Errors of single steps go as `h^3`, those of a motion over a given time as `h^2`: steps may err by the power 3/2 of the accuracy, so
 //! that the error of a run goes with the accuracy.
@@ -25,6 +25,9 @@ use crate::summary::StepControl;
 const ADMITTED: f64 = 0.5;
 /// The error of a force beside the largest one may be so many times the accuracy.
 const FORCE: f64 = 1.0;
+/// Where a force begins it counts beside this share of the one that all the energy would have on the spring of the contact: the mass of a
+/// beam that takes part in a short blow is a small one.
+const ONSET: f64 = 0.1;
 /// Accuracy of which first steps are what follows a rigid impact, ...
 const BOUNCES: f64 = 2.5e-3;
 /// ... where another may come within so many steps.
@@ -244,7 +247,8 @@ impl Pace {
                 error = error.max(lost * approach / energy);
                 // The force of all the energy on a spring as stiff as this one.
                 let stiffness = (now - self.past[0].force[c]).abs() / (approach * h);
-                let largest = self.peak[c].max((2.0 * energy * stiffness).sqrt()).max(now.abs());
+                let rises = ONSET * (2.0 * energy * stiffness).sqrt();
+                let largest = self.peak[c].max(rises).max(now.abs());
                 error = error.max(self.admitted * (lost / (h * largest * self.force)).powf(1.5));
             }
         }
