@@ -21,7 +21,7 @@ use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::StepControl;
 
-/// The error of a step may be so many times the accuracy, to the power 3/2. Found by runs beside converged ones (docs/results.md).
+/// The error of a step may be so many times the accuracy, to the power 3/2. Found by runs beside converged ones.
 const ADMITTED: f64 = 0.5;
 /// The error of a force beside the largest one may be so many times the accuracy.
 const FORCE: f64 = 1.0;
