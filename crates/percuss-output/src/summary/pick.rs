@@ -5,7 +5,9 @@ use percuss::{
 };
 use serde_json::Value;
 
-use super::{audit, contact, energy, momentum, point, projectile, section_forces, step_control, support};
+use super::{
+    audit, contact, energy, momentum, point, projectile, section_forces, step_control, support,
+};
 
 /// Parts of a summary that stand once, by their names.
 const PLAIN: [&str; 9] = [

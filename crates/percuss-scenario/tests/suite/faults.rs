@@ -268,7 +268,7 @@ fn a_step_or_an_accuracy_is_given_and_not_both() {
     let text = one(RIGID, step, &format!("{step}\naccuracy = 0.01"));
     assert!(
         text.starts_with(
-            "f.toml:36:1: time.accuracy: found `accuracy` besides `step`, expected one of the two"
+            "f.toml:36:12: time.accuracy: found `accuracy` besides `step`, expected one of the two"
         ),
         "{text}"
     );

@@ -32,7 +32,8 @@ pub fn first_step(model: &Model, end: f64) -> f64 {
 fn of_beam(model: &Model, beam: &BeamData) -> f64 {
     let tables = model.spans[beam.spans.clone()].iter().flat_map(|span| &span.sections).flatten();
     let each = tables.map(|section| {
-        let (axial, bending) = (section.mass / section.law.axial, section.mass / section.law.bending);
+        let (axial, bending) =
+            (section.mass / section.law.axial, section.mass / section.law.bending);
         let transit = beam.length * axial.sqrt() / STEPS_IN_TRANSIT;
         let period = CLAMPED_PERIOD * beam.length.powi(2) * bending.sqrt() / STEPS_IN_PERIOD;
         if period > 0.0 { transit.min(period) } else { transit }

@@ -229,9 +229,8 @@ impl Pace {
         if self.known == 2 {
             let [last, former] = &self.past;
             for (k, d) in increments.iter().enumerate() {
-                let each = [0, 1].map(|i| {
-                    bend(d[i] / h, [last.velocity[k][i], former.velocity[k][i]])
-                });
+                let each =
+                    [0, 1].map(|i| bend(d[i] / h, [last.velocity[k][i], former.velocity[k][i]]));
                 error = error.max(third * norm(each));
                 if self.deflects[k] {
                     deflection = deflection.max(norm(self.moved_by(k, d, h)));

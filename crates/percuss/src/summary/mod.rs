@@ -8,8 +8,8 @@ mod step_control;
 pub use contact::*;
 pub use forces::*;
 pub use plastic::*;
-pub use step_control::*;
 use serde::{Deserialize, Serialize};
+pub use step_control::*;
 
 use crate::error::Error;
 
