@@ -280,8 +280,8 @@ fn a_step_or_an_accuracy_is_given_and_not_both() {
         let text = one(RIGID, step, &format!("accuracy = {accuracy}"));
         assert!(text.starts_with("f.toml:35:12: time.accuracy") && text.contains(found), "{text}");
     }
-    let both = "accuracy = 0.01\nimpacts = \"time-stepping\"";
-    let text = one(RIGID, step, both);
+    let text = RIGID.replace(step, "accuracy = 0.01");
+    let text = one(&text, "impacts = \"event\"", "impacts = \"time-stepping\"");
     assert!(text.contains("a gap that is looked at once per step"), "{text}");
 }
 

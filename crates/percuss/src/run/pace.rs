@@ -41,7 +41,7 @@ const REPEATED: f64 = 0.7;
 /// Smallest and largest steps beside the first.
 const SMALLEST: f64 = 1e-2;
 const LARGEST: f64 = 1e3;
-/// A part shorter than this share of the one before tells nothing of the motion.
+/// A part shorter than this share of the one before tells nothing of the course.
 const SHORT: f64 = 0.05;
 
 /// What a part of a step came to.
@@ -220,12 +220,12 @@ impl Pace {
     }
 
     /// Error over a part solved last, beside deflection and energy.
-    fn error(&self, motion: &Motion<'_>) -> f64 {
+    fn error(&self, course: &Course<'_>) -> f64 {
         let (mut error, mut deflection) = (0.0_f64, self.deflection);
-        let h = motion.h;
+        let h = course.h;
         let bend = |now: f64, before: [f64; 2]| self.second_difference(h, now, before);
         let third = h * h * h / 12.0;
-        let increments = &motion.work.increment[watched(motion.model)];
+        let increments = &course.work.increment[watched(course.model)];
         if self.known == 2 {
             let [last, former] = &self.past;
             for (k, d) in increments.iter().enumerate() {
@@ -238,10 +238,10 @@ impl Pace {
             }
             error = if error > 0.0 { error / deflection } else { 0.0 };
         }
-        let energy = motion.state.ledger.energy_scale;
-        for (c, now) in motion.forces().into_iter().enumerate() {
+        let energy = course.state.ledger.energy_scale;
+        for (c, now) in course.forces().into_iter().enumerate() {
             let lost = third * bend(now, [self.past[0].force[c], self.past[1].force[c]]).abs();
-            let approach = motion.approach(c, self.approach[c]);
+            let approach = course.approach(c, self.approach[c]);
             if lost > 0.0 && approach > 0.0 {
                 error = error.max(lost * approach / energy);
                 // The force of all the energy on a spring as stiff as this one.
@@ -267,20 +267,20 @@ impl Pace {
     }
 
     /// Takes in a part that is accepted.
-    fn take(&mut self, motion: &Motion<'_>, kind: Taken) {
-        let h = motion.h;
-        let increments = &motion.work.increment[watched(motion.model)];
+    fn take(&mut self, course: &Course<'_>, kind: Taken) {
+        let h = course.h;
+        let increments = &course.work.increment[watched(course.model)];
         for (k, d) in increments.iter().enumerate() {
             self.moved[k] = self.moved_by(k, d, h);
             if self.deflects[k] {
                 self.deflection = self.deflection.max(norm(self.moved[k]));
             }
         }
-        for (peak, force) in self.peak.iter_mut().zip(motion.forces()) {
+        for (peak, force) in self.peak.iter_mut().zip(course.forces()) {
             *peak = peak.max(force.abs());
         }
         for c in 0..self.approach.len() {
-            self.approach[c] = motion.approach(c, self.approach[c]);
+            self.approach[c] = course.approach(c, self.approach[c]);
         }
         match kind {
             Taken::Jump => self.restart(),
@@ -288,20 +288,20 @@ impl Pace {
             Taken::Smooth { error } => {
                 self.error = self.error.max(error);
                 self.admits = self.admits.min(self.size_for(error, h));
-                self.push(motion);
+                self.push(course);
             }
         }
     }
 
     /// The part is the last one now.
-    fn push(&mut self, motion: &Motion<'_>) {
+    fn push(&mut self, course: &Course<'_>) {
         self.past.swap(0, 1);
         let last = &mut self.past[0];
-        last.size = motion.h;
-        for (v, d) in last.velocity.iter_mut().zip(&motion.work.increment[watched(motion.model)]) {
-            *v = [d[0] / motion.h, d[1] / motion.h];
+        last.size = course.h;
+        for (v, d) in last.velocity.iter_mut().zip(&course.work.increment[watched(course.model)]) {
+            *v = [d[0] / course.h, d[1] / course.h];
         }
-        last.force = motion.forces();
+        last.force = course.forces();
         self.known = (self.known + 1).min(2);
     }
 }
@@ -320,14 +320,14 @@ enum Taken {
 }
 
 /// A part of a step that stands solved.
-struct Motion<'a> {
+struct Course<'a> {
     model: &'a Model,
     state: &'a State,
     work: &'a Workspace,
     h: f64,
 }
 
-impl Motion<'_> {
+impl Course<'_> {
     /// Mean forces of the contacts with a force law \[N\].
     fn forces(&self) -> Vec<f64> {
         let mut forces = vec![0.0; self.model.contacts.len()];
@@ -346,8 +346,8 @@ impl Motion<'_> {
 }
 
 impl Simulation<'_> {
-    fn motion(&self, h: f64) -> Motion<'_> {
-        Motion { model: self.model, state: &self.state, work: &self.work, h }
+    fn course(&self, h: f64) -> Course<'_> {
+        Course { model: self.model, state: &self.state, work: &self.work, h }
     }
 
     /// The size that a trial should have had, if it is too long for the accuracy asked for \[s\].
@@ -357,7 +357,7 @@ impl Simulation<'_> {
         if !free || pace.is_smallest(trial.h) || pace.is_short(trial.h) {
             return None;
         }
-        let error = pace.error(&self.motion(trial.h));
+        let error = pace.error(&self.course(trial.h));
         let size = pace.size_for(error, trial.h).min(REPEATED * trial.h).max(SHRINKS * trial.h);
         (error > pace.admitted).then_some(size.max(SMALLEST * pace.first))
     }
@@ -365,13 +365,13 @@ impl Simulation<'_> {
     /// Tells the pace of a part that is about to be accepted.
     pub(super) fn note_pace(&mut self, trial: &Trial) {
         let Some(mut pace) = self.pace.take() else { return };
-        let motion = self.motion(trial.h);
+        let course = self.course(trial.h);
         let kind = match trial.kind {
             PartKind::Free { .. } if pace.is_short(trial.h) => Taken::Short,
-            PartKind::Free { .. } => Taken::Smooth { error: pace.error(&motion) },
+            PartKind::Free { .. } => Taken::Smooth { error: pace.error(&course) },
             _ => Taken::Jump,
         };
-        pace.take(&motion, kind);
+        pace.take(&course, kind);
         self.pace = Some(pace);
     }
 }
