@@ -79,6 +79,9 @@ def converge(
     given = scenario_of(scenario)
     base = Scenario(_written(given, overrides), given.name)
     base._given = given._source(changes_of(overrides))[3]
+    if "step" in refine and "time.accuracy" in base:
+        text = "time.accuracy chooses steps as it goes, and what is halved here is one that is given: give a time.step"
+        raise coded(InputError, text, "E311")
     factors = tuple(2**k for k in range(levels))
     runs = 1 + len(refine) * (levels - 1)
     with Progress(progress, runs, "runs", "converge") as bar:

@@ -53,8 +53,19 @@ pub fn findings(
         Meeting::Bodies(_) => vec![expected.map(|expected| desk.duration(expected))],
         Meeting::Beams(beams) => desk.beams(beams, mass, expected),
     };
-    found.into_iter().flatten().collect()
+    // Steps chosen for an accuracy are not known before.
+    let of_steps = |topic: Topic| settings.accuracy.is_some() && OF_STEPS.contains(&topic);
+    found.into_iter().flatten().filter(|advice| !of_steps(advice.topic)).collect()
 }
+
+/// What is said of the size of steps.
+const OF_STEPS: [Topic; 5] = [
+    Topic::ContactDuration,
+    Topic::WaveTransit,
+    Topic::RearMass,
+    Topic::Recording,
+    Topic::ForceRise,
+];
 
 /// A contact and how it is to be run.
 pub(super) struct Desk<'a> {

@@ -163,7 +163,7 @@ impl<'m> Trials<'m> {
         if let Some(made) = self.made.borrow().iter().find(closed) {
             return Some(made.clone());
         }
-        let settings = Settings { step, ..*self.settings };
+        let settings = Settings { step, accuracy: None, ..*self.settings };
         let made = preview(self.model, &settings, contact, self.left.get())?;
         self.left.set(self.left.get().saturating_sub(made.effort));
         self.made.borrow_mut().push(made.clone());

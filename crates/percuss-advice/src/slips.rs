@@ -46,7 +46,7 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
         all.push(slip("gravity", [norm(pull), GRAVITY], "m/s^2", Verdict::Warning, text));
     }
     let steps = settings.end / settings.step;
-    if steps > STEPS {
+    if steps > STEPS && settings.accuracy.is_none() {
         let text = format!(
             "{} steps of {} up to {} take days: one of both in another unit?",
             digits(steps),
@@ -98,7 +98,8 @@ fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
     // Of the pinned beam; other supports make it a few times longer or shorter.
     let constants = place.section();
     let period = 2.0 / PI * length.powi(2) * (constants.mass / constants.bending).sqrt();
-    if settings.step > PERIODS * period && period > 0.0 {
+    let given = settings.accuracy.is_none();
+    if given && settings.step > PERIODS * period && period > 0.0 {
         let text = format!(
             "one step of {} holds {} periods of its lowest mode ({}): time, stiffness or length in another unit?",
             quantity(settings.step, "s"),

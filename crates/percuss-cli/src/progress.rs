@@ -5,7 +5,7 @@ use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use percuss::Flow;
+use percuss::{Flow, Settings};
 
 use crate::interrupt;
 
@@ -13,6 +13,8 @@ use crate::interrupt;
 const LOOK: Duration = Duration::from_millis(50);
 /// Shorter runs show nothing.
 const PATIENCE: Duration = Duration::from_millis(200);
+/// Ticks of a bar that goes by time.
+const TICKS: f64 = 1000.0;
 /// Draws a second.
 const HERTZ: u8 = 10;
 
@@ -23,6 +25,8 @@ const HERTZ: u8 = 10;
 #[derive(Debug)]
 pub struct Progress {
     bar: Option<ProgressBar>,
+    /// End of a run whose number of steps is not known \[s\].
+    end: Option<f64>,
     begun: Instant,
     looked: Instant,
     steps: u64,
@@ -31,6 +35,14 @@ pub struct Progress {
 }
 
 impl Progress {
+    /// A bar for a run under the given settings.
+    pub fn of_settings(name: String, settings: &Settings, wanted: bool) -> Self {
+        match settings.accuracy {
+            Some(_) => Self::of_time(name, settings.end, wanted),
+            None => Self::of_run(name, settings.step_count(), settings.end, wanted),
+        }
+    }
+
     /// A bar for a run of so many steps that ends at `end` \[s\].
     pub fn of_run(name: String, steps: usize, end: f64, wanted: bool) -> Self {
         let template =
@@ -90,19 +102,31 @@ impl Progress {
                 .with_style(style)
                 .with_prefix(name)
         });
-        Self { bar, begun: now, looked: now, steps: 0, next: 1, stride: 1 }
+        Self { bar, end: None, begun: now, looked: now, steps: 0, next: 1, stride: 1 }
     }
 
-    /// One step done; whether to go on.
-    pub fn step(&mut self) -> Flow {
+    /// A bar for a run whose steps are chosen as it goes, up to `end` \[s\].
+    pub fn of_time(name: String, end: f64, wanted: bool) -> Self {
+        let template = "{prefix} [{bar:24}] {percent:>3} %  t = {time} s  {eta} left";
+        let time = move |state: &ProgressState, out: &mut dyn Write| {
+            let _ = write!(out, "{:.4}", f64::from(state.fraction()) * end);
+        };
+        let style = style_of(template).with_key("time", time);
+        let mut progress = Self::new(name, TICKS as usize, wanted, style);
+        progress.end = Some(end);
+        progress
+    }
+
+    /// One step done, up to `time` \[s\]; whether to go on.
+    pub fn step(&mut self, time: f64) -> Flow {
         self.steps += 1;
         if self.steps >= self.next {
-            self.look();
+            self.look(time);
         }
         if interrupt::requested() { Flow::Stop } else { Flow::Continue }
     }
 
-    fn look(&mut self) {
+    fn look(&mut self, time: f64) {
         let elapsed = self.looked.elapsed();
         if elapsed < LOOK / 2 {
             self.stride = (2 * self.stride).min(1 << 20);
@@ -115,7 +139,7 @@ impl Progress {
         if let Some(bar) = &self.bar
             && self.begun.elapsed() > PATIENCE
         {
-            bar.set_position(self.steps);
+            bar.set_position(self.end.map_or(self.steps, |end| (TICKS * time / end) as u64));
         }
     }
 
@@ -123,7 +147,7 @@ impl Progress {
     pub fn begin_at(&mut self, steps: usize) {
         self.steps = steps as u64;
         self.next = self.steps + 1;
-        if let Some(bar) = &self.bar {
+        if let Some(bar) = self.bar.as_ref().filter(|_| self.end.is_none()) {
             bar.set_position(self.steps);
             bar.reset_eta();
         }

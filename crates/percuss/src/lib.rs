@@ -47,7 +47,7 @@ pub use model::*;
 pub use percuss_codes::{AnalysisCode, Caution};
 pub use run::{
     Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Preview, Recorder,
-    ResumeError, Simulation, massless, preview, reference_state, simulate,
+    ResumeError, Simulation, first_step, massless, preview, reference_state, simulate,
 };
 pub use settings::{
     ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,

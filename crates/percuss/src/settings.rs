@@ -3,6 +3,9 @@
 pub(crate) use crate::model::SAME_INSTANT;
 use crate::model::{Fault, Model};
 
+/// Least and largest accuracy that steps are chosen for.
+const ACCURACIES: [f64; 2] = [1e-6, 0.2];
+
 /// Time integration scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Scheme {
@@ -64,8 +67,10 @@ pub enum Start {
 pub struct Settings {
     /// Time at which the analysis ends \[s\].
     pub end: f64,
-    /// Time step \[s\].
+    /// Time step \[s\]; the first one where an accuracy is asked for.
     pub step: f64,
+    /// Accuracy of peak forces and deflections, relative, for which steps are chosen; all are of the size given if it is none.
+    pub accuracy: Option<f64>,
     /// Time integration scheme.
     pub scheme: Scheme,
     /// Resolution of impacts of rigid projectiles.
@@ -84,6 +89,7 @@ impl Settings {
         Self {
             end,
             step,
+            accuracy: None,
             scheme: Scheme::default(),
             impacts: ImpactResolution::Event,
             multiple_impacts: MultipleImpacts::Simultaneous,
@@ -110,7 +116,9 @@ impl Settings {
         if !positive(self.end) {
             add("time.end", format!("{} s", self.end), "an end after time zero");
         }
-        if !positive(self.step) {
+        if self.accuracy.is_some() && !positive(self.end) {
+            // The first step follows from the end.
+        } else if !positive(self.step) {
             add("time.step", format!("{} s", self.step), "a step above zero");
         } else if positive(self.end) && self.step > self.end * (1.0 + 1e-9) {
             let found = format!("a step of {} s, longer than the run of {} s", self.step, self.end);
@@ -118,6 +126,9 @@ impl Settings {
         } else if self.end / self.step > 1e12 {
             let found = format!("{:.3e} steps", self.end / self.step);
             add("time.step", found, "a run of at most 1e12 steps");
+        }
+        if let Some(accuracy) = self.accuracy {
+            self.validate_accuracy(accuracy, &mut add);
         }
         if self.record_every == 0 {
             add("record.every", "0".into(), "a row every 1 or more steps");
@@ -165,6 +176,28 @@ impl Settings {
             add("integrator.scheme", found.into(), expected);
         }
         out
+    }
+}
+
+impl Settings {
+    /// Faults of an accuracy in place of a step.
+    fn validate_accuracy(&self, accuracy: f64, add: &mut dyn FnMut(&str, String, &str)) {
+        let path = "time.accuracy";
+        let [least, most] = ACCURACIES;
+        if !(least..=most).contains(&accuracy) {
+            add(path, accuracy.to_string(), "an accuracy from 1e-6 to 0.2");
+        }
+        if self.impacts != ImpactResolution::Event {
+            let found = "an accuracy, with a gap that is looked at once per step";
+            let expected = "impacts = \"event\", or a step: the paper's impacts depend on its size";
+            add(path, found.into(), expected);
+        }
+        if self.scheme.advances_accelerations() {
+            let found = "an accuracy, with a scheme that advances accelerations";
+            let expected = "energy-momentum, strain-rate or midpoint, or a step: \
+                            accelerations carried over belong to steps of one size";
+            add(path, found.into(), expected);
+        }
     }
 }
 

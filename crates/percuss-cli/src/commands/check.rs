@@ -6,7 +6,7 @@ use percuss_codes::{Caution, Code, RequestCode};
 use percuss_study::Study;
 
 use crate::arguments::Check;
-use crate::number::count;
+use crate::number::{count, number};
 use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
 use crate::{advisor, effective_mass, terminal};
@@ -98,13 +98,17 @@ fn contents(ready: &Ready) -> String {
     let (content, model) = (ready.scenario.content(), &ready.compiled.model);
     // The model's own count has a node for every projectile and obstacle.
     let nodes = model.beam_names().filter_map(|name| model.beam_nodes(name)).map(|n| n.len()).sum();
-    let steps = Simulation::new(model, &ready.compiled.settings).map_or(0, |s| s.step_count());
+    let settings = &ready.compiled.settings;
+    let steps = match settings.accuracy {
+        Some(accuracy) => format!("steps for an accuracy of {} %", number(100.0 * accuracy)),
+        None => count(Simulation::new(model, settings).map_or(0, |s| s.step_count()), "step"),
+    };
     [
         count(content.beam.len(), "beam"),
         count(model.element_count(), "element"),
         count(nodes, "node"),
         count(content.projectile.len(), "projectile"),
-        count(steps, "step"),
+        steps,
     ]
     .join(", ")
 }

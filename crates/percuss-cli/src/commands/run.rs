@@ -239,8 +239,9 @@ fn simulate(
     if !denied.is_empty() {
         return Err(Failure::Denied(denied));
     }
-    let (steps, end) = (simulation.step_count(), compiled.settings.end);
-    let mut progress = Progress::of_run("run".into(), steps, end, shows_progress(arguments));
+    let end = compiled.settings.end;
+    let mut progress =
+        Progress::of_settings("run".into(), &compiled.settings, shows_progress(arguments));
     progress.begin_at(done);
     let history = HistoryWriter::new(dir, arguments.history.into(), text);
     let keeps_energy = !arguments.no_report && comparison::has_part_for(ready);

@@ -123,6 +123,18 @@ fn shared_blows(summary: &Value) -> Option<[String; 3]> {
     Some(["blows that several bodies shared".to_owned(), count.to_string(), verdict])
 }
 
+/// The step given, or those chosen for an accuracy.
+fn step(summary: &Value) -> String {
+    let control = &summary["step_control"];
+    let Some(accuracy) = control["accuracy"].as_f64() else {
+        return quantity(summary["settings"]["step"].as_f64(), "s");
+    };
+    let [smallest, largest, mean] =
+        ["smallest", "largest", "mean"].map(|key| quantity(control[key].as_f64(), "s"));
+    let percent = number(100.0 * accuracy);
+    format!("chosen for an accuracy of {percent} %: {smallest} to {largest}, {mean} in the mean")
+}
+
 /// The settings of the run and its cost.
 pub(super) fn settings(summary: &Value) -> String {
     let settings = &summary["settings"];
@@ -148,7 +160,7 @@ pub(super) fn settings(summary: &Value) -> String {
         ("scheme", scheme),
         ("impacts of rigid projectiles", impacts),
         ("start", start.to_owned()),
-        ("step", quantity(settings["step"].as_f64(), "s")),
+        ("step", step(summary)),
         ("end asked for", quantity(settings["end"].as_f64(), "s")),
         ("time reached", quantity(summary["time"].as_f64(), "s")),
         ("steps", count(&summary["steps"])),

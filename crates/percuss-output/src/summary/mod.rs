@@ -75,6 +75,9 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "warnings": info.warnings.iter().map(advice::warning).collect::<Vec<_>>(),
         "hand_formulas": info.comparisons.iter().map(advice::comparison).collect::<Vec<_>>(),
     });
+    if run.step_control.is_some() {
+        summary["step_control"] = step_control(run);
+    }
     if let Termination::Failed(error) = &run.termination {
         summary["error"] = Value::from(error.to_string());
         summary["error_code"] = Value::from(error.code().code());
@@ -93,6 +96,19 @@ fn shared_blows(run: &RunSummary) -> Value {
         "count": shared.count,
         "first": shared.first,
         "contacts": shared.contacts.map(name),
+    })
+}
+
+/// Sizes of steps where an accuracy was asked for; `null` where a step was given.
+fn step_control(run: &RunSummary) -> Value {
+    let Some(control) = &run.step_control else { return Value::Null };
+    json!({
+        "accuracy": control.accuracy,
+        "estimate": control.estimate,
+        "smallest": control.smallest,
+        "largest": control.largest,
+        "mean": control.mean,
+        "refused": control.refused,
     })
 }
 
@@ -178,7 +194,6 @@ fn settings(settings: &Settings) -> Value {
     };
     let mut value = json!({
         "end": settings.end,
-        "step": settings.step,
         "record_every": settings.record_every,
         "start": match settings.start {
             Start::Reference => "reference",
@@ -191,6 +206,13 @@ fn settings(settings: &Settings) -> Value {
             MultipleImpacts::Sequential => "sequential",
         },
     });
+    match settings.accuracy {
+        Some(accuracy) => {
+            value["accuracy"] = Value::from(accuracy);
+            value["first_step"] = Value::from(settings.step);
+        }
+        None => value["step"] = Value::from(settings.step),
+    }
     if let Some(radius) = spectral_radius {
         value["spectral_radius"] = Value::from(radius);
     }

@@ -5,7 +5,9 @@ use percuss::{
 };
 use serde_json::Value;
 
-use super::{audit, contact, energy, momentum, point, projectile, section_forces, support};
+use super::{
+    audit, contact, energy, momentum, point, projectile, section_forces, step_control, support,
+};
 
 /// Parts of a summary that stand once, by their names.
 const PLAIN: [&str; 9] = [
@@ -20,7 +22,7 @@ const PLAIN: [&str; 9] = [
     "contact_residual_max",
 ];
 /// Parts of a summary that are tables.
-const TABLES: [&str; 3] = ["energy", "momentum", "audit"];
+const TABLES: [&str; 4] = ["energy", "momentum", "audit", "step_control"];
 /// Parts of a summary with one table a name.
 const NAMED: [&str; 5] = ["projectile", "contact", "point", "support", "section_forces"];
 
@@ -200,6 +202,7 @@ fn part(part: &str, name: &str, run: &RunSummary) -> Value {
         "energy" => energy(run),
         "momentum" => momentum(run),
         "audit" => audit(run),
+        "step_control" => step_control(run),
         "projectile" => one(&run.projectiles, |p| p.name == name, projectile),
         "contact" => one(&run.contacts, |c| c.name == name, contact::value),
         "point" => one(&run.points, |p| p.name == name, point),

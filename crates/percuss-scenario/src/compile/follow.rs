@@ -60,7 +60,7 @@ fn follows(fault: &str, tainted: &str) -> bool {
         _ => {}
     }
     let related: &[&str] = match key {
-        "end" | "step" => &["end", "step"],
+        "end" | "step" | "accuracy" => &["end", "step", "accuracy"],
         "from" | "until" => &["from", "until"],
         "velocity" | "direction" => &["velocity", "direction"],
         "strikes" => &["velocity", "direction"],

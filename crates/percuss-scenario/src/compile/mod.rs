@@ -48,12 +48,15 @@ impl Scenario {
     /// Every fault of the model and the settings, each at its place in the file.
     pub fn compile(&self) -> Result<Compiled, Diagnostics> {
         let content = &self.content;
-        let settings = settings(content);
+        let mut settings = settings(content);
         let mut faults = comparison_faults(content);
         faults.extend(shapes_fault(content));
         let path = path(content).map_err(|fault| faults.push(fault)).unwrap_or_default();
         match build(content, Some(&self.given)) {
             Ok(model) => {
+                if settings.accuracy.is_some() {
+                    settings.step = percuss::first_step(&model, settings.end);
+                }
                 faults.extend(settings.validate(&model));
                 if faults.is_empty() {
                     let comparison = content.report.restitution.clone();
@@ -109,7 +112,12 @@ fn locate(fault: Fault, source: &Source, places: &Places) -> Diagnostic {
 
 fn settings(content: &Content) -> Settings {
     use content::Scheme;
-    let mut settings = Settings::new(content.time.end, content.time.step);
+    let time = &content.time;
+    let mut settings = Settings::new(time.end, time.step.unwrap_or(f64::NAN));
+    settings.accuracy = time.accuracy.filter(|_| time.step.is_none());
+    if settings.accuracy.is_some() {
+        settings.step = time.end; // until there is a model to ask
+    }
     settings.scheme = match content.integrator.scheme {
         Scheme::EnergyMomentum => percuss::Scheme::EnergyMomentum,
         Scheme::StrainRate => percuss::Scheme::StrainRate,

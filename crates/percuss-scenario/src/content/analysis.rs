@@ -127,8 +127,10 @@ table! {
     pub struct Time {
         /// Time at which the analysis ends (s).
         end: f64 as Quantity<measure::Time>,
-        /// Time step (s).
-        step: f64 as Quantity<measure::Time>,
+        /// Time step (s); or `accuracy`.
+        step: Option<f64> as Maybe<Quantity<measure::Time>> = None,
+        /// Accuracy of peak forces and deflections, for which steps are chosen and changed as the run goes; in place of `step`.
+        accuracy: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
         /// Configuration at time zero.
         start: Start as Word<Started> = Start::Reference,
         /// How touching bodies that are struck at one instant share the blow.
@@ -137,6 +139,18 @@ table! {
     with {
         /// How impacts of rigid projectiles are resolved in time.
         impacts: Impacts
+    }
+    either step | accuracy
+    then settle_time
+}
+
+fn settle_time(_: &mut Time, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let keys = ["step", "accuracy"];
+    exclude(body, keys, reader);
+    if !keys.iter().any(|key| body.get(key).is_some() || reader.excuses(body, key)) {
+        let found = "neither `step` nor `accuracy`";
+        let expected = "`step` (a time, such as \"1e-5 s\") or `accuracy` (such as \"1 %\")";
+        reader.missing(body, "step", found, expected);
     }
 }
 

@@ -255,6 +255,37 @@ fn faults_of_the_model_are_found_where_their_values_stand() {
 }
 
 #[test]
+fn a_step_or_an_accuracy_is_given_and_not_both() {
+    let step = "step = \"1e-5 s\"";
+    let sound = read(&RIGID.replace(step, "accuracy = \"1 %\""), "f.toml").unwrap();
+    let settings = sound.compile().unwrap().settings;
+    assert_eq!(settings.accuracy, Some(0.01));
+    assert!(settings.step > 0.0 && settings.step < 0.1 * settings.end);
+    let text = one(RIGID, step, "");
+    let expected = "time.step: found neither `step` nor `accuracy`, expected `step` (a time, such as \"1e-5 s\") or \
+                    `accuracy` (such as \"1 %\")";
+    assert!(text.contains(expected), "{text}");
+    let text = one(RIGID, step, &format!("{step}\naccuracy = 0.01"));
+    assert!(
+        text.starts_with(
+            "f.toml:36:12: time.accuracy: found `accuracy` besides `step`, expected one of the two"
+        ),
+        "{text}"
+    );
+    for (accuracy, found) in [
+        ("0", "found 0, expected an accuracy from 1e-6 to 0.2"),
+        ("2", "found 2, expected an accuracy from 1e-6 to 0.2"),
+        ("\"1 s\"", "time.accuracy: found"),
+    ] {
+        let text = one(RIGID, step, &format!("accuracy = {accuracy}"));
+        assert!(text.starts_with("f.toml:35:12: time.accuracy") && text.contains(found), "{text}");
+    }
+    let text = RIGID.replace(step, "accuracy = 0.01");
+    let text = one(&text, "impacts = \"event\"", "impacts = \"time-stepping\"");
+    assert!(text.contains("a gap that is looked at once per step"), "{text}");
+}
+
+#[test]
 fn faults_of_reading_of_the_model_and_of_the_settings_appear_together() {
     let text = RIGID
         .replace("area = \"1e3 cm^2\"", "area = \"1e3 cm\"")

@@ -22,7 +22,7 @@ fn values_are_toml_or_else_texts() {
     let scenario = read(&text, "f.toml").unwrap();
     let content = scenario.content();
     assert_eq!(content.projectile[0].table.velocity, [0.0, 30.0]);
-    assert_eq!((content.time.end, content.time.step), (0.03, 1e-5));
+    assert_eq!((content.time.end, content.time.step), (0.03, Some(1e-5)));
     assert_eq!(content.beam[0].table.elements, Some(12));
     assert!(text.contains("force = \"midpoint\""));
 }

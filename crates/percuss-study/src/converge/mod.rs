@@ -145,6 +145,10 @@ pub fn converge(
     }
     let compiled = scenario.compile()?;
     let (base, settings) = (&compiled.model, &compiled.settings);
+    if settings.accuracy.is_some() {
+        let why = "`time.accuracy` chooses steps as it goes, and what is halved here is one that is given: give a `time.step`";
+        return Err(ConvergeError::Refused(why.into()));
+    }
     let finest = 2_f64.powi(ladder.levels as i32 - 1);
     let work = finest * settings.step_count() as f64 * base.element_count().max(1) as f64;
     if work > MOST_WORK {

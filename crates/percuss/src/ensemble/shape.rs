@@ -59,6 +59,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             "impacts one after another",
         ),
         (model.is_inelastic(), "a material that yields or bears no stress of one sign"),
+        (settings.accuracy.is_some(), "an accuracy in place of a step"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (!model.is_still(), "beams that move at the start"),
         (

@@ -79,6 +79,7 @@ impl<S: Number> Telling<'_, S> {
             solver_steps: self.solver_steps,
             step_cuts: 0,
             accumulated_steps: 0,
+            step_control: None,
             newton_iterations: self.search.iterations.lane(self.lane) as usize,
             factorizations: self.search.factorizations.lane(self.lane) as usize,
             rows: self.rows,

@@ -6,10 +6,11 @@ use super::given::Given;
 use super::monitor::Monitor;
 use super::rows::Rows;
 use super::simulation::Simulation;
+use super::step_size::StepSizeControl;
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::{Fault, Model};
-use crate::settings::Settings;
+use crate::settings::{SAME_INSTANT, Settings};
 use crate::state::State;
 use crate::step::effective_mass::EffectiveMass;
 use crate::step::newton::Effort;
@@ -22,6 +23,7 @@ use crate::summary::SharedBlows;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Checkpoint {
     state: State,
+    step_size: Option<StepSizeControl>,
     monitor: Monitor,
     effort: Effort,
     solver_steps: usize,
@@ -67,12 +69,21 @@ impl Checkpoint {
         self.rows.count
     }
 
+    /// Whether it was taken beyond the end of a run.
+    fn is_beyond(&self, run: &Simulation<'_>) -> bool {
+        match self.step_size {
+            Some(_) => self.state.time > run.settings.end * (1.0 + SAME_INSTANT),
+            None => self.step() > run.step_count(),
+        }
+    }
+
     /// Whether all that belongs to nodes, elements, pairs, supports, ... is there, once for each.
     fn fits(&self, fresh: &Simulation<'_>) -> bool {
         let same = self.state.fits(&fresh.state, fresh.model)
             && self.monitor.fits(&fresh.monitor, fresh.model)
             && self.search.fits(fresh.model)
-            && self.rows.fits(fresh.model);
+            && self.rows.fits(fresh.model)
+            && self.paced_like(fresh);
         let nodes = fresh.model.node_count();
         let effort = [self.effort.iterations, self.effort.factorizations, self.solver_steps];
         let counts = [self.step_cuts, self.accumulated_steps, self.rows.count];
@@ -87,12 +98,23 @@ impl Checkpoint {
     }
 }
 
+impl Checkpoint {
+    /// Whether steps are chosen in it as they are in a run.
+    fn paced_like(&self, fresh: &Simulation<'_>) -> bool {
+        match (&self.step_size, &fresh.step_size) {
+            (Some(own), Some(other)) => own.fits(other),
+            (own, other) => own.is_none() && other.is_none(),
+        }
+    }
+}
+
 impl<'m> Simulation<'m> {
     /// Takes a checkpoint. It tells of the run as it is, between two steps.
     pub fn checkpoint(&self) -> Checkpoint {
         // Every field is named, so that none is forgotten when one is added.
         let Self {
             state,
+            step_size,
             monitor,
             effort,
             solver_steps,
@@ -119,6 +141,7 @@ impl<'m> Simulation<'m> {
         } = self;
         Checkpoint {
             state: state.clone(),
+            step_size: step_size.clone(),
             monitor: monitor.clone(),
             effort: *effort,
             solver_steps: *solver_steps,
@@ -145,10 +168,11 @@ impl<'m> Simulation<'m> {
         checkpoint: Checkpoint,
     ) -> Result<Self, ResumeError> {
         let mut run = Self::new(model, settings).map_err(ResumeError::Faults)?;
-        if !checkpoint.fits(&run) || checkpoint.step() > run.step_count() {
+        if !checkpoint.fits(&run) || checkpoint.is_beyond(&run) {
             return Err(ResumeError::Foreign);
         }
         run.state = checkpoint.state;
+        run.step_size = checkpoint.step_size;
         run.work.beams.sweep.end();
         run.monitor = checkpoint.monitor;
         run.effort = checkpoint.effort;

@@ -9,6 +9,7 @@ use super::record::{Channel, Flow, Recorder};
 use super::rows::Rows;
 use super::solve::Encounters;
 use super::start::{Initial, initial_state, massless};
+use super::step_size::StepSizeControl;
 use crate::analysis::modes::modal_damping;
 use crate::analysis::static_contacts::takes_part;
 use crate::contact::search::Search;
@@ -51,6 +52,8 @@ pub struct Simulation<'m> {
     pub(super) model: &'m Model,
     pub(super) settings: Settings,
     pub(super) state: State,
+    /// The size of steps, where an accuracy is asked for in place of one.
+    pub(super) step_size: Option<StepSizeControl>,
     /// Energies and momenta of the state.
     pub(super) measures: Measures,
 
@@ -120,6 +123,7 @@ impl<'m> Simulation<'m> {
             model,
             settings: *settings,
             measures: Measures::default(),
+            step_size: None,
             work: Workspace::new(model),
             forcing: Forcing::new(model),
             encounters: Encounters::default(),
@@ -159,6 +163,7 @@ impl<'m> Simulation<'m> {
         self.monitor = Monitor::new(self.model, &self.state, &self.pressed);
         self.monitor.open_reactions(self.rows.reactions.mean(), self.state.time);
         self.rows.time = f64::NEG_INFINITY;
+        self.step_size = StepSizeControl::new(self.model, &self.settings, &self.state);
         self.state.pairs.iter_mut().for_each(|pair| pair.closed = false);
         if self.settings.impacts == ImpactResolution::Event {
             self.close_at_rest();
@@ -185,9 +190,26 @@ impl<'m> Simulation<'m> {
         channels::channels(self.model)
     }
 
-    /// Number of steps of the given size up to the end; the last one may be shorter.
+    /// Number of steps of the given size up to the end; the last one may be shorter. Where an accuracy is asked for, of steps of the size
+    /// of the first one, and the number is not known before.
     pub fn step_count(&self) -> usize {
         self.settings.step_count()
+    }
+
+    /// Whether the end is reached.
+    pub fn is_over(&self) -> bool {
+        match self.step_size {
+            Some(_) => self.state.time >= self.settings.end,
+            None => self.state.step >= self.step_count(),
+        }
+    }
+
+    /// Whether the end has a say in the size of the next step.
+    fn is_last_step(&self) -> bool {
+        match &self.step_size {
+            Some(step_size) => step_size.is_last(self.settings.end - self.state.time),
+            None => self.state.step + 1 == self.step_count(),
+        }
     }
 
     /// Runs to the end.
@@ -205,24 +227,23 @@ impl<'m> Simulation<'m> {
         {
             return Termination::Failed(error);
         }
-        let last = self.step_count();
-        while self.state.step < last {
+        while !self.is_over() {
             let step = self.state.step;
-            if let Err(error) = self.offer_checkpoint(recorder, step + 1 == last) {
+            if let Err(error) = self.offer_checkpoint(recorder, self.is_last_step()) {
                 return Termination::Failed(error);
             }
             let flow = match self.advance(recorder) {
                 Ok(flow) => flow,
                 Err(error) => return Termination::Failed(error),
             };
-            let stops = flow == Flow::Stop && self.state.step < last;
+            let stops = flow == Flow::Stop && !self.is_over();
             let due = self.state.step.is_multiple_of(self.settings.record_every);
             let mut noted = if due { self.record(recorder) } else { Ok(()) };
             // Before a row that a run that goes on would not have.
             if stops && self.state.step > step {
                 noted = noted.and_then(|()| self.offer_checkpoint(recorder, false));
             }
-            if stops || self.state.step == last {
+            if stops || self.is_over() {
                 noted = noted.and_then(|()| self.record(recorder));
             }
             match noted {

@@ -7,6 +7,7 @@
 use super::contact_status::Resolution;
 use super::record::{Flow, Recorder};
 use super::simulation::Simulation;
+use super::step_size::StepSizeControl;
 use super::trial::{PartKind, Trial};
 use crate::error::Error;
 use crate::settings::{SAME_INSTANT, Settings};
@@ -26,7 +27,7 @@ impl Simulation<'_> {
     /// # Errors
     /// If no solution is found even for very short steps; the state is the last one accepted.
     pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<Flow, Error> {
-        let mut budget = Budget::new(&self.settings, self.state.step, self.effort.iterations);
+        let mut budget = self.budget();
         while let Some(part) = budget.next(self.state.offset, self.time_to_cut()) {
             let trial = match self.resolution(&budget) {
                 Resolution::Jump => self.jump(&part),
@@ -38,8 +39,13 @@ impl Simulation<'_> {
             };
             match trial {
                 Ok(trial) => {
+                    if let Some(size) = self.too_long(&trial) {
+                        self.refuse(&mut budget, size);
+                        continue;
+                    }
                     budget.spend(&trial);
                     self.accept_all(trial, recorder)?;
+                    self.slow_down(&mut budget);
                     let goes_on = budget.remains(self.state.offset);
                     if goes_on && recorder.progress(self.state.time) == Flow::Stop {
                         return Ok(Flow::Stop);
@@ -56,6 +62,33 @@ impl Simulation<'_> {
         }
         self.close_step(&budget)?;
         Ok(recorder.progress(self.state.time))
+    }
+
+    /// The step to come.
+    fn budget(&self) -> Budget {
+        let (settings, corrections) = (&self.settings, self.effort.iterations);
+        match &self.step_size {
+            Some(step_size) => {
+                let left = settings.end - self.state.time;
+                Budget::of(step_size.target(left), settings.step, corrections)
+            }
+            None => Budget::new(settings, self.state.step, corrections),
+        }
+    }
+
+    /// A trial was too long for the accuracy asked for: the step ends after a part of the given size.
+    fn refuse(&mut self, budget: &mut Budget, size: f64) {
+        budget.end_at(self.state.offset + size);
+        if let Some(step_size) = &mut self.step_size {
+            step_size.refuse();
+        }
+    }
+
+    /// Behind a jump of velocities a step ends soon where an accuracy is asked for.
+    fn slow_down(&self, budget: &mut Budget) {
+        if let Some(size) = self.step_size.as_ref().and_then(StepSizeControl::afresh) {
+            budget.end_at(self.state.offset + size);
+        }
     }
 
     /// Accepts a trial and what follows from it at once, with rows before and after an impact.
@@ -86,6 +119,14 @@ impl Simulation<'_> {
         let step = self.settings.step;
         self.accumulated_steps += usize::from(budget.events_left == 0);
         self.state.step += 1;
+        if let Some(step_size) = &mut self.step_size {
+            step_size.close(self.state.offset, &self.state.pairs);
+            self.state.offset = 0.0;
+            if (self.state.time - self.settings.end).abs() <= SAME_INSTANT * step {
+                self.state.time = self.settings.end;
+            }
+            return self.refuse_growth();
+        }
         self.state.offset -= budget.target;
         if self.state.offset.abs() <= SAME_INSTANT * step {
             self.state.offset = 0.0;
@@ -127,6 +168,11 @@ impl Budget {
         let step = settings.step;
         let target = step.min(settings.end - steps as f64 * step);
         let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
+        Self::of(target, step, corrections)
+    }
+
+    /// A step of size `target`, cut by shares of `step` where parts of it fail.
+    fn of(target: f64, step: f64, corrections: usize) -> Self {
         let smallest = SMALLEST_SHARE * step;
         let most_corrections = corrections + MOST_CORRECTIONS;
         Self { target, size: target, smallest, events_left: MOST_EVENTS, most_corrections }
@@ -141,6 +187,14 @@ impl Budget {
     fn next(&self, offset: f64, cut: f64) -> Option<Part> {
         let size = self.size.min(self.target - offset).min(cut);
         self.remains(offset).then_some(Part { size, share: self.size / self.target })
+    }
+
+    /// Ends the step so long after its beginning at the latest.
+    fn end_at(&mut self, target: f64) {
+        if target < self.target {
+            self.target = target;
+            self.size = self.size.min(target);
+        }
     }
 
     /// Takes a part off that ends with a trial; behind one of its whole size the next may be larger again. That one ends at an instant of

@@ -1,6 +1,7 @@
 //! The summary of a run that has ended.
 
 use super::simulation::Simulation;
+use super::step_size::StepSizeControl;
 use super::yielding;
 use crate::math::vec2::{dot, norm, scale};
 use crate::summary::*;
@@ -21,6 +22,7 @@ impl Simulation<'_> {
             newton_iterations: self.effort.iterations,
             factorizations: self.effort.factorizations,
             rows: self.rows.count,
+            step_control: self.step_size.as_ref().map(StepSizeControl::told),
             energy: EnergySummary {
                 initial: ledger.energy_initial,
                 final_: self.measures.total(),

@@ -103,6 +103,7 @@ impl Simulation<'_> {
         self.note_shared_blow(trial);
         self.note_approach(trial);
         self.gather_given(trial.h);
+        self.note_step_size(trial);
         self.note_start_reactions(&rule);
         self.remember_closest_points();
         self.commit(&rule, impulsive);

@@ -3,11 +3,13 @@
 mod contact;
 mod forces;
 mod plastic;
+mod step_control;
 
 pub use contact::*;
 pub use forces::*;
 pub use plastic::*;
 use serde::{Deserialize, Serialize};
+pub use step_control::*;
 
 use crate::error::Error;
 
@@ -129,6 +131,8 @@ pub struct RunSummary {
     pub factorizations: usize,
     /// Rows recorded.
     pub rows: usize,
+    /// Sizes of steps, where an accuracy was asked for in place of one.
+    pub step_control: Option<StepControl>,
     /// Energies.
     pub energy: EnergySummary,
     /// Momenta.

@@ -1,5 +1,6 @@
 //! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
 
+mod accuracy;
 mod arrays;
 mod audit;
 mod beam_ends;

@@ -54,8 +54,7 @@ impl Comparison<'_> {
         let compiled = other.compile().map_err(|_| Termination::Unsolved)?;
         let simulation = Simulation::new(&compiled.model, &compiled.settings)
             .map_err(|_| Termination::Unsolved)?;
-        let (steps, end) = (simulation.step_count(), compiled.settings.end);
-        let progress = Progress::of_run(label.into(), steps, end, self.shows_progress);
+        let progress = Progress::of_settings(label.into(), &compiled.settings, self.shows_progress);
         let mut recorder = EnergyRecorder { energy: EnergySeries::default(), progress };
         match simulation.run(&mut recorder).termination {
             Termination::Completed => Ok(recorder.energy),

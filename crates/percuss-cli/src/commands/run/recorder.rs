@@ -116,8 +116,8 @@ impl Recorder for RunRecorder {
         self.frames.take(frame);
     }
 
-    fn progress(&mut self, _time: f64) -> Flow {
-        self.progress.step()
+    fn progress(&mut self, time: f64) -> Flow {
+        self.progress.step(time)
     }
 }
 
@@ -140,7 +140,7 @@ impl Recorder for EnergyRecorder {
         Ok(())
     }
 
-    fn progress(&mut self, _time: f64) -> Flow {
-        self.progress.step()
+    fn progress(&mut self, time: f64) -> Flow {
+        self.progress.step(time)
     }
 }

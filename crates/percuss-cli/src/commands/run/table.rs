@@ -4,7 +4,7 @@ use std::path::Path;
 
 use percuss::{
     ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, PlasticHinge,
-    PlasticSummary, RunSummary, SupportSummary, Termination,
+    PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
@@ -56,6 +56,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     rows.extend(run.plastic.iter().filter_map(plastic));
     let labels = ["impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     rows.extend(labels.zip(impulses(run)));
+    rows.extend(run.step_control.as_ref().map(|control| ("steps".into(), steps(control))));
     if run.accumulated_steps > 0 {
         let steps = count(run.accumulated_steps, "step");
         let what = "with more impacts than are followed one by one, without restitution in the rest of the step";
@@ -171,6 +172,20 @@ fn status(ended: &Ended) -> String {
         parts.push(format!("{:.3} s", seconds.as_f64().unwrap_or(f64::NAN)));
     }
     parts.join(", ")
+}
+
+/// Sizes of steps chosen for an accuracy.
+fn steps(control: &StepControl) -> String {
+    let StepControl { accuracy, estimate, smallest, largest, mean, refused, .. } = control;
+    format!(
+        "{} s to {} s, {} s in the mean, {} refused; error estimated as {} % ({} % asked for)",
+        number(*smallest),
+        number(*largest),
+        number(*mean),
+        refused,
+        number(100.0 * estimate),
+        number(100.0 * accuracy),
+    )
 }
 
 fn energy(run: &RunSummary) -> String {

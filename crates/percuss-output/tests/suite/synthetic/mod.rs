@@ -240,6 +240,7 @@ pub fn rigid(
 /// A summary with the given contact record.
 pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
     RunSummary {
+        step_control: None,
         termination: Termination::Completed,
         time: 0.15,
         steps: 1500,

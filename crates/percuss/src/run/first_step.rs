@@ -1,0 +1,42 @@
+//! The step a run begins with where an accuracy is asked for in place of a step.
+
+use crate::model::Model;
+use crate::model::frozen::{BeamData, BodyKind};
+
+/// First steps in the time in which a membrane wave runs along the shortest beam.
+const STEPS_IN_TRANSIT: f64 = 50.0;
+/// First steps in the period of the lowest bending vibration of a beam clamped at both ends.
+const STEPS_IN_PERIOD: f64 = 200.0;
+/// That period, times `sqrt(EI / m) / L^2`: `2 pi / 4.7300^2` (Blevins 1979, table 8-1).
+const CLAMPED_PERIOD: f64 = 0.280_85;
+/// First steps in the time in which a body moves or falls by its radius.
+const STEPS_IN_RADIUS: f64 = 50.0;
+/// First steps in a run, if nothing else tells of a time, and at least.
+const STEPS_IN_RUN: f64 = 1000.0;
+const LEAST_STEPS: f64 = 20.0;
+
+/// The step that a run of `model` up to `end` begins with where an accuracy is asked for \[s\]: a small share of the time in which waves
+/// run along its beams, of the periods of these and of the times in which its bodies move by their radii.
+pub fn first_step(model: &Model, end: f64) -> f64 {
+    let beams = model.beams.iter().map(|beam| of_beam(model, beam));
+    let gravity = model.gravity();
+    let bodies = model.bodies.iter().filter_map(|body| {
+        let BodyKind::Disc { radius } = body.kind else { return None };
+        let speed = body.velocity[0].hypot(body.velocity[1]);
+        Some((radius / speed).min((radius / gravity).sqrt()) / STEPS_IN_RADIUS)
+    });
+    let least = beams.chain(bodies).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least.min(end / LEAST_STEPS) } else { end / STEPS_IN_RUN }
+}
+
+fn of_beam(model: &Model, beam: &BeamData) -> f64 {
+    let tables = model.spans[beam.spans.clone()].iter().flat_map(|span| &span.sections).flatten();
+    let each = tables.map(|section| {
+        let (axial, bending) =
+            (section.mass / section.law.axial, section.mass / section.law.bending);
+        let transit = beam.length * axial.sqrt() / STEPS_IN_TRANSIT;
+        let period = CLAMPED_PERIOD * beam.length.powi(2) * bending.sqrt() / STEPS_IN_PERIOD;
+        if period > 0.0 { transit.min(period) } else { transit }
+    });
+    each.filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,378 @@
+//! The size of steps where an accuracy is asked for in place of one.
+//!
+//! The schemes advance a motion `u` as the trapezoidal rule does, whose error over a step is `h^3 u''' / 12` (Hairer, Norsett, Wanner
+//! 1993, II.9). Here `u'''` comes from second divided differences of mean velocities `d / h` of the last three parts of steps. An
+//! oscillation that no step resolves has a small share of the displacements and so of these, though it may have most of the
+//! accelerations. The error counts beside the largest deflection so far. A force of contact is taken likewise: what its mean misses of
+//! the impulse, `h^3 F'' / 12`, times the largest velocity of approach, counts beside the largest energy; and `h^2 F'' / 12` beside the
+//! largest force. A step in which any of them is too large is refused before it is accepted, as one that does not converge is.
+//!
+//! Errors of single steps go as `h^3`, those of a motion over a given time as `h^2`: steps may err by the power 3/2 of the accuracy, so
+//! that the error of a run goes with the accuracy.
+
+use serde::{Deserialize, Serialize};
+
+use super::simulation::Simulation;
+use super::trial::{PartKind, Trial};
+use crate::math::vec2::norm;
+use crate::model::Model;
+use crate::settings::Settings;
+use crate::state::{PairState, State};
+use crate::step::workspace::Workspace;
+use crate::summary::StepControl;
+
+/// The error of a step may be so many times the accuracy, to the power 3/2. Found by runs beside converged ones.
+const ADMITTED: f64 = 0.5;
+/// The error of a force beside the largest one may be so many times the accuracy.
+const FORCE: f64 = 1.0;
+/// Where a force begins it counts beside this share of the one that all the energy would have on the spring of the contact: the mass of a
+/// beam that takes part in a short blow is a small one.
+const ONSET: f64 = 0.1;
+/// Accuracy of which first steps are what follows a rigid impact, ...
+const BOUNCES: f64 = 2.5e-3;
+/// ... where another may come within so many steps.
+const SOON: f64 = 40.0;
+/// Part of the step that the estimate admits that is taken.
+const SAFETY: f64 = 0.9;
+/// Bounds of the size of a step beside that of the step before, and of one that is repeated beside the one refused.
+const SHRINKS: f64 = 0.2;
+const GROWS: f64 = 2.0;
+const REPEATED: f64 = 0.7;
+/// Smallest and largest steps beside the first.
+const SMALLEST: f64 = 1e-2;
+const LARGEST: f64 = 1e3;
+/// A part shorter than this share of the one before tells nothing of the motion.
+const SHORT: f64 = 0.05;
+
+/// What a part of a step came to.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Means {
+    /// Its size \[s\].
+    size: f64,
+    /// Mean velocities of what is watched, shape (nodes watched, 2) \[m/s\].
+    velocity: Vec<[f64; 2]>,
+    /// Mean forces, shape (contacts) \[N\].
+    force: Vec<f64>,
+}
+
+/// The size of the steps to come, and what it follows from.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct StepSizeControl {
+    /// Error of a step that is admitted.
+    admitted: f64,
+    /// Error of a force that is admitted beside the largest one.
+    force: f64,
+    /// Largest step where what has struck may strike again soon \[s\].
+    soon: f64,
+    /// First step \[s\].
+    first: f64,
+    /// Size of the next step \[s\].
+    pub next: f64,
+    /// Size that the parts of this step admit \[s\].
+    admits: f64,
+    /// The last two parts, the latest first, shape (2).
+    past: [Means; 2],
+    /// How many of them belong to the motion: none behind an impact.
+    known: usize,
+    /// Velocities at the start of what flies, shape (nodes watched, 2) \[m/s\].
+    start: Vec<[f64; 2]>,
+    /// Displacements from a motion that goes on as it started, shape (nodes watched, 2) \[m\].
+    moved: Vec<[f64; 2]>,
+    /// Whether they are deflections, not of what flew from the start while something stood; shape (nodes watched).
+    deflects: Vec<bool>,
+    /// The largest of them \[m\].
+    deflection: f64,
+    /// Largest velocities of approach, shape (contacts) \[m/s\].
+    approach: Vec<f64>,
+    /// Largest forces, shape (contacts) \[N\].
+    peak: Vec<f64>,
+    /// Largest error of an accepted step so far.
+    error: f64,
+    /// What the summary tells.
+    told: StepControl,
+}
+
+/// Nodes of the beams, or of the bodies where there are no beams.
+fn watched(model: &Model) -> std::ops::Range<usize> {
+    let beams = model.beam_node_count();
+    if beams > 0 { 0..beams } else { 0..model.node_count() }
+}
+
+fn plane(v: &[f64; 4]) -> [f64; 2] {
+    [v[0], v[1]]
+}
+
+impl StepSizeControl {
+    /// Before the first step, if an accuracy is asked for.
+    pub fn new(model: &Model, settings: &Settings, state: &State) -> Option<Self> {
+        let accuracy = settings.accuracy?;
+        let nodes = watched(model);
+        let mut start: Vec<[f64; 2]> = state.velocity[nodes.clone()].iter().map(plane).collect();
+        let mut deflects = vec![true; nodes.len()];
+        for beam in &model.beams {
+            let own = beam.nodes.clone();
+            let flies = start[own.clone()].iter().any(|v| norm(*v) > 0.0)
+                && own.clone().all(|node| model.dofs_at(node).is_none());
+            match flies {
+                true => deflects[own].fill(false),
+                false => start[own].fill([0.0; 2]),
+            }
+        }
+        if deflects.iter().all(|deflects| !deflects) {
+            deflects.fill(true);
+        }
+        let speed = state.velocity.iter().map(|v| norm(plane(v))).fold(0.0, f64::max);
+        let first = settings.step;
+        let none = Means {
+            size: first,
+            velocity: vec![[0.0; 2]; nodes.len()],
+            force: vec![0.0; model.contacts.len()],
+        };
+        Some(Self {
+            admitted: (ADMITTED * accuracy).powf(1.5),
+            force: FORCE * accuracy,
+            soon: (accuracy / BOUNCES).sqrt() * first,
+            first,
+            next: first,
+            admits: f64::INFINITY,
+            past: [none.clone(), none],
+            known: 0,
+            moved: vec![[0.0; 2]; start.len()],
+            start,
+            deflects,
+            deflection: speed * first,
+            approach: vec![0.0; model.contacts.len()],
+            peak: vec![0.0; model.contacts.len()],
+            error: 0.0,
+            told: StepControl::new(accuracy),
+        })
+    }
+
+    /// Whether it is one of another run of the model.
+    pub fn fits(&self, other: &Self) -> bool {
+        let lengths = |one: &Self| {
+            let past = one.past.each_ref().map(|p| (p.velocity.len(), p.force.len()));
+            let others = [one.start.len(), one.moved.len(), one.deflects.len()];
+            (past, others, one.approach.len(), one.peak.len())
+        };
+        let sound = self.next > 0.0 && self.next.is_finite();
+        sound && lengths(self) == lengths(other) && self.first == other.first
+    }
+
+    /// What the summary tells of the steps.
+    pub fn told(&self) -> StepControl {
+        StepControl { estimate: self.error.powf(2.0 / 3.0) / ADMITTED, ..self.told }
+    }
+
+    /// Size of the step from `time` on: what is left if that is hardly more.
+    pub fn target(&self, left: f64) -> f64 {
+        if self.is_last(left) { left } else { self.next }
+    }
+
+    /// Whether the end, `left` away, has a say in the size of the next step.
+    pub fn is_last(&self, left: f64) -> bool {
+        left <= 1.1 * self.next
+    }
+
+    /// Size of the parts behind a jump of velocities, where little is known of the motion yet \[s\].
+    pub fn afresh(&self) -> Option<f64> {
+        (self.known == 0).then_some(self.first)
+    }
+
+    /// Counts a step that is done, and sets the size of the next one. What has struck under a rigid law may strike again: what comes of it
+    /// hangs on waves that the deflections hardly know.
+    pub fn close(&mut self, size: f64, pairs: &[PairState]) {
+        self.told.count(size);
+        let most = (GROWS * size).min(LARGEST * self.first);
+        self.next = self.admits.min(most).max(SHRINKS * size).max(SMALLEST * self.first);
+        if self.known < 2 {
+            self.next = self.next.min(self.first);
+        }
+        let bounced = pairs.iter().filter(|pair| pair.approach_max > 0.0 && !pair.closed);
+        let time = bounced.map(|pair| pair.gap / pair.approach_max).fold(f64::INFINITY, f64::min);
+        self.next = self.next.min(self.soon.max(time / SOON));
+        self.admits = f64::INFINITY;
+    }
+
+    /// Takes note of a refusal.
+    pub fn refuse(&mut self) {
+        self.told.refused += 1;
+    }
+
+    /// Whether a part of so small a size is never refused.
+    fn is_smallest(&self, size: f64) -> bool {
+        size <= SMALLEST * self.first * (1.0 + 1e-9)
+    }
+
+    /// Whether a part of so small a size beside the one before tells nothing of the motion; what came before an impact does not count.
+    fn is_short(&self, size: f64) -> bool {
+        self.known > 0 && size < SHORT * self.past[0].size
+    }
+
+    /// Size that an error over a part of size `h` admits \[s\].
+    fn size_for(&self, error: f64, h: f64) -> f64 {
+        SAFETY * h * (self.admitted / error).cbrt()
+    }
+
+    /// Forgets the motion so far: velocities have jumped.
+    fn restart(&mut self) {
+        self.known = 0;
+    }
+
+    /// Error over a part solved last, beside deflection and energy.
+    fn error(&self, part: &SolvedPart<'_>) -> f64 {
+        let (mut error, mut deflection) = (0.0_f64, self.deflection);
+        let h = part.h;
+        let bend = |now: f64, before: [f64; 2]| self.second_difference(h, now, before);
+        let third = h * h * h / 12.0;
+        let increments = &part.work.increment[watched(part.model)];
+        if self.known == 2 {
+            let [last, former] = &self.past;
+            for (k, d) in increments.iter().enumerate() {
+                let each =
+                    [0, 1].map(|i| bend(d[i] / h, [last.velocity[k][i], former.velocity[k][i]]));
+                error = error.max(third * norm(each));
+                if self.deflects[k] {
+                    deflection = deflection.max(norm(self.moved_by(k, d, h)));
+                }
+            }
+            error = if error > 0.0 { error / deflection } else { 0.0 };
+        }
+        let energy = part.state.ledger.energy_scale;
+        for (c, now) in part.forces().into_iter().enumerate() {
+            let lost = third * bend(now, [self.past[0].force[c], self.past[1].force[c]]).abs();
+            let approach = part.approach(c, self.approach[c]);
+            if lost > 0.0 && approach > 0.0 {
+                error = error.max(lost * approach / energy);
+                // The force of all the energy on a spring as stiff as this one.
+                let stiffness = (now - self.past[0].force[c]).abs() / (approach * h);
+                let rises = ONSET * (2.0 * energy * stiffness).sqrt();
+                let largest = self.peak[c].max(rises).max(now.abs());
+                error = error.max(self.admitted * (lost / (h * largest * self.force)).powf(1.5));
+            }
+        }
+        error
+    }
+
+    /// Displacement from the motion at the start behind an increment.
+    fn moved_by(&self, k: usize, d: &[f64; 4], h: f64) -> [f64; 2] {
+        [0, 1].map(|i| self.moved[k][i] + d[i] - h * self.start[k][i])
+    }
+
+    /// Second derivative of what had these means over three parts, the last of size `h`.
+    fn second_difference(&self, h: f64, now: f64, [last, former]: [f64; 2]) -> f64 {
+        let [a, b] = [self.past[0].size, self.past[1].size];
+        let slopes = [2.0 * (now - last) / (h + a), 2.0 * (last - former) / (a + b)];
+        4.0 * (slopes[0] - slopes[1]) / (h + 2.0 * a + b)
+    }
+
+    /// Takes in a part that is accepted.
+    fn take(&mut self, part: &SolvedPart<'_>, kind: Taken) {
+        let h = part.h;
+        let increments = &part.work.increment[watched(part.model)];
+        for (k, d) in increments.iter().enumerate() {
+            self.moved[k] = self.moved_by(k, d, h);
+            if self.deflects[k] {
+                self.deflection = self.deflection.max(norm(self.moved[k]));
+            }
+        }
+        for (peak, force) in self.peak.iter_mut().zip(part.forces()) {
+            *peak = peak.max(force.abs());
+        }
+        for c in 0..self.approach.len() {
+            self.approach[c] = part.approach(c, self.approach[c]);
+        }
+        match kind {
+            Taken::Jump => self.restart(),
+            Taken::Short => {}
+            Taken::Smooth { error } => {
+                self.error = self.error.max(error);
+                self.admits = self.admits.min(self.size_for(error, h));
+                self.push(part);
+            }
+        }
+    }
+
+    /// The part is the last one now.
+    fn push(&mut self, part: &SolvedPart<'_>) {
+        self.past.swap(0, 1);
+        let last = &mut self.past[0];
+        last.size = part.h;
+        for (v, d) in last.velocity.iter_mut().zip(&part.work.increment[watched(part.model)]) {
+            *v = [d[0] / part.h, d[1] / part.h];
+        }
+        last.force = part.forces();
+        self.known = (self.known + 1).min(2);
+    }
+}
+
+/// What an accepted part means for the estimate.
+enum Taken {
+    /// Velocities jumped in it.
+    Jump,
+    /// It is too short to tell of anything.
+    Short,
+    /// A part of a motion without jumps.
+    Smooth {
+        /// Its error.
+        error: f64,
+    },
+}
+
+/// A part of a step that stands solved.
+struct SolvedPart<'a> {
+    model: &'a Model,
+    state: &'a State,
+    work: &'a Workspace,
+    h: f64,
+}
+
+impl SolvedPart<'_> {
+    /// Mean forces of the contacts with a force law \[N\].
+    fn forces(&self) -> Vec<f64> {
+        let mut forces = vec![0.0; self.model.contacts.len()];
+        for contact in &self.work.smooth {
+            forces[self.model.pairs[contact.pair].contact] += contact.force.force;
+        }
+        forces
+    }
+
+    /// Largest velocity of approach of a contact with a force law, at most `before` before.
+    fn approach(&self, contact: usize, before: f64) -> f64 {
+        let pairs = self.work.smooth.iter().map(|c| c.pair);
+        let own = pairs.filter(|pair| self.model.pairs[*pair].contact == contact);
+        own.map(|pair| self.state.pairs[pair].rate.abs()).fold(before, f64::max)
+    }
+}
+
+impl Simulation<'_> {
+    fn solved_part(&self, h: f64) -> SolvedPart<'_> {
+        SolvedPart { model: self.model, state: &self.state, work: &self.work, h }
+    }
+
+    /// The size that a trial should have had, if it is too long for the accuracy asked for \[s\].
+    pub(super) fn too_long(&self, trial: &Trial) -> Option<f64> {
+        let step_size = self.step_size.as_ref()?;
+        let free = matches!(trial.kind, PartKind::Free { .. });
+        if !free || step_size.is_smallest(trial.h) || step_size.is_short(trial.h) {
+            return None;
+        }
+        let error = step_size.error(&self.solved_part(trial.h));
+        let size =
+            step_size.size_for(error, trial.h).min(REPEATED * trial.h).max(SHRINKS * trial.h);
+        (error > step_size.admitted).then_some(size.max(SMALLEST * step_size.first))
+    }
+
+    /// Tells the step size control of a part that is about to be accepted.
+    pub(super) fn note_step_size(&mut self, trial: &Trial) {
+        let Some(mut step_size) = self.step_size.take() else { return };
+        let part = self.solved_part(trial.h);
+        let kind = match trial.kind {
+            PartKind::Free { .. } if step_size.is_short(trial.h) => Taken::Short,
+            PartKind::Free { .. } => Taken::Smooth { error: step_size.error(&part) },
+            _ => Taken::Jump,
+        };
+        step_size.take(&part, kind);
+        self.step_size = Some(step_size);
+    }
+}

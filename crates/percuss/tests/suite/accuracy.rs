@@ -1,0 +1,172 @@
+//! Steps chosen for an accuracy: what is asked for is reached, the balances close as with steps of one size.
+
+use crate::common;
+
+use common::*;
+use percuss::*;
+
+/// The paper's clamped plank, struck in the middle.
+fn struck(shot: impl Fn(PointRef) -> Projectile) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, girder, f), SupportKind::Clamp));
+    }
+    b.projectile(shot(at("mid", girder, 0.5)));
+    b.build().unwrap()
+}
+
+fn soft() -> Model {
+    struck(|mid| elastic("mass", mid, [0.0, 20.0]))
+}
+
+fn hard() -> Model {
+    struck(|mid| rigid("hammer", mid, [0.0, 40.0], 0.5))
+}
+
+fn accurate(model: &Model, end: f64, accuracy: f64) -> Settings {
+    Settings { accuracy: Some(accuracy), ..Settings::new(end, first_step(model, end)) }
+}
+
+fn run(model: &Model, settings: &Settings) -> RunSummary {
+    let summary = simulate(model, settings, &mut NoRecorder).unwrap();
+    assert!(matches!(summary.termination, Termination::Completed), "{summary:?}");
+    assert!(summary.energy.residual_max < 1e-10, "{:e}", summary.energy.residual_max);
+    assert!(summary.momentum.linear_residual_max < 1e-10);
+    assert!(summary.momentum.angular_residual_max < 1e-10);
+    summary
+}
+
+fn deflection(summary: &RunSummary) -> f64 {
+    summary.points[0].displacement_max[1].value
+}
+
+fn peak_force(summary: &RunSummary) -> f64 {
+    match &summary.contacts[0].record {
+        ContactRecord::Smooth { peak_force, .. } => peak_force.value,
+        ContactRecord::Nonsmooth { .. } => panic!("an elastic projectile"),
+    }
+}
+
+fn off(found: f64, converged: f64) -> f64 {
+    (found / converged - 1.0).abs()
+}
+
+#[test]
+fn peaks_of_an_elastic_impact_are_as_accurate_as_asked_for() {
+    let model = soft();
+    let converged = run(&model, &Settings::new(0.15, 2e-5));
+    let (force, way) = (peak_force(&converged), deflection(&converged));
+    let mut before = f64::INFINITY;
+    for accuracy in [0.04, 0.02, 0.01, 0.005] {
+        let summary = run(&model, &accurate(&model, 0.15, accuracy));
+        let errors = [off(peak_force(&summary), force), off(deflection(&summary), way)];
+        assert!(errors.iter().all(|e| *e <= accuracy), "{errors:?} at {accuracy}");
+        // Half of it asked for, less is off.
+        assert!(errors[0] < before, "{errors:?} after {before} at {accuracy}");
+        before = errors[0];
+        let control = summary.step_control.unwrap();
+        assert!(control.estimate <= accuracy, "{control:?}");
+        assert_eq!(control.steps, summary.steps);
+        assert!(summary.steps < 250, "{control:?}");
+    }
+}
+
+#[test]
+fn deflections_under_rigid_impacts_are_as_accurate_as_asked_for() {
+    let model = hard();
+    let converged = run(&model, &Settings::new(0.02, 1e-6));
+    for accuracy in [0.02, 0.005] {
+        let summary = run(&model, &accurate(&model, 0.02, accuracy));
+        let error = off(deflection(&summary), deflection(&converged));
+        assert!(error <= accuracy, "{error} at {accuracy}");
+    }
+}
+
+#[test]
+fn steps_follow_the_motion() {
+    let model = soft();
+    let summary = run(&model, &accurate(&model, 0.15, 0.01));
+    let control = summary.step_control.unwrap();
+    assert!(control.refused > 0, "the blow comes unforeseen: {control:?}");
+    assert!(control.smallest <= control.mean && control.mean <= control.largest);
+    assert!(control.largest > 10.0 * control.smallest, "{control:?}");
+    assert!((control.mean * summary.steps as f64 / 0.15 - 1.0).abs() < 1e-12);
+    assert_eq!(summary.time, 0.15);
+}
+
+/// Time and all of a row, bit by bit.
+fn bits(rows: &MemoryRecorder) -> Vec<u64> {
+    rows.values.iter().map(|value| value.to_bits()).collect()
+}
+
+#[test]
+fn a_run_that_goes_on_from_a_checkpoint_takes_the_same_steps() {
+    for model in [soft(), hard()] {
+        let settings = accurate(&model, 0.02, 0.01);
+        let mut whole = MemoryRecorder::default();
+        let first = simulate(&model, &settings, &mut whole).unwrap();
+        let mut again = MemoryRecorder::default();
+        simulate(&model, &settings, &mut again).unwrap();
+        assert_eq!(bits(&whole), bits(&again));
+
+        let mut part = Simulation::new(&model, &settings).unwrap();
+        for _ in 0..first.steps / 2 {
+            part.advance(&mut NoRecorder).unwrap();
+        }
+        let resumed = Simulation::resume(&model, &settings, part.checkpoint()).unwrap();
+        let end = resumed.run(&mut NoRecorder);
+        assert_eq!(end.step_control, first.step_control);
+        assert_eq!(end.points, first.points);
+        // Steps of one size cannot go on from it.
+        let given = Settings { accuracy: None, ..settings };
+        let foreign = Simulation::resume(&model, &given, part.checkpoint());
+        assert_eq!(foreign.err(), Some(ResumeError::Foreign));
+    }
+}
+
+#[test]
+fn steps_that_were_refused_leave_nothing_in_fibres() {
+    let mut b = ModelBuilder::new();
+    let plasticity = Plasticity {
+        curve: vec![Hardening { from: 0.0, stress: 250e6, modulus: 0.0 }],
+        kinematic: 0.0,
+        overstress: None,
+        failure_strain: None,
+    };
+    let material = b.material(Material {
+        strain: StrainMeasure::Engineering,
+        inelasticity: Some(Inelasticity::Plastic(plasticity)),
+        ..Material::new("steel", 205e9, 7850.0)
+    });
+    let section = b.section(Section::rectangle("plank", 0.1, 0.1));
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, girder, f), SupportKind::Clamp));
+    }
+    b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 20.0]));
+    let model = b.build().unwrap();
+    let summary = run(&model, &accurate(&model, 0.05, 0.01));
+    assert!(summary.step_control.unwrap().refused > 0 && summary.energy.plastic > 0.0);
+    let converged = run(&model, &Settings::new(0.05, 1e-5));
+    assert!(off(summary.energy.plastic, converged.energy.plastic) < 0.02);
+}
+
+#[test]
+fn what_an_accuracy_does_not_go_with_is_a_fault() {
+    let model = soft();
+    let good = accurate(&model, 0.1, 0.01);
+    let time_stepping = ImpactResolution::TimeStepping { closed_tolerance: 1e-9 };
+    for (settings, path, found) in [
+        (Settings { accuracy: Some(0.0), ..good }, "time.accuracy", "0"),
+        (Settings { accuracy: Some(0.5), ..good }, "time.accuracy", "0.5"),
+        (Settings { accuracy: Some(f64::NAN), ..good }, "time.accuracy", "NaN"),
+        (Settings { impacts: time_stepping, ..good }, "time.accuracy", "looked at once per step"),
+        (Settings { scheme: Scheme::Newmark, ..good }, "time.accuracy", "advances accelerations"),
+    ] {
+        let faults = Simulation::new(&model, &settings).err().unwrap();
+        let told = faults.iter().any(|f| f.path == path && f.found.contains(found));
+        assert!(told, "{faults:?}");
+    }
+}
