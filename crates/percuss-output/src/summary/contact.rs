@@ -15,6 +15,12 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
         value["effective_mass"] = Value::from(mass.on_mesh);
         value["effective_mass_limit"] = Value::from(mass.limit);
     }
+    if let Some(force) = contact.equivalent_force {
+        value["equivalent_force"] = json!({ "moment": force.moment });
+        if let Some(deflection) = force.deflection {
+            value["equivalent_force"]["deflection"] = Value::from(deflection);
+        }
+    }
     if let Some(permanent) = contact.permanent_penetration {
         value["permanent_penetration"] = Value::from(permanent);
     }

@@ -16,6 +16,7 @@ fn contact(name: &str, record: ContactRecord) -> ContactSummary {
         between,
         effective_mass: None,
         permanent_penetration: None,
+        equivalent_force: None,
         record,
     }
 }

@@ -1,6 +1,7 @@
 //! Analyses at rest: equilibria and load paths, modes, buckling, section forces.
 
 mod buckling;
+pub(crate) mod equivalent;
 mod flutter;
 pub(crate) mod modes;
 mod path;

@@ -38,6 +38,7 @@ pub fn simulate_batch(
         if detail == Detail::Motion {
             summary.supports.clear();
             summary.section_forces.clear();
+            summary.contacts.iter_mut().for_each(|contact| contact.equivalent_force = None);
         }
         Ok(summary)
     };

@@ -3,6 +3,7 @@
 use super::simulation::Simulation;
 use super::step_size::StepSizeControl;
 use super::yielding;
+use crate::analysis::equivalent::equivalent_force;
 use crate::math::vec2::{dot, norm, scale};
 use crate::summary::*;
 
@@ -12,7 +13,8 @@ impl Simulation<'_> {
         let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
         let effective = self.model.effective_masses();
         let [energy_scale, linear_scale, angular_scale] = ledger.audit_scales();
-        RunSummary {
+        let model = self.model;
+        let mut summary = RunSummary {
             termination,
             time: self.state.time,
             steps: self.state.step,
@@ -55,6 +57,7 @@ impl Simulation<'_> {
                         name: contact.name.clone(),
                         between: contact.between.clone(),
                         effective_mass: effective.get(i).copied().or(self.struck_masses[i]),
+                        equivalent_force: None,
                         permanent_penetration: contact.law.permanent(pairs),
                         record,
                     }
@@ -75,7 +78,10 @@ impl Simulation<'_> {
             supports: self.monitor.supports,
             plastic: yielding::summaries(self.model, &self.state, &self.monitor.yielded),
             section_forces: self.monitor.section_forces,
-        }
+        };
+        let equivalent = equivalent_force(model, &summary);
+        summary.contacts.iter_mut().for_each(|contact| contact.equivalent_force = equivalent);
+        summary
     }
 
     fn projectiles(&self) -> Vec<ProjectileSummary> {

@@ -257,8 +257,19 @@ pub struct ContactSummary {
     pub effective_mass: Option<EffectiveMass>,
     /// What stays pushed in at the end where it is deepest, of a law that crushes \[m\].
     pub permanent_penetration: Option<f64>,
+    /// Static force that does what the impacts did at most, where nothing else acts on the structure.
+    pub equivalent_force: Option<EquivalentForce>,
     /// What happened.
     pub record: ContactRecord,
+}
+
+/// Static force at the struck point along the line of flight that, by linear elasticity, does to the structure what a run did at most.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EquivalentForce {
+    /// The one that bends the struck beam by the same largest moment \[N\].
+    pub moment: f64,
+    /// The one that deflects the struck point as far along the line of flight \[N\]; none where that is not recorded.
+    pub deflection: Option<f64>,
 }
 
 /// Impacts at which several touching bodies were struck at once, so that the impact law shared the blow among them.

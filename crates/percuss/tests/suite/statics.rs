@@ -199,3 +199,57 @@ fn a_load_beyond_the_largest_moment_of_the_green_law_has_no_equilibrium() {
     let text = error.to_string();
     assert!(text.contains("beam `arm`") && text.contains("2.721655e7 N m"), "{text}");
 }
+
+/// A clamped plank struck amidst: a static force F there bends it by F L / 8 and deflects it by F L^3 / (192 EI).
+#[test]
+fn equivalent_static_forces_are_those_of_beam_theory() {
+    for (kind, bending, deflecting) in
+        [(SupportKind::Clamp, 8.0, 192.0), (SupportKind::Pin, 4.0, 48.0)]
+    {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 8, material, section));
+        for (name, f) in [("left", 0.0), ("right", 1.0)] {
+            b.support(Support::new(name, at(name, girder, f), kind.clone()));
+        }
+        b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 0.01]));
+        b.record_point(at("mid", girder, 0.5));
+        let model = b.build().unwrap();
+        let summary = simulate(&model, &Settings::new(2.2, 1e-3), &mut NoRecorder).unwrap();
+        let found = summary.contacts[0].equivalent_force.unwrap();
+        let moment = summary.section_forces[0].moment.largest().value.abs();
+        let deflection = summary.points[0].displacement_max[1].value.abs();
+        assert!(moment > 0.0 && deflection > 0.0);
+        // Slender by theory: what rotary inertia and axial forces add is of second order in displacements of micrometres.
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
+        near(found.moment, moment * bending / 3.0);
+        near(found.deflection.unwrap(), deflection * deflecting * 0.2e10 * 8.33e-5 / 27.0);
+    }
+}
+
+#[test]
+fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
+    let told = |change: &dyn Fn(&mut ModelBuilder, BeamId)| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 4, material, section));
+        b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 1.0]));
+        change(&mut b, girder);
+        let model = b.build().unwrap();
+        let summary = simulate(&model, &Settings::new(0.03, 1e-3), &mut NoRecorder).unwrap();
+        summary.contacts[0].equivalent_force.is_some()
+    };
+    let held = |b: &mut ModelBuilder, girder| {
+        b.support(Support::new("left", at("left", girder, 0.0), SupportKind::Clamp));
+    };
+    assert!(told(&held));
+    assert!(!told(&|_, _| ()), "a beam that flies");
+    assert!(!told(&|b, girder| {
+        held(b, girder);
+        b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    }));
+    assert!(!told(&|b, girder| {
+        held(b, girder);
+        b.projectile(elastic("other", at("late", girder, 1.0), [0.0, 1.0]));
+    }));
+}

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, PlasticHinge,
-    PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
+    ContactInterval, ContactRecord, ContactSummary, EquivalentForce, Impact, NoRestitution,
+    PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
@@ -239,6 +239,7 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
                 lines.push(format!("stays pushed in by {} m", number(permanent)));
             }
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
+            lines.extend(contact.equivalent_force.as_ref().map(equivalent));
             lines
         }
         ContactRecord::Nonsmooth {
@@ -259,9 +260,17 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
                 lines.push(format!("{} {law}", count(*fallback_count, "impact")));
             }
             lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
+            lines.extend(contact.equivalent_force.as_ref().map(equivalent));
             lines
         }
     }
+}
+
+/// The static force that does what the impacts did at most.
+fn equivalent(force: &EquivalentForce) -> String {
+    let by_moment = number(force.moment);
+    let by_deflection = force.deflection.map(|f| format!(", {} N by deflection", number(f)));
+    format!("equivalent static force {by_moment} N by moment{}", by_deflection.unwrap_or_default())
 }
 
 /// The first few of `count` items, and how many more there are.
