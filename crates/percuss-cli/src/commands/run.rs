@@ -10,7 +10,7 @@ mod table;
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
-use percuss::{ResumeError, RunSummary, Simulation, Termination};
+use percuss::{Checkpoint, ResumeError, RunSummary, Simulation, Termination};
 use percuss_advice::{Advice, AuditWarning, advise, audit, compare, review};
 use percuss_codes::{Caution, FileCode, RequestCode};
 use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
@@ -218,17 +218,7 @@ fn simulate(
         None => (None, None, 0.0),
     };
     let done = checkpoint.as_ref().map_or(0, |c| c.step());
-    let simulation = match checkpoint {
-        Some(checkpoint) => Simulation::resume(&compiled.model, &compiled.settings, checkpoint),
-        None => Simulation::new(&compiled.model, &compiled.settings).map_err(ResumeError::Faults),
-    };
-    let simulation = simulation.map_err(|error| match error {
-        ResumeError::Faults(faults) => ready.refuse(faults, &arguments.set),
-        ResumeError::Foreign => Failure::input(
-            FileCode::OtherCheckpoint,
-            "the checkpoint does not fit the scenario, or lies beyond its end; run it from the beginning",
-        ),
-    })?;
+    let simulation = begin(ready, arguments, checkpoint)?;
     let content = ready.scenario.content();
     let mut advice = advise(&compiled.model, &compiled.settings);
     advisor::judge(&mut advice, content);
@@ -290,6 +280,26 @@ fn simulate(
         checkpoints,
         warnings,
         denied,
+    })
+}
+
+/// The run, from a checkpoint on or from the beginning.
+fn begin<'a>(
+    ready: &'a Ready,
+    arguments: &Run,
+    checkpoint: Option<Checkpoint>,
+) -> Result<Simulation<'a>, Failure> {
+    let compiled = &ready.compiled;
+    let simulation = match checkpoint {
+        Some(checkpoint) => Simulation::resume(&compiled.model, &compiled.settings, checkpoint),
+        None => Simulation::new(&compiled.model, &compiled.settings).map_err(ResumeError::Faults),
+    };
+    simulation.map_err(|error| match error {
+        ResumeError::Faults(faults) => ready.refuse(faults, &arguments.set),
+        ResumeError::Foreign => Failure::input(
+            FileCode::OtherCheckpoint,
+            "the checkpoint does not fit the scenario, or lies beyond its end; run it from the beginning",
+        ),
     })
 }
 

@@ -104,6 +104,7 @@ impl SummaryPath {
     /// Whether it lies in the section forces or the reactions of supports, which a run may leave out.
     pub fn is_of_forces(&self) -> bool {
         ["section_forces", "support"].contains(&self.part.as_str())
+            || self.keys.first().is_some_and(|key| key == "equivalent_force")
     }
 
     /// Whether it counts what the solver did, which runs side by side share.
@@ -317,6 +318,8 @@ fn unit(keys: &[&str]) -> &'static str {
         "value" if has("strain") => "1",
         "value" if has("moment") || has("moment_max") => "N*m",
         "value" => "N",
+        "moment" | "deflection" if has("equivalent_force") => "N",
+        "permanent_penetration" => "m",
         "time" | "start" | "end" => "s",
         "s" | "position" => "m",
         "approach_velocity" | "separation_velocity" | "velocity_final" => "m/s",

@@ -9,11 +9,11 @@ use nalgebra::SVector;
 use num_dual::{DualNum, DualSVec64, jacobian};
 use proptest::prelude::*;
 
-type Dual = DualSVec64<4>;
+type DualFour = DualSVec64<4>;
 
-impl Real for Dual {
+impl Real for DualFour {
     fn constant(self, value: f64) -> Self {
-        Dual::from_re(value)
+        DualFour::from_re(value)
     }
     fn sqrt(self) -> Self {
         DualNum::sqrt(&self)
@@ -90,11 +90,11 @@ fn point_from(v: [f64; 8], angle: f64) -> StepPoint<f64> {
     }
 }
 
-fn lift(p: &StepPoint<f64>, end: &SVector<Dual, 4>) -> StepPoint<Dual> {
-    let c = |v: [f64; 2]| [Dual::from_re(v[0]), Dual::from_re(v[1])];
+fn lift(p: &StepPoint<f64>, end: &SVector<DualFour, 4>) -> StepPoint<DualFour> {
+    let c = |v: [f64; 2]| [DualFour::from_re(v[0]), DualFour::from_re(v[1])];
     StepPoint {
         tangent: c(p.tangent),
-        curvature: Dual::from_re(p.curvature),
+        curvature: DualFour::from_re(p.curvature),
         slope_0: c(p.slope_0),
         bend_0: c(p.bend_0),
         d_slope: [end[0], end[1]],
@@ -113,8 +113,8 @@ proptest! {
         for measure in measures() {
             for scheme in 0..4 {
                 let (force, exact) = jacobian(
-                    |end: SVector<Dual, 4>| {
-                        let r = evaluate::<Dual, false>(scheme, measure, &lift(&point, &end));
+                    |end: SVector<DualFour, 4>| {
+                        let r = evaluate::<DualFour, false>(scheme, measure, &lift(&point, &end));
                         SVector::from([
                             r.force_g[0], r.force_g[1],
                             r.force_p[0], r.force_p[1],

@@ -55,33 +55,8 @@ fn quantity(value: f64, unit: &str) -> String {
 pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     let mut out = Faults::default();
     names(model, &mut out);
-    for m in &model.materials {
-        let path = |field: &str| format!("material.{}.{field}", m.name);
-        out.positive(path("young"), m.young, "a Young's modulus", "Pa");
-        out.not_negative(path("density"), m.density, "a density", "kg/m^3");
-    }
-    for m in &model.materials {
-        let path = |field: &str| format!("material.{}.{field}", m.name);
-        out.not_negative(path("retardation"), m.retardation, "a time", "s");
-        out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
-        if let Some(Inelasticity::Plastic(plasticity)) = &m.inelasticity {
-            check_plasticity(m, plasticity, &mut out);
-        }
-    }
-    for s in &model.sections {
-        let path = |field: &str| format!("section.{}.{field}", s.name);
-        out.positive(path("area"), s.area, "an area", "m^2");
-        out.positive(path("inertia"), s.inertia, "a second moment of area", "m^4");
-        if let Some(depth) = s.depth {
-            out.positive(path("depth"), depth, "a depth", "m");
-        }
-        check_stations(s, &mut out);
-        if let RotaryInertia::Given(value) = s.rotary_inertia
-            && !(value >= 0.0 && value.is_finite())
-        {
-            out.add(path("rotary_inertia"), quantity(value, "kg*m"), "a value of zero or above");
-        }
-    }
+    check_materials(model, &mut out);
+    check_sections(model, &mut out);
     if model.beams.is_empty() && model.discs.is_empty() {
         out.add("beam".into(), "no beam and no disc", "at least one of them: something that moves");
     }
@@ -125,6 +100,47 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
             out.add("damping.modal".into(), quantity(*ratio, ""), "ratios from 0 to below 1");
         }
     }
+    check_initial_motions(model, &mut out);
+    for point in &model.points {
+        check_point(model, point, "record.points".into(), &mut out);
+    }
+    out.0
+}
+
+fn check_materials(model: &ModelBuilder, out: &mut Faults) {
+    for m in &model.materials {
+        let path = |field: &str| format!("material.{}.{field}", m.name);
+        out.positive(path("young"), m.young, "a Young's modulus", "Pa");
+        out.not_negative(path("density"), m.density, "a density", "kg/m^3");
+    }
+    for m in &model.materials {
+        let path = |field: &str| format!("material.{}.{field}", m.name);
+        out.not_negative(path("retardation"), m.retardation, "a time", "s");
+        out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
+        if let Some(Inelasticity::Plastic(plasticity)) = &m.inelasticity {
+            check_plasticity(m, plasticity, out);
+        }
+    }
+}
+
+fn check_sections(model: &ModelBuilder, out: &mut Faults) {
+    for s in &model.sections {
+        let path = |field: &str| format!("section.{}.{field}", s.name);
+        out.positive(path("area"), s.area, "an area", "m^2");
+        out.positive(path("inertia"), s.inertia, "a second moment of area", "m^4");
+        if let Some(depth) = s.depth {
+            out.positive(path("depth"), depth, "a depth", "m");
+        }
+        check_stations(s, out);
+        if let RotaryInertia::Given(value) = s.rotary_inertia
+            && !(value >= 0.0 && value.is_finite())
+        {
+            out.add(path("rotary_inertia"), quantity(value, "kg*m"), "a value of zero or above");
+        }
+    }
+}
+
+fn check_initial_motions(model: &ModelBuilder, out: &mut Faults) {
     let all = [(String::new(), model.initial_motion)];
     for (name, motion) in all.iter().chain(&model.own_motions) {
         let path = if name.is_empty() { "initial".to_owned() } else { format!("initial.{name}") };
@@ -139,10 +155,6 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
             out.add(path, found, "the name of one beam, or of one point mass");
         }
     }
-    for point in &model.points {
-        check_point(model, point, "record.points".into(), &mut out);
-    }
-    out.0
 }
 
 fn names(model: &ModelBuilder, out: &mut Faults) {
