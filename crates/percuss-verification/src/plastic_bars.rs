@@ -32,7 +32,8 @@ impl Pulled {
 /// Area of the bars that are strained evenly \[m^2\]; they are 1 m long and as deep, so that nothing buckles.
 const AREA: f64 = 1e-3;
 
-/// A bar strained evenly, `strain` over time, from its rate `from` on: nearly without mass, so that its forces are those of statics.
+/// A bar strained evenly, `strain` over time, from its rate `from` on: of so little mass (1 kg/m^3) that its
+/// forces are those of statics.
 fn strained(
     material: Material,
     strain: impl Fn(f64) -> f64 + Send + Sync + 'static,
@@ -81,9 +82,10 @@ pub fn cycles() -> Vec<Check> {
         let second = (limit + 2.0 * iso * first - young * largest) / (young + iso + kin);
         let alpha = [first, 2.0 * first - second];
         let plastic = [first, second];
-        for steps in [12, 96] {
+        // Nothing but inertia evens out strains that need no more stress: in large steps a ripple stays (3e-4 in 12).
+        for steps in if iso + kin > 0.0 { [12, 96] } else { [96, 192] } {
             let curve = vec![Hardening { from: 0.0, stress: limit, modulus: iso }];
-            let metal = yields(young, 1e-3, curve, |p| p.kinematic = kin);
+            let metal = yields(young, 1.0, curve, |p| p.kinematic = kin);
             let path = move |t: f64| largest * (2.0 * PI * t).sin();
             let settings = Settings::new(0.75, 0.75 / f64::from(steps));
             let run = strained(metal, path, 2.0 * PI * largest, &settings);
@@ -133,7 +135,7 @@ pub fn rates() -> Vec<Check> {
         let law = Overstress { rate: constant, exponent };
         let run = |rate: f64, strain: f64, steps: usize| {
             let curve = vec![Hardening { from: 0.0, stress: limit, modulus: 0.0 }];
-            let metal = yields(young, 1e-3, curve, |p| p.overstress = Some(law));
+            let metal = yields(young, 1.0, curve, |p| p.overstress = Some(law));
             let end = strain / rate;
             let settings = Settings::new(end, end / steps as f64);
             let run = strained(metal, move |t| rate * t, rate, &settings);
@@ -145,8 +147,9 @@ pub fn rates() -> Vec<Check> {
             c.relative(format!("{name}, {rate}/s: stress [Pa]"), found, exact, 1e-9);
             balances(&mut c, &format!("{name}, {rate}/s"), &summary);
         }
-        // On the way there, twice the strain at yield: flow is that of the overstress at the end of each step, of first order.
-        let (rate, strain) = (100.0, 2.0 * limit / young);
+        // On the way there, where without flow it would be: flow is that of the overstress at the end of a step, of first order.
+        let rate: f64 = 100.0;
+        let strain = limit / young * (1.0 + (rate / constant).powf(1.0 / exponent));
         let exact = overstressed(young, limit, law, rate, strain / rate);
         let error = |steps: usize| (run(rate, strain, steps).0 / exact - 1.0).abs();
         let (coarse, fine) = (error(200), error(400));
@@ -186,7 +189,7 @@ pub fn plastic_wave() -> Vec<Check> {
         };
         let pulled = Support::new("pulled", at("pulled", bar, 0.0), SupportKind::Pin);
         b.support(Support { motion: Some(motion), ..pulled });
-        for (name, f) in [("foot", 0.0), ("near", 0.08), ("far", 0.5)] {
+        for (name, f) in [("foot", 0.0), ("near", 0.08), ("far", 0.4)] {
             b.record_point(at(name, bar, f));
         }
         let model = b.build().expect("a verification case builds");
@@ -214,7 +217,7 @@ pub fn plastic_wave() -> Vec<Check> {
     let exact = [
         plateau,
         strain,
-        yields_at * (end - 0.5 * LENGTH / fast),
+        yields_at * (end - 0.4 * LENGTH / fast),
         limit * (strain - plateau / young) * slow * end * area,
     ];
     let names = ["stress [Pa]", "strain", "way before the plastic front [m]", "energy dissipated [J]"];
@@ -238,7 +241,7 @@ pub fn fan() -> Vec<Check> {
     let (young, limit, length, area) = (30e6, 30_000.0 * SMALL, 100.0, 1.0_f64);
     let (sine, cosine) = FRAC_PI_6.sin_cos();
     let stiff = 1.0 + 2.0 * cosine.powi(3);
-    let run = |load: f64, unloads: bool| {
+    let run = |load: f64, unloads: bool, step: f64| {
         let mut b = ModelBuilder::new();
         let metal = b.material(perfect(young, 1e-6, limit));
         let section = b.section(Section { fibres: 4, ..Section::rectangle("s", 0.5, 2.0 * area) });
@@ -264,27 +267,30 @@ pub fn fan() -> Vec<Check> {
         b.record_point(at("mid", bars[0], 0.5));
         let model = b.build().expect("a verification case builds");
         let mut rows = MemoryRecorder::default();
-        let summary = simulate(&model, &Settings::new(2.5, 1e-2), &mut rows).expect("sound");
+        let summary = simulate(&model, &Settings::new(2.1, step), &mut rows).expect("sound");
         Pulled { rows, summary }
     };
-    let elastic = run(51_961.5, false);
+    let elastic = run(51_961.5, false, 1e-2);
     let u = elastic.last("point.tip.displacement_2") / SMALL;
     c.relative("deflection under 51 961.5 lb [in], published", u, -0.07533, 2e-4);
-    c.relative("the same, closed form", u, -51_961.5 * length / (young * area * stiff), 1e-4);
+    c.relative("the same, closed form", u, -51_961.5 * length / (young * area * stiff), 1e-5);
     balances(&mut c, "elastic", &elastic.summary);
-    // The last load that it bears, but for a ten-thousandth.
-    let load = 81_961.5 * (1.0 - 1e-4);
-    let plastic = run(load, true);
-    let left = plastic.last("section.mid.axial") / (area * SMALL);
-    c.relative("residual stress in the middle [psi], published", left, -5650.0, 2e-3);
-    let exact = 30_000.0 - load / stiff;
-    c.relative("the same, closed form", left, exact, 1e-4);
-    // Loaded, the outer bars bear what the middle one cannot.
-    let row = 100;
-    let down = plastic.value("point.tip.displacement_2", row) / SMALL;
-    let outer = (load - 30_000.0) / (2.0 * cosine);
-    let exact = -outer * length / (young * cosine * cosine);
-    c.relative("deflection under the last load [in]", down, exact, 1e-3);
-    balances(&mut c, "unloaded", &plastic.summary);
+    // The last load that it bears, but for a hundredth.
+    let load = 0.99 * 81_961.5;
+    for (steps, step) in [(100, 1e-2), (1000, 1e-3)] {
+        let plastic = run(load, true, step);
+        // Loaded, the outer bars bear what the middle one cannot.
+        let down = plastic.value("point.tip.displacement_2", steps) / SMALL;
+        let outer = (load - 30_000.0) / (2.0 * cosine);
+        let exact = -outer * length / (young * cosine * cosine);
+        c.relative(format!("{steps} steps: deflection [in]"), down, exact, 0.5 * step);
+        let left = plastic.last("section.mid.axial") / (area * SMALL);
+        let exact = 30_000.0 - load / stiff;
+        c.relative(format!("{steps} steps: residual stress [psi]"), left, exact, 0.5 * step);
+        balances(&mut c, &format!("{steps} steps"), &plastic.summary);
+    }
+    // Up to the last load.
+    let left = run(81_961.5, true, 1e-3).last("section.mid.axial") / (area * SMALL);
+    c.relative("all yield: residual stress [psi], published", left, -5650.0, 1e-3);
     c.into_vec()
 }

@@ -102,14 +102,15 @@ impl Parkes {
         let tip = at("tip", arm, 1.0);
         let name = "striker".into();
         b.point_mass(PointMass { name, at: tip.clone(), mass, rotary_inertia: 0.0 });
-        b.record_point(tip);
-        let model = b.build().expect("a verification case builds");
+        b.record_point(tip.clone());
         // Momentum about the root: M0 T = G V0 L.
         let end = 1.2 * mass * speed * ARM / plastic_moment();
-        let settings = Settings::new(end, end / self.steps as f64);
-        let mut run = Simulation::new(&model, &settings).expect("sound settings");
-        run.set_velocities(|_, x| if x[0] > ARM - 1e-9 { [0.0, speed] } else { [0.0; 2] });
-        run.run(&mut NoRecorder)
+        let step = end / self.steps as f64;
+        let force = [0.0, mass * speed / step];
+        let kind = LoadKind::Point { at: tip, force, moment: 0.0, follower: false };
+        b.load(Load { until: step, ..Load::new("blow", kind) });
+        let model = b.build().expect("a verification case builds");
+        simulate(&model, &Settings::new(end, step), &mut NoRecorder).expect("sound settings")
     }
 }
 
@@ -135,15 +136,15 @@ pub fn thrown_beam(clamped: bool, elements: usize, young: f64, steps: usize, way
             let components = vec![Displacement1];
             b.support(Support::new("mid", at("mid", beam, 0.5), SupportKind::Fix { components }));
             b.record_point(at("mid", beam, 0.5));
-            let model = b.build().expect("a verification case builds");
             // At rest at m V0 L^2 / 2 M0, a beam between clamps after half of that.
-            let end = 1.2 * mass * speed * half * half / (2.0 * plastic_moment());
-            let settings = Settings::new(end, end / steps as f64);
-            let mut run = Simulation::new(&model, &settings).expect("sound settings");
-            run.set_velocities(|_, x| {
-                if x[0] > 1e-9 && x[0] < 2.0 * half - 1e-9 { [0.0, speed] } else { [0.0; 2] }
-            });
-            let summary = run.run(&mut NoRecorder);
+            let end = if clamped { 0.6 } else { 1.2 } * mass * speed * half * half / (2.0 * plastic_moment());
+            let step = end / steps as f64;
+            let q = [0.0, mass * speed / step];
+            let stretch = [0.0, 1.0].map(Along::Fraction);
+            let kind = LoadKind::Distributed { beam, stretch, force: [q, q], follower: false };
+            b.load(Load { until: step, ..Load::new("blow", kind) });
+            let model = b.build().expect("a verification case builds");
+            let summary = simulate(&model, &Settings::new(end, step), &mut NoRecorder).expect("sound");
             let found = summary.points[0].displacement_max[1].value;
             (found, exact, summary)
 }
