@@ -83,7 +83,10 @@ pub fn cycles() -> Vec<Check> {
         let alpha = [first, 2.0 * first - second];
         let plastic = [first, second];
         // Nothing but inertia evens out strains that need no more stress: in large steps a ripple stays (3e-4 in 12).
-        for steps in if iso + kin > 0.0 { [12, 96] } else { [96, 192] } {
+        let hardens = iso + kin > 0.0;
+        // And what that takes of stress, 1e-9 of it.
+        let close = if hardens { 1e-9 } else { 1e-8 };
+        for steps in if hardens { [12, 96] } else { [96, 192] } {
             let curve = vec![Hardening { from: 0.0, stress: limit, modulus: iso }];
             let metal = yields(young, 1.0, curve, |p| p.kinematic = kin);
             let path = move |t: f64| largest * (2.0 * PI * t).sin();
@@ -94,14 +97,14 @@ pub fn cycles() -> Vec<Check> {
                 let what = format!("{name}, {steps} steps, turn {}:", k + 1);
                 let strain = if k == 0 { largest } else { -largest };
                 let exact = (young * (strain - plastic[k])).abs();
-                c.relative(format!("{what} stress [Pa]"), stress(&run, young, row), exact, 1e-9);
+                c.relative(format!("{what} stress [Pa]"), stress(&run, young, row), exact, close);
                 let lost = run.value("energy.plastic", row);
                 let exact = limit * alpha[k] * AREA;
-                c.relative(format!("{what} energy dissipated [J]"), lost, exact, 1e-9);
+                c.relative(format!("{what} energy dissipated [J]"), lost, exact, close);
                 let stored = 0.5 * AREA * (iso * alpha[k].powi(2) + kin * plastic[k].powi(2));
                 let found = run.value("energy.hardening", row);
                 let scale = limit * alpha[k] * AREA;
-                c.absolute(format!("{what} energy stored [J]"), found, stored, 1e-9 * scale);
+                c.absolute(format!("{what} energy stored [J]"), found, stored, close * scale);
             }
             balances(&mut c, &format!("{name}, {steps} steps"), &run.summary);
         }
@@ -114,9 +117,7 @@ fn overstressed(young: f64, limit: f64, law: Overstress, rate: f64, time: f64) -
     let from = limit / (young * rate);
     let count = 20_000;
     let h = (time - from) / f64::from(count);
-    let slope = |s: f64| {
-        young * (rate - law.rate * (s / limit - 1.0).max(0.0).powf(law.exponent))
-    };
+    let slope = |s: f64| young * (rate - law.rate * (s / limit - 1.0).max(0.0).powf(law.exponent));
     (0..count).fold(limit, |s, _| {
         let a = slope(s);
         let b = slope(s + 0.5 * h * a);
@@ -220,12 +221,20 @@ pub fn plastic_wave() -> Vec<Check> {
         yields_at * (end - 0.4 * LENGTH / fast),
         limit * (strain - plateau / young) * slow * end * area,
     ];
-    let names = ["stress [Pa]", "strain", "way before the plastic front [m]", "energy dissipated [J]"];
+    // Of the first order in the elements, as the front is smeared over some of them. What is dissipated stays 0.1 % too large: the
+    // jump of the precursor overshoots on any mesh, and what it passes yields a little.
+    let names = [
+        ("stress [Pa]", [1e-2, 6e-3]),
+        ("strain", [1e-2, 6e-3]),
+        ("way before the plastic front [m]", [1e-2, 5e-3]),
+        ("energy dissipated [J]", [1.5e-3, 1.5e-3]),
+    ];
     let (coarse, fine) = (run(100), run(200));
     let pairs = found(&coarse).into_iter().zip(found(&fine));
-    for ((name, exact), (coarse, fine)) in names.into_iter().zip(exact).zip(pairs) {
-        c.relative(format!("100 elements: {name}"), coarse, exact, 2e-2);
-        c.relative(format!("200 elements: {name}"), fine, exact, 1e-2);
+    for (((name, [loose, close]), exact), (coarse, fine)) in names.into_iter().zip(exact).zip(pairs)
+    {
+        c.relative(format!("100 elements: {name}"), coarse, exact, loose);
+        c.relative(format!("200 elements: {name}"), fine, exact, close);
     }
     balances(&mut c, "100 elements", &coarse.summary);
     balances(&mut c, "200 elements", &fine.summary);
@@ -277,20 +286,23 @@ pub fn fan() -> Vec<Check> {
     balances(&mut c, "elastic", &elastic.summary);
     // The last load that it bears, but for a hundredth.
     let load = 0.99 * 81_961.5;
-    for (steps, step) in [(100, 1e-2), (1000, 1e-3)] {
-        let plastic = run(load, true, step);
-        // Loaded, the outer bars bear what the middle one cannot.
-        let down = plastic.value("point.tip.displacement_2", steps) / SMALL;
-        let outer = (load - 30_000.0) / (2.0 * cosine);
-        let exact = -outer * length / (young * cosine * cosine);
-        c.relative(format!("{steps} steps: deflection [in]"), down, exact, 0.5 * step);
-        let left = plastic.last("section.mid.axial") / (area * SMALL);
-        let exact = 30_000.0 - load / stiff;
-        c.relative(format!("{steps} steps: residual stress [psi]"), left, exact, 0.5 * step);
-        balances(&mut c, &format!("{steps} steps"), &plastic.summary);
-    }
-    // Up to the last load.
+    let plastic = run(load, true, 1e-2);
+    // Loaded, the outer bars bear what the middle one cannot. What turns of them is left out, 4e-5.
+    let down = plastic.value("point.tip.displacement_2", 100) / SMALL;
+    let outer = (load - 30_000.0) / (2.0 * cosine);
+    let exact = -outer * length / (young * cosine * cosine);
+    c.relative("deflection under 0.99 of the last load [in]", down, exact, 1e-4);
+    let left = plastic.last("section.mid.axial") / (area * SMALL);
+    let exact = 30_000.0 - load / stiff;
+    c.relative("unloaded from there: residual stress [psi]", left, exact, 1e-4);
+    balances(&mut c, "unloaded", &plastic.summary);
+    // From the last load, where a step makes a difference.
     let left = run(81_961.5, true, 1e-3).last("section.mid.axial") / (area * SMALL);
-    c.relative("all yield: residual stress [psi], published", left, -5650.0, 1e-3);
+    c.relative(
+        "unloaded from the last load: residual stress [psi], published",
+        left,
+        -5650.0,
+        1e-3,
+    );
     c.into_vec()
 }

@@ -97,8 +97,8 @@ pub fn plastic_moments() -> Vec<Check> {
     c.into_vec()
 }
 
-/// Half a ring of aluminium that sheet explosive closes: least diameter and when, and what it dissipates.
-fn ring(metal: Material, elements: usize, step: f64) -> ([f64; 3], RunSummary) {
+/// Half a ring of aluminium that sheet explosive closes: its least diameter \[m\] and when \[s\], and its diameter at 1.35 ms \[m\].
+fn ring(metal: Material, elements: usize) -> ([f64; 3], RunSummary) {
     let radius = 0.5 * (0.1524 - 0.00315);
     let mut b = ModelBuilder::new();
     let metal = b.material(metal);
@@ -112,9 +112,9 @@ fn ring(metal: Material, elements: usize, step: f64) -> ([f64; 3], RunSummary) {
         b.record_point(at(name, ring, f));
     }
     let model = b.build().expect("a verification case builds");
-    let mut run = Simulation::new(&model, &Settings::new(1.6e-3, step)).expect("sound settings");
+    let mut run = Simulation::new(&model, &Settings::new(1.6e-3, 4e-6)).expect("sound settings");
     run.set_velocities(|_, [x, y]| {
-        // Straight lines between nodes 10 degrees apart, as there.
+        // Inwards; straight lines between nodes 10 degrees apart, as in the benchmark.
         let angle = x.atan2(y).to_degrees();
         let between = |from: f64, [a, b]: [f64; 2]| a + (b - a) * (angle - from) / 10.0;
         let speed = match angle {
@@ -129,33 +129,47 @@ fn ring(metal: Material, elements: usize, step: f64) -> ([f64; 3], RunSummary) {
     let summary = run.run(&mut rows);
     let column = |name: &str| rows.column(name).unwrap_or_default();
     let (top, bottom) = (column("point.top.displacement_2"), column("point.bottom.displacement_2"));
-    let each = top.iter().zip(&bottom).zip(column("time"));
-    let least = each.map(|((a, b), t)| [2.0 * radius + a - b, t]);
-    let least = least.fold([f64::INFINITY, f64::NAN], |m, x| if x[0] < m[0] { x } else { m });
-    let at = column("time").partition_point(|t| *t < 1.35e-3);
-    let then = top.get(at).zip(bottom.get(at)).map(|(a, b)| 2.0 * radius + a - b);
-    ([least[0], least[1], or_nan(then)], summary)
+    let diameter = |(a, b): (&f64, &f64)| 2.0 * radius + a - b;
+    let diameters: Vec<f64> = top.iter().zip(&bottom).map(diameter).collect();
+    let time = column("time");
+    let each = diameters.iter().zip(&time);
+    let (least, when) =
+        each.fold(
+            (f64::INFINITY, f64::NAN),
+            |(least, when), (d, t)| {
+                if *d < least { (*d, *t) } else { (least, when) }
+            },
+        );
+    let then = diameters.get(time.partition_point(|t| *t < 1.35e-3));
+    ([least, when, or_nan(then.copied())], summary)
 }
 
-/// A free ring under sheet explosive over 120 degrees (Clark, Hoffman and Stillman Redmon 1962), as computed in Abaqus' benchmark.
+/// A free ring under sheet explosive over 120 degrees (Clark et al. 1962), as Abaqus' benchmark of the free ring has it: aluminium 6061-T6
+/// that hardens or whose stress grows with rate.
+///
+/// Its results are published as curves, which tell a diameter to about 5 mm: 60 and 80 mm, from 1.3 to 1.4 ms on. The curve of what
+/// hardens is flat there.
 pub fn explosive_ring() -> Vec<Check> {
     let mut c = Checks::new();
-    let (young, density, limit) = (72.4e9, 2672.0, 295.1e6);
-    let tangent = 542.6e6;
+    let (young, density, limit, tangent) = (72.4e9, 2672.0, 295.1e6, 542.6e6);
     let hardens = |modulus: f64| vec![Hardening { from: 0.0, stress: limit, modulus }];
     let slow = yields(young, density, hardens(tangent * young / (young - tangent)), |_| {});
     let law = Overstress { rate: 6500.0, exponent: 4.0 };
     let rate = yields(young, density, hardens(0.0), |p| p.overstress = Some(law));
-    for (name, metal, diameter) in [("hardening", slow, 60.0), ("rate", rate, 80.0)] {
-        for elements in [18, 36, 72] {
-            let ([least, time, then], summary) = ring(metal.clone(), elements, 4e-6);
-            let what = format!("{name}, {elements} elements:");
-            c.absolute(format!("{what} least diameter [mm]"), 1e3 * least, diameter, 5.0);
-            c.absolute(format!("{what} its time [ms]"), 1e3 * time, 1.35, 0.1);
-            c.absolute(format!("{what} diameter at 1.35 ms [mm]"), 1e3 * then, diameter, 5.0);
-            c.absolute(format!("{what} energy [J]"), summary.energy.initial, 302.6, 5.0);
+    for (name, metal, diameter) in [("hardening", slow, 60.0), ("rate", rate.clone(), 80.0)] {
+        for elements in [18, 36] {
+            let ([least, when, then], summary) = ring(metal.clone(), elements);
+            let what = format!("{name}, {elements} elements");
+            c.absolute(format!("{what}: least diameter [mm]"), 1e3 * least, diameter, 5.0);
+            c.absolute(format!("{what}: diameter at 1.35 ms [mm]"), 1e3 * then, diameter, 5.0);
+            if name == "rate" {
+                c.absolute(format!("{what}: its time [ms]"), 1e3 * when, 1.35, 0.05);
+            }
             balances(&mut c, &what, &summary);
         }
     }
+    // Elements of 10, 5 and 2.5 degrees: errors fall by more than half.
+    let [a, b, d] = [18, 36, 72].map(|elements| 1e3 * ring(rate.clone(), elements).0[0]);
+    c.at_most("rate: 36 to 72 elements over 18 to 36, change", (d - b).abs() / (b - a).abs(), 0.5);
     c.into_vec()
 }
