@@ -145,7 +145,10 @@ struct Scene {
 
 fn scene(number: u64) -> Scene {
     let mut r = Numbers(number.wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ 0x5851_F42D);
-    (0..8).for_each(|_| drop(r.next()));
+    // The first numbers of neighbouring seeds are alike.
+    for _ in 0..8 {
+        r.next();
+    }
     let mut b = ModelBuilder::new();
     let (material, section) = (metal(&mut r), section(&mut r));
     let depth = section.depth.unwrap_or(0.0);
