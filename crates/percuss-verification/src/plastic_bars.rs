@@ -82,9 +82,9 @@ pub fn cycles() -> Vec<Check> {
         let second = (limit + 2.0 * iso * first - young * largest) / (young + iso + kin);
         let alpha = [first, 2.0 * first - second];
         let plastic = [first, second];
-        // Nothing but inertia evens out strains that need no more stress: in large steps a ripple stays (3e-4 in 12).
+        // Without hardening nothing but inertia evens out the strains: in large steps a ripple of stress stays, 3e-4 in 12 of them, 2e-9 in
+        // these.
         let hardens = iso + kin > 0.0;
-        // And what that takes of stress, 1e-9 of it.
         let close = if hardens { 1e-9 } else { 1e-8 };
         for steps in if hardens { [12, 96] } else { [96, 192] } {
             let curve = vec![Hardening { from: 0.0, stress: limit, modulus: iso }];

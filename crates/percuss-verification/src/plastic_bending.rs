@@ -45,17 +45,15 @@ pub fn moment_and_curvature() -> Vec<Check> {
         // The angle of an arc is twice that of its chord.
         2.0 * w.atan2(LENGTH + u) / LENGTH
     };
-    let shares = [0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95];
-    let errors = [16, 32, 64, 128].map(|fibres| {
-        let miss = |share: f64| measured(fibres, share) / curvature(share) - 1.0;
-        shares.map(miss)
-    });
-    for (fibres, errors) in [16, 32, 64, 128].into_iter().zip(&errors) {
-        for (share, error) in shares.into_iter().zip(errors) {
-            let what = format!("{fibres} fibres, M = {share} M0: curvature, relative error");
-            // By the square of the number of fibres in what is still elastic, ky/k of the depth.
-            let elastic = (first / curvature(share)).min(1.0) * f64::from(fibres);
-            c.absolute(what, *error, 0.0, 2.0 / elastic.powi(2));
+    for fibres in [16_u32, 32, 64, 128] {
+        for share in [0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95] {
+            let what = format!("{fibres} fibres, M = {share} M0: curvature [1/m]");
+            let exact = curvature(share);
+            // Fibres are sums of Gauss in what bends elastically; beyond, the error falls with the square of their number in what is still
+            // elastic, ky/k of the depth, at most 1.92 of one over it.
+            let elastic = first / exact * f64::from(fibres);
+            let close = if share < 2.0 / 3.0 { 1e-9 } else { 2.0 / elastic.powi(2) };
+            c.relative(what, measured(fibres as usize, share), exact, close);
         }
     }
     // ANSYS LS-DYNA verification case 003: a moment of 22 N m.
@@ -73,7 +71,10 @@ pub fn moment_and_curvature() -> Vec<Check> {
     c.into_vec()
 }
 
-/// Fully plastic moments: a moment just below is borne, one just above is not.
+/// Fully plastic moments, found by halving: the largest moment that is borne.
+///
+/// Sections of 16 fibres, whose plastic moment is exact; 0.1 % to 0.25 % below it the innermost ones are the last that are elastic, and bend
+/// a bar of eight elements further than these follow.
 pub fn plastic_moments() -> Vec<Check> {
     let mut c = Checks::new();
     let (d, i) = (5e-3_f64, 4e-3_f64);
@@ -92,7 +93,7 @@ pub fn plastic_moments() -> Vec<Check> {
             let middle = 0.5 * (low + high);
             *(if borne(middle) { &mut low } else { &mut high }) = middle;
         }
-        c.absolute(format!("{name}: largest moment over sy Z"), low, 1.0, 5e-3);
+        c.absolute(format!("{name}: largest moment over sy Z"), low, 1.0, 3e-3);
     }
     c.into_vec()
 }
@@ -168,7 +169,7 @@ pub fn explosive_ring() -> Vec<Check> {
             balances(&mut c, &what, &summary);
         }
     }
-    // Elements of 10, 5 and 2.5 degrees: errors fall by more than half.
+    // Elements of 10, 5 and 2.5 degrees: changes fall to a third.
     let [a, b, d] = [18, 36, 72].map(|elements| 1e3 * ring(rate.clone(), elements).0[0]);
     c.at_most("rate: 36 to 72 elements over 18 to 36, change", (d - b).abs() / (b - a).abs(), 0.5);
     c.into_vec()
