@@ -29,4 +29,5 @@ mod static_paths;
 mod statics;
 mod structures;
 mod structures_in_motion;
+mod violent_yielding;
 mod yielding;

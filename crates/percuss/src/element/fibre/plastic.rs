@@ -88,7 +88,8 @@ impl PlasticLaw {
         FibreStep { state: end, dissipated, ..FibreStep::without_flow(path, state) }
     }
 
-    /// With viscous overstress; the path is cut where the stress changes its sign, so that no part gives energy.
+    /// With viscous overstress; the path is cut where it reaches the yield stress, as nothing flows before: what flows then does so
+    /// under a relative stress that is never less than the yield stress, and gives no energy.
     pub(super) fn viscous(
         &self,
         overstress: Overstress,
@@ -98,31 +99,28 @@ impl PlasticLaw {
         h: f64,
     ) -> FibreStep {
         let (start, length) = (self.young * (from - state.plastic), to - from);
-        let trial = start + self.young * length;
-        if start * trial >= 0.0 {
+        let back = self.plasticity.kinematic * state.plastic;
+        let (first, last) = (start - back, self.young * (to - state.plastic) - back);
+        let limit = last.signum() * self.plasticity.yield_stress(state.accumulated);
+        let yields_from_rest = last.abs() > limit.abs() && (limit - first) * last.signum() > 0.0;
+        if !yields_from_rest {
             return self.overstressed(overstress, state, ([from, to], h)).step;
         }
-        let share = start / (start - trial);
+        let share = (limit - first) / (last - first);
         let middle = from + share * length;
-        let first = self.overstressed(overstress, state, ([from, middle], share * h));
+        let elastic = 0.5 * (start + limit + back);
         let rest = 1.0 - share;
-        let second = self.overstressed(overstress, &first.step.state, ([middle, to], rest * h));
-        // The second part takes longer where the path does.
-        let longer = second.stress_by_time * share * h / length;
-        let tangent = second.step.tangent + longer;
-        let mean = share * first.step.mean + rest * second.step.mean;
+        let flows = self.overstressed(overstress, state, ([middle, to], rest * h));
+        // The part that flows takes longer where the path does.
+        let longer = flows.stress_by_time * share * h / length;
+        let tangent = flows.step.tangent + longer;
+        let mean = share * elastic + rest * flows.step.mean;
         // d(s De)/de1 = s2 + De2 ds2/de1.
-        let work = second.step.mean + 0.5 * rest * length * tangent;
-        FibreStep {
-            mean,
-            slope: (work - mean) / length,
-            tangent,
-            dissipated: first.step.dissipated + second.step.dissipated,
-            ..second.step
-        }
+        let work = flows.step.mean + 0.5 * rest * length * tangent;
+        FibreStep { mean, slope: (work - mean) / length, tangent, ..flows.step }
     }
 
-    /// A path on which the stress does not change its sign: the overstress at its end makes it flow.
+    /// A path beyond yield, or one within: the overstress at its end makes it flow.
     fn overstressed(
         &self,
         law: Overstress,
