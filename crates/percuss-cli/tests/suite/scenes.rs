@@ -159,3 +159,28 @@ fn results_without_derivatives_are_named() {
     assert_eq!(refused.status, Some(2), "{}", refused.stdout);
     assert!(refused.stderr.contains("is an error"), "{}", refused.stderr);
 }
+
+/// What crushed is told where the run ends, and what it took stands with its name; an accuracy in place of a step is told likewise.
+#[test]
+fn what_stays_pushed_in_and_how_long_steps_were_is_told() {
+    let desk = Desk::empty();
+    let post = include_str!("../../../../scenarios/guard-rail-post.toml");
+    let post = post.replace("end = \"0.3 s\"", "end = \"20 ms\"");
+    let chosen = post.replace("step = \"50 us\"", "accuracy = \"2 %\"");
+    assert!(post != chosen && chosen.contains("20 ms"));
+    for (name, text) in [("post", &post), ("chosen", &chosen)] {
+        desk.put(&format!("{name}.toml"), text);
+        let run = desk.percuss(&["run", &format!("{name}.toml"), "--no-report"]);
+        run.ends_with(0).tells("stays pushed in by").tells("taken by damping and crushing");
+        let contact = &desk.summary(&format!("runs/{name}"))["contact"]["car"];
+        let permanent = contact["permanent_penetration"].as_f64().unwrap_or(0.0);
+        assert!((0.09..0.1).contains(&permanent), "{contact:#}");
+        // A beam that yields has no elastic equivalent.
+        assert!(contact.get("equivalent_force").is_none());
+        let summary = desk.summary(&format!("runs/{name}"));
+        assert_eq!(summary.get("step_control").is_some(), name == "chosen", "{summary:#}");
+    }
+    let both = chosen.replace("accuracy", "step = 1e-5\naccuracy");
+    desk.put("both.toml", both);
+    desk.percuss(&["run", "both.toml"]).ends_with(2).tells("accuracy");
+}

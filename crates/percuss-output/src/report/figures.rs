@@ -190,6 +190,11 @@ fn lacks_comparison(data: &ReportData) -> bool {
 
 /// Where the energy is, stacked, below all that came in.
 fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
+    let contacts = summary["contact"].as_object();
+    let crushes = contacts.is_some_and(|all| {
+        all.values().any(|contact| contact.get("permanent_penetration").is_some())
+    });
+    let damping = if crushes { "taken by damping and crushing" } else { "taken by damping" };
     let mut curves = canvas.curves(&[
         ("energy.kinetic_projectiles", "kinetic, projectiles", 1),
         ("energy.kinetic_beams", "kinetic, beams", 6),
@@ -200,7 +205,7 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
         ("energy.hardening", "stored by hardening", 9),
         ("energy.plastic", "dissipated by plastic flow", 10),
         ("energy.failure", "lost with failed fibres", 11),
-        ("energy.loss_damping", "taken by damping", 8),
+        ("energy.loss_damping", damping, 8),
         ("energy.loss_impacts", "lost in impacts", 4),
     ]);
     curves.iter_mut().for_each(|curve| curve.shape = Shape::Area);

@@ -191,9 +191,11 @@ fn steps(control: &StepControl) -> String {
 fn energy(run: &RunSummary) -> String {
     let energy = &run.energy;
     let mut parts = vec![format!("{} J to {} J", number(energy.initial), number(energy.final_))];
+    let crushes = run.contacts.iter().any(|contact| contact.permanent_penetration.is_some());
+    let damping = if crushes { "taken by damping and crushing" } else { "taken by damping" };
     let terms = [
         ("lost in impacts", energy.loss_impacts),
-        ("taken by damping", energy.loss_damping),
+        (damping, energy.loss_damping),
         ("dissipated by plastic flow", energy.plastic),
         ("stored by hardening", energy.hardening),
         ("lost with failed fibres", energy.failure),
