@@ -107,7 +107,7 @@ fn an_unknown_key_comes_with_a_suggestion() {
         "standoff =",
         "stand_off =",
         "33:1: projectile.mass.stand_off: found the unknown key `stand_off`, expected one of \
-         `mass`, `velocity`, `direction`, `dissipation`, `rebound`, `force`, `stiffness`, \
+         `mass`, `velocity`, `direction`, `dissipation`, `rebound`, `force`, `stiffness`, `unloading_stiffness`, \
          `strikes`, `standoff`, `rear`, `local_mass`, `kind`, `contact`, `law` \
          (did you mean `standoff`?)",
     );
