@@ -1,7 +1,8 @@
 //! The step a run begins with where an accuracy is asked for in place of a step.
 
-use crate::model::Model;
+use crate::math::vec2::norm;
 use crate::model::frozen::{BeamData, BodyKind};
+use crate::model::{Model, SmoothLaw, TouchLaw};
 
 /// First steps in the time in which a membrane wave runs along the shortest beam.
 const STEPS_IN_TRANSIT: f64 = 50.0;
@@ -27,6 +28,47 @@ pub fn first_step(model: &Model, end: f64) -> f64 {
     });
     let least = beams.chain(bodies).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min);
     if least.is_finite() { least.min(end / LEAST_STEPS) } else { end / STEPS_IN_RUN }
+}
+
+/// Largest steps while a guided projectile presses on what it strikes, shape (contacts) \[s\]: `share / omega`, with omega the frequency of
+/// its mass and the effective mass of the struck point on the spring of their contact, as stiff as it is when both have spent
+/// their relative motion on it; infinite for all other contacts. A mean force misses `(h omega)^2 / 12` of a harmonic one's peak.
+pub fn contact_steps(model: &Model, share: f64) -> Vec<f64> {
+    let mut steps = vec![f64::INFINITY; model.contacts.len()];
+    let masses = model.effective_masses();
+    for ((projectile, struck), (contact, step)) in
+        model.projectiles.iter().zip(masses).zip(model.contacts.iter().zip(&mut steps))
+    {
+        let TouchLaw::Smooth(law) = &contact.law else { continue };
+        let body = &model.bodies[projectile.body];
+        let held = struck.on_mesh.max(struck.limit);
+        let mass = if held.is_finite() { 1.0 / (1.0 / body.mass + 1.0 / held) } else { body.mass };
+        let energy = 0.5 * mass * norm(body.velocity).powi(2);
+        let stiffness = stiffness_after(law, energy);
+        if stiffness > 0.0 && mass > 0.0 {
+            *step = share * (mass / stiffness).sqrt();
+        }
+    }
+    steps
+}
+
+/// Stiffness of a law where it has taken up an energy \[N/m\].
+fn stiffness_after(law: &SmoothLaw, energy: f64) -> f64 {
+    if !(energy > 0.0 && energy.is_finite()) {
+        return 0.0;
+    }
+    let takes = |p: f64| law.potential.energy(p);
+    let mut deep = 1e-9;
+    while takes(deep) < energy && deep < 1e6 {
+        deep *= 2.0;
+    }
+    let mut low = 0.0;
+    for _ in 0..40 {
+        let middle = 0.5 * (low + deep);
+        if takes(middle) < energy { low = middle } else { deep = middle }
+    }
+    // Of all the way there: a table may be level in the end.
+    2.0 * takes(deep) / (deep * deep)
 }
 
 fn of_beam(model: &Model, beam: &BeamData) -> f64 {

@@ -12,6 +12,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::first_step::contact_steps;
 use super::simulation::Simulation;
 use super::trial::{PartKind, Trial};
 use crate::math::vec2::norm;
@@ -82,6 +83,8 @@ pub(super) struct StepSizeControl {
     deflects: Vec<bool>,
     /// The largest of them \[m\].
     deflection: f64,
+    /// Largest steps while what a guided projectile strikes presses, infinite for other contacts; shape (contacts) \[s\].
+    contact_step: Vec<f64>,
     /// Largest velocities of approach, shape (contacts) \[m/s\].
     approach: Vec<f64>,
     /// Largest forces, shape (contacts) \[N\].
@@ -141,6 +144,7 @@ impl StepSizeControl {
             start,
             deflects,
             deflection: speed * first,
+            contact_step: contact_steps(model, (12.0 * accuracy).sqrt()),
             approach: vec![0.0; model.contacts.len()],
             peak: vec![0.0; model.contacts.len()],
             error: 0.0,
@@ -153,7 +157,8 @@ impl StepSizeControl {
         let lengths = |one: &Self| {
             let past = one.past.each_ref().map(|p| (p.velocity.len(), p.force.len()));
             let others = [one.start.len(), one.moved.len(), one.deflects.len()];
-            (past, others, one.approach.len(), one.peak.len())
+            let contacts = [one.contact_step.len(), one.approach.len(), one.peak.len()];
+            (past, others, contacts)
         };
         let sound = self.next > 0.0 && self.next.is_finite();
         sound && lengths(self) == lengths(other) && self.first == other.first
@@ -242,6 +247,9 @@ impl StepSizeControl {
         for (c, now) in part.forces().into_iter().enumerate() {
             let lost = third * bend(now, [self.past[0].force[c], self.past[1].force[c]]).abs();
             let approach = part.approach(c, self.approach[c]);
+            if now > 0.0 {
+                error = error.max(self.admitted * (h / self.contact_step[c]).powi(3));
+            }
             if lost > 0.0 && approach > 0.0 {
                 error = error.max(lost * approach / energy);
                 // The force of all the energy on a spring as stiff as this one.
