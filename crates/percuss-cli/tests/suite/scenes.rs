@@ -174,7 +174,8 @@ fn what_stays_pushed_in_and_how_long_steps_were_is_told() {
         run.ends_with(0).tells("stays pushed in by").tells("taken by damping and crushing");
         let contact = &desk.summary(&format!("runs/{name}"))["contact"]["car"];
         let permanent = contact["permanent_penetration"].as_f64().unwrap_or(0.0);
-        assert!((0.09..0.1).contains(&permanent), "{contact:#}");
+        // 40 kN slow 900 kg down: 5 m/s over 20 ms come to 91 mm, less what the post gives way by.
+        assert!((0.08..0.091).contains(&permanent), "{contact:#}");
         // A beam that yields has no elastic equivalent.
         assert!(contact.get("equivalent_force").is_none());
         let summary = desk.summary(&format!("runs/{name}"));
