@@ -140,12 +140,9 @@ fn largest(main: &Touched<'_>) -> String {
     if let Some(force) = peak["value"].as_f64() {
         let (force, time) = (quantity(Some(force), "N"), quantity(peak["time"].as_f64(), "s"));
         let permanent = main.contact["permanent_penetration"].as_f64().filter(|p| *p > 0.0);
-        let stays = permanent
-            .map(|p| format!(" What crushed stays pushed in by {}.", quantity(Some(p), "m")));
-        return format!(
-            "The contact force reached {force} at {time}.{}",
-            stays.unwrap_or_default()
-        );
+        let crushed = permanent.map(|p| format!("; {} stay crushed", quantity(Some(p), "m")));
+        let crushed = crushed.unwrap_or_default();
+        return format!("The contact force reached {force} at {time}{crushed}.");
     }
     let count = main.contact["impact_count"].as_u64().unwrap_or(0);
     let total = quantity(main.contact["impulse_total"].as_f64(), "N*s");
