@@ -113,11 +113,9 @@ fn locate(fault: Fault, source: &Source, places: &Places) -> Diagnostic {
 fn settings(content: &Content) -> Settings {
     use content::Scheme;
     let time = &content.time;
-    let mut settings = Settings::new(time.end, time.step.unwrap_or(f64::NAN));
+    // Where steps are chosen, until there is a model to ask; where neither is given, that has been told.
+    let mut settings = Settings::new(time.end, time.step.unwrap_or(time.end));
     settings.accuracy = time.accuracy.filter(|_| time.step.is_none());
-    if settings.accuracy.is_some() {
-        settings.step = time.end; // until there is a model to ask
-    }
     settings.scheme = match content.integrator.scheme {
         Scheme::EnergyMomentum => percuss::Scheme::EnergyMomentum,
         Scheme::StrainRate => percuss::Scheme::StrainRate,

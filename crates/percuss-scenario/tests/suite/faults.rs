@@ -265,6 +265,9 @@ fn a_step_or_an_accuracy_is_given_and_not_both() {
     let expected = "time.step: found neither `step` nor `accuracy`, expected `step` (a time, such as \"1e-5 s\") or \
                     `accuracy` (such as \"1 %\")";
     assert!(text.contains(expected), "{text}");
+    // A slip of the pen is one fault.
+    let text = one(RIGID, step, "acuracy = 0.01");
+    assert!(text.contains("did you mean `accuracy`?") && text.lines().count() == 1, "{text}");
     let text = one(RIGID, step, &format!("{step}\naccuracy = 0.01"));
     assert!(
         text.starts_with(

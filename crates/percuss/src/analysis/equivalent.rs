@@ -9,7 +9,7 @@ use super::static_search::StaticSearch;
 use crate::geometry::row::Row;
 use crate::math::vec2::dot;
 use crate::model::Model;
-use crate::model::frozen::ProjectileData;
+use crate::model::frozen::{Connector, ConnectorLaw, ProjectileData};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::workspace::Workspace;
@@ -28,11 +28,12 @@ pub struct UnitResponse {
 }
 
 /// The equivalent static force of a run, if one guided projectile strikes an elastic structure at rest on which nothing else acts:
-/// else its largest moment and deflection are not those of the impact alone.
+/// else its largest moment and deflection are not those of the impact alone. Neither are they where a stop takes part, which no linear
+/// analysis knows, or a spring that is strained from the start.
 pub fn equivalent_force(model: &Model, run: &RunSummary) -> Option<EquivalentForce> {
     let [projectile] = model.projectiles.as_slice() else { return None };
     let alone = model.contacts.len() == 1 && model.loads.is_empty() && model.motions.is_empty();
-    if !alone || !model.is_still() || model.is_inelastic() {
+    if !alone || !model.is_still() || model.is_inelastic() || !has_slack_springs(model) {
         return None;
     }
     let unit = unit_response(model, projectile)?;
@@ -45,6 +46,13 @@ pub fn equivalent_force(model: &Model, run: &RunSummary) -> Option<EquivalentFor
         deflection: deflection.map(|d| d / unit.deflection),
     })
     .filter(|force| force.moment > 0.0)
+}
+
+/// Whether all springs are linear ones without force at the start.
+fn has_slack_springs(model: &Model) -> bool {
+    let start = State::at_rest(model, Scheme::EnergyMomentum).coordinates;
+    let linear = |c: &Connector| matches!(c.law, ConnectorLaw::Linear { .. });
+    model.connectors.iter().zip(start).all(|(c, q)| linear(c) && c.potential(q) == 0.0)
 }
 
 /// The response of the beams to a unit force where a projectile strikes; none where they can move freely.

@@ -2,22 +2,9 @@
 
 use crate::common;
 
+use common::numbers::Numbers;
 use common::{beam, disc};
 use percuss::*;
-
-/// Numbers that look random, the same every time.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 33) as f64 / (1_u64 << 31) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-}
 
 fn bar(b: &mut ModelBuilder, young: f64, depth: f64) -> (MaterialId, SectionId) {
     let material = b.material(Material::new("stuff", young, 1e3));

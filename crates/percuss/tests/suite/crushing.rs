@@ -114,7 +114,7 @@ fn a_beam_struck_again_and_again_closes_its_balance() {
 }
 
 #[test]
-fn what_rests_on_it_swings_with_the_stiffness_of_unloading() {
+fn what_rests_on_it_has_crushed_it_as_far_as_its_weight_tells() {
     let (loading, unloading, gravity) = (1e5, 9e5, 9.81);
     let model = on_floor(crushing(loading, unloading), gravity).build().unwrap();
     let found = equilibrium(&model).unwrap();
@@ -126,6 +126,34 @@ fn what_rests_on_it_swings_with_the_stiffness_of_unloading() {
     let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
     let permanent = summary.contacts[0].permanent_penetration.unwrap();
     assert!((permanent / (deep * (1.0 - loading / unloading)) - 1.0).abs() < 1e-6, "{permanent}");
+}
+
+/// A cantilever whose end leans on a prop: small motions follow the line of unloading, which its own weight has reached.
+#[test]
+fn small_motions_about_rest_know_the_stiffness_of_unloading() {
+    let (loading, unloading) = (2e4, 2e5);
+    let lowest = |law: SmoothLaw| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("bar", 0.02, 0.02));
+        let bar = b.beam(beam("bar", [0.0, 0.0], [1.0, 0.0], 8, material, section));
+        b.support(Support::new("root", at("root", bar, 0.0), SupportKind::Clamp));
+        let shape = ObstacleShape::Disc { centre: [0.95, -0.06], radius: 0.05 };
+        let prop = b.obstacle(Obstacle { name: "prop".into(), shape, motion: None });
+        let between = [ContactPartner::Beam(bar), ContactPartner::Obstacle(prop)];
+        b.contact(Contact::new("bar-prop", between, TouchLaw::Smooth(law)));
+        b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+        let model = b.build().unwrap();
+        let found = equilibrium(&model).unwrap();
+        assert!(found.contacts[0].force > 1.0, "{:?}", found.contacts);
+        modes_about_equilibrium(&model, &found, 1)[0].frequency()
+    };
+    let elastic = |stiffness| lowest(SmoothLaw::elastic(Potential::Linear { stiffness }));
+    let [soft, stiff] = [loading, unloading].map(elastic);
+    let found = lowest(crushing(loading, unloading));
+    assert!(stiff > 1.2 * soft, "{soft} {stiff}");
+    // The bar lies a fraction of a millimetre deeper than on the stiff prop.
+    assert!((found / stiff - 1.0).abs() < 1e-3, "{found} {stiff}");
 }
 
 #[test]

@@ -248,6 +248,22 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
         held(b, girder);
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     }));
+    let spring = |length| {
+        move |b: &mut ModelBuilder, girder| {
+            held(b, girder);
+            let between = [Anchor::Point(at("end", girder, 1.0)), Anchor::Ground([3.0, 1.0])];
+            let (name, stiffness) = ("stay".into(), 1e3);
+            b.spring(Spring { name, between, stiffness, damping: 0.0, length });
+        }
+    };
+    assert!(told(&spring(None)), "a spring of the length it has");
+    assert!(!told(&spring(Some(0.9))), "a spring that pulls from the start");
+    assert!(!told(&|b, girder| {
+        held(b, girder);
+        let (direction, gap, stiffness) = ([0.0, 1.0], 0.0, 1e6);
+        let kind = SupportKind::Stop { direction, gap, stiffness, two_sided: false };
+        b.support(Support::new("stop", at("end", girder, 1.0), kind));
+    }));
     assert!(!told(&|b, girder| {
         held(b, girder);
         b.projectile(elastic("other", at("late", girder, 1.0), [0.0, 1.0]));

@@ -4,35 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::common;
 
+use common::numbers::Numbers;
 use common::{at, beam, disc};
 use percuss::*;
-
-/// Numbers that look random, the same every time.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 33) as f64 / (1_u64 << 31) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    /// Evenly over the logarithm.
-    fn decades(&mut self, low: f64, high: f64) -> f64 {
-        10_f64.powf(self.between(low.log10(), high.log10()))
-    }
-
-    fn chance(&mut self, share: f64) -> bool {
-        self.next() < share
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() * count as f64) as usize
-    }
-}
 
 /// A metal with any of the hardening, rate, failure, viscosity and strain measures there are.
 fn metal(r: &mut Numbers) -> Material {

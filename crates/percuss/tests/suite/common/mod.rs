@@ -1,6 +1,7 @@
 //! Definitions the tests share: the paper's plank and projectiles, a disc, a straight beam.
 #![allow(dead_code)] // each test file uses its own part
 
+pub mod numbers;
 pub mod straight;
 
 use percuss::*;
