@@ -3,7 +3,7 @@
 use percuss::{Fault, Grazing, Horizon, Sensitivities, Settings, Undifferentiated, sensitivities};
 use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
-use percuss_scenario::{Diagnostics, Scenario};
+use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::prepare::in_one_line;
 use crate::resolve::result;
@@ -147,6 +147,57 @@ pub fn sensitivity(
     parameters: &[String],
     results: &[String],
 ) -> Result<Sensitivity, SensitivityError> {
+    let one = differentiate(scenario, parameters, results)?;
+    let derivatives = one.derivatives();
+    let without = one.without(&derivatives);
+    if let Some(first) =
+        without.first().filter(|_| derivatives.iter().flatten().all(|x| x.is_nan()))
+    {
+        let why = format!("`{}` has no derivative: {}", first.result, first.why);
+        return Err(SensitivityError::Refused(why));
+    }
+    // Another step that fails leaves the derivatives as they are, and their uncertainty unknown.
+    let others = OTHER_STEPS.map(|share| {
+        let step = share * one.compiled.settings.step;
+        let settings = Settings { step, ..one.compiled.settings };
+        let other = sensitivities(&one.compiled.model, &settings, &one.variations).ok()?;
+        Some(self::derivatives(&one.paths, &other))
+    });
+    let uncertainties = uncertainties(&derivatives, &others);
+    let one_sided = one_sided(&one.found.grazing, &one.parameters);
+    let results = one.paths.iter().zip(one.values()).map(|(path, value)| Differentiated {
+        path: path.path().into(),
+        value,
+        unit: path.unit().into(),
+    });
+    let results = results.collect();
+    Ok(Sensitivity {
+        parameters: one.parameters,
+        results,
+        derivatives,
+        uncertainties,
+        one_sided,
+        without,
+        horizon: one.found.horizon,
+    })
+}
+
+/// A run and its derivatives, with what was asked of it.
+pub(crate) struct DifferentiatedRun {
+    compiled: Compiled,
+    parameters: Vec<Differentiated>,
+    variations: Vec<percuss::Variation>,
+    /// Of the results, shape (n_result).
+    paths: Vec<SummaryPath>,
+    found: Sensitivities,
+}
+
+/// Runs a scenario and differentiates it; arguments and errors are those of [`sensitivity`].
+pub(crate) fn differentiate(
+    scenario: &Scenario,
+    parameters: &[String],
+    results: &[String],
+) -> Result<DifferentiatedRun, SensitivityError> {
     let compiled = scenario.compile()?;
     let mut faults = Vec::new();
     let mut differentiated = Vec::new();
@@ -180,39 +231,24 @@ pub fn sensitivity(
     if !faults.is_empty() {
         return Err(scenario.diagnostics(faults).into());
     }
-    let values = pick(&paths, &found.summary);
-    let derivatives = derivatives(&paths, &found);
-    let without = without(&paths, &values, &derivatives, &differentiated, &found);
-    if let Some(first) =
-        without.first().filter(|_| derivatives.iter().flatten().all(|x| x.is_nan()))
-    {
-        let why = format!("`{}` has no derivative: {}", first.result, first.why);
-        return Err(SensitivityError::Refused(why));
+    Ok(DifferentiatedRun { compiled, parameters: differentiated, variations, paths, found })
+}
+
+impl DifferentiatedRun {
+    /// Results, shape (n_result), in SI units.
+    pub fn values(&self) -> Vec<f64> {
+        pick(&self.paths, &self.found.summary)
     }
-    // Another step that fails leaves the derivatives as they are, and their uncertainty unknown.
-    let others = OTHER_STEPS.map(|share| {
-        let step = share * compiled.settings.step;
-        let settings = Settings { step, ..compiled.settings };
-        let other = sensitivities(&compiled.model, &settings, &variations).ok()?;
-        Some(self::derivatives(&paths, &other))
-    });
-    let uncertainties = uncertainties(&derivatives, &others);
-    let one_sided = one_sided(&found.grazing, &differentiated);
-    let results = paths.iter().zip(&values).map(|(path, value)| Differentiated {
-        path: path.path().into(),
-        value: *value,
-        unit: path.unit().into(),
-    });
-    let results = results.collect();
-    Ok(Sensitivity {
-        parameters: differentiated,
-        results,
-        derivatives,
-        uncertainties,
-        one_sided,
-        without,
-        horizon: found.horizon,
-    })
+
+    /// Their derivatives, shape (n_result, n_parameter), in SI units of both; NaN where there is none.
+    pub fn derivatives(&self) -> Vec<Vec<f64>> {
+        derivatives(&self.paths, &self.found)
+    }
+
+    /// The derivatives that there are not, and why.
+    pub fn without(&self, derivatives: &[Vec<f64>]) -> Vec<Without> {
+        without(&self.paths, &self.values(), derivatives, &self.parameters, &self.found)
+    }
 }
 
 /// The derivatives that there are not, and why.
