@@ -136,8 +136,13 @@ def test_the_wheel_brings_the_command(two, tmp_path):
 def test_ctrl_c_ends_the_command_of_the_wheel(elastic, tmp_path):
     elastic["time.end"] = "60 s"
     elastic.save(tmp_path / "long.toml")
-    running = subprocess.Popen([COMMAND, "run", "long.toml"], cwd=tmp_path, stderr=subprocess.PIPE)
-    time.sleep(2)
+    running = subprocess.Popen([COMMAND, "run", "long.toml", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE)
+    for _ in range(600):  # until the solver is at work, and not the interpreter
+        if any(tmp_path.glob("runs/*")) or any(tmp_path.glob("runs/.*")):
+            break
+        time.sleep(0.1)
+    time.sleep(0.5)
     running.send_signal(signal.SIGINT)
     assert running.wait(30) == 130
+    assert b"Traceback" not in running.stderr.read()
     assert (tmp_path / "runs" / "long" / "summary.json").exists()

@@ -1,12 +1,17 @@
 //! Derivatives of a run's results with respect to values of its scenario.
 
-use percuss::{Fault, Grazing, Horizon, Sensitivities, Settings, Undifferentiated, sensitivities};
+mod one_sided;
+
+use percuss::{Fault, Horizon, Sensitivities, Settings, Undifferentiated, sensitivities};
 use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::prepare::in_one_line;
 use crate::resolve::result;
+
+pub use one_sided::OneSided;
+use one_sided::one_sided;
 
 /// Change of a parameter over which the numbers of the model are differentiated, as a share of its size. They are smooth
 /// functions of it: the error of the fourth-order difference lies at round-off.
@@ -18,9 +23,6 @@ const OTHER_STEPS: [f64; 2] = [0.5, 0.8];
 /// What half the step changes is half the error of a derivative of first order in the step. Twice that was exceeded by up to a quarter in
 /// ten of a hundred derivatives of ordinary scenes, for no order is exact at any step; three times it in one of a hundred, behind impacts.
 const MARGIN: f64 = 3.0;
-
-/// Changes below this share of a parameter are told where they make or end a contact.
-const NEAR: f64 = 0.01;
 
 /// What results are differentiated where none are named: how their paths end.
 const USUAL: [&str; 8] = [
@@ -76,39 +78,6 @@ pub struct Without {
     pub parameter: String,
     /// Why.
     pub why: String,
-}
-
-/// A contact that is about to appear or to vanish: derivatives by a parameter hold on the side of the run alone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OneSided {
-    /// Name of the contact.
-    pub contact: String,
-    /// When \[s\].
-    pub time: f64,
-    /// Whether it would appear; else it would vanish.
-    pub appears: bool,
-    /// Path of the parameter.
-    pub parameter: String,
-    /// Change of the parameter that does it, to first order, in its SI unit.
-    pub change: f64,
-    /// Further touches of the same contact that changes of this parameter below one per cent would make or end.
-    pub others: usize,
-}
-
-impl OneSided {
-    /// What it means, in a sentence.
-    pub fn text(&self) -> String {
-        let what = if self.appears { "appear" } else { "vanish" };
-        let others = match self.others {
-            0 => String::new(),
-            n => format!(" (and {n} more within 1 %)"),
-        };
-        format!(
-            "a contact of `{}` is about to {what} at t = {:.6e} s{others}: a change of {} by {:+.2e} is enough, to first order; \
-             derivatives by it are one-sided",
-            self.contact, self.time, self.parameter, self.change
-        )
-    }
 }
 
 /// Why there are no derivatives.
@@ -319,40 +288,6 @@ fn uncertainties(own: &[Vec<f64>], others: &[Option<Vec<Vec<f64>>>]) -> Vec<Vec<
         .enumerate()
         .map(|(row, values)| (0..values.len()).map(|column| of(row, column)).collect())
         .collect()
-}
-
-/// Contacts that a change of a parameter by less than [`NEAR`] of it makes or ends: of each the nearest one.
-fn one_sided(grazing: &[Grazing], parameters: &[Differentiated]) -> Vec<OneSided> {
-    let mut all: Vec<OneSided> = Vec::new();
-    for one in grazing {
-        for (change, parameter) in one.changes.iter().zip(parameters) {
-            if change.abs() > NEAR * parameter.value.abs() || !change.is_finite() {
-                continue;
-            }
-            let found = OneSided {
-                contact: one.contact.clone(),
-                time: one.time,
-                appears: one.missed_by.is_some(),
-                parameter: parameter.path.clone(),
-                change: *change,
-                others: 0,
-            };
-            let like = |known: &&mut OneSided| {
-                (&known.contact, &known.parameter) == (&found.contact, &found.parameter)
-            };
-            match all.iter_mut().find(like) {
-                Some(known) => {
-                    let others = known.others + 1;
-                    if found.change.abs() < known.change.abs() {
-                        *known = found;
-                    }
-                    known.others = others;
-                }
-                None => all.push(found),
-            }
-        }
-    }
-    all
 }
 
 /// The results asked for, or the usual ones.
