@@ -82,13 +82,11 @@ pub fn cantilever() -> Report {
                 let [x, y] = tip_loaded(strain, n, alpha).tip();
                 (y - w).hypot(-x - u)
             };
-            let order = (error(8) / error(16)).log2();
-            c.absolute(
-                format!("{name}, alpha {alpha}: order from 8 to 16 elements"),
-                order,
-                4.0,
-                0.1,
-            );
+            let what = format!("{name}, alpha {alpha}");
+            let errors = [8, 16].map(|n| [1.0 / n as f64, error(n)]);
+            let axes = ["length of an element / L", "error of the tip / L"];
+            let order = c.convergence(what.clone(), axes, errors.to_vec());
+            c.absolute(format!("{what}: order from 8 to 16 elements"), order, 4.0, 0.1);
         }
     }
     c.into_report()

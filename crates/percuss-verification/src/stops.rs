@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Checks, Report};
+use crate::check::{Checks, Curve, Report};
 use crate::structure::{at, or_nan};
 
 /// E1: a hinged beam rotates onto a spring at its tip (code_aster SDNL32, VPCS V5.02.032).
@@ -43,12 +43,16 @@ pub fn swinging_beam() -> Report {
         let mut run = Simulation::new(&model, &settings).expect("sound settings");
         let (mut largest, mut leaves, mut residual) = ((0.0, 0.0), f64::NAN, 0.0_f64);
         let mut before = 0.0;
+        let mut moved = Vec::new();
         while run.state().step < run.step_count() {
             if run.advance(&mut NoRecorder).is_err() {
                 break;
             }
             let state = run.state();
             let u = state.displacement[20][1];
+            if state.step.is_multiple_of(10) {
+                moved.push([1e3 * state.time, 1e3 * u]);
+            }
             if state.step.is_multiple_of(100) {
                 let k = state.step / 100;
                 let what = format!("{name}: tip displacement at {k} ms [mm]");
@@ -71,6 +75,12 @@ pub fn swinging_beam() -> Report {
             let missing = ledger.energy_residual(run.measures()) / ledger.energy_scale;
             residual = residual.max(missing.abs());
         }
+        let known = expected.iter().enumerate().map(|(k, u)| [(k + 1) as f64, -u]);
+        c.figure(
+            format!("Displacement of the tip, {name}"),
+            ["time [ms]", "displacement [mm]"],
+            [Curve::computed("Percuss", moved), Curve::reference("expected", known.collect())],
+        );
         c.at_most(format!("{name}: energy residual"), residual, 1e-10);
         let loss = run.state().ledger.loss_damping;
         if is_damped {

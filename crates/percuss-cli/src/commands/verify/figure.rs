@@ -1,14 +1,16 @@
 //! Figures and sketches of the verification manual.
 
+use std::sync::Arc;
+
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::legend::LegendPosition;
 use kuva::plot::line::LinePlot;
 use kuva::plot::scatter::ScatterPlot;
-use kuva::render::layout::Layout;
+use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
 use kuva::render::render::render_multiple;
 use kuva::render::theme::Theme;
-use percuss::{Frame, Recorder, Settings, simulate};
+use percuss::{Frame, Recorder, simulate};
 use percuss_output::fields::FrameStore;
 use percuss_pictures::{Film, Look};
 use percuss_verification::{Curve, Figure};
@@ -33,6 +35,8 @@ pub(super) fn drawn(figure: &Figure) -> String {
         .with_title(figure.title.clone())
         .with_x_label(figure.axes[0])
         .with_y_label(figure.axes[1])
+        .with_y_label_offset(-14.0, 0.0)
+        .with_tick_format(TickFormat::Custom(Arc::new(tick)))
         .with_theme(Theme::light())
         .with_legend_position(LegendPosition::OutsideBottomColumns)
         .with_legend_box(false)
@@ -40,6 +44,18 @@ pub(super) fn drawn(figure: &Figure) -> String {
         .with_height(400.0);
     let layout = if figure.logarithmic { layout.with_log_scale() } else { layout };
     SvgBackend::new().render_scene(&render_multiple(plots, layout))
+}
+
+/// A number on an axis, without what round-off adds.
+fn tick(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 || (1e-2..1e5).contains(&size) {
+        let text = format!("{value:.6}");
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    let text = format!("{value:.3e}");
+    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'))
 }
 
 fn line(curve: &Curve, colour: &str) -> LinePlot {
@@ -57,10 +73,10 @@ fn marks(curve: &Curve, colour: &str, unnamed: bool) -> ScatterPlot {
     if unnamed { marks } else { marks.with_legend(&*curve.name) }
 }
 
-/// Keeps the first frames of a run.
-struct Beginning(FrameStore);
+/// Keeps frames of a run.
+struct Frames(FrameStore);
 
-impl Recorder for Beginning {
+impl Recorder for Frames {
     fn wants_rows(&self) -> bool {
         false
     }
@@ -78,10 +94,11 @@ impl Recorder for Beginning {
 pub(super) fn sketch(text: &str, name: &str) -> Option<String> {
     let scenario = percuss_scenario::read(text, name).ok()?;
     let compiled = scenario.compile().ok()?;
-    let settings = Settings { end: compiled.settings.step, ..compiled.settings };
+    // All of the run, for what it reaches has room in the picture then.
+    let settings = &compiled.settings;
     let scene = scenario.scene(&compiled.model);
-    let mut first = Beginning(FrameStore::new(scene, settings.end, 1.0));
-    simulate(&compiled.model, &settings, &mut first).ok()?;
+    let mut frames = Frames(FrameStore::new(scene, settings.end, 1.0));
+    simulate(&compiled.model, settings, &mut frames).ok()?;
     let look = Look {
         width: 620,
         title: String::new(),
@@ -90,6 +107,6 @@ pub(super) fn sketch(text: &str, name: &str) -> Option<String> {
         exaggeration: 1.0,
         dark: false,
     };
-    let film = Film::open(&first.0.finish(), &look).ok()?;
+    let film = Film::open(&frames.0.finish(), &look).ok()?;
     film.svg(0.0, 0.0).ok()
 }
