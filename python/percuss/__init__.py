@@ -13,7 +13,7 @@ Names and units are those of the scenario file; a bare number is SI.
 """
 
 from ._analyses import Equilibrium, Modes, modes, static
-from ._converge import Convergence, converge
+from ._converge import Convergence, Convergences, converge
 from ._errors import (
     AnalysisError,
     Fault,
@@ -32,7 +32,7 @@ from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
 from ._run import open, run
-from ._scenario import Advice, Potential, Scenario, load
+from ._scenario import Advice, Potential, Review, Scenario, check, load
 from ._sensitivity import Sensitivity, sensitivity
 from ._study import Sweep
 from ._sweep import sweep
@@ -41,6 +41,7 @@ __all__ = [
     "Advice",
     "AnalysisError",
     "Convergence",
+    "Convergences",
     "Equilibrium",
     "Fault",
     "FileError",
@@ -53,6 +54,7 @@ __all__ = [
     "PercussWarning",
     "Potential",
     "Result",
+    "Review",
     "Scenario",
     "ScenarioError",
     "Sensitivity",
@@ -60,6 +62,7 @@ __all__ = [
     "StudyError",
     "Sweep",
     "__version__",
+    "check",
     "converge",
     "function",
     "load",

@@ -5,17 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from html import escape
-from typing import Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 import numpy as np
 
 from . import _percuss
 from ._columns import nearest
 from ._errors import AnalysisError, InputError, coded
+from ._plot import pyplot
 from ._progress import Progress
 from ._result import Result
 from ._run import run
 from ._scenario import Scenario, Scenarios, changes_of, scenario_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Quantity = Union[str, Callable[[Result], float]]
 
@@ -56,6 +60,38 @@ class Convergence(NamedTuple):
         rows = "".join(f"<tr><td>{k}</td><td>{v:.12g}</td></tr>" for k, v in zip(self.factors, self.values))
         return f"<table><caption>{escape(repr(self)[1:-1])}</caption><tr><th>times finer</th><th>value</th></tr>{rows}</table>"
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Distance of each value from the limit over how many times finer it is, both logarithmic; the limit's uncertainty is shaded."""
+        ax = ax or pyplot().subplots()[1]
+        off = [abs(value - self.limit) for value in self.values]
+        name = self.refined if self.order is None else f"{self.refined}, order {self.order:.2f}"
+        (line,) = ax.loglog(self.factors, off, marker="o", label=name)
+        if self.uncertainty > 0:
+            ax.axhspan(0, self.uncertainty, color=line.get_color(), alpha=0.1)
+        ax.set_xlabel("times finer than given")
+        ax.set_ylabel(f"distance from the limit, {self.quantity}")
+        ax.set_xticks(self.factors, [str(factor) for factor in self.factors])
+        ax.minorticks_off()
+        ax.legend()
+        return ax
+
+
+class Convergences(dict[str, Convergence]):
+    """A quantity on finer steps and on finer meshes: ``found["step"]``, ``found["mesh"]``. Prints, and plots, as a whole."""
+
+    def __repr__(self) -> str:
+        return "\n".join(repr(one) for one in self.values())
+
+    def _repr_html_(self) -> str:
+        return "".join(one._repr_html_() for one in self.values())
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Distances from the limits over how many times finer, on one pair of axes."""
+        ax = ax or pyplot().subplots()[1]
+        for one in self.values():
+            one.plot(ax)
+        return ax
+
 
 def converge(
     scenario: Scenarios,
@@ -64,12 +100,36 @@ def converge(
     levels: int = 3,
     progress: bool | None = None,
     **overrides: Any,
-) -> dict[str, Convergence]:
+) -> Convergences:
     """Repeats a run with halved steps and with doubled meshes: observed order, limit, error of the given settings.
 
-    ``quantity`` is the name of a column, of which the largest magnitude over time is taken; a path in the summary, such as
-    ``"contact.mass.peak_force.value"``; or a function of the :class:`Result`. By default it is the largest displacement of the
-    point that moves most.
+    Parameters
+    ----------
+    scenario : str, path, mapping or Scenario
+        What is run.
+    quantity : str or callable, optional
+        Name of a column, of which the largest magnitude over time is taken; a path in the summary, such as
+        ``"contact.mass.peak_force.value"``; or a function of the :class:`Result`. By default the largest displacement of the
+        point that moves most.
+    refine : sequence of str
+        ``"step"``, ``"mesh"`` or both.
+    levels : int
+        Runs of each, 3 or more: an order needs three values.
+    progress : bool, optional
+        Whether a bar is shown; by default on a terminal and in notebooks.
+    **overrides
+        Values to change, with ``__`` for the dots of a path.
+
+    Returns
+    -------
+    Convergences
+        By ``"step"`` and ``"mesh"``.
+
+    Examples
+    --------
+    >>> found = percuss.converge("plank.toml", "contact.mass.peak_force.value")
+    >>> found["step"].order, found["step"].limit
+    >>> found.plot()
     """
     if levels < 3:
         raise coded(InputError, f"levels={levels}: expected 3 or more, an order needs three values", "E311")
@@ -87,7 +147,7 @@ def converge(
     with Progress(progress, runs, "runs", "converge") as bar:
         first = _completed(base)
         what = quantity or _most_moved(first)
-        out = {}
+        out = Convergences()
         for n, word in enumerate(refine):
             values = [_value(first, what)]
             for k, factor in enumerate(factors[1:]):

@@ -42,8 +42,14 @@ class Fault(NamedTuple):
 class ScenarioError(PercussError, ValueError):
     """A scenario has faults: all of them, in the order of the file; its code is that of the first."""
 
-    def __init__(self, text: str, faults: list[tuple[str, str, str, int | None, int | None, str]]) -> None:
-        super().__init__(text, faults)
+    def __init__(
+        self, text: str, faults: list[tuple[str, str, str, int | None, int | None, str]], excerpt: str = ""
+    ) -> None:
+        super().__init__(text, faults, excerpt)
+        self.excerpt = excerpt
+        """The lines of the file at fault, underlined, with what would be right; also below the traceback from Python 3.11 on."""
+        if excerpt and hasattr(self, "add_note"):
+            self.add_note(excerpt)
         self.faults = [Fault(*fault) for fault in faults]
         self.code = self.faults[0].code
 

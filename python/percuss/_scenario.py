@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping
+from html import escape
 from typing import Any, NamedTuple, Union
 
 from . import _percuss, _toml
@@ -52,6 +53,29 @@ class Advice(NamedTuple):
     """``W002``; ``percuss explain W002`` says what it stands for."""
     reason: str | None
     """Why it is allowed, where it is."""
+
+
+class Review(list[Advice]):
+    """What the advisor says before a run: a list of :class:`Advice` that prints as lines and, in a notebook, as a table."""
+
+    @property
+    def warnings(self) -> list[Advice]:
+        """What deserves attention: notes and allowed ones are left out."""
+        return [one for one in self if one.verdict == "warning"]
+
+    def __repr__(self) -> str:
+        if not self:
+            return "<percuss.Review: sound, nothing to say>"
+        lines = (f"{one.verdict}: {one.text}" + (f" [{one.code}]" if one.code and one.code not in one.text else "") for one in self)
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        if not self:
+            return "<p>sound, nothing to say</p>"
+        cells = ((one.verdict, one.contact, one.text, one.code, one.reason or "") for one in self)
+        rows = "".join("<tr>" + "".join(f"<td style='text-align:left'>{escape(text)}</td>" for text in row) + "</tr>" for row in cells)
+        heads = "".join(f"<th>{name}</th>" for name in ("verdict", "about", "what it says", "code", "allowed because"))
+        return f"<table><tr>{heads}</tr>{rows}</table>"
 
 
 class Scenario:
@@ -116,9 +140,9 @@ class Scenario:
         self[path] = value
         return self
 
-    def check(self) -> list[Advice]:
+    def check(self) -> Review:
         """Raises :class:`ScenarioError` if anything is wrong; else what the advisor says."""
-        return [Advice(*one) for one in _percuss.check(self._source())]
+        return Review(Advice(*one) for one in _percuss.check(self._source()))
 
     def __getitem__(self, path: str) -> Any:
         if path in self._given:
@@ -211,6 +235,30 @@ def scenario_of(scenario: Scenarios) -> Scenario:
     if isinstance(scenario, Scenario):
         return scenario
     return Scenario.from_dict(scenario) if isinstance(scenario, Mapping) else load(scenario)
+
+
+def check(scenario: Scenarios, **overrides: Any) -> Review:
+    """What the advisor says of a scenario before a run, as ``percuss check`` does.
+
+    Parameters
+    ----------
+    scenario : str, path, mapping or Scenario
+        A scenario, the path of its file, or nested dictionaries with the file's names.
+    **overrides
+        Values to change, with ``__`` for the dots of a path: ``time__step="1e-5 s"``.
+
+    Raises
+    ------
+    ScenarioError
+        If anything is wrong: every fault at once, with the lines of the file.
+
+    Examples
+    --------
+    >>> percuss.check("scenarios/paper/elastic-clamped.toml").warnings
+    []
+    """
+    given = scenario_of(scenario)
+    return Review(Advice(*one) for one in _percuss.check(given._source(changes_of(overrides))))
 
 
 def changes_of(overrides: Mapping[str, Any]) -> dict[str, Any]:

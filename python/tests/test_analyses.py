@@ -46,7 +46,9 @@ def test_halved_steps_show_the_order_of_the_scheme(elastic):
 def test_finer_meshes_and_paths_into_the_summary(elastic):
     both = percuss.converge(elastic, "contact.mass.peak_force.value", time__step="5e-4 s")
     assert set(both) == {"step", "mesh"} and both["mesh"].values[0] > 0
-    assert "limit" in both["mesh"]._repr_html_()
+    assert "limit" in both["mesh"]._repr_html_() and repr(both).count("<percuss.Convergence in the") == 2
+    ax = both.plot()
+    assert len(ax.lines) == 2 and ax.get_xscale() == ax.get_yscale() == "log"
     with pytest.raises(KeyError, match="neither a column"):
         percuss.converge(elastic, "contact.mass.peak", time__step="5e-4 s")
     with pytest.raises(ValueError, match="levels"):

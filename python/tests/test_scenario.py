@@ -1,6 +1,7 @@
 """Scenarios: the file's names, the file's faults."""
 
 import pickle
+import sys
 
 import numpy as np
 import percuss
@@ -78,6 +79,9 @@ def test_every_fault_is_told_with_its_place():
     assert text.splitlines()[young.line - 1].startswith("young")
     assert young.column == 9 and "Pa" in young.help
     assert any("elements" in fault.help for fault in caught.value.faults)
+    assert 'young = "0.2e10 m"' in caught.value.excerpt and "expected" in caught.value.excerpt
+    if sys.version_info >= (3, 11):
+        assert caught.value.__notes__ == [caught.value.excerpt]
     assert str(caught.value).startswith("bad.toml:")
     assert (caught.value.line, caught.value.field) == (caught.value.faults[0].line, caught.value.faults[0].field)
     again = pickle.loads(pickle.dumps(caught.value))
@@ -115,6 +119,9 @@ def test_what_is_written_out_is_the_same_scenario(elastic):
 def test_the_advisor_speaks(elastic):
     advice = elastic.check()
     assert advice and {one.verdict for one in advice} <= {"fine", "note", "warning"}
+    assert percuss.check(elastic) == advice and not advice.warnings
+    coarse = percuss.check(elastic, projectile__mass__stiffness="7.5e9 N/m")
+    assert coarse.warnings and coarse.warnings[0].code in repr(coarse) and coarse.warnings[0].code in coarse._repr_html_()
 
 
 def test_a_scenario_reads_files_outside_its_folder_only_if_allowed(tmp_path):

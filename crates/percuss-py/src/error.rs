@@ -5,6 +5,9 @@ use percuss_codes::{Code, FileCode, RequestCode};
 use percuss_scenario::Diagnostics;
 use pyo3::prelude::*;
 
+/// Columns of an excerpt of a file.
+const EXCERPT_WIDTH: usize = 100;
+
 /// `percuss.ScenarioError` with every fault in it.
 pub fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
     let faults: Vec<_> = diagnostics
@@ -15,9 +18,10 @@ pub fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
             (&d.message, &d.help, &d.path, place(d.line), place(d.column), d.code.code())
         })
         .collect();
-    let made = py
-        .import("percuss._errors")
-        .and_then(|module| module.getattr("ScenarioError")?.call1((diagnostics.coded(), faults)));
+    let made = py.import("percuss._errors").and_then(|module| {
+        let excerpt = diagnostics.fancy(false, EXCERPT_WIDTH);
+        module.getattr("ScenarioError")?.call1((diagnostics.coded(), faults, excerpt))
+    });
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
