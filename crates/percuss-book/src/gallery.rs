@@ -34,19 +34,32 @@ pub struct Room {
     pub scenes: Vec<Scene>,
 }
 
+fn document(path: &Path) -> io::Result<DocumentMut> {
+    std::fs::read_to_string(path)?.parse().map_err(io::Error::other)
+}
+
+/// A list of texts.
+fn list(of: &dyn TableLike, key: &str) -> Vec<String> {
+    let array = of.get(key).and_then(Item::as_array);
+    array.into_iter().flatten().filter_map(|v| v.as_str().map(str::to_string)).collect()
+}
+
+/// Files that the list of the gallery leaves out.
+///
+/// # Errors
+/// The list cannot be read, or is no TOML.
+pub fn left_out(path: &Path) -> io::Result<Vec<String>> {
+    Ok(list(document(path)?.as_table(), "left_out"))
+}
+
 /// The list of the gallery.
 ///
 /// # Errors
 /// The file cannot be read, or is no TOML.
 pub fn rooms(path: &Path) -> io::Result<Vec<Room>> {
-    let document: DocumentMut =
-        std::fs::read_to_string(path)?.parse().map_err(io::Error::other)?;
+    let document = document(path)?;
     let word = |of: &dyn TableLike, key: &str| {
         of.get(key).and_then(Item::as_str).unwrap_or_default().trim().to_string()
-    };
-    let list = |of: &dyn TableLike, key: &str| -> Vec<String> {
-        let array = of.get(key).and_then(Item::as_array);
-        array.into_iter().flatten().filter_map(|v| v.as_str().map(str::to_string)).collect()
     };
     let tables = |of: &dyn TableLike, key: &str| -> Vec<toml_edit::Table> {
         let all = of.get(key).and_then(Item::as_array_of_tables);
@@ -85,12 +98,7 @@ impl Scene {
     }
 
     /// Runs it, with a film beside the page; what the page says of it.
-    fn shown(
-        &self,
-        sample: &Sample,
-        desk: &Desk,
-        faults: &mut Vec<String>,
-    ) -> io::Result<String> {
+    fn shown(&self, sample: &Sample, desk: &Desk, faults: &mut Vec<String>) -> io::Result<String> {
         let name = self.file.replace(['/', '.'], "-");
         let title = read(&sample.text, &sample.name).map(|s| s.content().title.clone());
         let title = title.ok().filter(|t| !t.is_empty()).unwrap_or_else(|| self.file.clone());
@@ -120,11 +128,7 @@ impl Scene {
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn gallery(
-    rooms: &[Room],
-    samples: &[Sample],
-    desk: &Desk,
-) -> io::Result<(Page, Vec<String>)> {
+pub fn gallery(rooms: &[Room], samples: &[Sample], desk: &Desk) -> io::Result<(Page, Vec<String>)> {
     let mut faults = Vec::new();
     let mut text = String::from(
         "# Gallery\n\nEach film is made by `percuss run FILE --out runs/NAME` and `percuss animate runs/NAME -o NAME.gif`; displacements are to scale. \

@@ -19,7 +19,7 @@ pub use code_pages::{Provocations, Provoked};
 pub use desk::{Desk, Outcome};
 pub use excerpts::{Excerpt, Sample, Standing, samples, standings};
 pub use fences::{Fence, Part, parts};
-pub use gallery::{Room, Scene, is_shown, rooms};
+pub use gallery::{Room, Scene, is_shown, left_out, rooms};
 pub use links::broken;
 pub use maths::set;
 pub use running::{Effort, run};
