@@ -156,7 +156,8 @@ fn pictures(
         let name = table.strip_prefix(&of.repository).unwrap_or(&table).display().to_string();
         desk.put(&name, &fs::read_to_string(&table)?)?;
     }
-    let (page, wrong) = gallery::gallery(samples, &desk)?;
+    let rooms = gallery::rooms(&of.repository.join("docs/book/gallery.toml"))?;
+    let (page, wrong) = gallery::gallery(&rooms, samples, &desk)?;
     faults.extend(wrong);
     for target in links::targets(&page.text) {
         fs::copy(desk.path(&target), source.join(&target))?;

@@ -1,56 +1,147 @@
-//! The gallery: every scenario of the repository in motion, with its one-line lesson.
+//! The gallery: scenarios in motion, each with its lesson in a line, as `docs/book/gallery.toml` lists them.
 
 use std::io;
+use std::path::Path;
 
 use percuss_scenario::{is_study, read};
+use serde_json::Value;
+use toml_edit::{DocumentMut, Item, TableLike};
 
 use crate::desk::Desk;
 use crate::excerpts::Sample;
+use crate::measured;
 use crate::scenario_pages::Page;
 
-/// Whether a sample has a place in the gallery: a scenario that runs by itself.
-fn is_shown(sample: &Sample) -> bool {
-    let given = sample.text.contains("\"given\"");
-    !is_study(&sample.text) && !given && !sample.name.ends_with("-paper.toml")
+/// A scenario of the gallery.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Scene {
+    /// Its file, from the root of the repository.
+    pub file: String,
+    /// What it teaches, in a line; formulas in braces over its summary.
+    pub lesson: String,
+    /// What must hold of its summary for that.
+    pub holds: Vec<String>,
+    /// Options of `percuss animate` for its film.
+    pub film: String,
 }
 
-/// The comment that a scenario begins with.
-fn lesson(text: &str) -> String {
-    let comment = text.lines().take_while(|line| line.starts_with('#'));
-    let words: Vec<&str> = comment.map(|line| line.trim_start_matches('#').trim()).collect();
-    let whole = words.join(" ");
-    // The first sentence.
-    whole.split_once(". ").map_or(whole.clone(), |(first, _)| format!("{first}."))
+/// A heading of the gallery and what stands below it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Room {
+    /// The heading.
+    pub title: String,
+    /// The scenarios, in their order.
+    pub scenes: Vec<Scene>,
 }
 
-/// Runs every scenario, with a film of each beside the page.
+fn document(path: &Path) -> io::Result<DocumentMut> {
+    std::fs::read_to_string(path)?.parse().map_err(io::Error::other)
+}
+
+/// A list of texts.
+fn list(of: &dyn TableLike, key: &str) -> Vec<String> {
+    let array = of.get(key).and_then(Item::as_array);
+    array.into_iter().flatten().filter_map(|v| v.as_str().map(str::to_string)).collect()
+}
+
+/// Files that the list of the gallery leaves out.
 ///
 /// # Errors
-/// A file that cannot be written.
-pub fn gallery(samples: &[Sample], desk: &Desk) -> io::Result<(Page, Vec<String>)> {
-    let mut faults = Vec::new();
-    let mut text = String::from(
-        "# Gallery\n\nEvery scenario of the repository and every template, in motion: `percuss run FILE` and `percuss animate runs/NAME -o NAME.gif`. \
-         Displacements are to scale; names below each film are those of the file.\n\n",
-    );
-    for sample in samples.iter().filter(|one| is_shown(one)) {
-        let name = sample.name.replace(['/', '.'], "-");
+/// The list cannot be read, or is no TOML.
+pub fn left_out(path: &Path) -> io::Result<Vec<String>> {
+    Ok(list(document(path)?.as_table(), "left_out"))
+}
+
+/// The list of the gallery.
+///
+/// # Errors
+/// The file cannot be read, or is no TOML.
+pub fn rooms(path: &Path) -> io::Result<Vec<Room>> {
+    let document = document(path)?;
+    let word = |of: &dyn TableLike, key: &str| {
+        of.get(key).and_then(Item::as_str).unwrap_or_default().trim().to_string()
+    };
+    let tables = |of: &dyn TableLike, key: &str| -> Vec<toml_edit::Table> {
+        let all = of.get(key).and_then(Item::as_array_of_tables);
+        all.into_iter().flatten().cloned().collect()
+    };
+    let scene = |of: &toml_edit::Table| Scene {
+        file: word(of, "file"),
+        lesson: word(of, "lesson"),
+        holds: list(of, "holds"),
+        film: word(of, "film"),
+    };
+    let room = |of: &toml_edit::Table| Room {
+        title: word(of, "title"),
+        scenes: tables(of, "scene").iter().map(scene).collect(),
+    };
+    Ok(tables(document.as_table(), "room").iter().map(room).collect())
+}
+
+/// Whether a sample has a place in the gallery: a scenario that runs by itself, templates and twins in the paper's form apart.
+pub fn is_shown(sample: &Sample) -> bool {
+    let given = sample.text.contains("\"given\"");
+    let template = sample.name.contains("/templates/");
+    !is_study(&sample.text) && !given && !template && !sample.name.ends_with("-paper.toml")
+}
+
+impl Scene {
+    /// The lesson with its figures; what does not hold.
+    pub fn told(&self, summary: &Value) -> (String, Vec<String>) {
+        let mut faults: Vec<String> =
+            self.holds.iter().filter_map(|claim| measured::holds(claim, summary).err()).collect();
+        let text = measured::filled(&self.lesson, summary).unwrap_or_else(|fault| {
+            faults.push(fault);
+            self.lesson.clone()
+        });
+        (text, faults.into_iter().map(|fault| format!("{}: {fault}", self.file)).collect())
+    }
+
+    /// Runs it, with a film beside the page; what the page says of it.
+    fn shown(&self, sample: &Sample, desk: &Desk, faults: &mut Vec<String>) -> io::Result<String> {
+        let name = self.file.replace(['/', '.'], "-");
         let title = read(&sample.text, &sample.name).map(|s| s.content().title.clone());
-        let title = title.ok().filter(|t| !t.is_empty()).unwrap_or_else(|| sample.name.clone());
+        let title = title.ok().filter(|t| !t.is_empty()).unwrap_or_else(|| self.file.clone());
         let commands = format!(
-            "percuss run '{}' --out runs/{name} --quiet --no-report && percuss animate runs/{name} -o {name}.gif --duration \"4 s\" --fps 12 --width 480 --quiet",
-            sample.name
+            "percuss run '{}' --out runs/{name} --quiet --no-report && \
+             percuss animate runs/{name} -o {name}.gif --duration \"4 s\" --fps 12 --width 480 {} --quiet",
+            self.file, self.film
         );
         let outcome = desk.run(&commands)?;
         if !outcome.success {
-            faults.push(format!("{}: {}", sample.name, outcome.text));
-            continue;
+            faults.push(format!("{}: {}", self.file, outcome.text));
+            return Ok(String::new());
         }
-        let lesson = lesson(&sample.text);
-        text.push_str(&format!(
-            "## {title}\n\n{lesson}\n\n![{title}]({name}.gif)\n\n`{}`\n\n",
-            sample.name
-        ));
+        let summary = std::fs::read(desk.path(&format!("runs/{name}/summary.json")))?;
+        let summary: Value = serde_json::from_slice(&summary).map_err(io::Error::other)?;
+        let (lesson, wrong) = self.told(&summary);
+        faults.extend(wrong);
+        Ok(format!(
+            "### {title}\n\n{lesson}\n\n![{title}]({name}.gif)\n\n<details><summary><code>{}</code></summary>\n\n```toml\n{}\n```\n\n</details>\n\n",
+            self.file,
+            sample.text.trim_end()
+        ))
+    }
+}
+
+/// Runs every scenario of the list, with a film of each beside the page.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn gallery(rooms: &[Room], samples: &[Sample], desk: &Desk) -> io::Result<(Page, Vec<String>)> {
+    let mut faults = Vec::new();
+    let mut text = String::from(
+        "# Gallery\n\nEach film is made by `percuss run FILE --out runs/NAME` and `percuss animate runs/NAME -o NAME.gif`; displacements are to scale. \
+         Figures in the sentences are those of the run. Behind the name below a film is the file.\n\n",
+    );
+    for room in rooms {
+        text.push_str(&format!("## {}\n\n", room.title));
+        for scene in &room.scenes {
+            match samples.iter().find(|sample| sample.name == scene.file) {
+                Some(sample) => text.push_str(&scene.shown(sample, desk, &mut faults)?),
+                None => faults.push(format!("gallery: there is no {}", scene.file)),
+            }
+        }
     }
     Ok((Page { path: "gallery.md".into(), title: "Gallery".into(), text }, faults))
 }

@@ -9,6 +9,7 @@ mod fences;
 mod gallery;
 mod links;
 mod maths;
+mod measured;
 mod running;
 mod scenario_pages;
 
@@ -18,6 +19,7 @@ pub use code_pages::{Provocations, Provoked};
 pub use desk::{Desk, Outcome};
 pub use excerpts::{Excerpt, Sample, Standing, samples, standings};
 pub use fences::{Fence, Part, parts};
+pub use gallery::{Room, Scene, is_shown, left_out, rooms};
 pub use links::broken;
 pub use maths::set;
 pub use running::{Effort, run};

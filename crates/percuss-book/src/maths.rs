@@ -29,8 +29,22 @@ pub fn set(page: &str, chapter: &str) -> (String, Vec<String>) {
             }
             Part::Fence(fence) => text.push_str(&fence.whole()),
             Part::Line(line) => {
-                let line = inline(&line, &mut faults);
-                text.push_str(&(refer(&line, &numbers, &mut faults) + "\n"));
+                for span in spans(&line) {
+                    match span {
+                        Span::Text(words) => text.push_str(&refer(words, &numbers, &mut faults)),
+                        Span::Code("`$`") => {
+                            faults.push("an equation stands between $` and `$".into());
+                        }
+                        Span::Code(code) => text.push_str(code),
+                        Span::Maths(tex) => {
+                            text.push_str(&mathml(tex, DisplayMode::Inline, &mut faults));
+                        }
+                        Span::Unclosed(rest) => {
+                            faults.push(format!("an equation that is not closed: {rest}"));
+                        }
+                    }
+                }
+                text.push('\n');
             }
         }
     }
@@ -59,15 +73,51 @@ fn refer(line: &str, numbers: &BTreeMap<String, String>, faults: &mut Vec<String
     out
 }
 
-fn inline(line: &str, faults: &mut Vec<String>) -> String {
-    let mut pieces = line.split("$`");
-    let mut out = pieces.next().unwrap_or_default().to_string();
-    for piece in pieces {
-        let (tex, rest) = piece.split_once("`$").unwrap_or((piece, ""));
-        out.push_str(&mathml(tex, DisplayMode::Inline, faults));
-        out.push_str(rest);
+/// A part of a line.
+#[derive(Debug, PartialEq, Eq)]
+enum Span<'l> {
+    /// Words.
+    Text(&'l str),
+    /// A span of code with its backticks.
+    Code(&'l str),
+    /// TeX.
+    Maths(&'l str),
+    /// What follows the beginning of an equation without end.
+    Unclosed(&'l str),
+}
+
+/// The parts of a line: equations are not looked for in code.
+fn spans(line: &str) -> Vec<Span<'_>> {
+    let mut spans = Vec::new();
+    let mut rest = line;
+    while let Some(at) = rest.find('`') {
+        let begins = rest[..at].ends_with('$');
+        let words = &rest[..if begins { at - 1 } else { at }];
+        if !words.is_empty() {
+            spans.push(Span::Text(words));
+        }
+        let ticks = rest[at..].len() - rest[at..].trim_start_matches('`').len();
+        let inside = &rest[at + ticks..];
+        if begins {
+            let Some((tex, behind)) = rest[at + 1..].split_once("`$") else {
+                spans.push(Span::Unclosed(&rest[at + 1..]));
+                return spans;
+            };
+            spans.push(Span::Maths(tex));
+            rest = behind;
+        } else if let Some(end) = inside.find(&"`".repeat(ticks)) {
+            let whole = at + ticks + end + ticks;
+            spans.push(Span::Code(&rest[at..whole]));
+            rest = &rest[whole..];
+        } else {
+            spans.push(Span::Code(&rest[at..]));
+            return spans;
+        }
     }
-    out
+    if !rest.is_empty() {
+        spans.push(Span::Text(rest));
+    }
+    spans
 }
 
 fn mathml(tex: &str, display_mode: DisplayMode, faults: &mut Vec<String>) -> String {
@@ -78,6 +128,35 @@ fn mathml(tex: &str, display_mode: DisplayMode, faults: &mut Vec<String>) -> Str
     if done.is_err() || out.contains("<merror") {
         faults.push(format!("an equation that cannot be set: {}", tex.trim()));
     }
-    // A line break within would end the block of HTML.
-    out.replace('\n', " ")
+    // A line break within would end the block of HTML, a bar a cell of a table.
+    out.replace('\n', " ").replace('|', "&#124;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Span, set, spans};
+
+    #[test]
+    fn equations_stand_in_the_text_and_not_in_code() {
+        let line = "let $`x`$ be `a` or ``$`y`$``, $`z`$.";
+        let wanted = [
+            Span::Text("let "),
+            Span::Maths("x"),
+            Span::Text(" be "),
+            Span::Code("`a`"),
+            Span::Text(" or "),
+            Span::Code("``$`y`$``"),
+            Span::Text(", "),
+            Span::Maths("z"),
+            Span::Text("."),
+        ];
+        assert_eq!(spans(line), wanted);
+    }
+
+    #[test]
+    fn an_equation_without_end_is_a_fault() {
+        assert_eq!(set("Take $`x and go on.", "").1.len(), 1);
+        // Marks with a backtick too many would set the words between two equations.
+        assert_eq!(set("`$`x`$` is given", "").1.len(), 2);
+    }
 }

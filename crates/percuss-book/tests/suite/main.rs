@@ -1,3 +1,10 @@
 //! What the book promises of itself.
 
+mod gallery;
 mod scenario;
+
+use std::path::Path;
+
+fn repository() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}

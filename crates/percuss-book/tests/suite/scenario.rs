@@ -1,15 +1,11 @@
 //! The scenario reference: complete, with examples that the program reads.
 
-use std::path::Path;
-
 use percuss_book::{missing_examples, reference_pages, samples};
 use percuss_scenario::{
     BodyReference, StudyFile, TableReference, is_study, read, reference, study_reference,
 };
 
-fn repository() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
-}
+use crate::repository;
 
 /// Names what has no text in a body, below `at`.
 fn silent(body: &BodyReference, at: &str, found: &mut Vec<String>) {
