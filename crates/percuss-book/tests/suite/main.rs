@@ -1,6 +1,7 @@
 //! What the book promises of itself.
 
 mod gallery;
+mod paper;
 mod scenario;
 
 use std::path::Path;
