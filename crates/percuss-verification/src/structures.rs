@@ -34,7 +34,7 @@ pub fn corners() -> Vec<Check> {
         PointRef { label: "bent@1m".into(), beam: bent, along: Along::Distance(1.0) },
         at("branch.start", branch, 0.0),
     ];
-    b.joint(Joint { name: "branch".into(), kind: JointKind::Rigid, between });
+    b.joint(Joint::new("branch", JointKind::Rigid, between));
     b.initial_motion(InitialMotion { velocity: [1.0, 2.0], spin: 4.0, about: [1.0, 0.0] });
     b.projectile(Projectile {
         name: "mass".into(),

@@ -9,6 +9,7 @@ mod function;
 mod law;
 mod locate;
 mod section;
+mod yielding;
 #[cfg(test)]
 mod tests;
 

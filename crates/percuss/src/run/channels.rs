@@ -1,5 +1,6 @@
 //! The columns of the history and their values at a state.
 
+use super::connector_log;
 use super::record::Channel;
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
@@ -85,6 +86,18 @@ pub fn channels(model: &Model) -> Vec<Channel> {
             add(format!("support.{name}.impulse_moment"), "N*m*s", text);
         }
     }
+    for (_, c, own) in connector_log::yielding(model) {
+        let name = &own.name;
+        let [(what, unit), (force, of)] = if connector_log::turns(c) {
+            [("rotation", "rad"), ("moment", "N*m")]
+        } else {
+            [("extension", "m"), ("force", "N")]
+        };
+        add(format!("{name}.{what}"), unit, &format!("Its {what} from where it has no {force}"));
+        let text = format!("Plastic {what}: what would stay of it without {force}");
+        add(format!("{name}.plastic_{what}"), unit, &text);
+        add(format!("{name}.{force}"), of, &format!("Its {force}, its damper's left out"));
+    }
     for (name, unit, description) in BALANCE_COLUMNS {
         add(name.into(), unit, description);
     }
@@ -96,11 +109,11 @@ pub fn channels(model: &Model) -> Vec<Channel> {
     out
 }
 
-/// Columns of histories of beams that can yield.
+/// Columns of histories of what can yield.
 const PLASTIC_COLUMNS: [(&str, &str); 3] = [
     ("energy.plastic", "Energy dissipated by plastic flow so far"),
     ("energy.hardening", "Energy that hardening has stored"),
-    ("energy.failure", "Energy that was stored in fibres that failed so far"),
+    ("energy.failure", "Energy that was stored in fibres, springs and hinges that failed so far"),
 ];
 
 /// Columns every history has.
@@ -259,6 +272,11 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         if model.has_impulses() {
             row.extend_from_slice(impulses);
         }
+    }
+    for (i, c, own) in connector_log::yielding(model) {
+        let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
+        let force = c.reached_force(q, &state.memories);
+        row.extend([q - c.law.free(), memory.plastic, force]);
     }
     let ledger = &state.ledger;
     let residual = ledger.linear_residual(m);

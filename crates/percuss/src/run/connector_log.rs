@@ -1,0 +1,80 @@
+//! Springs and hinges that can yield: what is noted while a run steps, and what it came to.
+
+use serde::{Deserialize, Serialize};
+
+use crate::model::Model;
+use crate::model::frozen::{Connector, Coordinate, YieldingLaw};
+use crate::state::State;
+use crate::summary::{Peak, YieldingSummary};
+
+/// What is noted of a connector that can yield.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ConnectorRecord {
+    plastic: Peak,
+    /// Its own coordinate, from the one without force.
+    extension: Peak,
+    first_yield: Option<f64>,
+    failed: Option<f64>,
+}
+
+/// Connectors that can yield, their number and how, in the model's order.
+pub fn yielding(model: &Model) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
+    let with = |(i, c): (usize, _)| {
+        let c: &Connector = c;
+        c.yielding.as_ref().map(|own| (i, c, own))
+    };
+    model.connectors.iter().enumerate().filter_map(with)
+}
+
+/// Whether a connector acts on an angle.
+pub fn turns(connector: &Connector) -> bool {
+    matches!(connector.coordinate, Coordinate::Angle { .. })
+}
+
+/// Takes the state at the end of a step into the records, one a connector that can yield.
+pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
+    for ((i, c, own), record) in yielding(model).zip(records) {
+        let memory = &state.memories[own.memory];
+        // Once it is gone its ends move on without it.
+        if record.failed.is_some() {
+            continue;
+        }
+        take(&mut record.extension, state.coordinates[i] - c.law.free(), state.time);
+        if memory.accumulated > 0.0 {
+            take(&mut record.plastic, memory.plastic, state.time);
+            record.first_yield.get_or_insert(state.time);
+        }
+        record.failed = memory.failed.then_some(state.time);
+    }
+}
+
+fn take(peak: &mut Peak, value: f64, time: f64) {
+    if value.abs() > peak.value.abs() || peak.value.is_nan() {
+        *peak = Peak { value, time };
+    }
+}
+
+/// What a run came to, one entry a connector that can yield.
+pub fn summaries(
+    model: &Model,
+    state: &State,
+    records: &[ConnectorRecord],
+) -> Vec<YieldingSummary> {
+    let summary = |((_, c, own), record): ((usize, &Connector, &YieldingLaw), &ConnectorRecord)| {
+        let memory = &state.memories[own.memory];
+        let none = Peak { value: 0.0, time: f64::NAN };
+        YieldingSummary {
+            name: own.name.clone(),
+            turns: turns(c),
+            plastic: memory.plastic,
+            plastic_max: record.first_yield.map_or(none, |_| record.plastic),
+            accumulated: memory.accumulated,
+            extension_max: record.extension,
+            first_yield: record.first_yield,
+            dissipated: memory.dissipated,
+            hardening: own.law.hardening_energy(memory),
+            failed: record.failed,
+        }
+    };
+    yielding(model).zip(records).map(summary).collect()
+}
