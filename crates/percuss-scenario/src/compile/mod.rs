@@ -9,9 +9,9 @@ mod function;
 mod law;
 mod locate;
 mod section;
-mod yielding;
 #[cfg(test)]
 mod tests;
+mod yielding;
 
 use std::collections::BTreeSet;
 

@@ -87,7 +87,11 @@ pub(super) fn of_spring(name: &str, table: &Spring, faults: &mut Vec<Fault>) -> 
 }
 
 /// How a hinge yields, if it does.
-pub(super) fn of_joint(name: &str, kind: &JointKind, faults: &mut Vec<Fault>) -> Option<Plasticity> {
+pub(super) fn of_joint(
+    name: &str,
+    kind: &JointKind,
+    faults: &mut Vec<Fault>,
+) -> Option<Plasticity> {
     let JointKind::Hinge { yield_moment, hardening, failure_rotation, .. } = kind else {
         return None;
     };

@@ -150,7 +150,8 @@ impl Entry<'_> {
         for (i, c) in model.connectors.iter().enumerate() {
             if !forcing.connected[i] {
                 // A support that lets go takes the energy of its springs with it.
-                self.state.ledger.work_supports -= c.potential(self.state.coordinates[i], &self.state.memories);
+                self.state.ledger.work_supports -=
+                    c.potential(self.state.coordinates[i], &self.state.memories);
                 continue;
             }
             let step = c.step(i, self.rule, forcing, self.state, &work.increment);

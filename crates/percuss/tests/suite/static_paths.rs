@@ -170,7 +170,14 @@ fn a_strip_pressed_down_by_a_spring_lifts_off() {
     // Pulls the tip down by 5 N where it lies.
     let between = [Anchor::Point(at("tip", bar, 1.0)), Anchor::Ground([1.0, -1.0])];
     let name = "stay".into();
-    b.spring(Spring { name, between, stiffness: 100.0, damping: 0.0, length: Some(0.95), yielding: None });
+    b.spring(Spring {
+        name,
+        between,
+        stiffness: 100.0,
+        damping: 0.0,
+        length: Some(0.95),
+        yielding: None,
+    });
     let (at, force) = (at("tip", bar, 1.0), [0.0, 8.0]);
     b.load(Load::new("lift", LoadKind::Point { at, force, moment: 0.0, follower: false }));
     let model = b.build().unwrap();

@@ -163,7 +163,14 @@ fn a_spring_that_pushes_makes_no_mechanism() {
     b.support(Support::new("root", at("root", column, 0.0), SupportKind::Clamp));
     let between = [Anchor::Point(at("top", column, 1.0)), Anchor::Ground([0.0, 4.0])];
     let name = "strut".into();
-    b.spring(Spring { name, between, stiffness: 1e6, damping: 0.0, length: Some(1.5), yielding: None });
+    b.spring(Spring {
+        name,
+        between,
+        stiffness: 1e6,
+        damping: 0.0,
+        length: Some(1.5),
+        yielding: None,
+    });
     assert_eq!(mechanisms(&b.build().unwrap()), []);
 }
 

@@ -315,7 +315,14 @@ fn a_path_begins_where_stressed_springs_have_drawn_the_beam() {
         clamp(b, beam);
         let between = [Anchor::Point(at("tip", beam, 1.0)), Anchor::Ground([2.0, 1.0])];
         let name = "stay".into();
-        b.spring(Spring { name, between, stiffness: 1e4, damping: 0.0, length: Some(0.9), yielding: None });
+        b.spring(Spring {
+            name,
+            between,
+            stiffness: 1e4,
+            damping: 0.0,
+            length: Some(0.9),
+            yielding: None,
+        });
         force(b, beam, 1.0, [0.0, -500.0], 0.0);
     });
     let found = equilibrium(&model).unwrap().points[0].1;

@@ -76,8 +76,7 @@ pub fn advanced(
         *memory = found.state;
         losses.plastic += found.dissipated;
         if own.law.fails(to) && !memory.failed {
-            losses.failure +=
-                own.law.elastic_energy(memory, to) + own.law.hardening_energy(memory);
+            losses.failure += own.law.elastic_energy(memory, to) + own.law.hardening_energy(memory);
             memory.failed = true;
         }
     }
