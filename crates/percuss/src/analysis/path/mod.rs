@@ -149,6 +149,7 @@ pub fn equilibrium_path_recorded(
     }
     let steps = path.points.len() - 1;
     tracer.search.forcing.set_static(model, tracer.factor);
+    tracer.search.reached();
     path.end = finish(&mut tracer.search, steps);
     Ok(path)
 }

@@ -44,7 +44,7 @@ pub(super) fn force(
     match rule.rule {
         Rule::Static => {
             let found = law.at_rest(state, to);
-            (found.stress, found.tangent)
+            (found.stress, law.loading_tangent(&found))
         }
         // Schemes that advance accelerations are refused.
         Rule::Midpoint(_) | Rule::Alpha(_) => {
