@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::{at, or_nan};
 
 /// E1: a hinged beam rotates onto a spring at its tip (code_aster SDNL32, VPCS V5.02.032).
-pub fn swinging_beam() -> Vec<Check> {
+pub fn swinging_beam() -> Report {
     let mut c = Checks::new();
     // Independent exact modal sum, 40 modes, undamped [mm].
     let undamped = [
@@ -81,11 +81,11 @@ pub fn swinging_beam() -> Vec<Check> {
             c.absolute(format!("{name}: leaves at [s]"), leaves, 12.321e-3, 1e-5);
         }
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// E2: a cantilever with a stop at its tip under a suddenly applied force (code_aster SDNL104).
-pub fn tip_stop() -> Vec<Check> {
+pub fn tip_stop() -> Report {
     let mut c = Checks::new();
     for (name, scheme, step, expected, tolerance) in [
         // Published: -1.85334e-6, -4.63284e-3, .0514081.
@@ -150,11 +150,11 @@ pub fn tip_stop() -> Vec<Check> {
         c.relative(format!("{name}: v(0.1566) [m/s]"), v, expected[1], tolerance);
         c.relative(format!("{name}: kinetic energy(0.16) [J]"), kinetic, expected[2], tolerance);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// E6: a mass strikes a beam at midspan and stays on it (Saint-Venant): largest deflections by the modes of beam and mass.
-pub fn mass_that_stays() -> Vec<Check> {
+pub fn mass_that_stays() -> Report {
     let mut c = Checks::new();
     for (name, kind, mu, expected) in [
         ("pinned, mass ratio 1", SupportKind::Pin, 1.0, 0.119_323_77),
@@ -193,5 +193,5 @@ pub fn mass_that_stays() -> Vec<Check> {
         let measured = or_nan(largest) / (velocity * scale);
         c.relative(format!("{name}: largest deflection"), measured, expected, 1e-3);
     }
-    c.into_vec()
+    c.into_report()
 }
