@@ -32,7 +32,7 @@ pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use analysis::{
     BucklingMode, BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Mode, ModeKind,
-    Path, PathPoint, PathRecorder, StaticContact, buckling, buckling_in_contact, equilibrium,
+    Path, PathPoint, PathRecorder, PathYield, StaticContact, StaticYielding, buckling, buckling_in_contact, equilibrium,
     equilibrium_in, equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about,
     modes_about_equilibrium, natural_frequencies,
 };

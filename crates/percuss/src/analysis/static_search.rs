@@ -63,7 +63,7 @@ pub(super) struct Reached {
     /// What fibres remember, shape (fibres).
     fibres: Vec<FibreState>,
     /// What connectors that yield remember, shape (connectors that yield).
-    memories: Vec<FibreState>,
+    pub memories: Vec<FibreState>,
 }
 
 impl<'m> StaticSearch<'m> {

@@ -1,6 +1,5 @@
 //! The columns of the history and their values at a state.
 
-use super::connector_log;
 use super::record::Channel;
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
@@ -86,9 +85,9 @@ pub fn channels(model: &Model) -> Vec<Channel> {
             add(format!("support.{name}.impulse_moment"), "N*m*s", text);
         }
     }
-    for (_, c, own) in connector_log::yielding(model) {
+    for (_, c, own) in model.yielding() {
         let name = &own.name;
-        let [(what, unit), (force, of)] = if connector_log::turns(c) {
+        let [(what, unit), (force, of)] = if c.turns() {
             [("rotation", "rad"), ("moment", "N*m")]
         } else {
             [("extension", "m"), ("force", "N")]
@@ -273,7 +272,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             row.extend_from_slice(impulses);
         }
     }
-    for (i, c, own) in connector_log::yielding(model) {
+    for (i, c, own) in model.yielding() {
         let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
         let force = c.reached_force(q, &state.memories);
         row.extend([q - c.law.free(), memory.plastic, force]);

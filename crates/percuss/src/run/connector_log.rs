@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::model::Model;
-use crate::model::frozen::{Connector, Coordinate, YieldingLaw};
+use crate::model::frozen::{Connector, YieldingLaw};
 use crate::state::State;
 use crate::summary::{Peak, YieldingSummary};
 
@@ -17,23 +17,9 @@ pub struct ConnectorRecord {
     failed: Option<f64>,
 }
 
-/// Connectors that can yield, their number and how, in the model's order.
-pub fn yielding(model: &Model) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
-    let with = |(i, c): (usize, _)| {
-        let c: &Connector = c;
-        c.yielding.as_ref().map(|own| (i, c, own))
-    };
-    model.connectors.iter().enumerate().filter_map(with)
-}
-
-/// Whether a connector acts on an angle.
-pub fn turns(connector: &Connector) -> bool {
-    matches!(connector.coordinate, Coordinate::Angle { .. })
-}
-
 /// Takes the state at the end of a step into the records, one a connector that can yield.
 pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
-    for ((i, c, own), record) in yielding(model).zip(records) {
+    for ((i, c, own), record) in model.yielding().zip(records) {
         let memory = &state.memories[own.memory];
         // Once it is gone its ends move on without it.
         if record.failed.is_some() {
@@ -65,7 +51,7 @@ pub fn summaries(
         let none = Peak { value: 0.0, time: f64::NAN };
         YieldingSummary {
             name: own.name.clone(),
-            turns: turns(c),
+            turns: c.turns(),
             plastic: memory.plastic,
             plastic_max: record.first_yield.map_or(none, |_| record.plastic),
             accumulated: memory.accumulated,
@@ -76,5 +62,5 @@ pub fn summaries(
             failed: record.failed,
         }
     };
-    yielding(model).zip(records).map(summary).collect()
+    model.yielding().zip(records).map(summary).collect()
 }

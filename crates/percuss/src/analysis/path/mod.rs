@@ -5,6 +5,7 @@ mod tracer;
 
 use super::static_search::StaticSearch;
 use super::statics::{Equilibrium, finish, refuse_overlaps};
+use super::yields::PathYield;
 use crate::error::Error;
 use crate::model::Model;
 use crate::settings::{PathEnd, PathSettings};
@@ -38,6 +39,8 @@ pub struct Path {
     pub points: Vec<PathPoint>,
     /// Points where the load factor turns, in their order, shape (such points).
     pub limit_points: Vec<PathPoint>,
+    /// First yields of springs and hinges, in their order, shape (springs and hinges that have yielded).
+    pub yields: Vec<PathYield>,
     /// The equilibrium at its end.
     pub end: Equilibrium,
     /// Whether the end asked for was reached.
@@ -92,6 +95,7 @@ pub fn equilibrium_path_recorded(
         names: model.points.iter().map(|p| p.label.clone()).collect(),
         points: vec![tracer.point()],
         limit_points: Vec::new(),
+        yields: Vec::new(),
         end: finish(&mut StaticSearch::new(model), 0),
         reached: false,
     };
@@ -127,6 +131,7 @@ pub fn equilibrium_path_recorded(
                 continue;
             }
             path.points.push(tracer.point());
+            path.yields.extend(tracer.yields_since(&before));
             break;
         }
         if factor_along_arc.turned {
@@ -138,6 +143,7 @@ pub fn equilibrium_path_recorded(
             tracer.back_to(&after);
         }
         path.points.push(tracer.point());
+        path.yields.extend(tracer.yields_since(&before));
         tracer.show(recorder, false, path.points.len() - 1);
         let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, EASIEST);
         // Contacts that close and open one after the other take corrections however short the arc.
