@@ -2,6 +2,7 @@
 
 use percuss::{
     BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, SectionRange, StaticContact,
+    StaticYielding,
 };
 use serde_json::json;
 

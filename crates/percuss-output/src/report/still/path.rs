@@ -1,6 +1,6 @@
 //! The page of an equilibrium path: the load over the displacements, beside the structure as it moves along.
 
-use percuss::{Path, PathPoint};
+use percuss::{Path, PathPoint, PathYield};
 use serde_json::{Value, json};
 
 use super::equilibrium::{buckling_title, tables};
