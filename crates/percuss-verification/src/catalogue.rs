@@ -472,4 +472,22 @@ pub const CASES: &[Case] = &[
         source: "code_aster SSNL106; closed form",
         run: published_motion::fibre_bar,
     },
+    Case {
+        id: "yielding-rod",
+        title: "A mass on a rod that yields, under a force put on at once",
+        source: "ANSYS VM80 (Biggs 1964); closed form",
+        run: yielding_joints::yielding_rod,
+    },
+    Case {
+        id: "yielding-hinge",
+        title: "A stiff bar thrown about a hinge that yields",
+        source: "closed form",
+        run: yielding_joints::yielding_hinge,
+    },
+    Case {
+        id: "portal-hinges",
+        title: "A portal frame pushed until its hinges make a mechanism",
+        source: "plastic hinge analysis by hand, hinge by hinge",
+        run: yielding_joints::portal_hinges,
+    },
 ];

@@ -105,4 +105,7 @@ cases! {
     struck_rod = "struck-rod",
     bead_column = "bead-column",
     fibre_bar = "fibre-bar",
+    yielding_rod = "yielding-rod",
+    yielding_hinge = "yielding-hinge",
+    portal_hinges = "portal-hinges",
 }
