@@ -30,7 +30,7 @@ pub struct StaticYielding {
 pub struct PathYield {
     /// What it is and its name, `spring.brace` or `joint.knee`.
     pub name: String,
-    /// Load factor at which it yields, between the points of the path before and after by its extension.
+    /// Load factor at which it yields.
     pub factor: f64,
 }
 
@@ -66,36 +66,38 @@ pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticYielding> {
     each.collect()
 }
 
+/// What yields for the first time on an arc of a path.
+pub(super) struct Crossing<'a> {
+    pub own: &'a YieldingLaw,
+    /// Load factor beyond where the arc begins at which it does, by its rate there.
+    pub rise: f64,
+}
+
 /// What yields for the first time between two places of a path, in the order in which it does; `base` is what their increments
-/// count from.
-pub(super) fn between(
-    model: &Model,
+/// count from, `rate` how nodal displacements grow with the load factor at the first, `rise` how far they are looked at.
+pub(super) fn between<'m>(
+    model: &'m Model,
     base: &State,
     places: [&Reached; 2],
-    factors: [f64; 2],
-) -> Vec<PathYield> {
-    let extension = |i: usize, c: &Connector, place: &Reached| {
-        let add = |(u, d): (&[f64; 4], &[f64; 4])| std::array::from_fn(|k| u[k] + d[k]);
-        let moved: Vec<[f64; 4]> =
-            base.displacement.iter().zip(&place.increment).map(add).collect();
-        c.value(&moved, base.coordinates[i]) - c.law.free()
+    (rate, rise): (&[[f64; 4]], f64),
+) -> Vec<Crossing<'m>> {
+    let moved = |increment: &[[f64; 4]], rise: f64| -> Vec<[f64; 4]> {
+        let each = base.displacement.iter().zip(increment).zip(rate);
+        each.map(|((u, d), r)| std::array::from_fn(|k| u[k] + d[k] + rise * r[k])).collect()
     };
+    let [start, end] = places.map(|place| moved(&place.increment, 0.0));
+    let ahead = moved(&places[0].increment, rise);
     let yielded = |place: &Reached, own: &YieldingLaw| place.memories[own.memory].accumulated > 0.0;
-    let mut out: Vec<PathYield> = Vec::new();
-    for (i, c, own) in model.yielding() {
-        if yielded(places[0], own) || !yielded(places[1], own) {
-            continue;
-        }
-        let [from, to] = places.map(|place| extension(i, c, place));
-        let at = first_yield(&own.law, to);
-        let share = ((at - from) / (to - from)).clamp(0.0, 1.0);
-        let factor = factors[0] + share * (factors[1] - factors[0]);
-        out.push(PathYield { name: own.name.clone(), factor });
-    }
-    out.sort_by(|a, b| {
-        let along = |y: &PathYield| (y.factor - factors[0]) * (factors[1] - factors[0]).signum();
-        along(a).total_cmp(&along(b))
-    });
+    let crosses = |own: &YieldingLaw| !yielded(places[0], own) && yielded(places[1], own);
+    let crossing = |(i, c, own): (usize, &Connector, &'m YieldingLaw)| {
+        let extension = |u: &[[f64; 4]]| c.value(u, base.coordinates[i]) - c.law.free();
+        let (from, to) = (extension(&start), extension(&end));
+        let share = (first_yield(&own.law, to) - from) / (extension(&ahead) - from);
+        Crossing { own, rise: share * rise }
+    };
+    let mut out: Vec<Crossing> =
+        model.yielding().filter(|(.., own)| crosses(own)).map(crossing).collect();
+    out.sort_by(|a, b| a.rise.abs().total_cmp(&b.rise.abs()));
     out
 }
 

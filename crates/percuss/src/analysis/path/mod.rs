@@ -2,6 +2,7 @@
 
 mod advance;
 mod tracer;
+mod yielding;
 
 use super::static_search::StaticSearch;
 use super::statics::{Equilibrium, finish, refuse_overlaps};
@@ -10,6 +11,7 @@ use crate::error::Error;
 use crate::model::Model;
 use crate::settings::{PathEnd, PathSettings};
 use tracer::{Mark, Tracer};
+use yielding::Yielded;
 
 /// Corrections at which the arc stays as it is.
 const WANTED_ITERATIONS: f64 = 5.0;
@@ -102,6 +104,8 @@ pub fn equilibrium_path_recorded(
     tracer.show(recorder, false, 0);
     let first = tracer.first_arc(settings.first).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let (mut arc, longest) = (first, first.max(LONGEST_ARC));
+    // The arc to go on with where one was cut.
+    let mut whole = None;
     while path.points.len() <= settings.points {
         let before = tracer.mark();
         let Some(iterations) = tracer.advance(arc) else {
@@ -119,6 +123,15 @@ pub fn equilibrium_path_recorded(
             arc = (0.5 * arc).max(first);
             continue;
         }
+        let yields = match tracer.yielded(&before, arc, first) {
+            Yielded::Here(yields) => yields,
+            Yielded::Before(shorter) => {
+                tracer.back_to(&before);
+                whole.get_or_insert(arc);
+                arc = shorter;
+                continue;
+            }
+        };
         if goal.passed(&before, &tracer) {
             tracer.back_to(&before);
             path.reached = tracer.hit(&goal);
@@ -131,7 +144,7 @@ pub fn equilibrium_path_recorded(
                 continue;
             }
             path.points.push(tracer.point());
-            path.yields.extend(tracer.yields_since(&before));
+            path.yields.extend(yields.into_iter().filter(|one| tracer.has_yielded(one)));
             break;
         }
         if factor_along_arc.turned {
@@ -143,12 +156,12 @@ pub fn equilibrium_path_recorded(
             tracer.back_to(&after);
         }
         path.points.push(tracer.point());
-        path.yields.extend(tracer.yields_since(&before));
+        path.yields.extend(yields);
         tracer.show(recorder, false, path.points.len() - 1);
         let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, EASIEST);
         // Contacts that close and open one after the other take corrections however short the arc.
         let ease = if tracer.given { EASIEST } else { ease };
-        arc = (arc * ease).min(longest);
+        arc = (whole.take().unwrap_or(arc) * ease).min(longest);
     }
     if path.points.len() < 2 {
         return Err(Error::no_equilibrium(0.0));

@@ -4,7 +4,6 @@ use super::{Goal, PathPoint, PathRecorder};
 use crate::analysis::static_contacts::{Pressing, Programme, Response};
 use crate::analysis::static_search::{Reached, StaticSearch, largest};
 use crate::analysis::statics::finish;
-use crate::analysis::yields::{self, PathYield};
 use crate::error::Error;
 use crate::model::Model;
 
@@ -118,16 +117,6 @@ impl<'m> Tracer<'m> {
             changed: self.changed,
             given: self.given,
         }
-    }
-
-    /// What yields for the first time on the way from a mark.
-    pub(super) fn yields_since(&mut self, before: &Mark) -> Vec<PathYield> {
-        if self.search.model.memory_count() == 0 {
-            return Vec::new();
-        }
-        let here = self.search.reached();
-        let places = [&before.reached, &here];
-        yields::between(self.search.model, &self.search.base, places, [before.factor, self.factor])
     }
 
     pub(super) fn back_to(&mut self, mark: &Mark) {
