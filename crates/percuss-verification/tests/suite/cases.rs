@@ -89,6 +89,9 @@ cases! {
     heavy_mass = "heavy-mass",
     parkes = "parkes",
     thrown_beam = "thrown-beam",
+    thrown_bar = "thrown-bar",
+    mass_on_a_rod = "mass-on-a-rod",
+    portal_pushover = "portal-pushover",
     overhanging_beam = "overhanging-beam",
     tapered_cantilever = "tapered-cantilever",
     t_section = "t-section",
@@ -105,7 +108,4 @@ cases! {
     struck_rod = "struck-rod",
     bead_column = "bead-column",
     fibre_bar = "fibre-bar",
-    yielding_rod = "yielding-rod",
-    yielding_hinge = "yielding-hinge",
-    portal_hinges = "portal-hinges",
 }

@@ -5,7 +5,7 @@ use crate::analysis::yields::{self, PathYield};
 
 /// An arc that ends no further than this share from where something yields is not cut.
 const NEAR: f64 = 0.98;
-/// Nor is one that would be shorter than this share of the first.
+/// Nor is one cut shorter than to this share of the first.
 const SHORT: f64 = 1e-3;
 /// How far beyond it a cut arc ends, relative.
 const BEYOND: f64 = 1e-6;
@@ -45,8 +45,9 @@ impl Tracer<'_> {
         let moved = (&rate[..], arc / length);
         let found = yields::between(self.search.model, &self.search.base, places, moved);
         let to = found.first().map_or(f64::INFINITY, |crossing| crossing.rise.abs() * length);
-        if known && to < NEAR * arc && to > SHORT * first {
-            return Yielded::Before(to * (1.0 + BEYOND));
+        let cut = (to * (1.0 + BEYOND)).max(SHORT * first);
+        if known && cut < NEAR * arc {
+            return Yielded::Before(cut);
         }
         let range = [before.factor, here.factor];
         let [least, most] = [range[0].min(range[1]), range[0].max(range[1])];

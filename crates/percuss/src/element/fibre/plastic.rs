@@ -49,8 +49,8 @@ struct Overstressed {
     stress_by_time: f64,
 }
 
-/// Stresses this close to the limit at which a fibre yields are on it, relative.
-const ON_LIMIT: f64 = 1e-9;
+/// Stresses this close to the limit at which a fibre yields are on it, relative: what is stiff knows its stress to no more digits.
+const ON_LIMIT: f64 = 1e-6;
 
 impl PlasticLaw {
     /// See [`super::StressLaw::loading_tangent`].
