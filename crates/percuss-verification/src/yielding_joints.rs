@@ -151,7 +151,7 @@ fn portal(p: f64) -> Model {
     let bar = |b: &mut ModelBuilder, name: &str, points: [[f64; 2]; 2], n: usize| {
         b.beam(Beam::new(name, &points, n, metal, section))
     };
-    let (half, stub) = (0.5 * SPAN, 0.002);
+    let (half, stub) = (0.5 * SPAN, 0.001);
     let left = bar(&mut b, "left", [[0.0, 0.0], [0.0, HEIGHT]], 4);
     let right = bar(&mut b, "right", [[SPAN, 0.0], [SPAN, HEIGHT]], 4);
     let near = bar(&mut b, "near", [[0.0, HEIGHT], [half, HEIGHT]], 4);
@@ -168,7 +168,7 @@ fn portal(p: f64) -> Model {
         ("right-corner", (far, 1.0), (right, 1.0)),
     ] {
         let ends = [first, second].map(|(beam, s)| at(&format!("{name}{s}"), beam, s));
-        hinge(&mut b, name, ends, 1e9, MOMENT);
+        hinge(&mut b, name, ends, 1e10, MOMENT);
     }
     for (name, beam, force) in [("wind", left, [p, 0.0]), ("weight", near, [0.0, -p])] {
         let point = at(name, beam, 1.0);
