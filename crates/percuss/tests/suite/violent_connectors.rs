@@ -104,7 +104,8 @@ fn strike(b: &mut ModelBuilder, r: &mut Numbers, bars: &[(BeamId, [[f64; 2]; 2])
         let bar = bars[r.below(bars.len())].0;
         let strikes = at(&format!("p{i}"), bar, r.next());
         let velocity = [r.between(-0.3, 0.3) * speed, -speed];
-        let shot = Projectile::new(format!("shot{i}"), kind, r.decades(0.1, 30.0), velocity, strikes);
+        let shot =
+            Projectile::new(format!("shot{i}"), kind, r.decades(0.1, 30.0), velocity, strikes);
         b.projectile(Projectile { standoff: r.between(0.0, 0.02), ..shot });
     }
     if r.chance(0.5) {
@@ -191,7 +192,9 @@ fn a_hundred_struck_chains_account_for_all_energy() {
         failed += usize::from(summary.yielding.iter().any(|y| y.failed.is_some()));
         struck += usize::from(energy.loss_impacts > 0.0);
     }
-    println!("{springs} springs, {hinges} hinges yielded, {failed} failed, {struck} lost energy in impacts");
+    println!(
+        "{springs} springs, {hinges} hinges yielded, {failed} failed, {struck} lost energy in impacts"
+    );
     println!("gave up: {reasons:?}");
     assert!(springs > 30 && hinges > 30 && failed > 10 && struck > 30);
     assert!(reasons.values().map(Vec::len).sum::<usize>() <= 5, "{reasons:?}");

@@ -112,7 +112,7 @@ fn a_spring_flows_as_its_extension_asks() {
 }
 
 #[test]
-fn a_spring_that_does_not_reach_its_limit_is_elastic_to_the_bit() {
+fn a_spring_that_does_not_reach_its_limit_is_elastic() {
     let settings = Settings::new(0.02, 1e-4);
     let (yields, _) = run(&swung(Some(perfect(1e9))), &settings);
     let (elastic, _) = run(&swung(None), &settings);
@@ -130,8 +130,7 @@ fn a_spring_that_fails_takes_its_energy_with_it() {
     assert_balances(&summary, "fails");
     let brace = &summary.yielding[0];
     let failed = brace.failed.unwrap();
-    let (time, force) =
-        (rows.column("time").unwrap(), rows.column("spring.brace.force").unwrap());
+    let (time, force) = (rows.column("time").unwrap(), rows.column("spring.brace.force").unwrap());
     let at = time.iter().position(|t| *t == failed).unwrap();
     assert!(force[at - 1].abs() > LIMIT && force[at..].iter().all(|f| *f == 0.0), "{force:?}");
     // What it held when it let go: as far as the row before tells.
@@ -149,8 +148,12 @@ fn a_spring_that_fails_takes_its_energy_with_it() {
 /// The bar under a force at its end.
 fn pressed(force: f64) -> Model {
     braced(Some(hardening()), |b, bar| {
-        let kind =
-            LoadKind::Point { at: at("end", bar, 1.0), force: [0.0, force], moment: 0.0, follower: false };
+        let kind = LoadKind::Point {
+            at: at("end", bar, 1.0),
+            force: [0.0, force],
+            moment: 0.0,
+            follower: false,
+        };
         b.load(Load::new("weight", kind));
     })
 }
@@ -235,7 +238,7 @@ fn hinged(law: Plasticity, spin: f64) -> Model {
 fn a_hinge_turns_by_the_energy_it_is_given_over_its_moment() {
     // A stiff bar: K = M^2 / 2k + M theta. Either way round, and by more than a turn.
     let (moment, stiffness) = (500.0, 1e5);
-    let inertia = 1000.0 * 1e-2 / 3.0;
+    let inertia = 1000.0 * (1e-2 / 3.0 + 1e-4);
     for spin in [-20.0, 20.0, 50.0] {
         let model = hinged(perfect(moment), spin);
         let (summary, _) = run(&model, &Settings::new(1.0, 1e-3));
@@ -246,13 +249,9 @@ fn a_hinge_turns_by_the_energy_it_is_given_over_its_moment() {
         assert!(hinge.turns && hinge.name == "joint.hinge");
         let found = hinge.plastic.abs();
         assert!((found / turned - 1.0).abs() < 5e-3, "{spin}: {found} {turned}");
-        assert_eq!(hinge.plastic.signum(), spin.signum() * turning(&model));
+        // Counted as the first beam turns against the second.
+        assert!(hinge.plastic * spin < 0.0, "{hinge:?}");
     }
-}
-
-/// Sign of the angle of a hinge whose bar turns counter-clockwise: that of its elastic moment under a small motion.
-fn turning(_: &Model) -> f64 {
-    -1.0
 }
 
 #[test]
