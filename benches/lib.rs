@@ -181,7 +181,7 @@ pub fn frame(storeys: usize, bays: usize, elements: usize) -> Model {
             for (k, (other, f)) in others.into_iter().enumerate() {
                 let between = [at("top", column[level], 1.0), at("end", other, f)];
                 let name = format!("joint {bay} {level} {k}");
-                b.joint(Joint { name, kind: JointKind::Rigid, between });
+                b.joint(Joint::new(name, JointKind::Rigid, between));
             }
         }
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 use percuss::scene::Scene;
 use percuss::{
     Equilibrium, FollowerStability, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange,
-    StaticContact,
+    StaticContact, StaticYielding,
 };
 use serde_json::{Map, Value, json};
 
@@ -44,6 +44,7 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
         (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
     });
     let contacts = found.contacts.iter().map(|c| (c.name.clone(), contact(c)));
+    let yielding = found.yielding.iter().map(|y| (y.name.clone(), yielding(y)));
     let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
     json!({
         "stable": found.stable,
@@ -53,6 +54,7 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
         "point": points.collect::<Map<_, _>>(),
         "support": supports.collect::<Map<_, _>>(),
         "contact": contacts.collect::<Map<_, _>>(),
+        "yielding": yielding.collect::<Map<_, _>>(),
         "section_forces": forces.collect::<Map<_, _>>(),
         "linear_buckling": linear.modes.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
         "linear_buckling_note": linear.outcome.reason(),
@@ -84,6 +86,18 @@ fn contact(found: &StaticContact) -> Value {
         "centre": found.centre,
         "friction": "none in statics",
     })
+}
+
+fn yielding(found: &StaticYielding) -> Value {
+    let [what, force] = if found.turns { ["rotation", "moment"] } else { ["extension", "force"] };
+    let entries = [
+        (what.to_owned(), found.extension.into()),
+        (format!("plastic_{what}"), found.plastic.into()),
+        (force.to_owned(), found.force.into()),
+        ("yielded".to_owned(), found.yielded.into()),
+        ("failed".to_owned(), found.failed.into()),
+    ];
+    Value::Object(Map::from_iter(entries))
 }
 
 fn section_forces(beam: &SectionForceSummary) -> Value {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path as FilePath;
 
 use percuss::scene::Scene;
-use percuss::{Equilibrium, LinearBuckling, Path, PathPoint, PathRecorder};
+use percuss::{Equilibrium, LinearBuckling, Path, PathPoint, PathRecorder, PathYield};
 use serde_json::{Map, Value, json};
 
 use crate::csv_text;
@@ -111,18 +111,20 @@ impl PathRecorder for PathShapes {
     }
 }
 
-/// Whether the end asked for was reached, number of points, last factor, limit points.
+/// Whether the end asked for was reached, number of points, last factor, limit points, first yields.
 pub fn path_value(path: &Path) -> Value {
     let at = |point: &PathPoint| {
         let named = path.names.iter().zip(&point.displacements);
         let points = named.map(|(name, u)| (name.clone(), json!({ "displacement": u })));
         json!({ "factor": point.factor, "point": points.collect::<Map<_, _>>() })
     };
+    let first_yield = |y: &PathYield| json!({ "name": y.name, "factor": y.factor });
     json!({
         "reached": path.reached,
         "points": path.points.len(),
         "factor": path.points.last().map(|p| p.factor),
         "limit_points": path.limit_points.iter().map(at).collect::<Vec<_>>(),
+        "first_yields": path.yields.iter().map(first_yield).collect::<Vec<_>>(),
     })
 }
 

@@ -377,6 +377,24 @@ pub const CASES: &[Case] = &[
         run: rigid_plastic::thrown,
     },
     Case {
+        id: "thrown-bar",
+        title: "A stiff bar thrown round a hinge that yields",
+        source: "closed form",
+        run: yielding_joints::thrown_bar,
+    },
+    Case {
+        id: "mass-on-a-rod",
+        title: "A mass on a rod that yields under a force that acts at once",
+        source: "ANSYS VM80 (Biggs 1964); closed form",
+        run: yielding_joints::mass_on_a_rod,
+    },
+    Case {
+        id: "portal-pushover",
+        title: "A portal whose hinges yield one after the other",
+        source: "slope-deflection method; plastic-hinge analysis",
+        run: yielding_joints::portal_pushover,
+    },
+    Case {
         id: "overhanging-beam",
         title: "A beam with overhangs under a uniform load",
         source: "ANSYS VM2; closed form",

@@ -28,6 +28,7 @@ mod surface;
 mod vibration;
 mod waves;
 mod yielding;
+mod yielding_joints;
 
 pub use catalogue::CASES;
 pub use check::{Check, Curve, Figure, Report, Tolerance, observed_order};

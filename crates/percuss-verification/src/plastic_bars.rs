@@ -263,7 +263,7 @@ pub fn fan() -> Report {
         }
         for (k, bar) in bars.iter().enumerate().skip(1) {
             let between = [at("a", bars[0], 1.0), at("b", *bar, 1.0)];
-            b.joint(Joint { name: format!("hinge{k}"), kind: JointKind::Hinge, between });
+            b.joint(Joint::new(format!("hinge{k}"), JointKind::Hinge, between));
         }
         let tip = at("tip", bars[0], 1.0);
         let force = [0.0, -load * SMALL];

@@ -158,7 +158,7 @@ impl Parkes {
         let arm = b.beam(Beam::new("arm", &[o, e], 9, metal, section));
         b.support(Support::new("clamp", at("clamp", root, 0.0), SupportKind::Clamp));
         let between = [at("root.end", root, 1.0), at("arm.start", arm, 0.0)];
-        b.joint(Joint { name: "seam".into(), kind: JointKind::Rigid, between });
+        b.joint(Joint::new("seam", JointKind::Rigid, between));
         let tip = at("tip", arm, 1.0);
         let (name, at) = ("striker".into(), tip.clone());
         b.point_mass(PointMass { name, at, mass, rotary_inertia: 0.0 });

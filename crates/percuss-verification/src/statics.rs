@@ -245,7 +245,7 @@ fn toggle_over(rise: f64, floor: f64) -> Model {
     b.support(Support::new("a", at("a", left, 0.0), SupportKind::Pin));
     b.support(Support::new("b", at("b", right, 1.0), SupportKind::Pin));
     let between = [at("top", left, 1.0), at("top", right, 0.0)];
-    b.joint(Joint { name: "top".into(), between, kind: JointKind::Hinge });
+    b.joint(Joint::new("top", JointKind::Hinge, between));
     let shape = ObstacleShape::HalfPlane { point: [0.0, floor], normal: [0.0, 1.0] };
     let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
     let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));

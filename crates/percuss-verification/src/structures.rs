@@ -34,7 +34,7 @@ pub fn corners() -> Report {
         PointRef { label: "bent@1m".into(), beam: bent, along: Along::Distance(1.0) },
         at("branch.start", branch, 0.0),
     ];
-    b.joint(Joint { name: "branch".into(), kind: JointKind::Rigid, between });
+    b.joint(Joint::new("branch", JointKind::Rigid, between));
     b.initial_motion(InitialMotion { velocity: [1.0, 2.0], spin: 4.0, about: [1.0, 0.0] });
     b.projectile(Projectile {
         name: "mass".into(),
@@ -140,11 +140,7 @@ fn everything_model() -> Model {
         ..Beam::new("arm", &[[2.0, 2.0], [2.2, 1.2], [1.9, 0.6], [2.1, 0.1]], 8, other, deep)
     });
     let tie = b.beam(Beam::new("tie", &[[4.0, 2.0], [4.0, 0.0]], 3, steel, deep));
-    let joint = |name: &str, kind, a: PointRef, b: PointRef| Joint {
-        name: name.into(),
-        kind,
-        between: [a, b],
-    };
+    let joint = |name: &str, kind, a: PointRef, b: PointRef| Joint::new(name, kind, [a, b]);
     b.joint(joint(
         "knee",
         JointKind::Rigid,
@@ -194,6 +190,7 @@ fn everything_model() -> Model {
         stiffness: 2e5,
         damping: 80.0,
         length: None,
+        yielding: None,
     });
     b.spring(Spring {
         name: "stay".into(),
@@ -201,6 +198,7 @@ fn everything_model() -> Model {
         stiffness: 1e5,
         damping: 20.0,
         length: Some(1.5),
+        yielding: None,
     });
     let mass = |name: &str, at, mass, rotary_inertia| PointMass {
         name: name.into(),

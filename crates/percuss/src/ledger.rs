@@ -19,7 +19,7 @@ pub struct Ledger {
     pub loss_damping: f64,
     /// Energy dissipated by plastic flow \[J\].
     pub loss_plastic: f64,
-    /// Energy that was stored in fibres that failed \[J\].
+    /// Energy that was stored in fibres, springs and hinges that failed \[J\].
     pub loss_failure: f64,
     /// Linear momentum at the start, shape (2) \[kg m/s\].
     pub linear_initial: [f64; 2],

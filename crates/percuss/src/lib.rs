@@ -32,9 +32,9 @@ pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use analysis::{
     BucklingMode, BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Mode, ModeKind,
-    Path, PathPoint, PathRecorder, StaticContact, buckling, buckling_in_contact, equilibrium,
-    equilibrium_in, equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about,
-    modes_about_equilibrium, natural_frequencies,
+    Path, PathPoint, PathRecorder, PathYield, StaticContact, StaticYielding, buckling,
+    buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path, equilibrium_path_recorded,
+    mechanisms, modes_about, modes_about_equilibrium, natural_frequencies,
 };
 pub use ensemble::{
     Detail, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,

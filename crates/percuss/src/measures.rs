@@ -31,7 +31,8 @@ impl Measures {
         m.add_bodies(model, state);
         m.add_contacts(model, state, awake);
         for (c, q) in model.connectors.iter().zip(&state.coordinates) {
-            m.springs += c.potential(*q);
+            m.springs += c.potential(*q, &state.memories);
+            m.hardening += c.hardening_energy(&state.memories);
         }
         m
     }

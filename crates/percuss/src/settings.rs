@@ -153,9 +153,9 @@ impl Settings {
             add("integrator.spectral_radius", found, "a radius from 0 to 1");
         }
         if self.scheme != Scheme::EnergyMomentum && model.is_inelastic() {
-            let found = "another scheme than energy-momentum, with a material that yields or bears \
-                         no stress of one sign";
-            let expected = "energy-momentum: the work of its fibres is exact in no other";
+            let found = "another scheme than energy-momentum, with what yields or bears no \
+                         stress of one sign";
+            let expected = "energy-momentum: the work of what yields is exact in no other";
             add("integrator.scheme", found.into(), expected);
         }
         if self.scheme != Scheme::EnergyMomentum && model.crushes() {

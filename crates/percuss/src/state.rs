@@ -122,6 +122,9 @@ pub struct State {
     pub strain: Vec<[[f64; 2]; GAUSS]>,
     /// What fibres remember, shape (fibres).
     pub fibres: Vec<FibreState>,
+    /// What springs and hinges that yield remember, extensions \[m\] or rotations \[rad\] in place of strains, shape (connectors that
+    /// yield).
+    pub memories: Vec<FibreState>,
     /// How far prescribed motions were followed, shape (motions).
     pub(crate) followed: Vec<Followed>,
     /// Coordinates of springs and dampers, angles unwound, shape (connectors) \[m, rad\].
@@ -150,7 +153,7 @@ impl State {
         let instant = |s: &Self| s.instant.as_ref().map(|i| i.reactions.len());
         let shape = |s: &Self| {
             let nodes = [s.displacement.len(), s.velocity.len(), s.acceleration.len()];
-            let elements = [s.spin.len(), s.strain.len(), s.fibres.len()];
+            let elements = [s.spin.len(), s.strain.len(), s.fibres.len(), s.memories.len()];
             let others = [s.followed.len(), s.coordinates.len(), s.mass_spin.len()];
             let forces = [s.reactions.len(), s.reacting.last.len(), s.multiplier.len()];
             (nodes, elements, others, forces, s.pairs.len())
@@ -182,6 +185,7 @@ impl State {
             spin: vec![[0.0; GAUSS]; elements],
             strain: if stores_strain { vec![[[0.0; 2]; GAUSS]; elements] } else { Vec::new() },
             fibres: vec![FibreState::default(); model.fibre_count()],
+            memories: vec![FibreState::default(); model.memory_count()],
             followed: followed(model),
             coordinates: Vec::new(),
             mass_spin: vec![0.0; model.masses.len()],

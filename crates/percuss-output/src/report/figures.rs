@@ -208,7 +208,7 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
         ("energy.contact", "in contacts", 3),
         ("energy.hardening", "stored by hardening", 9),
         ("energy.plastic", "dissipated by plastic flow", 10),
-        ("energy.failure", "lost with failed fibres", 11),
+        ("energy.failure", "lost with what failed", 11),
         ("energy.loss_damping", damping, 8),
         ("energy.loss_impacts", "lost in impacts", 4),
     ]);

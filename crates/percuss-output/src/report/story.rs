@@ -1,6 +1,8 @@
 //! What happened, in a few sentences: who struck what, the largest force, how it ended, the largest deflection, moment and
 //! stress, and how the balance closed. Everything in them stands in `summary.json`.
 
+mod yielding;
+
 use serde_json::{Map, Value};
 
 use super::quantity;
@@ -22,36 +24,11 @@ pub fn story(summary: &Value) -> String {
     let mut out = vec![contacts(summary)];
     out.extend(deflection(summary));
     out.extend(sections(summary));
-    out.extend(plastic(summary));
+    out.extend(yielding::beams(summary));
+    out.extend(yielding::connectors(summary));
     out.push(balance(summary));
     out.retain(|sentence| !sentence.is_empty());
     out.join(" ")
-}
-
-/// The beam that yielded most, in terms of plastic strain.
-fn plastic(summary: &Value) -> Option<String> {
-    let strain = |beam: &Value| beam["strain_max"].as_f64().map_or(0.0, f64::abs);
-    let all = summary["plastic"].as_object()?;
-    let (name, most) = all.iter().max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
-    let Some(time) = most["first_yield"]["time"].as_f64() else {
-        return Some(format!("{name} did not yield."));
-    };
-    let metres = |value: &Value| quantity(value.as_f64(), "m");
-    let mut out = format!(
-        "{name} yielded first at {}, {} from its start, and reached a plastic strain of {}.",
-        quantity(Some(time), "s"),
-        metres(&most["first_yield"]["s"]),
-        quantity(most["strain_max"].as_f64(), "").trim_end()
-    );
-    let others = all.values().filter(|beam| strain(beam) > 0.0).count() - 1;
-    if others > 0 {
-        let beams = if others == 1 { "beam" } else { "beams" };
-        out.push_str(&format!(" So did {others} other {beams}, by less."));
-    }
-    if most["permanent_set"].is_number() {
-        out.push_str(&format!(" Unloaded it keeps a set of {}.", metres(&most["permanent_set"])));
-    }
-    Some(out)
 }
 
 /// A contact that closed, with what is told of it.

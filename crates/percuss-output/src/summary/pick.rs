@@ -6,7 +6,8 @@ use percuss::{
 use serde_json::Value;
 
 use super::{
-    audit, contact, energy, momentum, point, projectile, section_forces, step_control, support,
+    audit, contact, energy, momentum, plastic, point, projectile, section_forces, step_control,
+    support,
 };
 
 /// Parts of a summary that stand once, by their names.
@@ -24,7 +25,8 @@ const PLAIN: [&str; 9] = [
 /// Parts of a summary that are tables.
 const TABLES: [&str; 4] = ["energy", "momentum", "audit", "step_control"];
 /// Parts of a summary with one table a name.
-const NAMED: [&str; 5] = ["projectile", "contact", "point", "support", "section_forces"];
+const NAMED: [&str; 6] =
+    ["projectile", "contact", "point", "support", "yielding", "section_forces"];
 
 /// The path of a number in a summary: `contact.mass.peak_force.value`, `projectile.mass.velocity_final[1]`.
 ///
@@ -180,6 +182,7 @@ fn names(part: &str, run: &RunSummary) -> Vec<String> {
         "contact" => run.contacts.iter().map(|c| c.name.clone()).collect(),
         "point" => run.points.iter().map(|p| p.name.clone()).collect(),
         "support" => run.supports.iter().map(|s| s.name.clone()).collect(),
+        "yielding" => run.yielding.iter().map(|c| c.name.clone()).collect(),
         "section_forces" => run.section_forces.iter().map(|s| s.name.clone()).collect(),
         _ => Vec::new(),
     }
@@ -208,6 +211,7 @@ fn part(part: &str, name: &str, run: &RunSummary) -> Value {
         "contact" => one(&run.contacts, |c| c.name == name, contact::value),
         "point" => one(&run.points, |p| p.name == name, point),
         "support" => one(&run.supports, |s| s.name == name, support),
+        "yielding" => one(&run.yielding, |c| c.name == name, plastic::yielding),
         "section_forces" => one(&run.section_forces, |s| s.name == name, section_forces),
         _ => Value::Null,
     }
@@ -314,6 +318,11 @@ fn unit(keys: &[&str]) -> &'static str {
     let has = |key: &str| keys.contains(&key);
     match last {
         "value" if has("displacement_max") || has("penetration") => "m",
+        "value" if has("extension_max") || has("plastic_extension_max") => "m",
+        "value" if has("rotation_max") || has("plastic_rotation_max") => "rad",
+        "plastic_extension" | "accumulated_extension" => "m",
+        "plastic_rotation" | "accumulated_rotation" => "rad",
+        "dissipated" | "hardening" => "J",
         "value" if has("stress") => "Pa",
         "value" if has("strain") => "1",
         "value" if has("moment") || has("moment_max") => "N*m",

@@ -1,7 +1,9 @@
-//! Beams that can yield.
+//! Beams, springs and hinges that can yield.
 
-use percuss::{PlasticHinge, PlasticSummary, SectionPeak};
-use serde_json::{Value, json};
+use percuss::{PlasticHinge, PlasticSummary, SectionPeak, YieldingSummary};
+use serde_json::{Map, Value, json};
+
+use super::peak;
 
 /// What became of a beam that can yield.
 pub(super) fn value(beam: &PlasticSummary) -> Value {
@@ -17,6 +19,23 @@ pub(super) fn value(beam: &PlasticSummary) -> Value {
         "failed_fibres": beam.failed,
         "hinges": beam.hinges.iter().map(hinge).collect::<Vec<_>>(),
     })
+}
+
+/// What became of a spring or hinge that can yield.
+pub(super) fn yielding(connector: &YieldingSummary) -> Value {
+    let what = if connector.turns { "rotation" } else { "extension" };
+    let at = |time: Option<f64>| json!({ "time": time });
+    let entries = [
+        (format!("plastic_{what}"), connector.plastic.into()),
+        (format!("plastic_{what}_max"), peak(&connector.plastic_max)),
+        (format!("accumulated_{what}"), connector.accumulated.into()),
+        (format!("{what}_max"), peak(&connector.extension_max)),
+        ("first_yield".into(), at(connector.first_yield)),
+        ("dissipated".into(), connector.dissipated.into()),
+        ("hardening".into(), connector.hardening.into()),
+        ("failure".into(), at(connector.failed)),
+    ];
+    Value::Object(Map::from_iter(entries))
 }
 
 fn place(peak: &SectionPeak) -> Value {

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use percuss::{
-    Along, BeamId, ElementSize, Fault, Hardening, Inelasticity, LinePoint, MaterialId,
-    ModelBuilder, Overstress, Plasticity, Section, SectionId,
+    Along, BeamId, ElementSize, Fault, LinePoint, MaterialId, ModelBuilder, Section, SectionId,
 };
 
 use super::section::sections;
+use super::yielding::inelasticity;
 use crate::content::{self, Content};
 use crate::point::Point;
 use crate::table::Named;
@@ -105,43 +105,6 @@ fn materials<'c>(
         materials.insert(name.as_str(), builder.material(material));
     }
     materials
-}
-
-/// What a material does beyond Hooke's law.
-fn inelasticity(
-    name: &str,
-    table: &content::Material,
-    faults: &mut Vec<Fault>,
-) -> Option<Inelasticity> {
-    if let Some(slack) = table.bears {
-        return Some(Inelasticity::OneSided(slack));
-    }
-    let first = table.r#yield?;
-    let given = table.hardening.as_ref();
-    let points = given.and_then(|h| h.table.clone());
-    let points = points.unwrap_or_else(|| vec![[0.0, first]]);
-    if let Some([strain, stress]) = points.first()
-        && (*strain != 0.0 || (stress / first - 1.0).abs() > 1e-9)
-    {
-        let path = format!("material.{name}.hardening.table");
-        let found = format!("a table that begins with [{strain}, {stress} Pa]");
-        let expected = format!("[0, {first}] first: no plastic strain at the yield stress");
-        faults.push(Fault::new(path, found, expected));
-    }
-    let rise = |w: &[[f64; 2]]| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0]);
-    let last =
-        given.map_or(0.0, |h| if h.table.is_some() { 0.0 } else { h.isotropic.unwrap_or(0.0) });
-    let moduli = points.windows(2).map(rise).chain([last]);
-    let part = |(point, modulus): (&[f64; 2], f64)| {
-        let [from, stress] = *point;
-        Hardening { from, stress, modulus }
-    };
-    Some(Inelasticity::Plastic(Plasticity {
-        curve: points.iter().zip(moduli).map(part).collect(),
-        kinematic: given.map_or(0.0, |h| h.kinematic),
-        overstress: table.rate.as_ref().map(|r| Overstress { rate: r.C, exponent: r.q }),
-        failure_strain: table.failure_strain,
-    }))
 }
 
 fn beam(

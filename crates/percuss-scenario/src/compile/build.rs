@@ -4,7 +4,7 @@ use percuss::{Fault, ModelBuilder};
 
 use super::beams::Beams;
 use super::function::function;
-use super::{contact, law};
+use super::{contact, law, yielding};
 use crate::content::{
     self, Anchor, Content, JointKind, LoadKind, ModalRatios, ProjectileKind, SupportKind, Touch,
 };
@@ -17,7 +17,7 @@ pub(super) fn definitions(content: &Content, given: Option<&Given>) -> (ModelBui
     let (mut builder, mut faults) = (ModelBuilder::new(), Vec::new());
     let beams = Beams::add(content, &mut builder, &mut faults);
     supports(content, given, &beams, &mut builder, &mut faults);
-    connections(content, &beams, &mut builder);
+    connections(content, &beams, &mut builder, &mut faults);
     guided(content, given, &beams, &mut builder, &mut faults);
     contact::add(content, given, &beams, &mut builder, &mut faults);
     loads(content, given, &beams, &mut builder, &mut faults);
@@ -63,11 +63,17 @@ fn supports(
 }
 
 /// Joints, springs and point masses.
-fn connections(content: &Content, beams: &Beams<'_>, builder: &mut ModelBuilder) {
+fn connections(
+    content: &Content,
+    beams: &Beams<'_>,
+    builder: &mut ModelBuilder,
+    faults: &mut Vec<Fault>,
+) {
     for Named { name, table } in &content.joint {
         let between = [0, 1].map(|i| beams.point(&table.between[i]));
         let kind = joint_kind(&table.kind);
-        builder.joint(percuss::Joint { name: name.clone(), kind, between });
+        let yielding = yielding::of_joint(name, &table.kind, faults);
+        builder.joint(percuss::Joint { name: name.clone(), kind, between, yielding });
     }
     for Named { name, table } in &content.spring {
         let anchor = |anchor: &Anchor| match anchor {
@@ -80,6 +86,7 @@ fn connections(content: &Content, beams: &Beams<'_>, builder: &mut ModelBuilder)
             stiffness: table.stiffness,
             damping: table.damping,
             length: table.length,
+            yielding: yielding::of_spring(name, table, faults),
         });
     }
     for Named { name, table } in &content.mass {
@@ -194,8 +201,10 @@ fn support_kind(kind: &SupportKind) -> percuss::SupportKind {
 fn joint_kind(kind: &JointKind) -> percuss::JointKind {
     match *kind {
         JointKind::Rigid => percuss::JointKind::Rigid,
-        JointKind::Hinge { stiffness: 0.0, damping: 0.0 } => percuss::JointKind::Hinge,
-        JointKind::Hinge { stiffness, damping } => {
+        JointKind::Hinge { stiffness: 0.0, damping: 0.0, yield_moment: None, .. } => {
+            percuss::JointKind::Hinge
+        }
+        JointKind::Hinge { stiffness, damping, .. } => {
             percuss::JointKind::ElasticHinge { stiffness, damping }
         }
     }

@@ -11,6 +11,7 @@ mod locate;
 mod section;
 #[cfg(test)]
 mod tests;
+mod yielding;
 
 use std::collections::BTreeSet;
 

@@ -3,6 +3,7 @@
 use percuss::Component;
 
 use super::function::{Function, FunctionText};
+use super::yielding::{HingeHardening, SpringHardening, settle_connector_yield};
 use crate::format::{Flag, List, Maybe, Pair};
 use crate::measure;
 use crate::node::{Body, Reader};
@@ -95,6 +96,12 @@ kinds! {
             stiffness: f64 as Quantity<measure::TurnStiffness> = 0.0,
             /// Damping of a change of the angle (N m s).
             damping: f64 as Quantity<measure::TurnDamping> = 0.0,
+            /// Moment at which it yields (N m); without it the hinge is elastic.
+            yield_moment: Option<f64> as Maybe<Quantity<measure::Moment>> = None,
+            /// How the yield moment grows with plastic rotation; perfectly plastic without.
+            hardening: Option<HingeHardening> as Maybe<Braces<HingeHardening>> = None,
+            /// Rotation, to either side, at which its spring fails for good (rad); it does not without.
+            failure_rotation: Option<f64> as Maybe<Quantity<measure::Angle>> = None,
         },
     }
 }
@@ -109,6 +116,11 @@ table! {
         /// What is shared.
         kind: JointKind
     }
+    then settle_joint
+}
+
+fn settle_joint(_: &mut Joint, body: &Body<'_>, reader: &mut Reader<'_>) {
+    settle_connector_yield(["yield_moment", "hardening", "failure_rotation"], body, reader);
 }
 
 table! {
@@ -122,7 +134,18 @@ table! {
         damping: f64 as Quantity<measure::Damping> = 0.0,
         /// Length without force (m); that of the reference configuration if none is given.
         length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
+        /// Force at which it yields, in tension and compression (N); without it the spring is elastic.
+        yield_force: Option<f64> as Maybe<Quantity<measure::Force>> = None,
+        /// How the yield force grows with plastic extension; perfectly plastic without.
+        hardening: Option<SpringHardening> as Maybe<Braces<SpringHardening>> = None,
+        /// Extension or shortening, from the length without force, at which it fails for good (m); it does not without.
+        failure_extension: Option<f64> as Maybe<Quantity<measure::Length>> = None,
     }
+    then settle_spring
+}
+
+fn settle_spring(_: &mut Spring, body: &Body<'_>, reader: &mut Reader<'_>) {
+    settle_connector_yield(["yield_force", "hardening", "failure_extension"], body, reader);
 }
 
 table! {

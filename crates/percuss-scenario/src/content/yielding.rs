@@ -1,12 +1,17 @@
 //! How a material yields.
 #![allow(non_snake_case, reason = "Cowper and Symonds' C is called so")]
 
+use serde_json::{Value as Json, json};
+
 use super::Material;
-use crate::format::{Couple, List, Maybe};
+use crate::format::{Couple, Format, Inline, List, Maybe};
 use crate::measure;
-use crate::node::{Body, Reader};
+use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
-use crate::table::exclude;
+use crate::reach::Reached;
+use crate::reference::Described;
+use crate::table::{Braces, exclude};
+use crate::words::{Endless, OfPreset};
 use crate::write::Writer;
 
 table! {
@@ -27,12 +32,133 @@ fn settle_hardening(_: &mut Hardening, body: &Body<'_>, reader: &mut Reader<'_>)
 }
 
 table! {
+    /// How the yield force of a spring grows with plastic extension.
+    pub struct SpringHardening {
+        /// Isotropic plastic stiffness, d(force)/d(plastic extension) (N/m); none without, or `table` in its place.
+        isotropic: Option<f64> as Maybe<Quantity<measure::Stiffness>> = None,
+        /// Kinematic plastic stiffness: the range between both yield forces moves (N/m).
+        kinematic: f64 as Quantity<measure::Stiffness> = 0.0,
+        /// Instead of `isotropic`: [plastic extension (m), force (N)], from [0, yield force] on; constant beyond the last.
+        table: Option<Vec<[f64; 2]>> as Maybe<List<Couple<Quantity<measure::Length>, Quantity<measure::Force>>>> = None,
+    }
+    then settle_spring_hardening
+}
+
+fn settle_spring_hardening(_: &mut SpringHardening, body: &Body<'_>, reader: &mut Reader<'_>) {
+    exclude(body, ["isotropic", "table"], reader);
+}
+
+table! {
+    /// How the yield moment of a hinge grows with plastic rotation.
+    pub struct HingeHardening {
+        /// Isotropic plastic stiffness, d(moment)/d(plastic rotation) (N m); none without, or `table` in its place.
+        isotropic: Option<f64> as Maybe<Quantity<measure::TurnStiffness>> = None,
+        /// Kinematic plastic stiffness: the range between both yield moments moves (N m).
+        kinematic: f64 as Quantity<measure::TurnStiffness> = 0.0,
+        /// Instead of `isotropic`: [plastic rotation (rad), moment (N m)], from [0, yield moment] on; constant beyond the last.
+        table: Option<Vec<[f64; 2]>> as Maybe<List<Couple<Quantity<measure::Angle>, Quantity<measure::Moment>>>> = None,
+    }
+    then settle_hinge_hardening
+}
+
+fn settle_hinge_hardening(_: &mut HingeHardening, body: &Body<'_>, reader: &mut Reader<'_>) {
+    exclude(body, ["isotropic", "table"], reader);
+}
+
+table! {
     /// Overstress after Cowper and Symonds: plastic strain grows at the rate C (|stress| / yield stress - 1)^q.
     pub struct RateLaw {
         /// C (1/s): 40.4 for mild steel, 6500 for aluminium 6061-T6.
         C: f64 as Quantity<measure::Rate>,
         /// q: 5 for mild steel, 4 for aluminium 6061-T6.
         q: f64 as Quantity<measure::Ratio>,
+    }
+}
+
+/// A rate law in braces, or `"preset"`: that of the material known by name, without end till then.
+pub(crate) struct RateText;
+
+impl Format for RateText {
+    type Value = RateLaw;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<RateLaw> {
+        match node.value.as_str() {
+            Some(word) if word == OfPreset::WORD => {
+                Some(RateLaw { C: f64::INFINITY, q: f64::INFINITY })
+            }
+            _ => Braces::<RateLaw>::read(node, reader),
+        }
+    }
+
+    fn placeholder() -> RateLaw {
+        Braces::<RateLaw>::placeholder()
+    }
+
+    fn expected() -> String {
+        format!("\"{}\" or {}", OfPreset::WORD, Braces::<RateLaw>::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "anyOf": [{ "const": OfPreset::WORD }, Braces::<RateLaw>::schema()] })
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..Braces::<RateLaw>::described() }
+    }
+
+    fn reach<'c>(value: &'c mut RateLaw, path: &[String]) -> Reached<'c> {
+        Braces::<RateLaw>::reach(value, path)
+    }
+}
+
+impl Inline for RateText {
+    fn text(value: &RateLaw) -> Option<String> {
+        Braces::<RateLaw>::text(value)
+    }
+}
+
+/// Puts the values of the preset in the place of `"preset"`.
+pub(super) fn settle_presets(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let preset = material.preset;
+    // One that could not be read is told of already.
+    let unknown = preset.is_none() && body.get("preset").is_some();
+    let mut refuse = |key: &str, what: &str| {
+        let Some(node) = body.get(key).filter(|_| !unknown) else { return };
+        let found = match preset {
+            Some(known) => format!("\"preset\", and no {what} of {} known", known.name),
+            None => "\"preset\" of a material without one".into(),
+        };
+        let expected = match key {
+            "yield" => Quantity::<measure::Pressure>::expected(),
+            _ => Braces::<RateLaw>::expected(),
+        };
+        reader.misplaced(&node.path, node.span.clone(), found, expected);
+    };
+    if material.r#yield == Some(f64::INFINITY) {
+        material.r#yield = preset.and_then(|known| known.yields);
+        if material.r#yield.is_none() {
+            refuse("yield", "yield stress");
+        }
+    }
+    if material.rate.as_ref().is_some_and(|rate| rate.C == f64::INFINITY) {
+        let known = preset.and_then(|known| known.rate);
+        material.rate = known.map(|[c, q]| RateLaw { C: c, q });
+        if material.rate.is_none() {
+            refuse("rate", "rate constants");
+        }
+    }
+}
+
+/// What goes with a yield force or moment, `keys[0]`, goes nowhere without one.
+pub(super) fn settle_connector_yield(keys: [&str; 3], body: &Body<'_>, reader: &mut Reader<'_>) {
+    let [limit, with @ ..] = keys;
+    if body.get(limit).is_none()
+        && !reader.excuses(body, limit)
+        && let Some(key) = with.into_iter().find(|key| body.get(key).is_some())
+    {
+        let words = limit.replace('_', " ");
+        let found = format!("`{key}` without a {words}");
+        reader.missing(body, limit, found, format!("`{limit}` beside it"));
     }
 }
 

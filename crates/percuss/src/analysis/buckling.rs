@@ -92,7 +92,7 @@ impl BucklingOutcome {
                 .into(),
             Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
             Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
-            Self::Inelastic => "no linear buckling factor: a material yields or bears stress of one sign only; \
+            Self::Inelastic => "no linear buckling factor: something yields or bears stress of one sign only; \
                  the path of equilibria (--path) shows what the structure carries"
                 .into(),
             Self::Unfinished => "linear buckling factors exist that the search did not find".into(),

@@ -50,9 +50,13 @@ pub fn equivalent_force(model: &Model, run: &RunSummary) -> Option<EquivalentFor
 
 /// Whether all springs are linear ones without force at the start.
 fn has_slack_springs(model: &Model) -> bool {
-    let start = State::at_rest(model, Scheme::EnergyMomentum).coordinates;
+    let start = State::at_rest(model, Scheme::EnergyMomentum);
     let linear = |c: &Connector| matches!(c.law, ConnectorLaw::Linear { .. });
-    model.connectors.iter().zip(start).all(|(c, q)| linear(c) && c.potential(q) == 0.0)
+    model
+        .connectors
+        .iter()
+        .zip(&start.coordinates)
+        .all(|(c, &q)| linear(c) && c.potential(q, &start.memories) == 0.0)
 }
 
 /// The response of the beams to a unit force where a projectile strikes; none where they can move freely.

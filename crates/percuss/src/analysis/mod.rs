@@ -11,6 +11,7 @@ pub(crate) mod static_contacts;
 pub(crate) mod static_search;
 mod statics;
 mod unloading;
+mod yields;
 
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
 pub use flutter::FollowerStability;
@@ -19,3 +20,4 @@ pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path
 pub use static_contacts::StaticContact;
 pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};
 pub(crate) use unloading::unloaded;
+pub use yields::{PathYield, StaticYielding};

@@ -62,6 +62,8 @@ pub(super) struct Reached {
     contacts: StaticContacts,
     /// What fibres remember, shape (fibres).
     fibres: Vec<FibreState>,
+    /// What connectors that yield remember, shape (connectors that yield).
+    pub memories: Vec<FibreState>,
 }
 
 impl<'m> StaticSearch<'m> {
@@ -87,6 +89,7 @@ impl<'m> StaticSearch<'m> {
         search.base.displacement.clone_from(&state.displacement);
         search.base.coordinates.clone_from(&state.coordinates);
         search.base.fibres.clone_from(&state.fibres);
+        search.base.memories.clone_from(&state.memories);
         search.work.multiplier.clone_from(&state.multiplier);
         search.forcing.set_static(model, share);
         search.forcing.hold_motions();
@@ -171,20 +174,23 @@ impl<'m> StaticSearch<'m> {
         regular
     }
 
-    /// The place reached, an equilibrium: fibres that have yielded on the way to it stay so.
+    /// The place reached, an equilibrium: what has yielded on the way to it stays so.
     pub fn reached(&mut self) -> Reached {
-        if !self.base.fibres.is_empty() {
+        if self.model.is_inelastic() {
             let mut displacement = self.base.displacement.clone();
             for (u, d) in displacement.iter_mut().zip(&self.work.increment) {
                 (0..4).for_each(|i| u[i] += d[i]);
             }
             bring_to_rest(self.model, &displacement, &mut self.base.fibres);
+            let State { coordinates, memories, .. } = &mut self.base;
+            connectors::bring_to_rest(self.model, &displacement, coordinates, memories);
         }
         Reached {
             increment: self.work.increment.clone(),
             multiplier: self.work.multiplier.clone(),
             contacts: self.contacts.clone(),
             fibres: self.base.fibres.clone(),
+            memories: self.base.memories.clone(),
         }
     }
 
@@ -194,6 +200,7 @@ impl<'m> StaticSearch<'m> {
         self.work.multiplier.copy_from_slice(&place.multiplier);
         self.contacts.clone_from(&place.contacts);
         self.base.fibres.clone_from(&place.fibres);
+        self.base.memories.clone_from(&place.memories);
         self.foresee(true);
     }
 

@@ -3,6 +3,7 @@
 use super::spectrum::{Held, Layout, free_motions, is_stable};
 use super::static_contacts::{StaticContact, takes_part};
 use super::static_search::{StaticSearch, largest};
+use super::yields::{StaticYielding, at_rest};
 use crate::error::Error;
 use crate::frame::{Frame, FrameForce};
 use crate::geometry::row::Row;
@@ -44,6 +45,8 @@ pub struct Equilibrium {
     pub(crate) pressed: Vec<(Row, f64)>,
     /// Contacts of beams that press, as they stay closed in small motions, shape (pairs that press).
     pub(crate) held: Vec<Held>,
+    /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).
+    pub yielding: Vec<StaticYielding>,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
     /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here, shape (such beams).
@@ -187,6 +190,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
         contacts: search.contacts.results(model),
         pressed: search.contacts.forces().map(|(_, force, row)| (*row, force)).collect(),
         held: search.contacts.held(model, &state),
+        yielding: at_rest(model, &state),
         stable: true,
         sliding: Vec::new(),
         load_steps,

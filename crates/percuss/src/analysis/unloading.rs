@@ -20,6 +20,9 @@ pub fn unloaded(model: &Model, state: &State) -> Option<Vec<[f64; 4]>> {
             }
         }
     }
+    for own in structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut()) {
+        own.law = StressLaw::Elastic { young: own.law.young() };
+    }
     let start = state.of_structure(&structure);
     let mut search = StaticSearch::at_share(&structure, &start, 0.0);
     search.foresee(true);

@@ -182,6 +182,15 @@ impl StressLaw {
         }
     }
 
+    /// Tangent modulus of one that is strained on from the end of a step: where it ends on the limit at which it yields, that with which
+    /// it flows \[Pa\].
+    pub fn loading_tangent(&self, end: &FibreStep) -> f64 {
+        match self {
+            Self::Plastic(law) if !end.state.failed => law.loading_tangent(end),
+            _ => end.tangent,
+        }
+    }
+
     /// Stress at a strain that the fibre has reached \[Pa\].
     pub fn stress(&self, state: &FibreState, strain: f64) -> f64 {
         match self {

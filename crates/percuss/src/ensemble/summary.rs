@@ -131,6 +131,7 @@ impl<S: Number> Telling<'_, S> {
             supports: Vec::new(),
             section_forces: Vec::new(),
             plastic: Vec::new(),
+            yielding: Vec::new(),
         }
     }
 

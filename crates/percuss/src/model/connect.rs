@@ -5,6 +5,7 @@ use super::definition::*;
 use super::frozen::*;
 use super::material_points::locate;
 use super::time_function::PreparedFunction;
+use crate::element::fibre::{PlasticLaw, StressLaw};
 use crate::math::vec2::{cross, dot, norm, rot90, scale, sub};
 
 /// Adds the supports' names, their motions and their springs.
@@ -79,7 +80,8 @@ fn push(
 ) {
     if !matches!(law, ConnectorLaw::Linear { stiffness: 0.0, .. }) || damping > 0.0 {
         let (support, until) = (Some(index), support.until);
-        model.connectors.push(Connector { coordinate, law, damping, support, until });
+        let yielding = None;
+        model.connectors.push(Connector { coordinate, law, yielding, damping, support, until });
     }
 }
 
@@ -93,9 +95,12 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
         let ends = Box::new([place(&spring.between[0]), place(&spring.between[1])]);
         let distance = norm(sub(ends[0].reference(), ends[1].reference()));
         let rest = spring.length.unwrap_or(distance);
+        let name = format!("spring.{}", spring.name);
+        let yielding = yielding(model, name, spring.stiffness, spring.yielding.as_ref());
         model.connectors.push(Connector {
             coordinate: Coordinate::Distance { ends },
             law: ConnectorLaw::Linear { stiffness: spring.stiffness, rest },
+            yielding,
             damping: spring.damping,
             support: None,
             until: f64::INFINITY,
@@ -106,14 +111,49 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
             let [a, b] = joint.between.each_ref().map(|p| locate(model, p));
             let (cosine, sine) = (dot(b.tangent, a.tangent), cross(b.tangent, a.tangent));
             let (a, b) = (Box::new(a), Some(Box::new(b)));
+            let name = format!("joint.{}", joint.name);
+            let yielding = yielding(model, name, stiffness, joint.yielding.as_ref());
             model.connectors.push(Connector {
                 coordinate: Coordinate::Angle { a, b, cosine, sine },
                 law: ConnectorLaw::Linear { stiffness, rest: 0.0 },
+                yielding,
                 damping,
                 support: None,
                 until: f64::INFINITY,
             });
         }
+    }
+}
+
+/// How the next connector yields, by the law of a fibre.
+fn yielding(
+    model: &Model,
+    name: String,
+    stiffness: f64,
+    plasticity: Option<&Plasticity>,
+) -> Option<YieldingLaw> {
+    let plasticity = plasticity?.clone();
+    let law = StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity });
+    Some(YieldingLaw { name, law, memory: model.memory_count() })
+}
+
+impl Model {
+    /// Number of connectors that can yield.
+    pub(crate) fn memory_count(&self) -> usize {
+        self.yielding().count()
+    }
+
+    /// Connectors that can yield, their number and how, in the model's order.
+    pub(crate) fn yielding(&self) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
+        let each = self.connectors.iter().enumerate();
+        each.filter_map(|(i, c)| c.yielding.as_ref().map(|own| (i, c, own)))
+    }
+}
+
+impl Connector {
+    /// Whether it acts on an angle.
+    pub(crate) fn turns(&self) -> bool {
+        matches!(self.coordinate, Coordinate::Angle { .. })
     }
 }
 

@@ -235,8 +235,13 @@ impl Model {
     }
 
     /// Whether any beam can yield, or bears no stress of one sign.
-    pub fn is_inelastic(&self) -> bool {
+    pub(crate) fn has_fibres(&self) -> bool {
         self.spans.iter().any(|s| s.fibres.is_some())
+    }
+
+    /// Whether any beam, spring or joint can yield, or any beam bears no stress of one sign.
+    pub fn is_inelastic(&self) -> bool {
+        self.has_fibres() || self.memory_count() > 0
     }
 
     /// Whether the law of any contact crushes.

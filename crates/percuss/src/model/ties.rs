@@ -1,5 +1,6 @@
 //! What holds and ties beams: prescribed degrees of freedom, constraints, connectors, the points they act at.
 
+use crate::element::fibre::StressLaw;
 use crate::linalg::block::{Block, IDENTITY};
 
 /// Components of a node's displacement that are held, or moved as prescribed.
@@ -190,12 +191,25 @@ impl Constraint {
 pub(crate) struct Connector {
     pub coordinate: Coordinate,
     pub law: ConnectorLaw,
+    /// How it yields, if it does; its linear law is the elastic part then.
+    pub yielding: Option<YieldingLaw>,
     /// Viscous damping of the coordinate, force per rate.
     pub damping: f64,
     /// The support it belongs to, if any.
     pub support: Option<usize>,
     /// Acts until this time \[s\].
     pub until: f64,
+}
+
+/// How a spring or an elastic hinge yields.
+#[derive(Clone, Debug)]
+pub(crate) struct YieldingLaw {
+    /// What it is and its name, `spring.brace` or `joint.knee`.
+    pub name: String,
+    /// Force over extension from the length without force, or moment over rotation.
+    pub law: StressLaw,
+    /// Number of what it remembers among [`crate::state::State::memories`].
+    pub memory: usize,
 }
 
 /// A scalar coordinate of the configuration, zero or its natural value in the reference configuration.

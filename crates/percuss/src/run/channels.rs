@@ -1,5 +1,6 @@
 //! The columns of the history and their values at a state.
 
+use super::connector_log;
 use super::record::Channel;
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
@@ -85,22 +86,27 @@ pub fn channels(model: &Model) -> Vec<Channel> {
             add(format!("support.{name}.impulse_moment"), "N*m*s", text);
         }
     }
-    for (name, unit, description) in BALANCE_COLUMNS {
-        add(name.into(), unit, description);
-    }
-    if model.is_inelastic() {
-        for (name, description) in PLASTIC_COLUMNS {
-            add(name.into(), "J", description);
-        }
-    }
+    out.extend(connector_log::channels(model));
+    out.extend(balances(model));
     out
 }
 
-/// Columns of histories of beams that can yield.
+/// Columns of energies, momenta and the solver.
+fn balances(model: &Model) -> impl Iterator<Item = Channel> {
+    let plastic = PLASTIC_COLUMNS.iter().filter(|_| model.is_inelastic());
+    let plastic = plastic.map(|(name, description)| (*name, "J", *description));
+    BALANCE_COLUMNS.into_iter().chain(plastic).map(|(name, unit, description)| Channel {
+        name: name.into(),
+        unit,
+        description: description.into(),
+    })
+}
+
+/// Columns of histories of what can yield.
 const PLASTIC_COLUMNS: [(&str, &str); 3] = [
     ("energy.plastic", "Energy dissipated by plastic flow so far"),
     ("energy.hardening", "Energy that hardening has stored"),
-    ("energy.failure", "Energy that was stored in fibres that failed so far"),
+    ("energy.failure", "Energy that was stored in fibres, springs and hinges that failed so far"),
 ];
 
 /// Columns every history has.
@@ -260,6 +266,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             row.extend_from_slice(impulses);
         }
     }
+    connector_log::values(model, state, row);
     let ledger = &state.ledger;
     let residual = ledger.linear_residual(m);
     row.extend([

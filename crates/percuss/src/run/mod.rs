@@ -7,6 +7,7 @@
 mod accumulated;
 mod channels;
 mod checkpoint;
+mod connector_log;
 mod contact_log;
 mod contact_status;
 pub(crate) mod crest;

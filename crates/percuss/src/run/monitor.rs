@@ -5,6 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::connector_log::{self, ConnectorRecord};
 use super::contact_log::ContactLog;
 use super::crest::Crest;
 use super::stop_log;
@@ -96,6 +97,8 @@ pub struct Monitor {
     jumps: bool,
     /// What is noted of beams that can yield, one entry a beam, shape (beams); empty if none can.
     pub yielded: Vec<YieldRecord>,
+    /// What is noted of springs and hinges that can yield, shape (such springs and hinges).
+    pub connectors: Vec<ConnectorRecord>,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
     /// Largest sum of the energy at the start and the works so far, all by their magnitudes \[J\].
@@ -117,7 +120,7 @@ impl Monitor {
             .points
             .iter()
             .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
-        let inelastic = model.is_inelastic();
+        let inelastic = model.has_fibres();
         let mut monitor = Self {
             start: StepStart::default(),
             contacts: ContactLog::new(model, state),
@@ -128,6 +131,7 @@ impl Monitor {
             lines: Lines::at_rest(model, state, pressed),
             jumps: false,
             yielded: vec![YieldRecord::default(); if inelastic { model.beams.len() } else { 0 }],
+            connectors: vec![ConnectorRecord::default(); model.memory_count()],
             energy_residual: 0.0,
             energy_came: 0.0,
             linear_residual: 0.0,
@@ -138,14 +142,17 @@ impl Monitor {
         monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
         section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
         yielding::note(model, state, &mut monitor.yielded);
+        connector_log::note(model, state, &mut monitor.connectors);
         monitor.note_start(model, state);
         monitor
     }
 
     /// Whether it has the shape of another monitor of the same model, and points at nothing that is not there.
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
-        let shape =
-            |m: &Self| [m.start.points.len(), m.points.len(), m.supports.len(), m.yielded.len()];
+        let shape = |m: &Self| {
+            let points = [m.start.points.len(), m.points.len()];
+            (points, m.supports.len(), [m.yielded.len(), m.connectors.len()])
+        };
         let reacted = self.reacted.iter().flatten().all(|support| *support < self.supports.len());
         let stop = |m: &Self| m.supports.iter().map(|s| s.touches.is_some()).collect::<Vec<_>>();
         shape(self) == shape(other)
@@ -209,6 +216,7 @@ impl Monitor {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
         yielding::note(model, state, &mut self.yielded);
+        connector_log::note(model, state, &mut self.connectors);
         self.contacts.end_step(model, state, work, part);
         for (k, p) in model.points.iter().enumerate() {
             let (u, v) = (p.value(&state.displacement), p.value(&state.velocity));

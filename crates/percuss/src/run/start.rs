@@ -232,6 +232,7 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
         state.fibres = found.fibres;
+        state.memories = found.memories;
         state.pairs = found.pairs;
         // Projectiles stand off from where their points have moved to.
         for p in &model.projectiles {

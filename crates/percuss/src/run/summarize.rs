@@ -1,5 +1,6 @@
 //! The summary of a run that has ended.
 
+use super::connector_log;
 use super::simulation::Simulation;
 use super::step_size::StepSizeControl;
 use super::yielding;
@@ -77,6 +78,7 @@ impl Simulation<'_> {
                 .collect(),
             supports: self.monitor.supports,
             plastic: yielding::summaries(self.model, &self.state, &self.monitor.yielded),
+            yielding: connector_log::summaries(model, &self.state, &self.monitor.connectors),
             section_forces: self.monitor.section_forces,
         };
         let equivalent = equivalent_force(model, &summary);

@@ -1,5 +1,6 @@
 //! Accepts a solved step: the only writer of [`State`].
 
+use super::connectors;
 use super::fibres;
 use super::flows::enter;
 use super::forcing::Forcing;
@@ -27,8 +28,11 @@ pub fn commit(
 ) {
     let h = integration.h;
     // Entered with the other flows, below.
-    let losses = fibres::advance(model, state, &integration, &work.increment);
+    let mut losses = fibres::advance(model, state, &integration, &work.increment);
+    let moved = (forcing, &work.increment[..]);
+    let memories = connectors::advanced(model, state, &integration, moved, &mut losses);
     enter(model, state, &integration, (forcing, damping, &losses), work);
+    state.memories = memories;
     advance_histories(model, state, &integration, work);
     advance_masses(model, state, &integration, work);
     let State { displacement, spin, mass_spin, .. } = &mut *state;

@@ -5,15 +5,18 @@
 //! Its work is the change of the potential, and forms between two points turn with them: energy and momenta stay exact.
 
 mod form;
+mod inelastic;
 
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::tangent::Tangent;
+use crate::element::fibre::FibreState;
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 use crate::model::frozen::{Connector, ConnectorEnd, ConnectorLaw, Coordinate, MaterialPoint};
 use crate::model::{Model, Potential};
 use crate::state::State;
 use form::{CoordinateForm, add_to, angle_form, distance_form, product};
+pub use inelastic::{advanced, bring_to_rest};
 
 /// A matrix between the two ends of a connector, 2 x 2 blocks.
 type Blocks = [[[[f64; 2]; 2]; 2]; 2];
@@ -81,8 +84,11 @@ impl Connector {
         [g(a), b.as_ref().map_or(a.tangent, |b| turned(g(b)))]
     }
 
-    /// Potential at a value of the coordinate \[J\].
-    pub fn potential(&self, q: f64) -> f64 {
+    /// Potential at a value of the coordinate, elastic energy where it yields \[J\].
+    pub fn potential(&self, q: f64, memories: &[FibreState]) -> f64 {
+        if let Some((own, state)) = self.memory(memories) {
+            return own.law.elastic_energy(state, q - self.law.free());
+        }
         match self.law {
             ConnectorLaw::Linear { stiffness, rest } => 0.5 * stiffness * (q - rest) * (q - rest),
             ConnectorLaw::OneSided { stiffness, gap } => {
@@ -92,7 +98,17 @@ impl Connector {
     }
 
     /// Force and its derivative with respect to the coordinate at the end of a step from `q0` by `change`.
-    fn force(&self, rule: &Integration, q0: f64, change: f64) -> (f64, f64) {
+    fn force(
+        &self,
+        rule: &Integration,
+        q0: f64,
+        change: f64,
+        memories: &[FibreState],
+    ) -> (f64, f64) {
+        if let Some((own, memory)) = self.memory(memories) {
+            let from = q0 - self.law.free();
+            return inelastic::force(&own.law, memory, rule, [from, from + change]);
+        }
         let theta = rule.theta();
         match self.law {
             ConnectorLaw::Linear { stiffness, rest } => {
@@ -110,15 +126,16 @@ impl Connector {
         }
     }
 
-    /// What it does in the step from `q0` by the increment.
+    /// What the connector of number `i` does in the step from a state by the increment.
     pub fn step(
         &self,
+        i: usize,
         rule: &Integration,
         forcing: &Forcing,
-        q0: f64,
-        u: &[[f64; 4]],
+        state: &State,
         increment: &[[f64; 4]],
     ) -> ConnectorStep {
+        let (q0, u) = (state.coordinates[i], &state.displacement[..]);
         let form = match &self.coordinate {
             Coordinate::Displacement { point, direction, drive } => {
                 let moved = dot(*direction, point.value(increment));
@@ -135,8 +152,9 @@ impl Connector {
                 angle_form(start, step, b.is_some(), rule, self.turn())
             }
         };
-        let (elastic, slope) = self.force(rule, q0, form.change);
-        let rate = rule.lag(self.damping);
+        let (elastic, slope) = self.force(rule, q0, form.change, &state.memories);
+        let gone = self.has_failed(&state.memories);
+        let rate = if gone { 0.0 } else { rule.lag(self.damping) };
         let damper = rate * form.change;
         let (force, slope) = (elastic + damper, slope + rate);
         let turning = form.bend.map(|row| row.map(|b| b.map(|row| row.map(|k| force * k))));
@@ -181,7 +199,8 @@ impl ConnectorEnd {
     }
 }
 
-/// Adds the part of the connectors' tangent that comes of their forces' turning; gives `each` the others' stiffness.
+/// Adds the part of the connectors' tangent that comes of their forces' turning; gives `each` the others' stiffness, of those that
+/// have yielded the elastic one, with which they unload.
 pub fn apply_turning(
     model: &Model,
     state: &State,
@@ -195,8 +214,10 @@ pub fn apply_turning(
         if !forcing.connected[i] {
             continue;
         }
-        let q0 = state.coordinates[i];
-        let step = connector.step(rule, forcing, q0, &state.displacement, &still);
+        let mut step = connector.step(i, rule, forcing, state, &still);
+        if let Some((own, memory)) = connector.memory(&state.memories) {
+            step.slope = if memory.failed { 0.0 } else { own.law.young() };
+        }
         tangent.add_connector(i, connector, &step.turning);
         each(connector, &step);
     }
@@ -216,8 +237,7 @@ pub fn apply<const TANGENT: bool>(
         if !forcing.connected[i] {
             continue;
         }
-        let q0 = state.coordinates[i];
-        let step = connector.step(rule, forcing, q0, &state.displacement, increment);
+        let step = connector.step(i, rule, forcing, state, increment);
         for (g, (point, gradient)) in connector.attachments() {
             let force = scale(step.force, step.forms[g]);
             if gradient {

@@ -9,12 +9,12 @@ use crate::model::Model;
 use crate::model::frozen::{Span, SpanFibres};
 use crate::state::State;
 
-/// What the fibres of all beams take over a step.
+/// What the fibres of all beams, and the connectors that yield, take over a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FibreLosses {
     /// By plastic flow \[J\].
     pub plastic: f64,
-    /// Stored in fibres that fail at its end \[J\].
+    /// Stored in what fails at its end \[J\].
     pub failure: f64,
     /// By the viscosity of their materials \[J\].
     pub viscous: f64,

@@ -150,11 +150,11 @@ impl Entry<'_> {
         for (i, c) in model.connectors.iter().enumerate() {
             if !forcing.connected[i] {
                 // A support that lets go takes the energy of its springs with it.
-                self.state.ledger.work_supports -= c.potential(self.state.coordinates[i]);
+                self.state.ledger.work_supports -=
+                    c.potential(self.state.coordinates[i], &self.state.memories);
                 continue;
             }
-            let u = &self.state.displacement;
-            let step = c.step(self.rule, forcing, self.state.coordinates[i], u, &work.increment);
+            let step = c.step(i, self.rule, forcing, self.state, &work.increment);
             self.state.ledger.loss_damping += step.damper * step.change;
             let force = |g: usize| scale(-step.force, step.forms[g]);
             match &c.coordinate {

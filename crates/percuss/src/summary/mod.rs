@@ -64,7 +64,7 @@ pub struct EnergySummary {
     pub plastic: f64,
     /// Energy that hardening has stored.
     pub hardening: f64,
-    /// Energy that was stored in fibres that failed.
+    /// Energy that was stored in fibres, springs and hinges that failed.
     pub failure: f64,
     /// Energy scale, the scale of `residual_max`.
     pub scale: f64,
@@ -155,4 +155,6 @@ pub struct RunSummary {
     pub section_forces: Vec<SectionForceSummary>,
     /// One entry a beam that can yield, shape (beams that can yield).
     pub plastic: Vec<PlasticSummary>,
+    /// One entry a spring or hinge that can yield, shape (such springs and hinges).
+    pub yielding: Vec<YieldingSummary>,
 }

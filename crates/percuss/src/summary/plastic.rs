@@ -1,8 +1,8 @@
-//! What became of beams that can yield.
+//! What became of beams, springs and hinges that can yield.
 
 use serde::{Deserialize, Serialize};
 
-use super::SectionPeak;
+use super::{Peak, SectionPeak};
 
 /// A stretch of a beam that has bent plastically to one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,4 +58,30 @@ impl PlasticSummary {
         let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         self.hinges.iter().map(|hinge| hinge.rotation).fold(0.0, larger)
     }
+}
+
+/// What became of a spring or an elastic hinge that can yield.
+#[derive(Clone, Debug, PartialEq)]
+pub struct YieldingSummary {
+    /// What it is and its name, `spring.brace` or `joint.knee`.
+    pub name: String,
+    /// Whether it is a hinge: its extensions are rotations then.
+    pub turns: bool,
+    /// Plastic extension or rotation at the end, what stays of it without force \[m, rad\]; as it was then where it has failed.
+    pub plastic: f64,
+    /// The largest magnitude of that up to the end or its failure, signed, and when \[m, rad\].
+    pub plastic_max: Peak,
+    /// The sum of the magnitudes of its increments \[m, rad\].
+    pub accumulated: f64,
+    /// Extension from the length without force, or rotation, of largest magnitude up to the end or its failure, signed, and when
+    /// \[m, rad\].
+    pub extension_max: Peak,
+    /// End of the step in which it first yielded, if it did \[s\].
+    pub first_yield: Option<f64>,
+    /// Energy dissipated by plastic flow \[J\].
+    pub dissipated: f64,
+    /// Energy that hardening has stored \[J\].
+    pub hardening: f64,
+    /// End of the step in which it failed, if it did \[s\].
+    pub failed: Option<f64>,
 }

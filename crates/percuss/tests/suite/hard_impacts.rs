@@ -110,7 +110,7 @@ fn hinge_chain(links: usize, elements: usize, e: f64) -> Model {
         .collect();
     for (i, pair) in chain.windows(2).enumerate() {
         let between = [at("end", pair[0], 1.0), at("start", pair[1], 0.0)];
-        b.joint(Joint { name: format!("j{i}"), kind: JointKind::Hinge, between });
+        b.joint(Joint::new(format!("j{i}"), JointKind::Hinge, between));
     }
     let kind = SupportKind::Pin;
     b.support(Support::new("pin", at("c0.start", chain[0], 0.0), kind));
@@ -158,7 +158,7 @@ fn a_flying_square_keeps_its_balances_at_every_step() {
                 .collect();
             for i in 0..4 {
                 let between = [at("end", side[i], 1.0), at("start", side[(i + 1) % 4], 0.0)];
-                b.joint(Joint { name: format!("j{i}"), kind, between });
+                b.joint(Joint::new(format!("j{i}"), kind, between));
             }
             let mut q = rigid("q", at("c0.start", side[0], 0.0), [0.0, 20.0], 0.7);
             q.mass = 50.0;

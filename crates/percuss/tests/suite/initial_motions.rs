@@ -67,7 +67,7 @@ fn joined_beams_take_the_nearest_motions_that_their_joint_allows() {
     let first = b.beam(beam("first", [0.0, 0.0], [1.0, 0.0], 4, material, section));
     let second = b.beam(beam("second", [1.0, 0.0], [2.0, 0.0], 4, material, section));
     let between = [at("first.end", first, 1.0), at("second.start", second, 0.0)];
-    b.joint(Joint { name: "hinge".into(), kind: JointKind::Hinge, between });
+    b.joint(Joint::new("hinge", JointKind::Hinge, between));
     b.initial_motion_of(
         "first",
         InitialMotion { velocity: [0.0, 1.0], ..InitialMotion::default() },

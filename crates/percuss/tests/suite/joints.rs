@@ -25,6 +25,7 @@ fn corner(kind: JointKind, angle: f64) -> Model {
         name: "knee".into(),
         kind,
         between: [at("column.end", column, 1.0), at("girder.start", girder, 0.0)],
+        yielding: None,
     });
     b.projectile(elastic("mass", at("girder@0.6", girder, 0.6), [0.0, -20.0]));
     b.build().unwrap()
@@ -86,6 +87,7 @@ fn two_beams_joined_in_line_move_as_one() {
                 name: "middle".into(),
                 kind: JointKind::Rigid,
                 between: [at("left.end", left, 1.0), at("right.start", right, 0.0)],
+                yielding: None,
             });
             ends.extend([at("left.start", left, 0.0), at("right.end", right, 1.0)]);
             b.projectile(elastic("mass", at("left.end", left, 1.0), [0.0, 20.0]));

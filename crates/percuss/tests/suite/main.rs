@@ -29,5 +29,7 @@ mod static_paths;
 mod statics;
 mod structures;
 mod structures_in_motion;
+mod violent_connectors;
 mod violent_yielding;
 mod yielding;
+mod yielding_connectors;

@@ -312,6 +312,7 @@ fn portal(density: f64) -> Model {
                 name: name.clone(),
                 kind: JointKind::Rigid,
                 between: [at(beam, end), there],
+                yielding: None,
             });
             b.point_mass(PointMass { name, at: at(beam, end), mass: 1000.0, rotary_inertia: 0.0 });
         }

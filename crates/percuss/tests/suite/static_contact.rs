@@ -351,7 +351,7 @@ fn toggle(rise: f64, area: f64) -> Model {
     b.support(Support::new("a", at("a", left, 0.0), SupportKind::Pin));
     b.support(Support::new("b", at("b", right, 1.0), SupportKind::Pin));
     let between = [at("top", left, 1.0), at("top", right, 0.0)];
-    b.joint(Joint { name: "top".into(), between, kind: JointKind::Hinge });
+    b.joint(Joint::new("top", JointKind::Hinge, between));
     b.record_point(at("top", left, 1.0));
     let kind = LoadKind::Point {
         at: at("top", left, 1.0),
@@ -478,7 +478,7 @@ fn a_rigid_joint_torn_by_settlements_is_refused() {
         let c = Support::new("c", at("c", right, 0.0), kind);
         b.support(Support { motion: moved(other), ..c });
         let between = [at("j", left, 1.0), at("j", right, 0.0)];
-        b.joint(Joint { name: "j".into(), between, kind: JointKind::Rigid });
+        b.joint(Joint::new("j", JointKind::Rigid, between));
         b.build()
     };
     assert!(frame(-0.01, -0.01).is_ok() && frame(0.0, 0.0).is_ok());

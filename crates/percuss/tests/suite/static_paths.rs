@@ -101,7 +101,7 @@ fn toggle_over(rise: f64, area: f64, height: f64, law: TouchLaw) -> Model {
     b.support(Support::new("a", at("a", left, 0.0), SupportKind::Pin));
     b.support(Support::new("b", at("b", right, 1.0), SupportKind::Pin));
     let between = [at("top", left, 1.0), at("top", right, 0.0)];
-    b.joint(Joint { name: "top".into(), between, kind: JointKind::Hinge });
+    b.joint(Joint::new("top", JointKind::Hinge, between));
     b.record_point(at("top", left, 1.0));
     let force = [0.0, -1.0];
     let at = at("top", left, 1.0);
@@ -170,7 +170,14 @@ fn a_strip_pressed_down_by_a_spring_lifts_off() {
     // Pulls the tip down by 5 N where it lies.
     let between = [Anchor::Point(at("tip", bar, 1.0)), Anchor::Ground([1.0, -1.0])];
     let name = "stay".into();
-    b.spring(Spring { name, between, stiffness: 100.0, damping: 0.0, length: Some(0.95) });
+    b.spring(Spring {
+        name,
+        between,
+        stiffness: 100.0,
+        damping: 0.0,
+        length: Some(0.95),
+        yielding: None,
+    });
     let (at, force) = (at("tip", bar, 1.0), [0.0, 8.0]);
     b.load(Load::new("lift", LoadKind::Point { at, force, moment: 0.0, follower: false }));
     let model = b.build().unwrap();

@@ -97,6 +97,7 @@ fn a_frame_held_by_its_joints_carries_its_load() {
             name: name.into(),
             kind: JointKind::Rigid,
             between: [at("top", column, 1.0), at("girder", girder, corner)],
+            yielding: None,
         });
     }
     let kind = LoadKind::Point {
@@ -162,7 +163,14 @@ fn a_spring_that_pushes_makes_no_mechanism() {
     b.support(Support::new("root", at("root", column, 0.0), SupportKind::Clamp));
     let between = [Anchor::Point(at("top", column, 1.0)), Anchor::Ground([0.0, 4.0])];
     let name = "strut".into();
-    b.spring(Spring { name, between, stiffness: 1e6, damping: 0.0, length: Some(1.5) });
+    b.spring(Spring {
+        name,
+        between,
+        stiffness: 1e6,
+        damping: 0.0,
+        length: Some(1.5),
+        yielding: None,
+    });
     assert_eq!(mechanisms(&b.build().unwrap()), []);
 }
 
@@ -253,7 +261,7 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
             held(b, girder);
             let between = [Anchor::Point(at("end", girder, 1.0)), Anchor::Ground([3.0, 1.0])];
             let (name, stiffness) = ("stay".into(), 1e3);
-            b.spring(Spring { name, between, stiffness, damping: 0.0, length });
+            b.spring(Spring { name, between, stiffness, damping: 0.0, length, yielding: None });
         }
     };
     assert!(told(&spring(None)), "a spring of the length it has");

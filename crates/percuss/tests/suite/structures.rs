@@ -68,7 +68,7 @@ fn a_spring_between_beam_and_ground_pulls_along_its_line() {
         b.support(Support::new("hinge", at("hinge", beam, 0.0), SupportKind::Pin));
         let between = [Anchor::Point(at("tip", beam, 1.0)), Anchor::Ground([0.0, 2.0])];
         let name = "stay".into();
-        b.spring(Spring { name, between, stiffness, damping: 0.0, length: None });
+        b.spring(Spring { name, between, stiffness, damping: 0.0, length: None, yielding: None });
         force(b, beam, 1.0, [0.0, -SMALL], 0.0);
     });
     // The bar's own axial flexibility adds F L / (E A) once over.
@@ -88,7 +88,7 @@ fn an_elastic_hinge_adds_moment_over_stiffness() {
     clamp(&mut b, one);
     let kind = JointKind::ElasticHinge { stiffness, damping: 0.0 };
     let between = [at("one.end", one, 1.0), at("two.end", two, 1.0)];
-    b.joint(Joint { name: "hinge".into(), kind, between });
+    b.joint(Joint::new("hinge", kind, between));
     force(&mut b, two, 0.0, [0.0, SMALL], 0.0);
     b.record_point(at("tip", two, 0.0));
     let found = tip(&b.build().unwrap())[1];
@@ -315,7 +315,14 @@ fn a_path_begins_where_stressed_springs_have_drawn_the_beam() {
         clamp(b, beam);
         let between = [Anchor::Point(at("tip", beam, 1.0)), Anchor::Ground([2.0, 1.0])];
         let name = "stay".into();
-        b.spring(Spring { name, between, stiffness: 1e4, damping: 0.0, length: Some(0.9) });
+        b.spring(Spring {
+            name,
+            between,
+            stiffness: 1e4,
+            damping: 0.0,
+            length: Some(0.9),
+            yielding: None,
+        });
         force(b, beam, 1.0, [0.0, -500.0], 0.0);
     });
     let found = equilibrium(&model).unwrap().points[0].1;

@@ -5,6 +5,7 @@ use std::path::Path;
 use percuss::{
     ContactInterval, ContactRecord, ContactSummary, EquivalentForce, Impact, NoRestitution,
     PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
+    YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
@@ -54,6 +55,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
         ));
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
+    rows.extend(run.yielding.iter().filter_map(yielding));
     let labels = ["impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     rows.extend(labels.zip(impulses(run)));
     rows.extend(run.step_control.as_ref().map(|control| ("steps".into(), steps(control))));
@@ -127,6 +129,22 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
     Some((format!("yield of {}", beam.name), parts.join(", ")))
 }
 
+/// What became of a spring or hinge that yielded.
+fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
+    let first = connector.first_yield?;
+    let [what, unit] = if connector.turns { ["rotation", "rad"] } else { ["extension", "m"] };
+    let mut parts = vec![
+        format!("first at t = {} s", number(first)),
+        format!("plastic {what} up to {} {unit}", number(connector.plastic_max.value)),
+    ];
+    match connector.failed {
+        Some(time) => parts.push(format!("failed at t = {} s", number(time))),
+        None => parts.push(format!("{} {unit} at the end", number(connector.plastic))),
+    }
+    parts.push(format!("{} J dissipated", number(connector.dissipated)));
+    Some((format!("yield of {}", connector.name), parts.join(", ")))
+}
+
 /// What supports and obstacles gave beyond their forces.
 fn impulses(run: &RunSummary) -> Vec<String> {
     let parts = |s: &SupportSummary| s.impulse.map(|i| if i.is_nan() { 0.0 } else { i.abs() });
@@ -198,7 +216,7 @@ fn energy(run: &RunSummary) -> String {
         (damping, energy.loss_damping),
         ("dissipated by plastic flow", energy.plastic),
         ("stored by hardening", energy.hardening),
-        ("lost with failed fibres", energy.failure),
+        ("lost with what failed", energy.failure),
         ("work of loads", energy.work_loads),
         ("work of supports", energy.work_supports),
     ];

@@ -2,7 +2,7 @@
 
 use percuss::{
     BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Path, SectionPeak,
-    SectionRange, StaticContact,
+    SectionRange, StaticContact, StaticYielding,
 };
 
 use crate::number::{count, number};
@@ -42,6 +42,7 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
         text.push_str(&format!("  {name}: force {f1} N, {f2} N, moment {moment} N m\n"));
     }
     text.push_str(&contacts(&found.contacts));
+    text.push_str(&yielding(&found.yielding));
     text.push_str("section forces, smallest to largest\n");
     for beam in &found.section_forces {
         text.push_str(&format!("  {}\n", beam.name));
@@ -94,6 +95,30 @@ fn under_followers(stability: FollowerStability) -> String {
         ),
         _ => String::new(),
     }
+}
+
+/// Springs and hinges that can yield.
+fn yielding(found: &[StaticYielding]) -> String {
+    if found.is_empty() {
+        return String::new();
+    }
+    let mut text = "springs and hinges that can yield\n".to_owned();
+    for one in found {
+        let [what, unit, force] =
+            if one.turns { ["rotation", "rad", "N m"] } else { ["extension", "m", "N"] };
+        let state = match (one.failed, one.yielded) {
+            (true, _) => "failed".to_owned(),
+            (false, true) => format!("plastic {what} {} {unit}", number(one.plastic)),
+            (false, false) => "elastic".to_owned(),
+        };
+        text.push_str(&format!(
+            "  {}: {} {force}, {what} {} {unit}, {state}\n",
+            one.name,
+            number(one.force),
+            number(one.extension)
+        ));
+    }
+    text
 }
 
 /// What linear buckling makes of contacts.
@@ -172,6 +197,10 @@ pub fn path(path: &Path) -> String {
     let points = count(path.points.len().saturating_sub(1), "point");
     let factor = path.points.last().map_or(0.0, |p| p.factor);
     let mut text = format!("equilibrium path: {points}, to the load factor {}\n", number(factor));
+    for first in path.yields.iter().take(LISTED) {
+        let factor = number(first.factor);
+        text.push_str(&format!("  {} yields at the load factor {factor}\n", first.name));
+    }
     for point in path.limit_points.iter().take(LISTED) {
         let places = path.names.iter().zip(&point.displacements);
         let places: Vec<String> = places

@@ -2,6 +2,7 @@
 
 use percuss::{
     BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, SectionRange, StaticContact,
+    StaticYielding,
 };
 use serde_json::json;
 
@@ -145,6 +146,11 @@ pub(super) fn tables(found: &Equilibrium) -> String {
             &["contact", "between", "force", "gap", "where along the beam"][..],
             contacts(found),
         ),
+        (
+            "Springs and hinges that can yield",
+            &["", "extension or rotation", "of it plastic", "force or moment", "state"][..],
+            found.yielding.iter().map(yielding_row).collect(),
+        ),
         ("Section forces", &["", "smallest", "at", "largest", "at"][..], sections),
     ];
     let filled = all.into_iter().filter(|(.., rows)| !rows.is_empty());
@@ -167,6 +173,22 @@ fn contacts(found: &Equilibrium) -> Vec<Vec<String>> {
         vec![c.name.clone(), c.between.join(", "), force, quantity(Some(gap), "m"), place]
     };
     found.contacts.iter().map(row).collect()
+}
+
+fn yielding_row(found: &StaticYielding) -> Vec<String> {
+    let [unit, force] = if found.turns { ["rad", "N*m"] } else { ["m", "N"] };
+    let state = match (found.failed, found.yielded) {
+        (true, _) => "failed",
+        (false, true) => "has yielded",
+        (false, false) => "elastic",
+    };
+    vec![
+        found.name.clone(),
+        quantity(Some(found.extension), unit),
+        quantity(Some(found.plastic), unit),
+        quantity(Some(found.force), force),
+        state.to_owned(),
+    ]
 }
 
 fn section_rows(beam: &percuss::SectionForceSummary) -> Vec<Vec<String>> {

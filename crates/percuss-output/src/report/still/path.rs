@@ -1,6 +1,6 @@
 //! The page of an equilibrium path: the load over the displacements, beside the structure as it moves along.
 
-use percuss::{Path, PathPoint};
+use percuss::{Path, PathPoint, PathYield};
 use serde_json::{Value, json};
 
 use super::equilibrium::{buckling_title, tables};
@@ -56,7 +56,7 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
         scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)))),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "path", "panels": panels, "chart": chart(path, along) }),
-        tables: format!("{}{}", limit_points(path), tables(&path.end)),
+        tables: format!("{}{}{}", limit_points(path), first_yields(path), tables(&path.end)),
         fallback: "<p class=\"warning\">The drawings need JavaScript; the path is in path.csv and path.svg beside this page.</p>".to_owned(),
     };
     page.render()
@@ -121,6 +121,16 @@ fn chart(path: &Path, along: &[Along]) -> Value {
         "limits": along.iter().enumerate().filter(|(_, one)| one.limit).map(|(k, _)| k).collect::<Vec<_>>(),
         "curves": drawn.iter().enumerate().map(curve).collect::<Vec<_>>(),
     })
+}
+
+/// A row each spring or hinge that has yielded.
+fn first_yields(path: &Path) -> String {
+    if path.yields.is_empty() {
+        return String::new();
+    }
+    let row = |y: &PathYield| vec![y.name.clone(), number(y.factor)];
+    let rows: Vec<Vec<String>> = path.yields.iter().map(row).collect();
+    table("First yields, in their order", &["", "load factor"], &rows)
 }
 
 /// A row each limit point.

@@ -2,13 +2,16 @@
 
 mod advance;
 mod tracer;
+mod yielding;
 
 use super::static_search::StaticSearch;
 use super::statics::{Equilibrium, finish, refuse_overlaps};
+use super::yields::PathYield;
 use crate::error::Error;
 use crate::model::Model;
 use crate::settings::{PathEnd, PathSettings};
 use tracer::{Mark, Tracer};
+use yielding::Yielded;
 
 /// Corrections at which the arc stays as it is.
 const WANTED_ITERATIONS: f64 = 5.0;
@@ -38,6 +41,8 @@ pub struct Path {
     pub points: Vec<PathPoint>,
     /// Points where the load factor turns, in their order, shape (such points).
     pub limit_points: Vec<PathPoint>,
+    /// First yields of springs and hinges, in their order, shape (springs and hinges that have yielded).
+    pub yields: Vec<PathYield>,
     /// The equilibrium at its end.
     pub end: Equilibrium,
     /// Whether the end asked for was reached.
@@ -88,16 +93,12 @@ pub fn equilibrium_path_recorded(
     refuse_overlaps(&StaticSearch::new(model))?;
     let goal = Goal::new(model, &settings.end).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let mut tracer = Tracer::new(model)?;
-    let mut path = Path {
-        names: model.points.iter().map(|p| p.label.clone()).collect(),
-        points: vec![tracer.point()],
-        limit_points: Vec::new(),
-        end: finish(&mut StaticSearch::new(model), 0),
-        reached: false,
-    };
+    let mut path = Path::begin(model, tracer.point());
     tracer.show(recorder, false, 0);
     let first = tracer.first_arc(settings.first).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let (mut arc, longest) = (first, first.max(LONGEST_ARC));
+    // The arc to go on with where one was cut.
+    let mut whole = None;
     while path.points.len() <= settings.points {
         let before = tracer.mark();
         let Some(iterations) = tracer.advance(arc) else {
@@ -115,19 +116,24 @@ pub fn equilibrium_path_recorded(
             arc = (0.5 * arc).max(first);
             continue;
         }
-        if goal.passed(&before, &tracer) {
-            tracer.back_to(&before);
-            path.reached = tracer.hit(&goal);
-            if !path.reached {
+        let yields = match tracer.yielded(&before, arc, first) {
+            Yielded::Here(yields) => yields,
+            Yielded::Before(shorter) => {
                 tracer.back_to(&before);
-                arc *= 0.5;
-                if arc < SMALLEST_ARC * first {
-                    break;
-                }
+                whole.get_or_insert(arc);
+                arc = shorter;
                 continue;
             }
-            path.points.push(tracer.point());
-            break;
+        };
+        if goal.passed(&before, &tracer) {
+            if path.arrive(&mut tracer, &goal, &before, yields) {
+                break;
+            }
+            arc *= 0.5;
+            if arc < SMALLEST_ARC * first {
+                break;
+            }
+            continue;
         }
         if factor_along_arc.turned {
             let after = tracer.mark();
@@ -138,19 +144,54 @@ pub fn equilibrium_path_recorded(
             tracer.back_to(&after);
         }
         path.points.push(tracer.point());
+        path.yields.extend(yields);
         tracer.show(recorder, false, path.points.len() - 1);
         let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, EASIEST);
         // Contacts that close and open one after the other take corrections however short the arc.
         let ease = if tracer.given { EASIEST } else { ease };
-        arc = (arc * ease).min(longest);
+        arc = (whole.take().unwrap_or(arc) * ease).min(longest);
     }
     if path.points.len() < 2 {
         return Err(Error::no_equilibrium(0.0));
     }
     let steps = path.points.len() - 1;
     tracer.search.forcing.set_static(model, tracer.factor);
+    tracer.search.reached();
     path.end = finish(&mut tracer.search, steps);
     Ok(path)
+}
+
+impl Path {
+    /// One that has its first point.
+    fn begin(model: &Model, first: PathPoint) -> Self {
+        Self {
+            names: model.points.iter().map(|p| p.label.clone()).collect(),
+            points: vec![first],
+            limit_points: Vec::new(),
+            yields: Vec::new(),
+            end: finish(&mut StaticSearch::new(model), 0),
+            reached: false,
+        }
+    }
+
+    /// Ends at the goal, which lies between a mark and the point at hand; whether it is met there.
+    fn arrive(
+        &mut self,
+        tracer: &mut Tracer,
+        goal: &Goal,
+        before: &Mark,
+        yields: Vec<PathYield>,
+    ) -> bool {
+        tracer.back_to(before);
+        self.reached = tracer.hit(goal);
+        if self.reached {
+            self.points.push(tracer.point());
+            self.yields.extend(yields.into_iter().filter(|one| tracer.has_yielded(one)));
+        } else {
+            tracer.back_to(before);
+        }
+        self.reached
+    }
 }
 
 /// What ends a path.

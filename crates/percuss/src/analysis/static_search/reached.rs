@@ -115,8 +115,7 @@ impl StaticSearch<'_> {
             }
         }
         for (i, c) in model.connectors.iter().enumerate() {
-            let (u, q0) = (&self.base.displacement, self.base.coordinates[i]);
-            let step = c.step(&RULE, &self.forcing, q0, u, &work.increment);
+            let step = c.step(i, &RULE, &self.forcing, &self.base, &work.increment);
             let force = scale(-step.force, step.forms[0]);
             match &c.coordinate {
                 Coordinate::Angle { a, .. } => enter(c.support, [0.0; 2], cross(g_at(a), force)),

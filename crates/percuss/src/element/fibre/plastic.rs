@@ -49,7 +49,22 @@ struct Overstressed {
     stress_by_time: f64,
 }
 
+/// Stresses this close to the limit at which a fibre yields are on it, relative: what is stiff knows its stress to no more digits.
+const ON_LIMIT: f64 = 1e-6;
+
 impl PlasticLaw {
+    /// See [`super::StressLaw::loading_tangent`].
+    pub(super) fn loading_tangent(&self, end: &FibreStep) -> f64 {
+        let relative = end.stress - self.plasticity.kinematic * end.state.plastic;
+        let limit = self.plasticity.yield_stress(end.state.accumulated);
+        if end.state.accumulated == 0.0 || relative.abs() < (1.0 - ON_LIMIT) * limit {
+            return end.tangent;
+        }
+        let (part, _) = self.plasticity.part(end.state.accumulated);
+        let modulus = part.modulus + self.plasticity.kinematic;
+        self.young * modulus / (self.young + modulus)
+    }
+
     /// Independent of rate: elastic up to the yield stress, then along the hardening curve.
     pub(super) fn path(&self, state: &FibreState, from: f64, to: f64) -> FibreStep {
         let young = self.young;

@@ -4,6 +4,7 @@ use super::super::builder::ModelBuilder;
 use super::super::definition::*;
 use super::actions::check_function;
 use super::beams::{arc, check_point, length, position};
+use super::yielding::{check_yielding_joint, check_yielding_spring};
 use super::{Faults, quantity};
 use crate::math::vec2::{norm, sub};
 
@@ -92,7 +93,8 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
     let path = |field: &str| format!("spring.{}.{field}", spring.name);
     out.not_negative(path("stiffness"), spring.stiffness, "a stiffness", "N/m");
     out.not_negative(path("damping"), spring.damping, "damping", "N*s/m");
-    if spring.stiffness == 0.0 && spring.damping == 0.0 {
+    check_yielding_spring(spring, out);
+    if spring.stiffness == 0.0 && spring.damping == 0.0 && spring.yielding.is_none() {
         let expected = "a stiffness or a damping above zero";
         out.add(path("stiffness"), "a spring without stiffness and damping", expected);
     }
@@ -138,6 +140,7 @@ pub(super) fn check_joint(model: &ModelBuilder, joint: &Joint, out: &mut Faults)
         out.not_negative(path("stiffness"), stiffness, "a stiffness", "N*m");
         out.not_negative(path("damping"), damping, "damping", "N*m*s");
     }
+    check_yielding_joint(joint, out);
     if distance > 1e-9 * scale {
         let found = format!("{} and {}, {distance:.6} m apart", a.label, b.label);
         out.add(path(), found, "two points at the same place");

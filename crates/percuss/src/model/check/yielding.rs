@@ -1,59 +1,157 @@
-//! Faults of materials that yield, and of beams made of fibres.
+//! Faults of materials, springs and hinges that yield, and of beams made of fibres.
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::Faults;
+use super::{Faults, quantity};
 
 /// Most fibres through the depth of a section.
 const MOST_FIBRES: usize = 200;
 
+/// What yields, in its own words.
+struct Words {
+    /// What is given of it, `material.steel` or `joint.knee`.
+    path: String,
+    /// Key of the elastic modulus or stiffness.
+    elastic: &'static str,
+    /// Key of the yield limit, and in words.
+    limit: [&'static str; 2],
+    /// Key of the failure limit, and in words.
+    failure: [&'static str; 2],
+    /// What flows plastically, in the plural.
+    flow: &'static str,
+    /// Plastic modulus, in words.
+    modulus: &'static str,
+    /// Units of the limit, the modulus and what flows.
+    units: [&'static str; 3],
+}
+
 pub(super) fn check_plasticity(m: &Material, law: &Plasticity, out: &mut Faults) {
-    let path = |field: &str| format!("material.{}.{field}", m.name);
-    let Some(first) = law.curve.first() else {
-        out.add(path("hardening"), "an empty curve", "a yield stress");
+    let words = Words {
+        path: format!("material.{}", m.name),
+        elastic: "young",
+        limit: ["yield", "a yield stress"],
+        failure: ["failure_strain", "a strain"],
+        flow: "plastic strains",
+        modulus: "a plastic modulus",
+        units: ["Pa", "Pa", ""],
+    };
+    let first = law.curve.first().map_or(f64::NAN, |part| part.stress);
+    if m.young > 0.0 && first >= m.young {
+        let found = format!("{first} Pa, beyond Young's modulus, {} Pa", m.young);
+        out.add(words.at("yield"), found, "a yield stress far below Young's modulus");
+    }
+    words.check(m.young, law, out);
+}
+
+/// What yields of a spring.
+pub(super) fn check_yielding_spring(spring: &Spring, out: &mut Faults) {
+    let Some(law) = &spring.yielding else { return };
+    let words = Words {
+        path: format!("spring.{}", spring.name),
+        elastic: "stiffness",
+        limit: ["yield_force", "a yield force"],
+        failure: ["failure_extension", "an extension"],
+        flow: "plastic extensions",
+        modulus: "a plastic stiffness",
+        units: ["N", "N/m", "m"],
+    };
+    words.check_connector(spring.stiffness, law, out);
+}
+
+/// What yields of a joint.
+pub(super) fn check_yielding_joint(joint: &Joint, out: &mut Faults) {
+    let Some(law) = &joint.yielding else { return };
+    let words = Words {
+        path: format!("joint.{}", joint.name),
+        elastic: "stiffness",
+        limit: ["yield_moment", "a yield moment"],
+        failure: ["failure_rotation", "a rotation"],
+        flow: "plastic rotations",
+        modulus: "a plastic stiffness",
+        units: ["N*m", "N*m", "rad"],
+    };
+    let JointKind::ElasticHinge { stiffness, .. } = joint.kind else {
+        let found = "a yield moment of a joint without a spring";
+        out.add(words.at("yield_moment"), found, "an elastic hinge");
         return;
     };
-    if !(first.stress > 0.0 && first.stress.is_finite()) {
-        out.add(path("yield"), format!("{} Pa", first.stress), "a yield stress above zero");
-    } else if m.young > 0.0 && first.stress >= m.young {
-        let found = format!("{} Pa, beyond Young's modulus, {} Pa", first.stress, m.young);
-        out.add(path("yield"), found, "a yield stress far below Young's modulus");
+    words.check_connector(stiffness, law, out);
+}
+
+impl Words {
+    fn at(&self, field: &str) -> String {
+        format!("{}.{field}", self.path)
     }
-    out.not_negative(path("hardening.kinematic"), law.kinematic, "a plastic modulus", "Pa");
-    for part in &law.curve {
-        if !part.modulus.is_finite() {
-            out.add(path("hardening"), format!("{} Pa", part.modulus), "finite plastic moduli");
-        } else if part.modulus < 0.0 {
-            let found = format!("{} Pa: it softens", part.modulus);
-            let expected = "a plastic modulus of zero or above: what softens does so over a length \
-                            that no mesh knows";
-            out.add(path("hardening"), found, expected);
-            break;
+
+    /// A connector is elastic before it yields.
+    fn check_connector(&self, stiffness: f64, law: &Plasticity, out: &mut Faults) {
+        if stiffness == 0.0 {
+            let found = format!("no stiffness, but {}", self.limit[1]);
+            let expected = "a stiffness above zero: it is elastic until it yields";
+            out.add(self.at(self.elastic), found, expected);
+            return;
+        }
+        self.check(stiffness, law, out);
+    }
+
+    fn check(&self, elastic: f64, law: &Plasticity, out: &mut Faults) {
+        let [limit_unit, modulus_unit, flow_unit] = self.units;
+        let Some(first) = law.curve.first() else {
+            out.add(self.at("hardening"), "an empty curve", self.limit[1]);
+            return;
+        };
+        out.positive(self.at(self.limit[0]), first.stress, self.limit[1], limit_unit);
+        let path = self.at("hardening.kinematic");
+        out.not_negative(path, law.kinematic, self.modulus, modulus_unit);
+        for part in &law.curve {
+            if !part.modulus.is_finite() {
+                let found = quantity(part.modulus, modulus_unit);
+                out.add(self.at("hardening"), found, &format!("{}, finite", self.modulus));
+            } else if part.modulus < 0.0 {
+                let found = format!("{}: it softens", quantity(part.modulus, modulus_unit));
+                let expected = format!("{} of zero or above: {}", self.modulus, self.softening());
+                out.add(self.at("hardening"), found, &expected);
+                break;
+            }
+        }
+        let rises = |w: &[Hardening]| w[1].from > w[0].from;
+        if !law.curve.windows(2).all(rises) {
+            let list: Vec<String> = law.curve.iter().map(|p| p.from.to_string()).collect();
+            let found = format!("{} {}", self.flow, list.join(", "));
+            let expected = format!("{} that increase, from zero on", self.flow);
+            out.add(self.at("hardening.table"), found, &expected);
+        }
+        self.check_rate(law, out);
+        if let Some(limit) = law.failure_strain {
+            let yields = first.stress / elastic;
+            if elastic > 0.0 && (!limit.is_finite() || limit <= yields) {
+                let yields = if flow_unit.is_empty() {
+                    format!("{yields:.6}")
+                } else {
+                    format!("{yields:.6} {flow_unit}")
+                };
+                let found = format!("{}, and it yields at {yields}", quantity(limit, flow_unit));
+                let expected = format!("{} beyond that at which it yields", self.failure[1]);
+                out.add(self.at(self.failure[0]), found, &expected);
+            }
         }
     }
-    if law
-        .curve
-        .windows(2)
-        .any(|w| w[1].from.partial_cmp(&w[0].from) != Some(std::cmp::Ordering::Greater))
-    {
-        let list: Vec<String> = law.curve.iter().map(|p| p.from.to_string()).collect();
-        let found = format!("plastic strains {}", list.join(", "));
-        out.add(path("hardening.table"), found, "plastic strains that increase, from zero on");
+
+    fn softening(&self) -> &'static str {
+        match self.path.starts_with("material.") {
+            true => "what softens does so over a length that no mesh knows",
+            false => "softening is not followed",
+        }
     }
-    if let Some(rate) = law.overstress {
+
+    fn check_rate(&self, law: &Plasticity, out: &mut Faults) {
+        let Some(rate) = law.overstress else { return };
         let positive = |x: f64| x > 0.0 && x.is_finite();
         if !positive(rate.rate) {
-            out.add(path("rate.C"), format!("{} 1/s", rate.rate), "a rate above zero");
+            out.add(self.at("rate.C"), format!("{} 1/s", rate.rate), "a rate above zero");
         }
         if !(rate.exponent >= 1.0 && rate.exponent.is_finite()) {
-            out.add(path("rate.q"), rate.exponent.to_string(), "an exponent of one or above");
-        }
-    }
-    if let Some(limit) = law.failure_strain {
-        let yields = first.stress / m.young;
-        if !limit.is_finite() || limit <= yields {
-            let found = format!("{limit}, and it yields at {yields:.6}");
-            out.add(path("failure_strain"), found, "a strain beyond that at which it yields");
+            out.add(self.at("rate.q"), rate.exponent.to_string(), "an exponent of one or above");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Supports, joints, springs, point masses, and the motion a structure starts in.
 
 use super::super::time_function::TimeFunction;
-use super::PointRef;
+use super::{Plasticity, PointRef};
 
 /// A component of the motion of a beam's point that a support can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,6 +117,15 @@ pub struct Joint {
     pub kind: JointKind,
     /// The two points joined, shape (2).
     pub between: [PointRef; 2],
+    /// How an elastic hinge yields, if it does: moments \[N m\] and rotations \[rad\] in place of stresses and strains.
+    pub yielding: Option<Plasticity>,
+}
+
+impl Joint {
+    /// A joint that does not yield.
+    pub fn new(name: impl Into<String>, kind: JointKind, between: [PointRef; 2]) -> Self {
+        Self { name: name.into(), kind, between, yielding: None }
+    }
 }
 
 /// An end of a spring.
@@ -141,6 +150,8 @@ pub struct Spring {
     pub damping: f64,
     /// Length without force \[m\]; that of the reference configuration if none is given.
     pub length: Option<f64>,
+    /// How it yields, if it does: forces \[N\] and extensions \[m\] in place of stresses and strains.
+    pub yielding: Option<Plasticity>,
 }
 
 /// A mass at a point of a beam.

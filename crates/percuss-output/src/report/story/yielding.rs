@@ -1,0 +1,66 @@
+//! What yielded.
+
+use serde_json::Value;
+
+use super::quantity;
+
+/// The beam that yielded most, in terms of plastic strain.
+pub(super) fn beams(summary: &Value) -> Option<String> {
+    let strain = |beam: &Value| beam["strain_max"].as_f64().map_or(0.0, f64::abs);
+    let all = summary["plastic"].as_object()?;
+    let (name, most) = all.iter().max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
+    let Some(time) = most["first_yield"]["time"].as_f64() else {
+        return Some(format!("{name} did not yield."));
+    };
+    let metres = |value: &Value| quantity(value.as_f64(), "m");
+    let mut out = format!(
+        "{name} yielded first at {}, {} from its start, and reached a plastic strain of {}.",
+        quantity(Some(time), "s"),
+        metres(&most["first_yield"]["s"]),
+        quantity(most["strain_max"].as_f64(), "").trim_end()
+    );
+    let others = all.values().filter(|beam| strain(beam) > 0.0).count() - 1;
+    if others > 0 {
+        let beams = if others == 1 { "beam" } else { "beams" };
+        out.push_str(&format!(" So did {others} other {beams}, by less."));
+    }
+    if most["permanent_set"].is_number() {
+        out.push_str(&format!(" Unloaded it keeps a set of {}.", metres(&most["permanent_set"])));
+    }
+    Some(out)
+}
+
+/// The spring or hinge that dissipated most.
+pub(super) fn connectors(summary: &Value) -> Option<String> {
+    let lost = |one: &Value| one["dissipated"].as_f64().unwrap_or(0.0);
+    let first = |one: &Value| one["first_yield"]["time"].as_f64();
+    let all = summary["yielding"].as_object().filter(|all| !all.is_empty())?;
+    let (name, most) = all.iter().max_by(|a, b| lost(a.1).total_cmp(&lost(b.1)))?;
+    let Some(began) = first(most) else {
+        return Some(match all.len() {
+            1 => format!("{name} did not yield."),
+            n => format!("None of {n} springs and joints that can yield did."),
+        });
+    };
+    let [what, unit] = if most.get("plastic_rotation").is_some() {
+        ["rotation", "rad"]
+    } else {
+        ["extension", "m"]
+    };
+    let time = |t: f64| quantity(Some(t), "s");
+    let yielded = all.values().filter(|one| first(one).is_some()).count();
+    let mut out = match all.len() {
+        1 => String::new(),
+        n => format!("{yielded} of {n} springs and joints that can yield did. "),
+    };
+    out.push_str(&format!("{name} yielded first at {}", time(began)));
+    match most["failure"]["time"].as_f64() {
+        Some(failed) => out.push_str(&format!(" and failed at {}", time(failed))),
+        None => {
+            let plastic = most[format!("plastic_{what}").as_str()].as_f64();
+            out.push_str(&format!(", keeps a plastic {what} of {}", quantity(plastic, unit)));
+        }
+    }
+    out.push_str(&format!(", and dissipated {}.", quantity(Some(lost(most)), "J")));
+    Some(out)
+}

@@ -1,0 +1,95 @@
+//! Springs and hinges that can yield: what is noted while a run steps, and what it came to.
+
+use serde::{Deserialize, Serialize};
+
+use super::record::Channel;
+use crate::model::Model;
+use crate::model::frozen::{Connector, YieldingLaw};
+use crate::state::State;
+use crate::summary::{Peak, YieldingSummary};
+
+/// What is noted of a connector that can yield.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ConnectorRecord {
+    plastic: Peak,
+    /// Its own coordinate, from the one without force.
+    extension: Peak,
+    first_yield: Option<f64>,
+    failed: Option<f64>,
+}
+
+/// Takes the state at the end of a step into the records, one a connector that can yield.
+pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
+    for ((i, c, own), record) in model.yielding().zip(records) {
+        let memory = &state.memories[own.memory];
+        // Once it is gone its ends move on without it.
+        if record.failed.is_some() {
+            continue;
+        }
+        take(&mut record.extension, state.coordinates[i] - c.law.free(), state.time);
+        if memory.accumulated > 0.0 {
+            take(&mut record.plastic, memory.plastic, state.time);
+            record.first_yield.get_or_insert(state.time);
+        }
+        record.failed = memory.failed.then_some(state.time);
+    }
+}
+
+fn take(peak: &mut Peak, value: f64, time: f64) {
+    if value.abs() > peak.value.abs() || peak.value.is_nan() {
+        *peak = Peak { value, time };
+    }
+}
+
+/// What a run came to, one entry a connector that can yield.
+pub fn summaries(
+    model: &Model,
+    state: &State,
+    records: &[ConnectorRecord],
+) -> Vec<YieldingSummary> {
+    let summary = |((_, c, own), record): ((usize, &Connector, &YieldingLaw), &ConnectorRecord)| {
+        let memory = &state.memories[own.memory];
+        let none = Peak { value: 0.0, time: f64::NAN };
+        YieldingSummary {
+            name: own.name.clone(),
+            turns: c.turns(),
+            plastic: memory.plastic,
+            plastic_max: record.first_yield.map_or(none, |_| record.plastic),
+            accumulated: memory.accumulated,
+            extension_max: record.extension,
+            first_yield: record.first_yield,
+            dissipated: memory.dissipated,
+            hardening: own.law.hardening_energy(memory),
+            failed: record.failed,
+        }
+    };
+    model.yielding().zip(records).map(summary).collect()
+}
+
+/// Columns of the history of those that can yield, in the order of [`values`].
+pub fn channels(model: &Model) -> Vec<Channel> {
+    let each = model.yielding().flat_map(|(_, c, own)| {
+        let name = &own.name;
+        let [(what, unit), (force, of)] = if c.turns() {
+            [("rotation", "rad"), ("moment", "N*m")]
+        } else {
+            [("extension", "m"), ("force", "N")]
+        };
+        let plastic = format!("Plastic {what}: what would stay of it without {force}");
+        [
+            (format!("{name}.{what}"), unit, format!("Its {what} from where it has no {force}")),
+            (format!("{name}.plastic_{what}"), unit, plastic),
+            (format!("{name}.{force}"), of, format!("Its {force}, that of its damper left out")),
+        ]
+    });
+    each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
+}
+
+/// Adds their values to a row.
+pub fn values(model: &Model, state: &State, row: &mut Vec<f64>) {
+    for (i, c, own) in model.yielding() {
+        let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
+        let force = c.reached_force(q, &state.memories);
+        row.extend([q - c.law.free(), memory.plastic, force]);
+    }
+}
