@@ -3,6 +3,7 @@
 mod guide;
 
 use super::band::{Band, LaneBlock};
+use super::impact::Press;
 use super::numbers::{Numbers, PrescribedNumbers};
 use crate::element::beam::ElementValues;
 use crate::element::elastic::ElasticStep;
@@ -52,6 +53,8 @@ pub struct Engine<S: Number> {
     pub factors: Band<S>,
     /// The rigid projectile that strikes in the step at hand, if one does; runs side by side have none.
     pub striking: Option<usize>,
+    /// The rigid contact of runs side by side, if they have one.
+    pub press: Option<Press<S>>,
 }
 
 impl<S: Number> Engine<S> {
@@ -91,6 +94,7 @@ impl<S: Number> Engine<S> {
             tangent: Band::zeros(nodes, zero),
             factors: Band::zeros(nodes, zero),
             striking: None,
+            press: None,
             numbers,
         }
     }

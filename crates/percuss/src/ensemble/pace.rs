@@ -140,6 +140,11 @@ impl Pace {
         pace
     }
 
+    /// Size of the structure \[m\].
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
     /// Length of an impact interval \[s\].
     pub fn interval(&self) -> f64 {
         IMPACT_INTERVAL * self.step

@@ -7,7 +7,7 @@
 mod accumulated;
 mod channels;
 mod checkpoint;
-mod contact_log;
+pub(crate) mod contact_log;
 pub(crate) mod contact_status;
 pub(crate) mod crest;
 mod first_step;
@@ -22,7 +22,7 @@ mod passage;
 mod preview;
 pub(crate) mod record;
 mod rows;
-pub(crate) mod sequence;
+mod sequence;
 mod simulation;
 mod solve;
 mod start;

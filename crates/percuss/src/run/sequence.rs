@@ -17,7 +17,7 @@ const IMPACTS_EACH: usize = 64;
 /// Impacts in a sequence: together they take no longer than a thousandth of a step.
 const MOST_IMPACTS: usize = 1000;
 /// What changes the velocity of a contact by less than this share of its own impulse's is no part of its blow.
-pub(crate) const COUPLED: f64 = 0.01;
+const COUPLED: f64 = 0.01;
 
 /// A sequence of impacts under way.
 #[derive(Clone, Debug)]
