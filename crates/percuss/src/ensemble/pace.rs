@@ -40,8 +40,6 @@ pub enum Role {
 /// A rigid contact of a lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Touching {
-    /// Index of its projectile.
-    pub guide: usize,
     restitution: f64,
     pub closed: bool,
     /// Fastest approach so far \[m/s\].
@@ -104,11 +102,10 @@ pub struct Pace {
 }
 
 impl Pace {
-    /// At the start of a run with rigid contacts of these projectiles and coefficients of restitution.
-    pub fn new(settings: &Settings, size: f64, rigid: &[(usize, f64)]) -> Self {
-        let contact = |&(guide, restitution): &(usize, f64)| Touching {
-            guide,
-            restitution,
+    /// At the start of a run with rigid contacts of these coefficients of restitution.
+    pub fn new(settings: &Settings, size: f64, rigid: &[f64]) -> Self {
+        let contact = |restitution: &f64| Touching {
+            restitution: *restitution,
             closed: false,
             approach_max: 0.0,
             role: Role::Open,
@@ -185,12 +182,6 @@ impl Pace {
             };
         }
         self.begin_part(strikes);
-    }
-
-    /// The same where no contact is near.
-    #[inline(always)]
-    pub fn begin_free(&mut self) {
-        self.begin_part(false);
     }
 
     #[inline(always)]
@@ -317,14 +308,6 @@ impl Pace {
         if strikes {
             self.row();
         }
-        self.end_step();
-    }
-
-    /// The same of a whole part with no contact near.
-    #[inline(always)]
-    pub fn accept_free(&mut self) {
-        self.time += self.h;
-        self.offset += self.h;
         self.end_step();
     }
 

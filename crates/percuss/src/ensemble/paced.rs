@@ -132,7 +132,7 @@ impl<S: Number> Paced<S> {
         let guide = &run.numbers.guides[self.guide];
         let mut new = Lane {
             run: self.next,
-            pace: Pace::new(settings, size, &[(self.guide, guide.stiffness)]),
+            pace: Pace::new(settings, size, &[guide.stiffness]),
             rigid: RigidLog::new(),
             creep: CREEP * run.model.gravity() * settings.step,
             last: (settings.step, 0.0),

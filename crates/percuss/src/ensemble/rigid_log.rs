@@ -45,11 +45,6 @@ impl RigidLog {
         Self { penetration: Peak { value: 0.0, time: f64::NAN }, ..Self::default() }
     }
 
-    /// Whether it rests, as far as is noted.
-    pub fn rests(&self) -> bool {
-        self.open.is_some()
-    }
-
     /// Takes in the gap at an instant.
     pub fn see(&mut self, gap: f64, time: f64) {
         if -gap > self.penetration.value {
