@@ -26,6 +26,8 @@ from ._errors import (
     ScenarioError,
     StudyError,
 )
+from ._function import Function, function
+from ._function import openturns_function as openturns
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
@@ -42,6 +44,7 @@ __all__ = [
     "Equilibrium",
     "Fault",
     "FileError",
+    "Function",
     "InputError",
     "MissingError",
     "MissingRunError",
@@ -58,9 +61,11 @@ __all__ = [
     "Sweep",
     "__version__",
     "converge",
+    "function",
     "load",
     "modes",
     "open",
+    "openturns",
     "run",
     "sensitivity",
     "static",

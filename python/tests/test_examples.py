@@ -28,6 +28,7 @@ def test_a_notebook_is_kept_with_its_outputs(path):
     outputs = [output for cell in cells for output in cell.outputs]
     assert all(cell.execution_count for cell in cells)
     assert not [output for output in outputs if output.output_type == "error" or output.get("name") == "stderr"]
-    assert sum("image/png" in output.get("data", {}) for output in outputs) >= 2
+    if any("plt." in cell.source or ".plot" in cell.source for cell in cells):
+        assert sum("image/png" in output.get("data", {}) for output in outputs) >= 2
     text = path.read_text()
     assert len(text) < 3e6 and not re.search(r"/(home|work|root|tmp|Users)/", text)

@@ -13,6 +13,7 @@ use self::closing::{
     BEGIN, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, MODES, SENSITIVITY, STATIC, SWEEP, VERIFY,
 };
 use crate::commands::explain;
+use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
 
@@ -74,9 +75,17 @@ pub enum Command {
     /// Run the verification cases and print what was measured and expected
     #[command(after_help = VERIFY)]
     Verify(Verify),
+    /// Serve a study as a model that programs for uncertainty and optimisation evaluate over HTTP (UM-Bridge)
+    #[command(after_help = SERVE)]
+    Serve(Serve),
+    /// Evaluate a study at one point, from a file of parameters to a file of results (Dakota, JSON)
+    #[command(after_help = EVAL)]
+    Eval(Eval),
     /// Print a script that completes this command in a shell
     #[command(after_help = COMPLETIONS)]
     Completions(Completions),
+    /// Write manual pages, percuss.1 and one for each command
+    Man(Man),
 }
 
 /// Arguments of `check`.
@@ -337,13 +346,6 @@ pub struct Verify {
     /// Write the verification manual into this folder: an index, a page and a figure a case
     #[arg(long, value_name = "DIR")]
     pub book: Option<PathBuf>,
-}
-
-/// Arguments of `completions`.
-#[derive(Args, Debug)]
-pub struct Completions {
-    /// The shell
-    pub shell: clap_complete::Shell,
 }
 
 fn templates() -> PossibleValuesParser {

@@ -1,52 +1,7 @@
 //! The `percuss` command: simulates impact on geometrically exact beams from scenario files.
 
-mod advisor;
-mod arguments;
-mod browser;
-mod commands;
-mod effective_mass;
-mod interrupt;
-mod number;
-mod outcome;
-mod picture_arguments;
-mod progress;
-mod run_arguments;
-mod scenario;
-mod terminal;
-
 use std::process::ExitCode;
 
-use clap::Parser;
-
-use arguments::{Arguments, Command};
-
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
-    if arguments.allow_outside {
-        scenario::allow_outside();
-    }
-    let done = interrupt::install().and_then(|()| match arguments.command {
-        Command::Run(arguments) => commands::run::run(&arguments),
-        Command::Extend(arguments) => commands::run::extend(&arguments),
-        Command::Check(arguments) => commands::check::run(&arguments),
-        Command::Static(arguments) => commands::statics::run(&arguments),
-        Command::Modes(arguments) => commands::modes::run(&arguments),
-        Command::New(arguments) => commands::new::run(&arguments),
-        Command::Sweep(arguments) => commands::sweep::run(&arguments),
-        Command::Sensitivity(arguments) => commands::sensitivity::run(&arguments),
-        Command::Converge(arguments) => commands::converge::run(&arguments),
-        Command::Explain(arguments) => commands::explain::run(&arguments),
-        Command::Schema(arguments) => commands::schema::run(&arguments),
-        Command::Export(arguments) => commands::export::run(&arguments),
-        Command::Report(arguments) => commands::report::run(&arguments),
-        Command::Animate(arguments) => commands::animate::run(&arguments),
-        Command::Plot(arguments) => commands::plot::run(&arguments),
-        Command::Verify(arguments) => commands::verify::run(&arguments),
-        Command::Completions(arguments) => commands::completions::run(&arguments),
-    });
-    let status = done.unwrap_or_else(|failure| {
-        failure.tell();
-        failure.status()
-    });
-    status.into()
+    percuss_cli::command(std::env::args_os()).into()
 }

@@ -67,5 +67,13 @@ catalogue! {
         NotOfStudies = "E317", "something that studies do not take",
             "A study names its base scenario by path, so it is read from a file and not from standard input, and its values are given in \
              it, not by `--set`.";
+        /// Words vary, and a function is one of numbers.
+        NoFunction = "E318", "a study that is no function of numbers",
+            "`percuss serve`, `percuss eval` and functions in Python take the study as a function of numbers, and in this one words or \
+             lists vary as well. Give it a study in which only numbers do: one for each word.";
+        /// A point at which a function has no value, or something that is no point.
+        NoValue = "E319", "a point without a value",
+            "A study as a function wants a number for each of its parameters, in SI units, and has a value where the run completes and has \
+             the results asked for: a blow that misses has no peak force. The message says which it is.";
     }
 }

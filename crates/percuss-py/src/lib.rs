@@ -2,10 +2,12 @@
 //! `python/percuss`, whose `_percuss.pyi` tells the types.
 
 mod analyses;
+mod command;
 mod directory;
 mod edit;
 mod error;
 mod fields;
+mod function;
 mod given;
 mod open;
 mod ready;
@@ -21,9 +23,13 @@ mod _percuss {
     #[pymodule_export]
     use super::analyses::{modes, statics};
     #[pymodule_export]
+    use super::command::command;
+    #[pymodule_export]
     use super::edit::{remove, set};
     #[pymodule_export]
     use super::fields::{export, scene_page, story};
+    #[pymodule_export]
+    use super::function::{function_jacobian, function_layout, function_values};
     #[pymodule_export]
     use super::open::open;
     #[pymodule_export]

@@ -46,6 +46,11 @@ impl Study {
         format!("<percuss.Study {}: {} runs>", self.inner.title(), self.inner.run_count())
     }
 
+    /// The study as a function: `f(x)` for numbers of its parameters in SI units.
+    fn function<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("percuss._function")?.getattr("Function")?.call1((slf,))
+    }
+
     #[getter]
     fn text(&self) -> String {
         self.inner.to_toml()
@@ -216,6 +221,11 @@ impl Study {
 }
 
 impl Study {
+    /// The study of the core.
+    pub(crate) fn inner(&self) -> &percuss_study::Study {
+        &self.inner
+    }
+
     fn known(&self, index: u64) -> PyResult<u64> {
         let count = self.inner.shard_count();
         let fault = || PyIndexError::new_err(format!("shard {index} of {count}"));

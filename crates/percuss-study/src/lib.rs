@@ -66,6 +66,7 @@ mod design;
 mod distribution;
 mod error;
 mod folder;
+mod function;
 mod indices;
 mod merge;
 mod parameter;
@@ -87,6 +88,7 @@ pub use converge::{
 pub use distribution::{Distribution, Gauss};
 pub use error::Error;
 pub use folder::{Folder, KEPT, REPORT, RESULTS};
+pub use function::{Function, Jacobian};
 pub use indices::{INDICES, indices, indices_parquet};
 pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};

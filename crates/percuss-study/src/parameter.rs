@@ -74,6 +74,20 @@ impl Variation {
         }
     }
 
+    /// Smallest and largest value, if numbers vary between such.
+    pub fn bounds(&self) -> Option<(f64, f64)> {
+        let ends = match self {
+            Self::Words(_) => return None,
+            Self::Numbers(values) => {
+                let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+                (low, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
+            }
+            Self::Range { from, to, .. } => (from.min(*to), from.max(*to)),
+            Self::Random(distribution) => (distribution.quantile(0.0), distribution.quantile(1.0)),
+        };
+        (ends.0.is_finite() && ends.1.is_finite()).then_some(ends)
+    }
+
     /// The value below which the share `u` of all values lies, `u` from 0 to 1.
     pub fn at(&self, u: f64) -> Input<'_> {
         let entry = |n: usize| ((u * n as f64) as usize).min(n.saturating_sub(1));

@@ -30,7 +30,10 @@ impl<'s> Preparer<'s> {
     }
 
     /// The scenario of a run.
-    fn scenario(&mut self, inputs: &[Input<'s>]) -> Result<&Scenario, String> {
+    ///
+    /// # Errors
+    /// Why there is none, in one line.
+    pub fn scenario(&mut self, inputs: &[Input<'s>]) -> Result<&Scenario, String> {
         let word = |input: &Input<'s>| match input {
             Input::Word(word) => Some(*word),
             Input::Number(_) => None,

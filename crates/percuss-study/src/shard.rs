@@ -15,7 +15,7 @@ use crate::prepare::Preparer;
 use crate::study::Study;
 
 /// Runs given to the solver together.
-const GROUP_RUNS: usize = 64;
+pub(crate) const GROUP_RUNS: usize = 64;
 
 /// Rows of some consecutive runs of a study.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,9 +27,9 @@ pub struct Shard {
 }
 
 /// A run before it has its row.
-type Ready = Result<Compiled, String>;
+pub(crate) type Ready = Result<Compiled, String>;
 /// What became of a run: its summary, or why there is none and whether the scenario is to blame.
-type Outcome = Result<RunSummary, String>;
+pub(crate) type Outcome = Result<RunSummary, String>;
 
 impl Study {
     /// Does the runs of a shard, one after the other; the same bits wherever and whenever it is called.
@@ -42,9 +42,7 @@ impl Study {
         let mut shard = Shard::empty(self, index);
         let mut preparer = Preparer::new(self);
         let paths: Vec<SummaryPath> = self.results.iter().map(|r| r.path.clone()).collect();
-        // What the solver counts of itself is that of a run alone, whatever stands beside it.
-        let single = |path: &SummaryPath| path.is_of_forces() || path.is_of_effort();
-        let detail = if paths.iter().any(single) { Detail::Full } else { Detail::Motion };
+        let detail = detail_for(&paths);
         let runs: Vec<u64> = self.runs_of(index).collect();
         for group in runs.chunks(GROUP_RUNS) {
             if !goes_on() {
@@ -61,8 +59,15 @@ impl Study {
     }
 }
 
+/// How much of a run results at these paths need.
+pub(crate) fn detail_for(paths: &[SummaryPath]) -> Detail {
+    // What the solver counts of itself is that of a run alone, whatever stands beside it.
+    let single = |path: &SummaryPath| path.is_of_forces() || path.is_of_effort();
+    if paths.iter().any(single) { Detail::Full } else { Detail::Motion }
+}
+
 /// Simulates those that are ready; the others keep their reasons.
-fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
+pub(crate) fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
     let sound: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
     let solve = |given: &Given<'_>| simulate_batch(given, detail);
     let mut done = batch(&sound, &solve).into_iter();

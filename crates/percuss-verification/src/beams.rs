@@ -2,11 +2,11 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::*;
 
 /// B: natural frequencies of the paper's beam, six Hermite elements with rotary inertia.
-pub fn frequencies() -> Vec<Check> {
+pub fn frequencies() -> Report {
     let mut c = Checks::new();
     let clamp = || SupportKind::Clamp;
     let pin = || SupportKind::Pin;
@@ -32,11 +32,11 @@ pub fn frequencies() -> Vec<Check> {
             );
         }
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// C2: a beam thrown by a force and a torque at its end (Simo and Vu-Quoc 1986): invariants of its free flight.
-pub fn flying_beam() -> Vec<Check> {
+pub fn flying_beam() -> Report {
     let mut c = Checks::new();
     for (name, strain, angular, ends) in [
         ("Green", StrainMeasure::Green, -229.983, [[5.045580, 4.474242], [3.570129, 6.093238]]),
@@ -80,7 +80,7 @@ pub fn flying_beam() -> Vec<Check> {
             }
         }
     }
-    c.into_vec()
+    c.into_report()
 }
 
 fn thrown(strain: StrainMeasure) -> Single {

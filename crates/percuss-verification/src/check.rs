@@ -48,9 +48,67 @@ impl Check {
     }
 }
 
+/// What a case comes to: its checks, and what the manual shows beside them.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Its comparisons.
+    pub checks: Vec<Check>,
+    /// Curves with what they are compared with.
+    pub figures: Vec<Figure>,
+    /// Scenario files that it ran, as (name, text).
+    pub files: Vec<(&'static str, String)>,
+}
+
+/// A figure of the manual.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// What it shows.
+    pub title: String,
+    /// The axes, with their units.
+    pub axes: [&'static str; 2],
+    /// Whether both axes are logarithmic, as for errors over sizes.
+    pub logarithmic: bool,
+    /// What is drawn.
+    pub curves: Vec<Curve>,
+}
+
+/// A curve of a figure.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// What it is.
+    pub name: String,
+    /// Its points, shape (n, 2), in the units of the axes.
+    pub points: Vec<[f64; 2]>,
+    /// Whether it is what Percuss is compared with.
+    pub reference: bool,
+}
+
+impl Curve {
+    /// A curve that Percuss computed.
+    pub fn computed(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), points, reference: false }
+    }
+
+    /// One that it is compared with.
+    pub fn reference(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), points, reference: true }
+    }
+}
+
+/// Slope of a straight line through the logarithms of (size, error), least squares; NaN with fewer than two errors above zero.
+pub fn observed_order(points: &[[f64; 2]]) -> f64 {
+    let logs: Vec<[f64; 2]> =
+        points.iter().filter(|p| p[0] > 0.0 && p[1] > 0.0).map(|p| p.map(f64::ln)).collect();
+    let n = logs.len() as f64;
+    let mean = |k: usize| logs.iter().map(|p| p[k]).sum::<f64>() / n;
+    let (x, y) = (mean(0), mean(1));
+    let sum = |f: &dyn Fn(&[f64; 2]) -> f64| logs.iter().map(f).sum::<f64>();
+    sum(&|p| (p[0] - x) * (p[1] - y)) / sum(&|p| (p[0] - x).powi(2))
+}
+
 /// Collects the checks of a case.
 #[derive(Clone, Debug, Default)]
-pub struct Checks(Vec<Check>);
+pub struct Checks(Report);
 
 impl Checks {
     /// No checks yet.
@@ -59,7 +117,7 @@ impl Checks {
     }
 
     fn push(&mut self, quantity: impl Into<String>, measured: f64, expected: f64, t: Tolerance) {
-        self.0.push(Check { quantity: quantity.into(), expected, measured, tolerance: t });
+        self.0.checks.push(Check { quantity: quantity.into(), expected, measured, tolerance: t });
     }
 
     /// `measured` equals `expected` within a relative tolerance.
@@ -82,8 +140,38 @@ impl Checks {
         self.push(what, measured, limit, Tolerance::AtLeast);
     }
 
-    /// The checks collected.
-    pub fn into_vec(self) -> Vec<Check> {
+    /// A figure for the manual.
+    pub fn figure(
+        &mut self,
+        title: impl Into<String>,
+        axes: [&'static str; 2],
+        curves: impl Into<Vec<Curve>>,
+    ) {
+        let (title, curves) = (title.into(), curves.into());
+        self.0.figures.push(Figure { title, axes, logarithmic: false, curves });
+    }
+
+    /// Errors over sizes of elements, steps or fibres, shape (n, 2), on logarithmic axes; returns the order observed, which the
+    /// figure tells.
+    pub fn convergence(
+        &mut self,
+        title: impl Into<String>,
+        axes: [&'static str; 2],
+        points: Vec<[f64; 2]>,
+    ) -> f64 {
+        let order = observed_order(&points);
+        let curves = vec![Curve::computed(format!("order {order:.2}"), points)];
+        self.0.figures.push(Figure { title: title.into(), axes, logarithmic: true, curves });
+        order
+    }
+
+    /// A scenario file that is run, for the manual to show with a sketch.
+    pub fn file(&mut self, name: &'static str, text: impl Into<String>) {
+        self.0.files.push((name, text.into()));
+    }
+
+    /// What was collected.
+    pub fn into_report(self) -> Report {
         self.0
     }
 }

@@ -2,7 +2,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::*;
 
 macro_rules! paper_scenarios {
@@ -42,7 +42,7 @@ fn paper_run(text: &str) -> RunSummary {
 }
 
 /// Energy and momenta in every scenario of `scenarios/paper/`, contact opening and closing included.
-pub fn paper_balances() -> Vec<Check> {
+pub fn paper_balances() -> Report {
     let mut c = Checks::new();
     for (name, text) in PAPER {
         let summary = paper_run(text);
@@ -60,11 +60,11 @@ pub fn paper_balances() -> Vec<Check> {
         c.at_most(format!("{name}: linear momentum residual"), m.linear_residual_max, 1e-10);
         c.at_most(format!("{name}: angular momentum residual"), m.angular_residual_max, 1e-10);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// The paper's own forms err where they must: opening and closing steps, whole steps of contact.
-pub fn paper_forms() -> Vec<Check> {
+pub fn paper_forms() -> Report {
     let mut c = Checks::new();
     let text = |wanted: &str| PAPER.iter().find(|(name, _)| *name == wanted).map_or("", |p| p.1);
     let mut midpoint = paper_beam(6).clamped().struck(paper_elastic());
@@ -91,11 +91,11 @@ pub fn paper_forms() -> Vec<Check> {
     c.absolute("seen one step later: impacts", impacts(&late).len() as f64, 2.0, 0.0);
     let end = late.projectiles[0].velocity_final[1];
     c.relative("seen one step later: velocity after [m/s]", end, 16.07, 2e-4);
-    c.into_vec()
+    c.into_report()
 }
 
 /// Trap 4: of stored strains only the bending strain drifts from the configuration, as the square of the step.
-pub fn strain_history() -> Vec<Check> {
+pub fn strain_history() -> Report {
     let mut c = Checks::new();
     let model = paper_beam(6).struck(paper_elastic()).build();
     let drift = |step: f64| {
@@ -109,11 +109,11 @@ pub fn strain_history() -> Vec<Check> {
     c.at_most("membrane drift", coarse.membrane_drift_max, 1e-13);
     let invariant = run(&model, &Settings::new(0.15, 1e-4)).audit.curvature_drift_max;
     c.at_most("invariant scheme: curvature drift [1/m]", invariant, 0.0);
-    c.into_vec()
+    c.into_report()
 }
 
 /// Velocities flipped, the motion runs back to its start: smooth contact, and restitution 1.
-pub fn time_reversal() -> Vec<Check> {
+pub fn time_reversal() -> Report {
     let mut c = Checks::new();
     let elastic = paper_beam(6).struck(paper_elastic()).build();
     let rigid = paper_beam(6).young(0.2e12).struck(paper_rigid(1.0)).build();
@@ -147,11 +147,11 @@ pub fn time_reversal() -> Vec<Check> {
             (state.velocity[node][1].abs(), if name == "elastic" { 20.0 } else { 40.0 });
         c.relative(format!("{name}: speed of the projectile [m/s]"), speed, initial, tolerance);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// The whole scene turned and moved gives the same run.
-pub fn rigid_motion() -> Vec<Check> {
+pub fn rigid_motion() -> Report {
     let mut c = Checks::new();
     let (angle, shift) = (0.7_f64, [3.0, -5.0]);
     let turn = |v: [f64; 2]| {
@@ -180,11 +180,11 @@ pub fn rigid_motion() -> Vec<Check> {
         c.at_most(format!("{name}: linear momentum residual"), m.linear_residual_max, 1e-10);
         c.at_most(format!("{name}: angular momentum residual"), m.angular_residual_max, 1e-10);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// The struck point may lie inside an element: 0.5 of a 7-element beam against a node of an 8-element one.
-pub fn contact_point() -> Vec<Check> {
+pub fn contact_point() -> Report {
     let mut c = Checks::new();
     let settings = Settings::new(0.12, 1e-4);
     let result = |elements: usize, at: f64| {
@@ -203,11 +203,11 @@ pub fn contact_point() -> Vec<Check> {
     c.relative("just left of a node: peak force [N]", left.0, at.0, 1e-6);
     c.relative("just right of a node: peak force [N]", right.0, at.0, 1e-6);
     c.at_least("and yet not the same point", (left.0 - right.0).abs() / at.0, 1e-12);
-    c.into_vec()
+    c.into_report()
 }
 
 /// The same input gives the same bits.
-pub fn same_bits() -> Vec<Check> {
+pub fn same_bits() -> Report {
     let mut c = Checks::new();
     let model = paper_beam(6).young(0.2e12).clamped().struck(paper_rigid(0.5)).build();
     let record = || {
@@ -219,5 +219,5 @@ pub fn same_bits() -> Vec<Check> {
     let differing = a.iter().zip(&b).filter(|(x, y)| x.to_bits() != y.to_bits()).count();
     c.absolute("values that differ", (differing + a.len().abs_diff(b.len())) as f64, 0.0, 0.0);
     c.at_least("values compared", a.len() as f64, 1e4);
-    c.into_vec()
+    c.into_report()
 }

@@ -2,7 +2,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::run;
 
 /// Five equal balls that touch, the first ones on their way to the others.
@@ -31,7 +31,7 @@ fn cradle(flying: usize, restitution: f64) -> Model {
 
 /// Velocities at the end, by the number of balls that come; the blow passed on: as many leave, and with restitution e the last of a
 /// row of five leaves with ((1 + e) / 2)^4. All at once Newton's law shares it: (-3/5, 2/5, 2/5, 2/5, 2/5).
-pub fn cradle_of_five() -> Vec<Check> {
+pub fn cradle_of_five() -> Report {
     let mut c = Checks::new();
     let end = |flying: usize, restitution: f64, multiple_impacts: MultipleImpacts| {
         let settings = Settings { multiple_impacts, ..Settings::new(0.03, 1e-4) };
@@ -59,5 +59,5 @@ pub fn cradle_of_five() -> Vec<Check> {
         );
     }
     c.absolute("at once: shared blows", shared.shared_blows.count as f64, 1.0, 0.0);
-    c.into_vec()
+    c.into_report()
 }

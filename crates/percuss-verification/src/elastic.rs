@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::*;
 
 /// Limit h -> 0 of the clamped elastic example with 6 elements: an independent implementation of the same equations.
@@ -39,7 +39,7 @@ fn figures(model: &Model, end: f64, step: f64) -> Figures {
 }
 
 /// Figures at a step of 1e-4 s, and their second order towards the limit.
-pub fn clamped() -> Vec<Check> {
+pub fn clamped() -> Report {
     let model = paper_beam(6).clamped().struck(paper_elastic()).build();
     let mut c = Checks::new();
     let at = figures(&model, 0.15, 1e-4);
@@ -66,11 +66,11 @@ pub fn clamped() -> Vec<Check> {
         let order = (d[0] / d[1]).abs().log2();
         c.absolute(format!("order of convergence, {name}"), order, 2.0, 0.25);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// E3: the same on a converged mesh, both strain measures, and at low velocity.
-pub fn converged_mesh() -> Vec<Check> {
+pub fn converged_mesh() -> Report {
     let mut c = Checks::new();
     let green = paper_beam(384).clamped().struck(paper_elastic());
     let mut engineering = green.clone();
@@ -95,11 +95,11 @@ pub fn converged_mesh() -> Vec<Check> {
         );
         c.relative(format!("{name}: rebound velocity [m/s]"), f.rebound, rebound, tolerance);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// E8: mass and spring against a wall; two free masses.
-pub fn elementary() -> Vec<Check> {
+pub fn elementary() -> Report {
     let mut c = Checks::new();
     let (mass, k, v) = (500.0, 7.5e5, 20.0);
     let wall = paper_beam(1).held().struck(paper_elastic()).build();
@@ -114,11 +114,11 @@ pub fn elementary() -> Vec<Check> {
     c.relative("free: contact duration [s]", f.end - f.start, PI * (reduced / k).sqrt(), 1e-6);
     c.relative("free: peak force [N]", f.force, v * (reduced * k).sqrt(), 1e-6);
     c.relative("free: velocity of the mass [m/s]", f.rebound, -v * 400.0 / 1400.0, 1e-6);
-    c.into_vec()
+    c.into_report()
 }
 
 /// The unsupported example with large steps for 20 s: it runs, and energy and momenta stay.
-pub fn large_steps() -> Vec<Check> {
+pub fn large_steps() -> Report {
     let mut c = Checks::new();
     let model = paper_beam(6).struck(paper_elastic()).build();
     for step in [5e-3, 1e-2] {
@@ -129,5 +129,5 @@ pub fn large_steps() -> Vec<Check> {
         c.at_most(name("linear momentum residual"), summary.momentum.linear_residual_max, 1e-10);
         c.at_most(name("angular momentum residual"), summary.momentum.angular_residual_max, 1e-10);
     }
-    c.into_vec()
+    c.into_report()
 }

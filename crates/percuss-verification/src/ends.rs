@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::at;
 
 fn run(b: &ModelBuilder, end: f64, step: f64) -> RunSummary {
@@ -17,7 +17,7 @@ fn run(b: &ModelBuilder, end: f64, step: f64) -> RunSummary {
 /// A rigid body that meets a smooth floor elastically takes the impulse 2 v / (1/m + x^2/J), x the level distance of the corner from its
 /// middle. A disc of radius R that slides off a corner at v turns about it as a point on a circle does: it leaves where the cosine
 /// of the angle is c = (2 + v^2/(g R))/3, with the level velocity sqrt(g R) c^1.5.
-pub fn beam_ends() -> Vec<Check> {
+pub fn beam_ends() -> Report {
     let mut c = Checks::new();
     let (depth, speed) = (0.1, 0.05);
     let spring = |stiffness| TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
@@ -92,5 +92,5 @@ pub fn beam_ends() -> Vec<Check> {
         );
         c.at_most(format!("{name}: energy residual"), summary.energy.residual_max, 1e-10);
     }
-    c.into_vec()
+    c.into_report()
 }

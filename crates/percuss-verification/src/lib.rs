@@ -1,6 +1,6 @@
 //! Verification of Percuss: results against closed forms, published figures and references computed independently.
 //!
-//! A case is a function that returns its [`Check`]s; its documentation names the source of every expected number. The same
+//! A case is a function that returns its [`Report`]; its documentation names the source of every expected number. The same
 //! cases run in the test suite and behind `percuss verify`.
 
 mod beams;
@@ -13,8 +13,11 @@ mod ends;
 mod motion;
 mod plastic_bars;
 mod plastic_bending;
+mod published_motion;
+mod published_statics;
 mod rigid;
 mod rigid_plastic;
+mod scene;
 mod section_forces;
 mod stability;
 mod statics;
@@ -27,7 +30,7 @@ mod waves;
 mod yielding;
 
 pub use catalogue::CASES;
-pub use check::{Check, Tolerance};
+pub use check::{Check, Curve, Figure, Report, Tolerance, observed_order};
 
 /// A verification case.
 #[derive(Clone, Copy, Debug)]
@@ -39,5 +42,5 @@ pub struct Case {
     /// Where the expected numbers come from.
     pub source: &'static str,
     /// Runs it.
-    pub run: fn() -> Vec<Check>,
+    pub run: fn() -> Report,
 }

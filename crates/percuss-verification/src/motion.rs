@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::at;
 
 /// Angle of the root of the spin-up manoeuvre [rad].
@@ -17,7 +17,7 @@ fn root_angle(t: f64) -> f64 {
 }
 
 /// C1: spin-up of a beam (Simo and Vu-Quoc 1986; ANSYS VM258).
-pub fn spin_up() -> Vec<Check> {
+pub fn spin_up() -> Report {
     let mut c = Checks::new();
     // Steady stretch: tan(kL)/k - L with k^2 = rhoA w^2 / EA, and its counterpart in Green strains.
     for (name, strain, steady) in [
@@ -72,11 +72,11 @@ pub fn spin_up() -> Vec<Check> {
         c.relative(name("steady stretch [m]"), sum / count, steady, 1e-3);
         c.at_most(name("energy residual"), residual, 1e-10);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// C4: a pendulum of large swing (ANSYS VM91): a mass on a stiff, nearly massless bar; period by elliptic integral.
-pub fn pendulum() -> Vec<Check> {
+pub fn pendulum() -> Report {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("light", 3e12, 1e-9));
@@ -107,5 +107,5 @@ pub fn pendulum() -> Vec<Check> {
     }
     c.relative("period [s], published 3.28284", period, 3.282_844_15, 1e-6);
     c.at_most("energy residual", residual, 1e-10);
-    c.into_vec()
+    c.into_report()
 }

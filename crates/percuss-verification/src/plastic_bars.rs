@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_6, PI};
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::{at, or_nan};
 use crate::yielding::{balances, perfect, yields};
 
@@ -67,7 +67,7 @@ fn stress(run: &Pulled, young: f64, row: usize) -> f64 {
 ///
 /// At a strain e where it yields, `sigma = E (e - p) = sg (sy + H alpha) + Hk p`. What flows dissipates `sy` a strain; hardening stores
 /// `H alpha^2 / 2 + Hk p^2 / 2`. Steps follow the path of strain exactly, whatever their size.
-pub fn cycles() -> Vec<Check> {
+pub fn cycles() -> Report {
     let mut c = Checks::new();
     let (young, limit, largest) = (200e9, 250e6, 0.01);
     let laws = [
@@ -109,7 +109,7 @@ pub fn cycles() -> Vec<Check> {
             balances(&mut c, &format!("{name}, {steps} steps"), &run.summary);
         }
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Stress of a bar pulled at a rate after a time, by Runge and Kutta: `sigma' = E (rate - C (sigma/sy - 1)^q)` beyond sy.
@@ -128,7 +128,7 @@ fn overstressed(young: f64, limit: f64, law: Overstress, rate: f64, time: f64) -
 }
 
 /// A bar pulled at a steady rate, with viscous overstress: it tends to `sy (1 + (rate/C)^(1/q))`.
-pub fn rates() -> Vec<Check> {
+pub fn rates() -> Report {
     let mut c = Checks::new();
     let (young, limit) = (200e9, 250e6);
     // Constants in common use of mild steel and of aluminium 6061-T6.
@@ -157,13 +157,13 @@ pub fn rates() -> Vec<Check> {
         c.at_most(format!("{name}: deviation on the way, 400 steps"), fine, 1e-3);
         c.absolute(format!("{name}: order in the step"), (coarse / fine).log2(), 1.0, 0.05);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// A bar whose end is pulled at once at 20 m/s: a precursor at yield, and behind the plastic front a plateau.
 ///
 /// sigma = sy + rho cp (v - vy), vy = sy / (rho c), cp = sqrt(Et/rho) (Donnell 1930; von Karman, Taylor and Rakhmatulin).
-pub fn plastic_wave() -> Vec<Check> {
+pub fn plastic_wave() -> Report {
     const LENGTH: f64 = 0.5;
     let mut c = Checks::new();
     let (young, density, limit, speed) = (2.1e11_f64, 7800.0, 2.5e8, 20.0);
@@ -238,13 +238,13 @@ pub fn plastic_wave() -> Vec<Check> {
     }
     balances(&mut c, "100 elements", &coarse.summary);
     balances(&mut c, "200 elements", &fine.summary);
-    c.into_vec()
+    c.into_report()
 }
 
 /// Three bars in a fan (ANSYS VM11), loaded up to where all yield and unloaded; psi, in, lb.
 ///
 /// Strains a hundredth of the source's, whose solution is that of small displacements.
-pub fn fan() -> Vec<Check> {
+pub fn fan() -> Report {
     const SMALL: f64 = 0.01;
     let mut c = Checks::new();
     let (young, limit, length, area) = (30e6, 30_000.0 * SMALL, 100.0, 1.0_f64);
@@ -304,5 +304,5 @@ pub fn fan() -> Vec<Check> {
         -5650.0,
         1e-3,
     );
-    c.into_vec()
+    c.into_report()
 }

@@ -2,7 +2,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::{at, or_nan};
 use crate::yielding::{balances, perfect, yields};
 
@@ -32,7 +32,7 @@ fn rectangle(fibres: usize) -> Section {
 }
 
 /// Moment and curvature of a rectangle, `M/M0 = 1 - (ky/k)^2 / 3` beyond yield, `ky = 2 sy / (E h)`; the bent line is an arc.
-pub fn moment_and_curvature() -> Vec<Check> {
+pub fn moment_and_curvature() -> Report {
     let mut c = Checks::new();
     let most = LIMIT * WIDTH * DEPTH * DEPTH / 4.0;
     let first = 2.0 * LIMIT / (YOUNG * DEPTH);
@@ -68,14 +68,14 @@ pub fn moment_and_curvature() -> Vec<Check> {
         c.relative(format!("22 N m: {name}"), 1e3 * measured, 1e3 * exact, 2e-4);
         c.relative(format!("22 N m: {name}, published"), 1e3 * measured, published, 3e-4);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Fully plastic moments, found by halving: the largest moment that is borne.
 ///
 /// Sections of 16 fibres, whose plastic moment is exact; 0.1 % to 0.25 % below it the innermost ones are the last that are elastic, and bend
 /// a bar of eight elements further than these follow.
-pub fn plastic_moments() -> Vec<Check> {
+pub fn plastic_moments() -> Report {
     let mut c = Checks::new();
     let (d, i) = (5e-3_f64, 4e-3_f64);
     let shapes = [
@@ -95,7 +95,7 @@ pub fn plastic_moments() -> Vec<Check> {
         }
         c.absolute(format!("{name}: largest moment over sy Z"), low, 1.0, 3e-3);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Half a ring of aluminium that sheet explosive closes: its least diameter \[m\] and when \[s\], and its diameter at 1.35 ms \[m\].
@@ -150,7 +150,7 @@ fn ring(metal: Material, elements: usize) -> ([f64; 3], RunSummary) {
 ///
 /// Its results are published as curves, which tell a diameter to about 5 mm: 60 and 80 mm, from 1.3 to 1.4 ms on. The curve of what
 /// hardens is flat there.
-pub fn explosive_ring() -> Vec<Check> {
+pub fn explosive_ring() -> Report {
     let mut c = Checks::new();
     let (young, density, limit, tangent) = (72.4e9, 2672.0, 295.1e6, 542.6e6);
     let hardens = |modulus: f64| vec![Hardening { from: 0.0, stress: limit, modulus }];
@@ -172,5 +172,5 @@ pub fn explosive_ring() -> Vec<Check> {
     // Elements of 10, 5 and 2.5 degrees: changes fall to a third.
     let [a, b, d] = [18, 36, 72].map(|elements| 1e3 * ring(rate.clone(), elements).0[0]);
     c.at_most("rate: 36 to 72 elements over 18 to 36, change", (d - b).abs() / (b - a).abs(), 0.5);
-    c.into_vec()
+    c.into_report()
 }

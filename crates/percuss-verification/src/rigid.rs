@@ -2,7 +2,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::*;
 
 fn stiff(elements: usize) -> Single {
@@ -10,7 +10,7 @@ fn stiff(elements: usize) -> Single {
 }
 
 /// F1 and traps 2 and 3: the first impact is `(1 + e) mu |v|` with `mu = M m_eff / (M + m_eff)`.
-pub fn first_impact() -> Vec<Check> {
+pub fn first_impact() -> Report {
     let mut c = Checks::new();
     for (n, e, impulse, velocity, loss) in [
         (6, 1.0, 3814.98391, -1.850161, 0.0),
@@ -36,11 +36,11 @@ pub fn first_impact() -> Vec<Check> {
         let expected = 1.0 - loss / 80000.0;
         c.relative(name("energy kept"), kept, expected, 1e-7);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Limit h -> 0 on 6 elements: adaptive 8th-order Runge-Kutta with located events.
-pub fn sequence() -> Vec<Check> {
+pub fn sequence() -> Report {
     let limit = [(0.0005, 3814.98), (0.00511715, 1366.99), (0.00565332, 1841.04)];
     let mut c = Checks::new();
     let model = stiff(6).clamped().struck(paper_rigid(1.0)).build();
@@ -69,14 +69,14 @@ pub fn sequence() -> Vec<Check> {
     c.relative("free: impulse [N s]", impulse, 3811.549, 1e-6);
     let end = summary.projectiles[0].velocity_final[1];
     c.absolute("free: velocity after [m/s]", end, -1.884512, 1e-6);
-    c.into_vec()
+    c.into_report()
 }
 
 /// F2: the whole sequence in the linear range, scaled to the amplitude of the reference.
 ///
 /// At the reference's own amplitude (the example divided by 100) stretching still moves the third impulse by 4e-4
 /// of itself; the reference is linear, so the example is divided by 10^4.
-pub fn linear_sequence() -> Vec<Check> {
+pub fn linear_sequence() -> Report {
     const SCALE: f64 = 100.0; // amplitude of the reference over ours
     let sequence = |step: f64| {
         let mut shot = paper_rigid(1.0);
@@ -105,11 +105,11 @@ pub fn linear_sequence() -> Vec<Check> {
     c.relative("last velocity, step to zero [m/s]", limit(&velocity), 0.2479845032, 2e-6);
     let energy = fine.energy.final_ * SCALE * SCALE;
     c.relative("energy [J]", energy, 8.0, 1e-11);
-    c.into_vec()
+    c.into_report()
 }
 
 /// F3: a bouncing ball comes to rest in finite time.
-pub fn bouncing_ball() -> Vec<Check> {
+pub fn bouncing_ball() -> Report {
     let (g, h, e): (f64, f64, f64) = (9.81, 1.0, 0.8);
     let ball = Shot {
         at: 0.5,
@@ -144,11 +144,11 @@ pub fn bouncing_ball() -> Vec<Check> {
         ContactRecord::Smooth { .. } => f64::NAN,
     };
     c.relative("impulse at rest [N s]", resting, weight, 1e-4);
-    c.into_vec()
+    c.into_report()
 }
 
 /// F4: a rigid free rod struck off its middle, approached by a very stiff beam.
-pub fn rigid_rod() -> Vec<Check> {
+pub fn rigid_rod() -> Report {
     let mut c = Checks::new();
     for (at, impulse, velocity) in
         [(0.5, 7200.0, 32.0), (0.75, 6697.674419, 26.976744), (1.0, 5538.461538, 15.384615)]
@@ -167,11 +167,11 @@ pub fn rigid_rod() -> Vec<Check> {
         let end = summary.projectiles[0].velocity_final[1];
         c.relative(format!("struck at {at}: velocity after [m/s]"), end, velocity, 1e-6);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Trap 2: the struck point's effective mass on meshes of 2 to 768 elements.
-pub fn effective_mass() -> Vec<Check> {
+pub fn effective_mass() -> Report {
     let mut c = Checks::new();
     let of = |elements: usize, rotary: RotaryInertia| {
         let mut beam = stiff(elements).clamped().struck(paper_rigid(1.0));
@@ -196,5 +196,5 @@ pub fn effective_mass() -> Vec<Check> {
     let without = of(6, RotaryInertia::Neglected);
     c.relative("6 elements, no rotary inertia [kg]", without.on_mesh, 88.319542, 1e-6);
     c.absolute("limit, no rotary inertia [kg]", without.limit, 0.0, 1e-12);
-    c.into_vec()
+    c.into_report()
 }

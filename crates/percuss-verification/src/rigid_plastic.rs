@@ -7,7 +7,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::at;
 use crate::yielding::{balances, perfect};
 
@@ -89,7 +89,7 @@ impl std::fmt::Display for HeavyMass {
 /// A heavy mass on a beam whose ends cannot draw in: bending at first, then a string.
 ///
 /// Eight elements at 2e12 Pa miss it by 5 % at most, the limit by 1.7 %: what is left is of higher order in elements half as long.
-pub fn heavy_mass() -> Vec<Check> {
+pub fn heavy_mass() -> Report {
     let mut c = Checks::new();
     for clamped in [true, false] {
         for lambda in [0.3, 1.0, 4.0] {
@@ -102,7 +102,7 @@ pub fn heavy_mass() -> Vec<Check> {
             c.relative(format!("{case}: deflection over depth, limit"), limit, exact, 0.02);
         }
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// A cantilever of 1 m with a mass at its tip, struck there; in two parts, so that it is told what the root takes.
@@ -182,7 +182,7 @@ impl Parkes {
 ///
 /// The whole root takes .41667, .74667, .93726 of the energy for G/mL of .5, 2, 10; here the tenth next to it is told, in which the hinge
 /// comes to its end. Ten elements leave up to 4 % of the deflection and 8 % of that share in the limit of stiff material.
-pub fn parkes() -> Vec<Check> {
+pub fn parkes() -> Report {
     let mut c = Checks::new();
     for (ratio, steps) in [(0.5, 2000), (2.0, 4000), (10.0, 4000)] {
         let case = Parkes { ratio };
@@ -195,7 +195,7 @@ pub fn parkes() -> Vec<Check> {
         let exact = case.share(1.0 - Parkes::ROOT);
         c.relative(format!("{what} share of the tenth at the root, limit"), share, exact, 0.09);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Deflection in the middle of a beam of half span 0.5 m, free to draw in, that is struck all over \[m\].
@@ -243,7 +243,7 @@ fn struck_all_over(
 /// A velocity on all of a beam of span 2L, in bending alone: `m V0^2 L^2 / (3 M0)`, half of it between clamps (Symonds 1953).
 ///
 /// Twenty elements at 8e12 Pa miss it by 10 %, most of it by elasticity; the limit by 0.6 % and 2.6 %.
-pub fn thrown() -> Vec<Check> {
+pub fn thrown() -> Report {
     let mut c = Checks::new();
     for (name, clamped, way) in [("simply supported", false, 0.02), ("clamped", true, 0.04)] {
         let exact = if clamped { 0.5 * way } else { way };
@@ -255,5 +255,5 @@ pub fn thrown() -> Vec<Check> {
         let limit = on_finer_meshes(2.0 * coarse_stiff - coarse, 2.0 * fine_stiff - fine);
         c.relative(format!("{what} limit"), limit, exact, 0.03);
     }
-    c.into_vec()
+    c.into_report()
 }

@@ -3,7 +3,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::at;
 
 /// Round-off of an equilibrium.
@@ -56,7 +56,7 @@ fn square() -> Section {
 }
 
 /// A beam's forces under distributed loads, its weight, and forces that part it, on meshes of any size.
-pub fn in_statics() -> Vec<Check> {
+pub fn in_statics() -> Report {
     let mut c = Checks::new();
     for n in [1, 2, 8] {
         let mut arm = scene(n, [1.0, 0.0], square());
@@ -92,11 +92,11 @@ pub fn in_statics() -> Vec<Check> {
         c.relative(format!("{name}: behind [N]"), axial.max.value, 1e3 * (1.0 - place), BALANCE);
         c.relative(format!("{name}: ahead [N]"), axial.min.value, -1e3 * place, BALANCE);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Stress at the thin end of a taper of rectangles, 20 mm wide, 40 mm deep at its root: `N/A + 6 M / (b d^2)`.
-pub fn of_tapers() -> Vec<Check> {
+pub fn of_tapers() -> Report {
     let mut c = Checks::new();
     for n in [1, 4] {
         for (depth, pull, moment) in [(0.02, 0.0, 40.0), (0.01, 2e4, 20.0)] {
@@ -114,5 +114,5 @@ pub fn of_tapers() -> Vec<Check> {
             c.relative(name, arm.forces().stress.max.value, exact, BALANCE);
         }
     }
-    c.into_vec()
+    c.into_report()
 }

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::{at, or_nan};
 
 const YOUNG: f64 = 2.1e11;
@@ -41,7 +41,7 @@ fn strip_on_floor(height: f64, elements: usize) -> Model {
 }
 
 /// A strip lies down on a floor: linear closed form for small heights, heavy elastica for large ones.
-pub fn strip_on_a_floor() -> Vec<Check> {
+pub fn strip_on_a_floor() -> Report {
     let mut c = Checks::new();
     let (bending, weight) = (YOUNG * 0.01 * 8e-9 / 12.0, DENSITY * 2e-5 * GRAVITY);
     let elements = 160;
@@ -68,7 +68,7 @@ pub fn strip_on_a_floor() -> Vec<Check> {
         let sum = root[1] + or_nan(contact.map(|c| c.force));
         c.absolute(format!("{height} m: all vertical forces [N]"), sum, 2.0 * weight, 1e-9);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// A square steel bar of 50 mm and 3 m, clamped at its start.
@@ -88,7 +88,7 @@ fn unit() -> f64 {
 }
 
 /// The lowest frequency of a cantilever with a heavy mass at its tip, on fine meshes.
-pub fn tip_mass() -> Vec<Check> {
+pub fn tip_mass() -> Report {
     let mut c = Checks::new();
     let ratio = 1000.0 / (DENSITY * 2.5e-3 * 3.0);
     // 1 + cos x cosh x + ratio x (cos x sinh x - sin x cosh x) = 0.
@@ -114,7 +114,7 @@ pub fn tip_mass() -> Vec<Check> {
         let found = or_nan(natural_frequencies(&model, 1).first().copied());
         c.relative(format!("{elements} elements: lowest frequency [Hz]"), found, exact, 1e-6);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Lowest `w = omega L^2 sqrt(rho A / EI)` of Beck's column under `p = P L^2 / EI`: the first root of
@@ -138,7 +138,7 @@ fn beck_root(p: f64) -> f64 {
 }
 
 /// Beck's column: frequencies under a force that stays tangential, and the load at which two of them meet.
-pub fn becks_column() -> Vec<Check> {
+pub fn becks_column() -> Report {
     let mut c = Checks::new();
     let one = YOUNG * 0.05_f64.powi(4) / 12.0 / 9.0;
     let column = |load: f64| {
@@ -163,11 +163,11 @@ pub fn becks_column() -> Vec<Check> {
     };
     c.relative("P L^2 / EI at flutter", 15.0 * factor, 20.0509, 3e-3);
     c.relative("omega at flutter", omega, 11.016, 3e-3);
-    c.into_vec()
+    c.into_report()
 }
 
 /// A pinned column beside four rods in tension that nothing ties to it: its factor is found behind all their negative ones.
-pub fn column_beside_ties() -> Vec<Check> {
+pub fn column_beside_ties() -> Report {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("steel", YOUNG, DENSITY));
@@ -189,5 +189,5 @@ pub fn column_beside_ties() -> Vec<Check> {
         let factor = or_nan(found.modes.get(k).map(|m| m.factor));
         c.relative(format!("factor {}", k + 1), factor, exact, 5e-4);
     }
-    c.into_vec()
+    c.into_report()
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::{at, or_nan};
 
 const BOTH: [(&str, StrainMeasure); 2] =
@@ -68,7 +68,7 @@ fn tip_loaded(strain: StrainMeasure, elements: usize, alpha: f64) -> Cantilever 
 }
 
 /// A1: cantilever under a dead tip force (Bisshopp and Drucker 1945), elliptic integrals.
-pub fn cantilever() -> Vec<Check> {
+pub fn cantilever() -> Report {
     let mut c = Checks::new();
     for (name, strain) in BOTH {
         for (alpha, w, u) in BISSHOPP_DRUCKER {
@@ -82,20 +82,18 @@ pub fn cantilever() -> Vec<Check> {
                 let [x, y] = tip_loaded(strain, n, alpha).tip();
                 (y - w).hypot(-x - u)
             };
-            let order = (error(8) / error(16)).log2();
-            c.absolute(
-                format!("{name}, alpha {alpha}: order from 8 to 16 elements"),
-                order,
-                4.0,
-                0.1,
-            );
+            let what = format!("{name}, alpha {alpha}");
+            let errors = [8, 16].map(|n| [1.0 / n as f64, error(n)]);
+            let axes = ["length of an element / L", "error of the tip / L"];
+            let order = c.convergence(what.clone(), axes, errors.to_vec());
+            c.absolute(format!("{what}: order from 8 to 16 elements"), order, 4.0, 0.1);
         }
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// A2: roll-up by an end moment, closed form in both strain measures; and a moment that Green strains cannot carry.
-pub fn roll_up() -> Vec<Check> {
+pub fn roll_up() -> Report {
     let mut c = Checks::new();
     // GXBeam's data: L = 12, 1 x 1, E = 30e6.
     let (length, young, area, inertia) = (12.0, 30e6, 1.0, 1.0 / 12.0);
@@ -137,11 +135,11 @@ pub fn roll_up() -> Vec<Check> {
         text.contains("at most 3.849002e-1 N m") && text.contains("engineering")
     });
     c.at_least("SSNL103 in Green strains is refused, with the largest moment", says_so.into(), 1.0);
-    c.into_vec()
+    c.into_report()
 }
 
 /// A3: a column beyond its buckling load (ANSYS VM136), elliptic integrals; its linear buckling factor.
-pub fn buckled_column() -> Vec<Check> {
+pub fn buckled_column() -> Report {
     let mut c = Checks::new();
     let (length, young, side) = (100.0, 3e7, 0.5_f64);
     let inertia = side.powi(4) / 12.0;
@@ -179,7 +177,7 @@ pub fn buckled_column() -> Vec<Check> {
     };
     let factor = buckling(&loaded.model(), 1).modes.first().map(|m| m.factor);
     c.relative("linear buckling factor", or_nan(factor), 1.0, 2e-5);
-    c.into_vec()
+    c.into_report()
 }
 
 fn lee(elements: usize) -> Model {
@@ -202,7 +200,7 @@ fn lee(elements: usize) -> Model {
 }
 
 /// A5: Lee's frame, a rigid corner and a path past its limit points; engineering strains, independent shooting.
-pub fn lees_frame() -> Vec<Check> {
+pub fn lees_frame() -> Report {
     let mut c = Checks::new();
     let model = lee(80);
     let down_to = |v: f64| {
@@ -234,7 +232,7 @@ pub fn lees_frame() -> Vec<Check> {
         c.absolute(format!("{name} load: v"), -place(1), v, 2e-3);
         c.absolute(format!("{name} load: u"), place(0), u, 2e-3);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// A shallow toggle of two hinged bars under a unit force on its top, over a floor.
@@ -266,7 +264,7 @@ fn toggle_over(rise: f64, floor: f64) -> Model {
 
 /// A toggle that snaps through onto a floor and presses on it: `P = EA (rise^2 - h^2) h / l^3` in Green strain, limit points by it or
 /// where the floor stops the top, whose force is the rest of the load.
-pub fn toggle_on_floor() -> Vec<Check> {
+pub fn toggle_on_floor() -> Report {
     let mut c = Checks::new();
     for (rise, floor) in [(0.05, -0.03), (0.05, -0.02), (0.02, -0.012)] {
         let load = |h: f64| 1e5 * (rise * rise - h * h) * h / 1.0_f64.hypot(rise).powi(3);
@@ -285,11 +283,11 @@ pub fn toggle_on_floor() -> Vec<Check> {
         let rest = 1.5 * most - load(floor);
         c.relative(format!("{case} force of the floor [N]"), or_nan(pressed), rest, 1e-8);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// A7: a regression figure of Exudyn, `LShapeGeomExactBeam2D` (shear-flexible, coarse: 1 %).
-pub fn l_shape() -> Vec<Check> {
+pub fn l_shape() -> Report {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
     let strain = StrainMeasure::Engineering;
@@ -306,11 +304,11 @@ pub fn l_shape() -> Vec<Check> {
     let model = b.build().expect("a verification case builds");
     let y = or_nan(equilibrium(&model).ok().map(|e| e.points[0].1[1]));
     c.relative("tip displacement 2 [m]", y, -0.918_147_451_051_521_4, 1e-2);
-    c.into_vec()
+    c.into_report()
 }
 
 /// A quarter of a circle, clamped, with a small force at its tip: Castigliano's closed form for a slender bar.
-pub fn curved_cantilever() -> Vec<Check> {
+pub fn curved_cantilever() -> Report {
     let mut c = Checks::new();
     let (radius, inertia) = (1.0_f64, 1e-8);
     let tip = |elements: usize, force: [f64; 2]| {
@@ -351,11 +349,11 @@ pub fn curved_cantilever() -> Vec<Check> {
         let order = (error(4) / error(8)).log2();
         c.at_least(format!("force {}: order from 4 to 8 elements", k + 1), order, 3.9);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Equilibria do not depend on the load steps that led to them.
-pub fn load_steps() -> Vec<Check> {
+pub fn load_steps() -> Report {
     let mut c = Checks::new();
     let heavy = {
         let mut arm = tip_loaded(StrainMeasure::Green, 32, 10.0);
@@ -396,5 +394,5 @@ pub fn load_steps() -> Vec<Check> {
             c.at_most(what, distance / size, 1e-9);
         }
     }
-    c.into_vec()
+    c.into_report()
 }

@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Curve, Report};
 use crate::structure::{at, or_nan};
 
 /// E1: a hinged beam rotates onto a spring at its tip (code_aster SDNL32, VPCS V5.02.032).
-pub fn swinging_beam() -> Vec<Check> {
+pub fn swinging_beam() -> Report {
     let mut c = Checks::new();
     // Independent exact modal sum, 40 modes, undamped [mm].
     let undamped = [
@@ -43,12 +43,16 @@ pub fn swinging_beam() -> Vec<Check> {
         let mut run = Simulation::new(&model, &settings).expect("sound settings");
         let (mut largest, mut leaves, mut residual) = ((0.0, 0.0), f64::NAN, 0.0_f64);
         let mut before = 0.0;
+        let mut moved = Vec::new();
         while run.state().step < run.step_count() {
             if run.advance(&mut NoRecorder).is_err() {
                 break;
             }
             let state = run.state();
             let u = state.displacement[20][1];
+            if state.step.is_multiple_of(10) {
+                moved.push([1e3 * state.time, 1e3 * u]);
+            }
             if state.step.is_multiple_of(100) {
                 let k = state.step / 100;
                 let what = format!("{name}: tip displacement at {k} ms [mm]");
@@ -71,6 +75,12 @@ pub fn swinging_beam() -> Vec<Check> {
             let missing = ledger.energy_residual(run.measures()) / ledger.energy_scale;
             residual = residual.max(missing.abs());
         }
+        let known = expected.iter().enumerate().map(|(k, u)| [(k + 1) as f64, -u]);
+        c.figure(
+            format!("Displacement of the tip, {name}"),
+            ["time [ms]", "displacement [mm]"],
+            [Curve::computed("Percuss", moved), Curve::reference("expected", known.collect())],
+        );
         c.at_most(format!("{name}: energy residual"), residual, 1e-10);
         let loss = run.state().ledger.loss_damping;
         if is_damped {
@@ -81,11 +91,11 @@ pub fn swinging_beam() -> Vec<Check> {
             c.absolute(format!("{name}: leaves at [s]"), leaves, 12.321e-3, 1e-5);
         }
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// E2: a cantilever with a stop at its tip under a suddenly applied force (code_aster SDNL104).
-pub fn tip_stop() -> Vec<Check> {
+pub fn tip_stop() -> Report {
     let mut c = Checks::new();
     for (name, scheme, step, expected, tolerance) in [
         // Published: -1.85334e-6, -4.63284e-3, .0514081.
@@ -150,11 +160,11 @@ pub fn tip_stop() -> Vec<Check> {
         c.relative(format!("{name}: v(0.1566) [m/s]"), v, expected[1], tolerance);
         c.relative(format!("{name}: kinetic energy(0.16) [J]"), kinetic, expected[2], tolerance);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// E6: a mass strikes a beam at midspan and stays on it (Saint-Venant): largest deflections by the modes of beam and mass.
-pub fn mass_that_stays() -> Vec<Check> {
+pub fn mass_that_stays() -> Report {
     let mut c = Checks::new();
     for (name, kind, mu, expected) in [
         ("pinned, mass ratio 1", SupportKind::Pin, 1.0, 0.119_323_77),
@@ -193,5 +203,5 @@ pub fn mass_that_stays() -> Vec<Check> {
         let measured = or_nan(largest) / (velocity * scale);
         c.relative(format!("{name}: largest deflection"), measured, expected, 1e-3);
     }
-    c.into_vec()
+    c.into_report()
 }

@@ -2,7 +2,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::at;
 
 /// A node and its reference tangent.
@@ -19,7 +19,7 @@ fn angle(state: &State, a: Tangent, b: Tangent) -> f64 {
 }
 
 /// A flying frame of a bent beam and a branch, struck: angles and places at its joints, and its balances.
-pub fn corners() -> Vec<Check> {
+pub fn corners() -> Report {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 2e9, 3e3));
@@ -91,7 +91,7 @@ pub fn corners() -> Vec<Check> {
     c.at_most("distance of joined places [m]", apart, 1e-12);
     c.at_most("energy residual", energy, 1e-11);
     c.at_most("residual of both momenta", momentum, 1e-11);
-    c.into_vec()
+    c.into_report()
 }
 
 /// A structure with everything in it: kinds of geometry, section, support, joint, load, damping and projectile.
@@ -269,7 +269,7 @@ fn loads(b: &mut ModelBuilder, frame: BeamId, arch: BeamId, arm: BeamId, tie: Be
 }
 
 /// Everything at once, started from static equilibrium, by every scheme of the midpoint family.
-pub fn everything() -> Vec<Check> {
+pub fn everything() -> Report {
     let mut c = Checks::new();
     let model = everything_model();
     for (name, scheme, limit) in [
@@ -307,5 +307,5 @@ pub fn everything() -> Vec<Check> {
         c.at_least(format!("{name}: work of supports [J]"), ledger.work_supports.abs(), 0.5);
         c.at_least(format!("{name}: work of loads [J]"), ledger.work_loads.abs(), 1.0);
     }
-    c.into_vec()
+    c.into_report()
 }

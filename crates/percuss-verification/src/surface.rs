@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::at;
 
 fn run(b: &ModelBuilder, end: f64, step: f64) -> RunSummary {
@@ -20,7 +20,7 @@ fn first_interval(summary: &RunSummary) -> Option<ContactInterval> {
 }
 
 /// E7: a sphere on a steel beam (Timoshenko 1913), by a disc on its face and by a guided mass.
-pub fn sphere_on_a_beam() -> Vec<Check> {
+pub fn sphere_on_a_beam() -> Report {
     let mut c = Checks::new();
     let steel = |radius| HertzBody { young: 2.15746e11, poisson: 0.3, radius };
     let potential = Potential::hertz([steel(0.01), steel(f64::INFINITY)]);
@@ -68,11 +68,11 @@ pub fn sphere_on_a_beam() -> Vec<Check> {
         let v = summary.projectiles[0].velocity_final[1];
         c.relative(format!("{name}: velocity at the end [m/s]"), v, 3.0232e-3, 1e-4);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// E4: a mass and spring on an infinite beam; E9: supports are not felt before waves return from them.
-pub fn infinite_beam() -> Vec<Check> {
+pub fn infinite_beam() -> Report {
     let mut c = Checks::new();
     let scene = |length: f64, support: Option<SupportKind>, stiffness: f64| {
         let mut b = ModelBuilder::new();
@@ -130,11 +130,11 @@ pub fn infinite_beam() -> Vec<Check> {
     let reaction = rows.column("support.left.force_2").unwrap_or_default();
     let first = reaction.iter().find(|r| r.abs() > 1.0).copied().unwrap_or(f64::NAN);
     c.at_least("E9: first reaction, along the blow [N]", first, 0.0);
-    c.into_vec()
+    c.into_report()
 }
 
 /// A disc thrown obliquely at a free beam, step 1e-3 s: its contact crosses element borders (theory, section 6).
-pub fn oblique_throw() -> Vec<Check> {
+pub fn oblique_throw() -> Report {
     let mut c = Checks::new();
     let throw = |force: ContactForce| {
         let mut b = ModelBuilder::new();
@@ -165,5 +165,5 @@ pub fn oblique_throw() -> Vec<Check> {
     c.at_most("projected gradient: angular momentum", exact.momentum.angular_residual_max, 1e-11);
     let plain = throw(ContactForce::PlainGradient);
     c.at_least("plain midpoint gradient: energy residual", plain.energy.residual_max, 1e-6);
-    c.into_vec()
+    c.into_report()
 }

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::{at, or_nan};
 
 fn simply_supported(b: &mut ModelBuilder, beam: BeamId) {
@@ -14,7 +14,7 @@ fn simply_supported(b: &mut ModelBuilder, beam: BeamId) {
 }
 
 /// B1: a simply supported beam (ANSYS VM50).
-pub fn simple_beam() -> Vec<Check> {
+pub fn simple_beam() -> Report {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("steel", 30e6, 728e-6));
@@ -27,11 +27,11 @@ pub fn simple_beam() -> Vec<Check> {
     let exact = PI / 2.0 / 6400.0 * f64::sqrt(30e6 * 4.0 / 3.0 / (728e-6 * 4.0));
     c.relative("closed form [Hz]", exact, 28.766, 2e-5);
     c.relative("lowest frequency [Hz]", or_nan(found.first().copied()), exact, 1e-6);
-    c.into_vec()
+    c.into_report()
 }
 
 /// B2: a simply supported bar under compression (ANSYS VM59): modes about a loaded equilibrium.
-pub fn compressed_bar() -> Vec<Check> {
+pub fn compressed_bar() -> Report {
     let mut c = Checks::new();
     let published = [17.055, 105.32, 249.39];
     let exact = [17.05581, 105.3258, 249.39453];
@@ -67,11 +67,11 @@ pub fn compressed_bar() -> Vec<Check> {
     for k in 0..3 {
         c.relative(format!("closed form, mode {} [Hz]", k + 1), exact[k], published[k], 1e-4);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// B3: axial frequencies of a free rod (ANSYS VM61): n c / (2 L).
-pub fn free_rod() -> Vec<Check> {
+pub fn free_rod() -> Report {
     let mut c = Checks::new();
     // c/(2 L) = 126.70 Hz with steel and L = 800 in.
     let (young, density, length) = (30e6, 730e-6, 800.0_f64);
@@ -94,11 +94,11 @@ pub fn free_rod() -> Vec<Check> {
         c.relative(format!("axial mode {k}, published [Hz]"), f, published, 1e-4);
         c.relative(format!("axial mode {k} [Hz]"), f, exact * k as f64, 1e-6);
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// Clamped, free, pinned: beta L of slender beams, with modes of all beams of a frame together.
-pub fn slender_beams() -> Vec<Check> {
+pub fn slender_beams() -> Report {
     let mut c = Checks::new();
     for (name, left, right, roots) in [
         (
@@ -130,5 +130,5 @@ pub fn slender_beams() -> Vec<Check> {
             c.relative(format!("{name}, mode {} [Hz]", k + 1), f, exact, 2e-6);
         }
     }
-    c.into_vec()
+    c.into_report()
 }

@@ -2,7 +2,7 @@
 
 use percuss::*;
 
-use crate::check::{Check, Checks};
+use crate::check::{Checks, Report};
 use crate::structure::at;
 
 const RIGID: fn(f64) -> TouchLaw = |e| TouchLaw::Rigid(RigidLaw::frictionless(e));
@@ -90,7 +90,7 @@ fn history(b: &ModelBuilder, end: f64, step: f64) -> History {
 }
 
 /// D1: a bar on a rigid wall (ANSYS VM265; Carpenter, Taylor and Katona 1991). D4: the same of code_aster SDNV100.
-pub fn bar_on_a_wall() -> Vec<Check> {
+pub fn bar_on_a_wall() -> Report {
     let mut c = Checks::new();
     let engineering = |m: Material| Material { strain: StrainMeasure::Engineering, ..m };
     for e in [0.0, 1.0] {
@@ -119,11 +119,11 @@ pub fn bar_on_a_wall() -> Vec<Check> {
     c.relative("D4: impact [s]", first, 2e-5, 1e-5);
     c.relative("D4: time in contact [s]", last - first, 8e-5, 1e-2);
     c.relative("D4: mean force in contact [N]", h.mean_force(2.5e-5, 9.5e-5), 1.6e6, 5e-3);
-    c.into_vec()
+    c.into_report()
 }
 
 /// D7: a bar strikes another one, equal, whose far end is fixed (code_aster SDNL111).
-pub fn bar_on_a_bar() -> Vec<Check> {
+pub fn bar_on_a_bar() -> Report {
     let mut c = Checks::new();
     let stiff = SmoothLaw::elastic(Potential::Linear { stiffness: 4e10 });
     for (name, law, tolerance) in
@@ -163,11 +163,11 @@ pub fn bar_on_a_bar() -> Vec<Check> {
             1e-10,
         );
     }
-    c.into_vec()
+    c.into_report()
 }
 
 /// D8: the bouncing bar of Doyen, Ern and Piperno (2011), heights and gravity times 1e-4 so that strains are small.
-pub fn bouncing_bar() -> Vec<Check> {
+pub fn bouncing_bar() -> Report {
     const SCALE: f64 = 1e-4;
     let mut c = Checks::new();
     let tau = 1.0 / 3.0;
@@ -208,5 +208,5 @@ pub fn bouncing_bar() -> Vec<Check> {
         }
         c.at_most(format!("{name}: energy residual"), h.summary.energy.residual_max, 1e-10);
     }
-    c.into_vec()
+    c.into_report()
 }

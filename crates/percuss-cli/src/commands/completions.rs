@@ -2,7 +2,8 @@
 
 use clap::CommandFactory;
 
-use crate::arguments::{Arguments, Completions};
+use crate::arguments::Arguments;
+use crate::coupling_arguments::Completions;
 use crate::outcome::{Failure, Status};
 use crate::terminal;
 

@@ -1,22 +1,17 @@
 //! `percuss new`.
 
-use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write};
-use std::path::Path;
-
-use percuss_codes::FileCode;
 use percuss_scenario::{Template, study_templates, templates};
 
 use crate::arguments::New;
 use crate::outcome::{Failure, Status};
-use crate::terminal;
+use crate::{fresh, terminal};
 
 /// Prints or writes a template, or lists them.
 pub fn run(arguments: &New) -> Result<Status, Failure> {
     let template = all().find(|t| Some(t.name) == arguments.template.as_deref());
     match (template, &arguments.out) {
         (Some(template), Some(out)) => {
-            write(out, template.text)?;
+            fresh::write(out, template.text, "give another --out")?;
             let out = out.display();
             let is_study = study_templates().contains(template);
             let command = if is_study { "sweep" } else { "run" };
@@ -40,19 +35,4 @@ fn list() -> Result<(), Failure> {
     }
     terminal::tell("\nTo begin with one of them: percuss new NAME --out my.toml");
     Ok(())
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    let opened = OpenOptions::new().write(true).create_new(true).open(path);
-    let mut file = opened.map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => Failure::input(
-            FileCode::Foreign,
-            format!("{}: exists already; give another --out", path.display()),
-        ),
-        _ => Failure::system(path, "create", &error),
-    })?;
-    file.write_all(text.as_bytes()).map_err(|error| {
-        let _ = std::fs::remove_file(path);
-        Failure::system(path, "write", &error)
-    })
 }

@@ -1,11 +1,12 @@
 //! `percuss verify`.
 
 mod book;
+mod figure;
 mod table;
 
 use std::time::Instant;
 
-use percuss_verification::{CASES, Case, Check, Tolerance};
+use percuss_verification::{CASES, Case, Check, Report, Tolerance};
 use serde_json::{Value, json};
 
 use crate::arguments::Verify;
@@ -18,6 +19,8 @@ use crate::terminal;
 struct Done {
     case: &'static Case,
     checks: Vec<Check>,
+    /// What the manual shows beside them.
+    report: Report,
     seconds: f64,
 }
 
@@ -42,8 +45,9 @@ pub fn run(arguments: &Verify) -> Result<Status, Failure> {
     for (k, &case) in cases.iter().enumerate() {
         progress.show(case.id, k);
         let begun = Instant::now();
-        let checks = (case.run)();
-        all.push(Done { case, checks, seconds: begun.elapsed().as_secs_f64() });
+        let mut report = (case.run)();
+        let checks = std::mem::take(&mut report.checks);
+        all.push(Done { case, checks, report, seconds: begun.elapsed().as_secs_f64() });
     }
     progress.clear();
     if let Some(folder) = &arguments.book {

@@ -7,6 +7,7 @@ mod checkpoints;
 mod codes;
 mod commands;
 mod common;
+mod couplings;
 mod disk_faults;
 mod explain;
 mod export;

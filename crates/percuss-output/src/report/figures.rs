@@ -188,13 +188,17 @@ fn lacks_comparison(data: &ReportData) -> bool {
     rigid && data.comparison.is_empty() && data.summary["status"] == "completed" && !asked
 }
 
+/// Whether something crushes, whose loss stands with that of damping.
+pub(super) fn crushes(summary: &Value) -> bool {
+    summary["contact"].as_object().is_some_and(|all| {
+        all.values().any(|contact| contact.get("permanent_penetration").is_some())
+    })
+}
+
 /// Where the energy is, stacked, below all that came in.
 fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
-    let contacts = summary["contact"].as_object();
-    let crushes = contacts.is_some_and(|all| {
-        all.values().any(|contact| contact.get("permanent_penetration").is_some())
-    });
-    let damping = if crushes { "taken by damping and crushing" } else { "taken by damping" };
+    let damping =
+        if crushes(summary) { "taken by damping and crushing" } else { "taken by damping" };
     let mut curves = canvas.curves(&[
         ("energy.kinetic_projectiles", "kinetic, projectiles", 1),
         ("energy.kinetic_beams", "kinetic, beams", 6),

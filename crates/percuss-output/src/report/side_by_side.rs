@@ -8,6 +8,7 @@ use serde_json::{Map, Value};
 use super::ReportData;
 use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::figures;
+use super::figures::crushes;
 use super::html::{self, escape, table};
 use super::page::{fill_holes, frame, page_parts};
 use super::quantity::{Scale, number, quantity, without_round_off};
@@ -250,6 +251,8 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
         row(format!("when, {name}"), format!("/contact/{key}/peak_force/time"), "s");
         row(format!("total impulse, {name}"), format!("/contact/{key}/impulse_total"), "N*s");
         row(format!("impacts, {name}"), format!("/contact/{key}/impact_count"), "1");
+        let pressed = format!("/contact/{key}/permanent_penetration");
+        row(format!("stays pushed in, {name}"), pressed, "m");
     }
     for (name, key) in named("projectile") {
         for (k, axis) in [(0, "e1"), (1, "e2")] {
@@ -296,9 +299,17 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
             "Pa",
         );
     }
+    for (name, key) in named("plastic") {
+        row(format!("permanent set, {name}"), format!("/plastic/{key}/permanent_set"), "m");
+    }
+    let damping = match crushes(summary) {
+        true => "energy taken by damping and crushing",
+        false => "energy taken by damping",
+    };
     for (label, pointer) in [
         ("energy lost in impacts", "/energy/loss_impacts"),
-        ("energy taken by damping", "/energy/loss_damping"),
+        ("energy dissipated by plastic flow", "/energy/plastic"),
+        (damping, "/energy/loss_damping"),
     ] {
         row(label.to_owned(), pointer.to_owned(), "J");
     }

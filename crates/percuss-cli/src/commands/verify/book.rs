@@ -7,6 +7,7 @@ use std::path::Path;
 
 use percuss_verification::{Check, Tolerance};
 
+use super::figure::{drawn, sketch};
 use super::table::{cells, share_used};
 use super::{Done, verdict};
 
@@ -25,8 +26,17 @@ pub(super) fn write(folder: &Path, all: &[Done]) -> io::Result<()> {
     fs::create_dir_all(folder)?;
     fs::write(folder.join("index.md"), index(all))?;
     for done in all {
-        fs::write(folder.join(format!("{}.md", done.case.id)), page(done))?;
-        fs::write(folder.join(format!("{}.svg", done.case.id)), figure(&done.checks))?;
+        fs::write(folder.join(format!("{}.svg", done.case.id)), bars(&done.checks))?;
+        for (k, figure) in done.report.figures.iter().enumerate() {
+            let name = format!("{}-figure-{}.svg", done.case.id, k + 1);
+            fs::write(folder.join(name), drawn(figure))?;
+        }
+        for (name, text) in &done.report.files {
+            if let Some(svg) = sketch(text, name) {
+                fs::write(folder.join(sketch_name(done.case.id, name)), svg)?;
+            }
+        }
+        fs::write(folder.join(format!("{}.md", done.case.id)), page(folder, done))?;
     }
     Ok(())
 }
@@ -56,7 +66,12 @@ fn index(all: &[Done]) -> String {
     text
 }
 
-fn page(done: &Done) -> String {
+fn sketch_name(id: &str, file: &str) -> String {
+    format!("{id}-{file}-sketch.svg")
+}
+
+/// The page of a case whose figures and sketches are in the folder.
+fn page(folder: &Path, done: &Done) -> String {
     let case = done.case;
     let mut text = format!("# {}\n\n{}.\n\n", case.id, escaped(case.title));
     let _ = writeln!(text, "**Expected from:** {}.\n", escaped(case.source));
@@ -65,6 +80,20 @@ fn page(done: &Done) -> String {
         "**Run it:** `percuss verify {} --all-checks` ({:.1} s here).\n",
         case.id, done.seconds
     );
+    for (file, contents) in &done.report.files {
+        let sketch = sketch_name(case.id, file);
+        if folder.join(&sketch).exists() {
+            let _ = writeln!(text, "![The scene at its start]({sketch})\n");
+        }
+        let _ = writeln!(
+            text,
+            "<details><summary>The scenario, <code>{file}.toml</code></summary>\n\n```toml\n{}\n```\n\n</details>\n",
+            contents.trim_end()
+        );
+    }
+    for (k, figure) in done.report.figures.iter().enumerate() {
+        let _ = writeln!(text, "![{}]({}-figure-{}.svg)\n", figure.title, case.id, k + 1);
+    }
     let holds = if done.holds() { "All checks hold." } else { "**Not all checks hold.**" };
     let _ = writeln!(
         text,
@@ -82,7 +111,7 @@ fn page(done: &Done) -> String {
 }
 
 /// Bars on a logarithmic axis, a check each.
-fn figure(checks: &[Check]) -> String {
+fn bars(checks: &[Check]) -> String {
     let shown = &checks[..checks.len().min(SHOWN)];
     let (label, width) = (330.0, 300.0);
     let height = ROW * shown.len() + 30;

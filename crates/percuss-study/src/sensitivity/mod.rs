@@ -1,12 +1,17 @@
 //! Derivatives of a run's results with respect to values of its scenario.
 
-use percuss::{Fault, Grazing, Horizon, Sensitivities, Settings, Undifferentiated, sensitivities};
+mod one_sided;
+
+use percuss::{Fault, Horizon, Sensitivities, Settings, Undifferentiated, sensitivities};
 use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
-use percuss_scenario::{Diagnostics, Scenario};
+use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::prepare::in_one_line;
 use crate::resolve::result;
+
+pub use one_sided::OneSided;
+use one_sided::one_sided;
 
 /// Change of a parameter over which the numbers of the model are differentiated, as a share of its size. They are smooth
 /// functions of it: the error of the fourth-order difference lies at round-off.
@@ -18,9 +23,6 @@ const OTHER_STEPS: [f64; 2] = [0.5, 0.8];
 /// What half the step changes is half the error of a derivative of first order in the step. Twice that was exceeded by up to a quarter in
 /// ten of a hundred derivatives of ordinary scenes, for no order is exact at any step; three times it in one of a hundred, behind impacts.
 const MARGIN: f64 = 3.0;
-
-/// Changes below this share of a parameter are told where they make or end a contact.
-const NEAR: f64 = 0.01;
 
 /// What results are differentiated where none are named: how their paths end.
 const USUAL: [&str; 8] = [
@@ -78,39 +80,6 @@ pub struct Without {
     pub why: String,
 }
 
-/// A contact that is about to appear or to vanish: derivatives by a parameter hold on the side of the run alone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OneSided {
-    /// Name of the contact.
-    pub contact: String,
-    /// When \[s\].
-    pub time: f64,
-    /// Whether it would appear; else it would vanish.
-    pub appears: bool,
-    /// Path of the parameter.
-    pub parameter: String,
-    /// Change of the parameter that does it, to first order, in its SI unit.
-    pub change: f64,
-    /// Further touches of the same contact that changes of this parameter below one per cent would make or end.
-    pub others: usize,
-}
-
-impl OneSided {
-    /// What it means, in a sentence.
-    pub fn text(&self) -> String {
-        let what = if self.appears { "appear" } else { "vanish" };
-        let others = match self.others {
-            0 => String::new(),
-            n => format!(" (and {n} more within 1 %)"),
-        };
-        format!(
-            "a contact of `{}` is about to {what} at t = {:.6e} s{others}: a change of {} by {:+.2e} is enough, to first order; \
-             derivatives by it are one-sided",
-            self.contact, self.time, self.parameter, self.change
-        )
-    }
-}
-
 /// Why there are no derivatives.
 #[derive(Debug)]
 pub enum SensitivityError {
@@ -147,6 +116,57 @@ pub fn sensitivity(
     parameters: &[String],
     results: &[String],
 ) -> Result<Sensitivity, SensitivityError> {
+    let one = differentiate(scenario, parameters, results)?;
+    let derivatives = one.derivatives();
+    let without = one.without(&derivatives);
+    if let Some(first) =
+        without.first().filter(|_| derivatives.iter().flatten().all(|x| x.is_nan()))
+    {
+        let why = format!("`{}` has no derivative: {}", first.result, first.why);
+        return Err(SensitivityError::Refused(why));
+    }
+    // Another step that fails leaves the derivatives as they are, and their uncertainty unknown.
+    let others = OTHER_STEPS.map(|share| {
+        let step = share * one.compiled.settings.step;
+        let settings = Settings { step, ..one.compiled.settings };
+        let other = sensitivities(&one.compiled.model, &settings, &one.variations).ok()?;
+        Some(self::derivatives(&one.paths, &other))
+    });
+    let uncertainties = uncertainties(&derivatives, &others);
+    let one_sided = one_sided(&one.found.grazing, &one.parameters);
+    let results = one.paths.iter().zip(one.values()).map(|(path, value)| Differentiated {
+        path: path.path().into(),
+        value,
+        unit: path.unit().into(),
+    });
+    let results = results.collect();
+    Ok(Sensitivity {
+        parameters: one.parameters,
+        results,
+        derivatives,
+        uncertainties,
+        one_sided,
+        without,
+        horizon: one.found.horizon,
+    })
+}
+
+/// A run and its derivatives, with what was asked of it.
+pub(crate) struct DifferentiatedRun {
+    compiled: Compiled,
+    parameters: Vec<Differentiated>,
+    variations: Vec<percuss::Variation>,
+    /// Of the results, shape (n_result).
+    paths: Vec<SummaryPath>,
+    found: Sensitivities,
+}
+
+/// Runs a scenario and differentiates it; arguments and errors are those of [`sensitivity`].
+pub(crate) fn differentiate(
+    scenario: &Scenario,
+    parameters: &[String],
+    results: &[String],
+) -> Result<DifferentiatedRun, SensitivityError> {
     let compiled = scenario.compile()?;
     let mut faults = Vec::new();
     let mut differentiated = Vec::new();
@@ -180,39 +200,24 @@ pub fn sensitivity(
     if !faults.is_empty() {
         return Err(scenario.diagnostics(faults).into());
     }
-    let values = pick(&paths, &found.summary);
-    let derivatives = derivatives(&paths, &found);
-    let without = without(&paths, &values, &derivatives, &differentiated, &found);
-    if let Some(first) =
-        without.first().filter(|_| derivatives.iter().flatten().all(|x| x.is_nan()))
-    {
-        let why = format!("`{}` has no derivative: {}", first.result, first.why);
-        return Err(SensitivityError::Refused(why));
+    Ok(DifferentiatedRun { compiled, parameters: differentiated, variations, paths, found })
+}
+
+impl DifferentiatedRun {
+    /// Results, shape (n_result), in SI units.
+    pub fn values(&self) -> Vec<f64> {
+        pick(&self.paths, &self.found.summary)
     }
-    // Another step that fails leaves the derivatives as they are, and their uncertainty unknown.
-    let others = OTHER_STEPS.map(|share| {
-        let step = share * compiled.settings.step;
-        let settings = Settings { step, ..compiled.settings };
-        let other = sensitivities(&compiled.model, &settings, &variations).ok()?;
-        Some(self::derivatives(&paths, &other))
-    });
-    let uncertainties = uncertainties(&derivatives, &others);
-    let one_sided = one_sided(&found.grazing, &differentiated);
-    let results = paths.iter().zip(&values).map(|(path, value)| Differentiated {
-        path: path.path().into(),
-        value: *value,
-        unit: path.unit().into(),
-    });
-    let results = results.collect();
-    Ok(Sensitivity {
-        parameters: differentiated,
-        results,
-        derivatives,
-        uncertainties,
-        one_sided,
-        without,
-        horizon: found.horizon,
-    })
+
+    /// Their derivatives, shape (n_result, n_parameter), in SI units of both; NaN where there is none.
+    pub fn derivatives(&self) -> Vec<Vec<f64>> {
+        derivatives(&self.paths, &self.found)
+    }
+
+    /// The derivatives that there are not, and why.
+    pub fn without(&self, derivatives: &[Vec<f64>]) -> Vec<Without> {
+        without(&self.paths, &self.values(), derivatives, &self.parameters, &self.found)
+    }
 }
 
 /// The derivatives that there are not, and why.
@@ -283,40 +288,6 @@ fn uncertainties(own: &[Vec<f64>], others: &[Option<Vec<Vec<f64>>>]) -> Vec<Vec<
         .enumerate()
         .map(|(row, values)| (0..values.len()).map(|column| of(row, column)).collect())
         .collect()
-}
-
-/// Contacts that a change of a parameter by less than [`NEAR`] of it makes or ends: of each the nearest one.
-fn one_sided(grazing: &[Grazing], parameters: &[Differentiated]) -> Vec<OneSided> {
-    let mut all: Vec<OneSided> = Vec::new();
-    for one in grazing {
-        for (change, parameter) in one.changes.iter().zip(parameters) {
-            if change.abs() > NEAR * parameter.value.abs() || !change.is_finite() {
-                continue;
-            }
-            let found = OneSided {
-                contact: one.contact.clone(),
-                time: one.time,
-                appears: one.missed_by.is_some(),
-                parameter: parameter.path.clone(),
-                change: *change,
-                others: 0,
-            };
-            let like = |known: &&mut OneSided| {
-                (&known.contact, &known.parameter) == (&found.contact, &found.parameter)
-            };
-            match all.iter_mut().find(like) {
-                Some(known) => {
-                    let others = known.others + 1;
-                    if found.change.abs() < known.change.abs() {
-                        *known = found;
-                    }
-                    known.others = others;
-                }
-                None => all.push(found),
-            }
-        }
-    }
-    all
 }
 
 /// The results asked for, or the usual ones.

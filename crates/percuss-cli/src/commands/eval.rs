@@ -1,0 +1,171 @@
+//! `percuss eval`: a study at one point, from a file to a file, for programs that run programs.
+
+mod dakota;
+mod json;
+
+use std::io::Read;
+use std::path::Path;
+
+use percuss_codes::RequestCode;
+use percuss_study::{Function, Jacobian, Study};
+
+use crate::coupling_arguments::Eval;
+use crate::outcome::{Failure, Status};
+use crate::{fresh, scenario, terminal};
+
+/// More than any file of parameters needs [bytes].
+const LARGEST_FILE: u64 = 16 << 20;
+
+/// What is asked of the study.
+struct Asked {
+    /// Names and values of the variables.
+    variables: Vec<(String, f64)>,
+    /// The functions, in the order in which they are answered; none for all results of the study.
+    functions: Option<Vec<Wanted>>,
+    /// By which variables derivatives are wanted; none for all of them.
+    by: Option<Vec<String>>,
+}
+
+/// A function that is asked for.
+struct Wanted {
+    name: String,
+    value: bool,
+    gradient: bool,
+}
+
+/// A function as it is answered.
+struct Answered {
+    name: String,
+    value: Option<f64>,
+    /// Derivatives by the variables asked for, with their names.
+    gradient: Option<Vec<(String, f64)>>,
+}
+
+/// Evaluates a study at a point.
+pub fn run(arguments: &Eval) -> Result<Status, Failure> {
+    let study = Study::load_with(&arguments.study, scenario::access())?;
+    let mut function = study.function()?;
+    let text = read(&arguments.parameters)?;
+    let is_json = text.trim_start().starts_with('{')
+        && serde_json::from_str::<serde_json::Value>(&text).is_ok();
+    let at = |what: String| {
+        let text = format!("{}: {what}", scenario::name(&arguments.parameters));
+        Failure::input(RequestCode::NoValue, text)
+    };
+    let asked = if is_json { json::read(&text) } else { dakota::read(&text) }.map_err(at)?;
+    let point = point(&function, &asked.variables).map_err(at)?;
+    let wanted = wanted(&function, &asked, arguments.gradients).map_err(at)?;
+    if let Some(out) = arguments.results.as_deref().filter(|out| out.exists()) {
+        let text = format!("{}: exists already; remove it or give another name", out.display());
+        return Err(Failure::input(percuss_codes::FileCode::Foreign, text));
+    }
+    let (told, status) = match evaluate(&mut function, &point, &wanted, &asked) {
+        Ok(all) => (if is_json { json::told(&all) } else { dakota::told(&all) }, Status::Done),
+        Err(why) => {
+            terminal::say_error(&why);
+            (if is_json { json::failed(&why) } else { dakota::failed(&why) }, Status::GaveUp)
+        }
+    };
+    match &arguments.results {
+        Some(out) => fresh::write(out, &told, "remove it or give another name")?,
+        None => terminal::print(&told)?,
+    }
+    Ok(status)
+}
+
+fn read(path: &Path) -> Result<String, Failure> {
+    let mut text = String::new();
+    let read =
+        |from: &mut dyn Read, text: &mut String| from.take(LARGEST_FILE).read_to_string(text);
+    let done = if path == Path::new("-") {
+        read(&mut std::io::stdin().lock(), &mut text)
+    } else {
+        std::fs::File::open(path).and_then(|mut file| read(&mut file, &mut text))
+    };
+    done.map(|_| text).map_err(|error| Failure::system(path, "read", &error))
+}
+
+/// The point that variables name.
+fn point(function: &Function<'_>, variables: &[(String, f64)]) -> Result<Vec<f64>, String> {
+    let names: Vec<&str> = function.parameters().iter().map(|p| p.name.as_str()).collect();
+    let listed = names.join(", ");
+    if let Some((name, _)) = variables.iter().find(|(name, _)| !names.contains(&name.as_str())) {
+        return Err(format!("`{name}` is no parameter of the study; its parameters are {listed}"));
+    }
+    let value = |name: &&str| {
+        let mut own = variables.iter().filter(|(own, _)| own == name);
+        match (own.next(), own.next()) {
+            (Some((_, value)), None) => Ok(*value),
+            (None, _) => Err(format!("no value for `{name}`; the study's parameters are {listed}")),
+            _ => Err(format!("two values for `{name}`")),
+        }
+    };
+    names.iter().map(value).collect()
+}
+
+/// The functions that are wanted, each with the number of its result in the study.
+fn wanted(
+    function: &Function<'_>,
+    asked: &Asked,
+    gradients: bool,
+) -> Result<Vec<(usize, Wanted)>, String> {
+    let results: Vec<&str> = function.results().iter().map(|r| r.name.as_str()).collect();
+    let Some(functions) = &asked.functions else {
+        let all = results.iter().enumerate();
+        let one = |(k, name): (usize, &&str)| {
+            (k, Wanted { name: (*name).into(), value: true, gradient: gradients })
+        };
+        return Ok(all.map(one).collect());
+    };
+    let place = |name: &str| results.iter().position(|own| *own == name);
+    let by_name: Option<Vec<usize>> = functions.iter().map(|f| place(&f.name)).collect();
+    let places = match by_name {
+        Some(places) => places,
+        None if functions.len() == results.len() => (0..results.len()).collect(),
+        None => {
+            let names: Vec<&str> = functions.iter().map(|f| f.name.as_str()).collect();
+            return Err(format!(
+                "functions {} are not the study's results ({}), and not as many",
+                names.join(", "),
+                results.join(", ")
+            ));
+        }
+    };
+    let one = |(k, f): (usize, &Wanted)| {
+        (k, Wanted { name: f.name.clone(), value: f.value, gradient: f.gradient || gradients })
+    };
+    Ok(places.into_iter().zip(functions).map(one).collect())
+}
+
+fn evaluate(
+    function: &mut Function<'_>,
+    point: &[f64],
+    wanted: &[(usize, Wanted)],
+    asked: &Asked,
+) -> Result<Vec<Answered>, String> {
+    let Jacobian { values, derivatives } = if wanted.iter().any(|(_, f)| f.gradient) {
+        function.jacobian(point)?
+    } else {
+        let values = function.values(&[point.to_vec()]).pop();
+        Jacobian { values: values.unwrap_or_else(|| Ok(Vec::new()))?, derivatives: Vec::new() }
+    };
+    let parameters = function.parameters().iter().map(|p| p.name.clone()).enumerate();
+    let by: Vec<(usize, String)> = match &asked.by {
+        None => parameters.collect(),
+        Some(names) => {
+            let all: Vec<(usize, String)> = parameters.collect();
+            let own = |name: &String| all.iter().find(|(_, own)| own == name).cloned();
+            names.iter().filter_map(own).collect()
+        }
+    };
+    let one = |(k, f): &(usize, Wanted)| {
+        let gradient =
+            |row: &Vec<f64>| by.iter().map(|(k, name)| (name.clone(), row[*k])).collect();
+        Answered {
+            name: f.name.clone(),
+            value: f.value.then(|| values[*k]),
+            gradient: f.gradient.then(|| gradient(&derivatives[*k])),
+        }
+    };
+    Ok(wanted.iter().map(one).collect())
+}

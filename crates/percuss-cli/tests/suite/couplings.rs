@@ -1,0 +1,226 @@
+//! What `percuss serve` and `percuss eval` promise to the programs that drive them.
+
+use crate::common;
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+
+use common::Desk;
+use serde_json::{Value, json};
+
+const STUDY: &str = r#"
+title = "Speed and mass"
+base = "elastic.toml"
+
+[parameter.speed]
+path = "projectile.mass.velocity[1]"
+range = { from = "10 m/s", to = "30 m/s" }
+
+[parameter.mass]
+path = "projectile.mass.mass"
+range = { from = "400 kg", to = "600 kg" }
+
+[design]
+kind = "sobol"
+runs = 8
+
+[results]
+force = "contact.mass.peak_force.value"
+exit = "projectile.mass.velocity_final[1]"
+"#;
+
+fn desk() -> Desk {
+    let desk = Desk::new();
+    desk.put("study.toml", STUDY);
+    desk
+}
+
+/// What `percuss sensitivity` and a run say at 20 m/s and 500 kg, the values of the file.
+fn expected(desk: &Desk) -> Value {
+    let told = desk.percuss(&[
+        "sensitivity",
+        "elastic.toml",
+        "--json",
+        "-p",
+        "projectile.mass.velocity[1]",
+        "-p",
+        "projectile.mass.mass",
+        "-r",
+        "contact.mass.peak_force.value",
+        "-r",
+        "projectile.mass.velocity_final[1]",
+    ]);
+    serde_json::from_str(&told.stdout).expect("JSON")
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-10 * b.abs()
+}
+
+const DAKOTA: &str = "2 variables\n500 mass\n20 speed\n1 functions\n3 ASV_1:exit\n1 derivative_variables\n\
+    1 DVV_1:mass\n0 analysis_components\n1 eval_id\n";
+
+#[test]
+fn a_point_is_evaluated_in_every_form() {
+    let desk = desk();
+    let expected = expected(&desk);
+    let number = |value: &Value| value.as_f64().expect("a number");
+    desk.put("point.json", r#"{"mass": 500, "speed": 20}"#);
+    let told = desk.percuss(&["eval", "study.toml", "point.json", "--gradients"]);
+    assert_eq!(told.status, Some(0), "{}", told.stderr);
+    let told: Value = serde_json::from_str(&told.stdout).expect("JSON alone");
+    for (k, result) in ["force", "exit"].iter().enumerate() {
+        assert!(close(number(&told["results"][result]), number(&expected["results"][k]["value"])));
+        for (j, parameter) in ["speed", "mass"].iter().enumerate() {
+            let found = number(&told["derivatives"][result][parameter]);
+            assert!(close(found, number(&expected["derivatives"][k][j])), "{told:#}");
+        }
+    }
+    desk.put("params.in", DAKOTA);
+    desk.percuss(&["eval", "study.toml", "params.in", "results.out"]).ends_with(0);
+    let text = std::fs::read_to_string(desk.path("results.out")).expect("results");
+    let lines: Vec<&str> = text.lines().collect();
+    let (value, label) = lines[0].split_once(' ').expect("a value and its label");
+    assert!(
+        label == "exit"
+            && close(value.parse().expect("a number"), number(&expected["results"][1]["value"]))
+    );
+    let gradient = lines[1].trim_matches(['[', ']', ' ']).parse().expect("one number");
+    assert!(lines.len() == 2 && close(gradient, number(&expected["derivatives"][1][1])), "{text}");
+}
+
+#[test]
+fn what_cannot_be_evaluated_is_told_and_nothing_is_lost() {
+    let desk = desk();
+    desk.put("params.in", DAKOTA);
+    desk.put("results.out", "earlier");
+    desk.percuss(&["eval", "study.toml", "params.in", "results.out"])
+        .ends_with(2)
+        .tells("exists already");
+    assert_eq!(std::fs::read(desk.path("results.out")).expect("a file"), b"earlier");
+    // A failed evaluation is one for Dakota too.
+    desk.put("heavy.in", DAKOTA.replace("500 mass", "-500 mass"));
+    desk.percuss(&["eval", "study.toml", "heavy.in", "failed.out"])
+        .ends_with(3)
+        .tells("a mass above zero");
+    let failed = std::fs::read_to_string(desk.path("failed.out")).expect("results");
+    assert!(failed.starts_with("FAIL") && failed.contains("[E016]"), "{failed}");
+    for (text, told) in [
+        (
+            DAKOTA.replace("20 speed", "20 sped"),
+            "`sped` is no parameter of the study; its parameters are speed, mass",
+        ),
+        (
+            DAKOTA.replace("3 ASV_1:exit", "3 ASV_1:obj_fn"),
+            "functions obj_fn are not the study's results (force, exit)",
+        ),
+        (DAKOTA.replace("3 ASV", "4 ASV"), "second derivatives of `exit`"),
+        (r#"{"speed": "fast", "mass": 1}"#.to_owned(), "`speed` is \"fast\""),
+        (r#"{"speed": 20}"#.to_owned(), "no value for `mass`"),
+        ("nothing".to_owned(), "a count of `variables`"),
+    ] {
+        desk.put("bad.in", text);
+        desk.percuss(&["eval", "study.toml", "bad.in", "bad.out"])
+            .ends_with(2)
+            .tells(told)
+            .tells("E319");
+        assert!(!desk.path("bad.out").exists());
+    }
+}
+
+/// A request over HTTP: status and answer.
+fn ask(address: &str, path: &str, body: &Value) -> (u16, Value) {
+    let mut stream = TcpStream::connect(address).expect("a connection");
+    let body = body.to_string();
+    let head = format!(
+        "POST {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\nContent-Length: {}\r\n\r\n",
+        body.len()
+    );
+    stream.write_all((head + &body).as_bytes()).expect("a request");
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).expect("an answer");
+    let (head, body) = answer.split_once("\r\n\r\n").expect("head and body");
+    let status = head.split(' ').nth(1).and_then(|status| status.parse().ok()).expect("a status");
+    (status, serde_json::from_str(body).expect("JSON"))
+}
+
+#[test]
+fn a_served_study_speaks_um_bridge() {
+    let desk = desk();
+    let mut server =
+        desk.command(&["serve", "study.toml", "--port", "0"]).spawn().expect("percuss");
+    let mut first = String::new();
+    BufReader::new(server.stderr.take().expect("piped")).read_line(&mut first).expect("a greeting");
+    let address = first
+        .split("http://")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next())
+        .expect("an address")
+        .to_owned();
+    let asked = |path: &str, more: Value| {
+        let mut body = json!({ "name": "forward", "config": {} });
+        for (key, value) in more.as_object().expect("a table") {
+            body[key] = value.clone();
+        }
+        ask(&address, path, &body)
+    };
+    let point = json!({ "input": [[20.0, 500.0]] });
+    let with = |key: &str, value: Value| {
+        let mut point = point.clone();
+        point["outWrt"] = json!(0);
+        point["inWrt"] = json!(0);
+        point[key] = value;
+        point
+    };
+    assert_eq!(
+        ask(&address, "/Info", &json!({})).1,
+        json!({ "protocolVersion": 1.0, "models": ["forward"] })
+    );
+    assert_eq!(asked("/InputSizes", json!({})).1, json!({ "inputSizes": [2] }));
+    assert_eq!(asked("/OutputSizes", json!({})).1, json!({ "outputSizes": [2] }));
+    assert_eq!(asked("/ModelInfo", json!({})).1["support"]["Gradient"], true);
+    let expected = expected(&desk);
+    let d = |k: usize, j: usize| expected["derivatives"][k][j].as_f64().expect("a number");
+    let numbers = |(status, answer): (u16, Value)| -> Vec<f64> {
+        assert_eq!(status, 200, "{answer}");
+        let output = answer["output"].as_array().cloned().unwrap_or_default();
+        let flat =
+            output.iter().flat_map(|x| x.as_array().cloned().unwrap_or_else(|| vec![x.clone()]));
+        flat.filter_map(|x| x.as_f64()).collect()
+    };
+    let values = numbers(asked("/Evaluate", point.clone()));
+    assert!(close(values[0], expected["results"][0]["value"].as_f64().expect("a number")));
+    let gradient = numbers(asked("/Gradient", with("sens", json!([2.0, -1.0]))));
+    let action = numbers(asked("/ApplyJacobian", with("vec", json!([1.0, 3.0]))));
+    for j in 0..2 {
+        assert!(close(gradient[j], 2.0 * d(0, j) - d(1, j)), "{gradient:?}");
+        assert!(close(action[j], d(j, 0) + 3.0 * d(j, 1)), "{action:?}");
+    }
+    for (path, body, status, kind) in [
+        ("/Evaluate", json!({ "input": [[20.0]] }), 400, "InvalidInput"),
+        ("/Evaluate", json!({ "input": [[20.0, -1.0]] }), 500, "InvalidOutput"),
+        (
+            "/Evaluate",
+            json!({ "input": [[20.0, 500.0]], "config": { "fine": true } }),
+            400,
+            "InvalidInput",
+        ),
+        ("/Evaluate", json!({ "name": "backward" }), 400, "ModelNotFound"),
+        ("/ApplyHessian", json!({}), 400, "UnsupportedFeature"),
+        ("/Gradient", with("sens", json!([1.0])), 400, "InvalidInput"),
+    ] {
+        let (found, answer) = asked(path, body);
+        assert_eq!((found, answer["error"]["type"].as_str()), (status, Some(kind)), "{answer}");
+    }
+    server.kill().expect("an end");
+    server.wait().expect("an end");
+}
+
+#[test]
+fn manual_pages_are_written_for_every_command() {
+    let desk = Desk::empty();
+    desk.percuss(&["man", "--out", "pages"]).ends_with(0);
+    let page = std::fs::read_to_string(desk.path("pages/percuss-run.1")).expect("a page");
+    assert!(page.contains(".TH percuss-run 1") && page.contains("checkpoint"));
+    assert!(desk.path("pages/percuss.1").exists());
+}

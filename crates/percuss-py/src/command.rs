@@ -1,0 +1,12 @@
+//! The `percuss` command, for the wheel to bring along.
+
+use std::ffi::OsString;
+
+use pyo3::prelude::*;
+
+/// Does what a command line asks for, its first word the name of the program; its exit status.
+#[pyfunction]
+pub fn command(py: Python<'_>, line: Vec<OsString>) -> u8 {
+    // From here on signals are the command's, as in a process of its own.
+    py.detach(|| percuss_cli::command(line))
+}

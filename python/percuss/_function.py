@@ -1,0 +1,179 @@
+"""A study as a function of the numbers that vary in it: for samplers, optimisers and surrogates of other packages."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _percuss
+from ._errors import AnalysisError, InputError, MissingError, PercussError, coded
+from ._structure import Floats
+from ._study import StudySource, study_of
+
+if TYPE_CHECKING:
+    import openturns
+
+
+class Function:
+    """A study as ``y = f(x)``: values of its parameters in, its results out, all in SI units.
+
+    The design of the study plays no part: whoever calls chooses the points. Runs of one call go side by side where they fit.
+
+    Parameters
+    ----------
+    study : Study
+        The study; only numbers may vary in it.
+    failed : {"raise", "nan"}
+        What becomes of a point whose run does not complete or has no such result.
+
+    Examples
+    --------
+    >>> f = percuss.function("speed-and-mass.toml")
+    >>> f.names, f.results
+    (('speed', 'mass', 'young'), ('peak_force', 'peak_displacement', 'exit_velocity'))
+    >>> y = f([[20, 500, 2e9], [25, 500, 2e9]])  # shape (2, 3)
+    >>> f.jacobian([20, 500, 2e9])  # shape (3, 3), exact
+    """
+
+    def __init__(self, study: _percuss.Study, failed: Literal["raise", "nan"] = "raise") -> None:
+        if failed not in ("raise", "nan"):
+            raise ValueError(f'failed is {failed!r}; it may be "raise" or "nan"')
+        inputs, bounds, middle, outputs = _percuss.function_layout(study)
+        self.study = study
+        """The study."""
+        self.failed = failed
+        """What becomes of points without a value."""
+        self.names: tuple[str, ...] = tuple(name for name, _, _ in inputs)
+        """Names of the parameters, in the order of a point."""
+        self.results: tuple[str, ...] = tuple(name for name, _, _ in outputs)
+        """Names of the results, in the order of a value."""
+        self.units: dict[str, str] = {name: unit for name, unit, _ in [*inputs, *outputs]}
+        """SI units of parameters and results."""
+        self.paths: dict[str, str] = {name: path for name, _, path in [*inputs, *outputs]}
+        """Where parameters stand in the scenario, and results in the summary."""
+        self.bounds: list[tuple[float, float] | None] = bounds
+        """Smallest and largest value of each parameter in the study; None where it has none."""
+        self.middle: Floats = np.array(middle)
+        """Median of each parameter in the study, shape (n_parameter,)."""
+
+    def __call__(self, x: ArrayLike) -> Floats:
+        """Results at points.
+
+        Parameters
+        ----------
+        x : array of shape (n_parameter,) or (n_point, n_parameter)
+            Points, in SI units.
+
+        Returns
+        -------
+        array of shape (n_result,) or (n_point, n_result)
+            Results, in SI units; one result as well stands in an axis of its own.
+
+        Raises
+        ------
+        AnalysisError, InputError
+            If a point has no value and ``failed`` is ``"raise"``: which, and why.
+        """
+        points = self._points(x)
+        flat, failures = _percuss.function_values(self.study, np.atleast_2d(points).tolist())
+        if failures and self.failed == "raise":
+            point, why = failures[0]
+            more = f" (and {len(failures) - 1} more)" if len(failures) > 1 else ""
+            raise _told(f"point {point}{more}: {why}" if points.ndim > 1 else why)
+        return flat.reshape(*points.shape[:-1], len(self.results))
+
+    def jacobian(self, x: ArrayLike) -> Floats:
+        """Derivatives of all results at a point, exact ones of the run, impacts included.
+
+        Parameters
+        ----------
+        x : array of shape (n_parameter,)
+            Point, in SI units.
+
+        Returns
+        -------
+        array of shape (n_result, n_parameter)
+            In SI units of both.
+        """
+        point = self._points(x)
+        if point.ndim != 1:
+            raise ValueError(f"a Jacobian is one of a point, shape ({len(self.names)},), found {point.shape}")
+        _, flat, why = _percuss.function_jacobian(self.study, point.tolist())
+        if why is not None:
+            raise _told(why)
+        return flat.reshape(len(self.results), len(self.names))
+
+    @property
+    def problem(self) -> dict[str, Any]:
+        """What SALib asks for: ``num_vars``, ``names``, ``bounds``, ``outputs``."""
+        open_ended = [name for name, bounds in zip(self.names, self.bounds) if bounds is None]
+        if open_ended:
+            raise ValueError(f"{', '.join(open_ended)}: no bounds in the study; a range, a uniform or a truncated distribution has them")
+        bounds = [list(pair) for pair in self.bounds if pair is not None]
+        return {"num_vars": len(self.names), "names": list(self.names), "bounds": bounds, "outputs": list(self.results)}
+
+    def _points(self, x: ArrayLike) -> Floats:
+        points = np.asarray(x, dtype=float)
+        if points.ndim not in (1, 2) or points.shape[-1] != len(self.names):
+            wanted = f"{len(self.names)} numbers a point ({', '.join(self.names)})"
+            raise ValueError(f"found an array of shape {points.shape}, expected {wanted}")
+        return points
+
+    def __repr__(self) -> str:
+        return f"<percuss.Function ({', '.join(self.names)}) -> ({', '.join(self.results)})>"
+
+
+def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allow_outside: bool = False) -> Function:
+    """A study as a function ``y = f(x)``; see :class:`Function`.
+
+    Parameters
+    ----------
+    study : str, path, mapping or Study
+        A study, the path of its file, or nested dictionaries with the file's names.
+    failed : {"raise", "nan"}
+        What becomes of a point whose run does not complete or has no such result.
+    allow_outside : bool
+        Let the study name files outside its own folder.
+    """
+    return Function(study_of(study, {}, allow_outside), failed)
+
+
+def openturns_function(study: StudySource | Function) -> openturns.Function:
+    """A study as an ``openturns.Function`` with its gradient; samples are run side by side.
+
+    Parameters
+    ----------
+    study : str, path, mapping, Study or Function
+        A study, or the function it is.
+    """
+    try:
+        import openturns
+    except ImportError as error:
+        raise MissingError.of("openturns", "a function of OpenTURNS", "openturns") from error
+    f = study if isinstance(study, Function) else function(study)
+
+    def gradient(x: Any) -> Any:
+        # OpenTURNS wants a row for each parameter.
+        return openturns.Matrix(f.jacobian(np.array(x)).T.tolist())
+
+    made = openturns.PythonFunction(
+        len(f.names),
+        len(f.results),
+        func=lambda x: f(np.array(x)).tolist(),
+        func_sample=lambda x: f(np.array(x)).tolist(),
+        gradient=gradient,
+    )
+    made.setInputDescription(f.names)
+    made.setOutputDescription(f.results)
+    return made
+
+
+def _told(why: str) -> PercussError:
+    """An exception whose text ends with its code."""
+    found = re.search(r" \[(E\d+)\]$", why)
+    code = found[1] if found else None
+    kind = AnalysisError if code is not None and code.startswith("E1") else InputError
+    return coded(kind, why[: found.start()] if found else why, code)

@@ -1,0 +1,148 @@
+"""Studies as functions, for other packages and over HTTP; the command that the wheel brings along."""
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import percuss
+import pytest
+
+COMMAND = Path(sys.executable).with_name("percuss")
+
+
+@pytest.fixture
+def two(study) -> dict:
+    """A study of speed and mass."""
+    study["parameters"]["mass"] = {"path": "projectile.mass.mass", "range": {"from": 300, "to": "700 kg"}}
+    study["design"] = {"kind": "sobol", "runs": 16}
+    return study
+
+
+def test_a_function_gives_what_a_sweep_gives(two):
+    f, table = percuss.function(two), percuss.sweep(two)
+    assert f.names == ("speed", "mass") and f.results == ("peak_force", "exit")
+    assert f.bounds == [(10.0, 30.0), (300.0, 700.0)] and f.middle.tolist() == [20.0, 500.0]
+    assert f.units == {"speed": "m/s", "mass": "kg", "peak_force": "N", "exit": "m/s"}
+    y = f(np.column_stack([table["speed"], table["mass"]]))
+    assert y.shape == (16, 2)
+    assert np.array_equal(y[:, 0], table["peak_force"]) and np.array_equal(y[:, 1], table["exit"])
+    assert np.array_equal(f([20, 500]), table.study.function()([[20, 500]])[0])
+    assert repr(f) == "<percuss.Function (speed, mass) -> (peak_force, exit)>"
+
+
+def test_a_jacobian_is_what_differences_tend_to(two):
+    f = percuss.function(two)
+    x, jacobian = f.middle, f.jacobian(f.middle)
+    for k in range(2):
+        h = np.eye(2)[k] * 1e-4 * x[k]
+        assert (f(x + h) - f(x - h)) / (2 * h[k]) == pytest.approx(jacobian[:, k], rel=1e-4)
+
+
+def test_points_without_a_value_are_told_or_nan(two):
+    f = percuss.function(two)
+    with pytest.raises(ValueError, match=r"2 numbers a point \(speed, mass\)"):
+        f([1, 2, 3])
+    with pytest.raises(percuss.PercussError, match="point 1: projectile.mass.mass") as told:
+        f([[20, 500], [20, -1]])
+    assert told.value.code == "E016"
+    with pytest.raises(percuss.PercussError, match="a number is needed"):
+        f([20, np.nan])
+    y = percuss.function(two, failed="nan")([[20, 500], [20, -1]])
+    assert np.isfinite(y[0]).all() and np.isnan(y[1]).all()
+    words = {**two, "design": {"kind": "grid"}, "parameters": {"law": {"path": "projectile.mass.kind", "values": ["elastic"]}}}
+    with pytest.raises(percuss.InputError) as told:
+        percuss.function(words)
+    assert told.value.code == "E318"
+
+
+def test_openturns_takes_values_and_gradients(two):
+    openturns = pytest.importorskip("openturns")
+    f = percuss.function(two)
+    g = percuss.openturns(f)
+    assert list(g.getInputDescription()) == ["speed", "mass"] and list(g.getOutputDescription()) == ["peak_force", "exit"]
+    assert np.array(g([20, 500])) == pytest.approx(f([20, 500]), rel=1e-15)
+    assert np.array(g(openturns.Sample([[20, 500], [25, 400]]))) == pytest.approx(f([[20, 500], [25, 400]]), rel=1e-15)
+    # OpenTURNS keeps a column for each output.
+    assert np.array(g.gradient([20, 500])).T == pytest.approx(f.jacobian([20, 500]), rel=1e-15)
+
+
+def test_salib_finds_the_indices_that_a_study_finds(two):
+    """Peak force of a linear contact is proportional to the speed: its share of the variance is that of the speed alone."""
+    sobol_sample = pytest.importorskip("SALib.sample.sobol")
+    from SALib.analyze import sobol
+
+    f = percuss.function(two)
+    points = sobol_sample.sample(f.problem, 256, seed=1)
+    found = sobol.analyze(f.problem, f(points)[:, 0], seed=1)
+    own = {**two, "design": {"kind": "sobol", "runs": 256, "sobol_indices": True}}
+    table = percuss.sweep(own)
+    assert len(table) == 256 * 4
+    speed = found["S1"][0]
+    # Variance of a product of independent factors, from their means and variances: F = v g(m).
+    v, m = np.linspace(10, 30, 4001), np.linspace(300, 700, 401)
+    g = f(np.column_stack([np.full_like(m, 20.0), m]))[:, 0]
+    trapezoid = lambda y, x: float(((y[1:] + y[:-1]) / 2 * np.diff(x)).sum())  # noqa: E731
+    mean = lambda y, x: trapezoid(y, x) / (x[-1] - x[0])  # noqa: E731
+    var = lambda y, x: mean(y**2, x) - mean(y, x) ** 2  # noqa: E731
+    total = mean(v**2, v) * mean(g**2, m) - (mean(v, v) * mean(g, m)) ** 2
+    assert speed == pytest.approx(var(v, v) * mean(g, m) ** 2 / total, abs=0.03)
+
+
+def file_of(study: dict, path: Path) -> Path:
+    path.write_text(percuss.sweep(study).study.text, encoding="utf-8")
+    return path
+
+
+def test_um_bridge_evaluates_a_served_study(two, tmp_path):
+    umbridge = pytest.importorskip("umbridge")
+    f, file = percuss.function(two), file_of(two, tmp_path / "two.toml")
+    server = subprocess.Popen([COMMAND, "serve", file, "--port", "0"], stderr=subprocess.PIPE, text=True)
+    try:
+        address = next(word for word in server.stderr.readline().split() if word.startswith("http"))
+        model = umbridge.HTTPModel(address, "forward")
+        assert model.get_input_sizes() == [2] and model.get_output_sizes() == [2]
+        assert model.supports_evaluate() and model.supports_gradient() and model.supports_apply_jacobian()
+        assert not model.supports_apply_hessian()
+        x = [20.0, 500.0]
+        jacobian = f.jacobian(x)
+        assert model([x])[0] == pytest.approx(f(x), rel=1e-14)
+        assert model.gradient(0, 0, [x], [2.0, -1.0]) == pytest.approx([2.0, -1.0] @ jacobian, rel=1e-14)
+        assert model.apply_jacobian(0, 0, [x], [1.0, 3.0]) == pytest.approx(jacobian @ [1.0, 3.0], rel=1e-14)
+        with pytest.raises(Exception, match="2 numbers"):
+            model([[1.0]])
+        with pytest.raises(Exception, match="a mass above zero"):
+            model([[20.0, -500.0]])
+    finally:
+        server.send_signal(signal.SIGINT)
+        assert server.wait(20) == 130
+
+
+def test_the_wheel_brings_the_command(two, tmp_path):
+    run = lambda *arguments, **more: subprocess.run([COMMAND, *arguments], capture_output=True, text=True, **more)  # noqa: E731
+    assert run("--version").stdout == f"percuss {percuss.__version__}\n"
+    assert run("run", "nothing.toml").returncode == 2
+    file = file_of(two, tmp_path / "two.toml")
+    done = run("eval", file, "-", "--gradients", input='{"speed": 20, "mass": 500}')
+    assert done.returncode == 0, done.stderr
+    told, f = json.loads(done.stdout), percuss.function(two)
+    assert list(told["results"].values()) == pytest.approx(f([20, 500]), rel=1e-12)
+    assert told["derivatives"]["exit"]["mass"] == pytest.approx(f.jacobian([20, 500])[1, 1], rel=1e-12)
+
+
+def test_ctrl_c_ends_the_command_of_the_wheel(elastic, tmp_path):
+    elastic["time.end"] = "60 s"
+    elastic.save(tmp_path / "long.toml")
+    running = subprocess.Popen([COMMAND, "run", "long.toml", "--quiet"], cwd=tmp_path, stderr=subprocess.PIPE)
+    for _ in range(600):  # until the solver is at work, and not the interpreter
+        if any(tmp_path.glob("runs/*")) or any(tmp_path.glob("runs/.*")):
+            break
+        time.sleep(0.1)
+    time.sleep(0.5)
+    running.send_signal(signal.SIGINT)
+    assert running.wait(30) == 130
+    assert b"Traceback" not in running.stderr.read()
+    assert (tmp_path / "runs" / "long" / "summary.json").exists()
