@@ -44,6 +44,8 @@ pub struct Engine<S: Number> {
     pub applied: Vec<[S; 4]>,
     /// Increment over the step, shape (beam nodes, 4) \[m, 1\].
     pub increment: Vec<[S; 4]>,
+    /// What accelerations added to it, as foreseen by the step before, shape (beam nodes, 4) \[m, 1\].
+    pub trend: Vec<[S; 4]>,
     /// Residual in the free directions, shape (beam nodes, 4) \[N, N m\].
     pub residual: Vec<[S; 4]>,
     /// Correction of the increment, shape (beam nodes, 4) \[m, 1\].
@@ -89,6 +91,7 @@ impl<S: Number> Engine<S> {
             load_factors: vec![numbers.step.constant(1.0); numbers.loads.len()],
             applied: still.clone(),
             increment: still.clone(),
+            trend: still.clone(),
             residual: still.clone(),
             correction: still,
             tangent: Band::zeros(nodes, zero),

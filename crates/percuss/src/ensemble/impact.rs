@@ -39,6 +39,7 @@ impl<S: Number> Press<S> {
 
 impl<S: Number> Engine<S> {
     /// Gap of a guided projectile and its rate at the end of the step solved last.
+    #[inline(always)]
     pub fn gap_next(&self, k: usize) -> [S; 2] {
         let state = &self.guides[k];
         [state.gap + state.gap_change, state.gap_change * 2.0 / self.h - state.rate]
@@ -70,6 +71,7 @@ impl<S: Number> Engine<S> {
     }
 
     /// The answer of the factored tangent to a unit force that opens a gap, left in the corrections; returns how far it opens.
+    #[inline(always)]
     fn answer(&mut self, k: usize) -> S {
         let zero = self.h.constant(0.0);
         let guide = &self.numbers.guides[k];
@@ -105,6 +107,7 @@ impl<S: Number> Engine<S> {
     }
 
     /// The answer to a unit force by the factors in use; corrections stay as they are.
+    #[inline(always)]
     fn find_answer(&mut self, press: &mut Press<S>) {
         std::mem::swap(&mut self.correction, &mut press.nodal);
         for (way, state) in press.ways.iter_mut().zip(&self.guides) {

@@ -264,7 +264,9 @@ impl<S: Number> Log<S> {
         let all = std::mem::replace(&mut self.taken, go);
         self.end(engine);
         self.taken = all;
-        for (now, kept) in self.points.as_flattened_mut().iter_mut().zip(self.kept.points.as_flattened()) {
+        for (now, kept) in
+            self.points.as_flattened_mut().iter_mut().zip(self.kept.points.as_flattened())
+        {
             now.put_back(kept, go);
         }
         for (now, kept) in self.guides.iter_mut().zip(&self.kept.guides) {
@@ -373,12 +375,14 @@ impl<S: Number> Engine<S> {
 }
 
 impl<S: Number> GuideLog<S> {
+    #[inline(always)]
     fn kept(&self) -> KeptGuide<S> {
         let Self { open, deepest, given, free, released, parted, parted_at, .. } = *self;
         KeptGuide { open, deepest, given, free, released, parted, parted_at }
     }
 
     /// Puts all lanes but those that `go` back to what they were.
+    #[inline(always)]
     fn put_back(&mut self, kept: &KeptGuide<S>, go: S::Mask) {
         let choose = |now: &mut S, kept: S| *now = S::choose(go, *now, kept);
         for lane in (0..S::LANES).filter(|lane| !go.lane(*lane)) {

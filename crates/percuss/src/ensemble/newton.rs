@@ -10,6 +10,9 @@ use crate::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
 /// two corrections.
 const MOST_SERVICE: f64 = 8.0;
 
+/// The same where lanes go by parts of their own: they seldom renew together, and every renewal costs all of them.
+const MOST_SERVICE_APART: f64 = 32.0;
+
 /// So large a share of the size of a step, up to which it differs from the one that the tangent was factored for, costs no correction.
 const NEARLY: f64 = 1e-3;
 
@@ -43,6 +46,8 @@ pub struct LaneNewton<S: Number> {
     /// step was not accepted; and whether others say so than steps of the same size.
     pub ahead: S,
     pub told: bool,
+    /// Share of the last change of these additions that is expected again.
+    pub trusted: S,
     /// Corrections and factorisations of the run so far.
     pub iterations: S,
     pub factorizations: S,
@@ -67,6 +72,7 @@ impl<S: Number> LaneNewton<S> {
             size: never,
             ahead: zero,
             told: false,
+            trusted: zero,
             iterations: zero,
             factorizations: zero,
         }
@@ -104,7 +110,7 @@ impl<S: Number> Engine<S> {
     pub fn solve(&mut self, ledger: &LaneLedger<S>, search: &mut LaneNewton<S>) {
         let before = search.begin(ledger.energy_scale, self.h);
         self.settled = self.h.less(self.h);
-        self.predict(before, search.ahead);
+        self.predict(before, search.ahead, search.trusted);
         let reach = largest(&self.displacement);
         let momentum = {
             let play = (self.numbers.total_mass * ledger.energy_scale * 2.0).sqrt();
@@ -180,14 +186,17 @@ impl<S: Number> Engine<S> {
         self.settled = self.settled | ends;
     }
 
-    /// The increments if accelerations are those of the step before, of size `before`, times `ahead` by the square of the sizes.
+    /// The increments if accelerations are those of the step before, of size `before`, times `ahead` by the square of the sizes, and change
+    /// by the share `trusted` of what they changed by then.
     #[inline(always)]
-    fn predict(&mut self, before: S, ahead: S) {
+    fn predict(&mut self, before: S, ahead: S, trusted: S) {
         let (zero, told) = (self.h.constant(0.0), !ahead.equals(self.h.constant(0.0)));
         for n in 0..self.increment.len() {
             for i in 0..4 {
                 let v = self.velocity[n][i];
-                let change = (before * v - self.increment[n][i]) * ahead;
+                let last = (before * v - self.increment[n][i]) * ahead;
+                let change = last + (last - self.trend[n][i]) * trusted;
+                self.trend[n][i] = S::choose(told, last, zero);
                 self.increment[n][i] = self.h * v + S::choose(told, change, zero);
             }
         }
@@ -314,7 +323,7 @@ impl<S: Number> LaneNewton<S> {
         self.served += h.constant(1.0);
         let due = if S::DERIVES { !no } else { self.service.at_most(self.served) };
         self.renew = self.live & (due | !self.fits(h));
-        let most = h.constant(MOST_SERVICE);
+        let most = h.constant(if self.told { MOST_SERVICE_APART } else { MOST_SERVICE });
         let longer = self.service + h.constant(1.0);
         let longer = longer.if_less(most, longer, most);
         self.service = S::choose(due, longer, self.service);

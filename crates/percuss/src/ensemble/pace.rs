@@ -233,8 +233,7 @@ impl Pace {
                 continue;
             }
             let [gap, rate] = seen.end;
-            let ahead =
-                gap - Self::floor(seen, nothing) + 0.5 * self.interval() * rate.min(0.0);
+            let ahead = gap - Self::floor(seen, nothing) + 0.5 * self.interval() * rate.min(0.0);
             if ahead < least.0 {
                 least = (ahead, Some(k));
             }

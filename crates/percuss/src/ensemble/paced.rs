@@ -30,6 +30,8 @@ struct Lane {
     creep: f64,
     /// Size of the part solved last \[s\], and what it says of accelerations: 1 if it was accepted, -1 if not, 0 if it says nothing.
     last: (f64, f64),
+    /// Parts of the same size accepted one after another.
+    even: usize,
 }
 
 impl Lane {
@@ -38,6 +40,11 @@ impl Lane {
         let longer = self.pace.h / self.last.0;
         let unknown = self.last.1 == 0.0 || self.pace.part == Part::Impact || longer > MOST_LONGER;
         if unknown { 0.0 } else { self.last.1 * longer * longer }
+    }
+
+    /// Share of the last change of accelerations that is expected again: all of it behind parts of the same size.
+    fn trusted(&self) -> f64 {
+        f64::from(u8::from(self.even > 0 && self.last == (self.pace.h, 1.0)))
     }
 
     /// Whether the contact may press in the part at hand, and the least rate of its gap if it has this one \[m/s\].
@@ -136,6 +143,7 @@ impl<S: Number> Paced<S> {
             rigid: RigidLog::new(),
             creep: CREEP * run.model.gravity() * settings.step,
             last: (settings.step, 0.0),
+            even: 0,
         };
         let at = [guide.standoff, -guide.speed];
         let seen = [Seen { start: at, end: at }];
@@ -167,6 +175,7 @@ impl<S: Number> Paced<S> {
         };
         self.engine.h = h.constants(|i| of(i, &|lane| lane.pace.h, h.lane(i)));
         self.search.ahead = h.constants(|i| of(i, &|lane| lane.ahead(), 0.0));
+        self.search.trusted = h.constants(|i| of(i, &|lane| lane.trusted(), 0.0));
         self.log.time = h.constants(|i| of(i, &|lane| lane.pace.time, 0.0));
         let bound = |i: usize| lanes[i].as_ref().and_then(|lane| lane.bound(rate.lane(i)));
         if let Some(press) = &mut self.engine.press {
@@ -203,6 +212,8 @@ impl<S: Number> Paced<S> {
         for number in 0..S::LANES {
             let Some(mut lane) = self.lanes[number].take() else { continue };
             lane.pace.solver_steps += 1;
+            let even = lane.last == (lane.pace.h, 1.0);
+            lane.even = if even { lane.even + 1 } else { 0 };
             lane.last = (lane.pace.h, 1.0);
             if !self.search.failed.lane(number) {
                 let nothing = self.nothing(&lane, number);

@@ -50,10 +50,9 @@ impl<S: Number> Stand<S> {
     /// Puts all lanes but those that `go` back to where they stood.
     #[inline(always)]
     pub fn put_back(&self, engine: &mut Engine<S>, ledger: &mut LaneLedger<S>, go: S::Mask) {
-        for (now, kept) in [
-            (&mut engine.displacement, &self.displacement),
-            (&mut engine.velocity, &self.velocity),
-        ] {
+        for (now, kept) in
+            [(&mut engine.displacement, &self.displacement), (&mut engine.velocity, &self.velocity)]
+        {
             for (now, kept) in now.iter_mut().zip(kept) {
                 *now = array(|i| S::choose(go, now[i], kept[i]));
             }

@@ -64,7 +64,8 @@ fn variants(count: usize, seed: u64) -> Vec<Variant> {
 
 fn settings(variants: &[Variant]) -> Vec<Settings> {
     let each = variants.iter().enumerate();
-    each.map(|(k, v)| Settings { record_every: 1 + k % 3, ..Settings::new(v.end, v.step) }).collect()
+    each.map(|(k, v)| Settings { record_every: 1 + k % 3, ..Settings::new(v.end, v.step) })
+        .collect()
 }
 
 type Told<'a> = (&'a [Impact], &'a [ContactInterval], f64);
@@ -101,7 +102,10 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     for i in impacts {
         all.extend([("at", i.time, i.time), ("impulse", i.impulse, total)]);
         all.extend([("in", i.approach_velocity, speed), ("out", i.separation_velocity, speed)]);
-        all.extend([("to beam", i.energy.given[0], energy), ("to mass", i.energy.given[1], energy)]);
+        all.extend([
+            ("to beam", i.energy.given[0], energy),
+            ("to mass", i.energy.given[1], energy),
+        ]);
         all.extend([("lost", i.energy.lost, energy), ("s", i.place.s, 1.0)]);
         all.push(("place", i.place.position[1], 1e-2));
     }
