@@ -330,7 +330,7 @@ impl<S: Number> Paced<S> {
         }
     }
 
-    /// How well the impulse meets its conditions.
+    /// How well the impulse meets its conditions, beside the fastest approach of the run so far: slow ones are known to its round-off.
     fn weigh(&self, lane: &mut Lane, number: usize, deed: &Deed) {
         let Some(press) = &self.engine.press else { return };
         let mobility = 2.0 * press.opening.lane(number) / (deed.h * deed.h);
@@ -338,7 +338,8 @@ impl<S: Number> Paced<S> {
         let miss = deed.after - bound;
         let miss = if deed.impulse > 0.0 { miss.abs() } else { (-miss).max(0.0) };
         let free = deed.after - mobility * deed.impulse;
-        let scale = free.abs().max(bound.abs());
+        let fastest = lane.pace.contacts[0].approach_max;
+        let scale = free.abs().max(bound.abs()).max(fastest);
         if scale > 0.0 {
             lane.rigid.residual = lane.rigid.residual.max(miss / scale);
         }
