@@ -14,8 +14,9 @@ pub struct Press<S: Number> {
     pub bound: S,
     /// How far a unit force opens the gap \[m/N\].
     pub opening: S,
-    /// What else it moves: nodes, shape (beam nodes, 4) \[m/N, 1/N\], and projectiles, shape (guided projectiles) \[m/N\].
+    /// How far it moves the nodes, shape (beam nodes, 4) \[m/N, 1/N\].
     nodal: Vec<[S; 4]>,
+    /// How far it moves the projectiles, shape (guided projectiles) \[m/N\].
     ways: Vec<S>,
     /// Whether these are those of the factors in use.
     pub known: bool,

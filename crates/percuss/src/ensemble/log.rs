@@ -103,20 +103,21 @@ pub struct Log<S: Number> {
 struct Kept<S: Number> {
     /// Extremes of the recorded points, shape (recorded points, 2).
     points: Vec<[Crest<S>; 2]>,
-    /// Open interval, deepest penetration, what was given, acceleration, lanes just released, how they parted and when, shape (guided
-    /// projectiles).
+    /// What is noted of the projectiles, shape (guided projectiles).
     guides: Vec<KeptGuide<S>>,
 }
 
-/// The same of a guided projectile.
+/// The same of a guided projectile, as in [`GuideLog`].
 #[derive(Clone, Copy, Debug)]
 struct KeptGuide<S: Number> {
     open: Closed<S>,
     deepest: Top<S>,
+    /// Impulse that it gave, and work that it did, shape (2) \[N s, J\].
     given: [S; 2],
     free: S,
     released: S::Mask,
     parted: FreeGap<S>,
+    /// Start and size of the step in which it parted, shape (2) \[s\].
     parted_at: [S; 2],
 }
 

@@ -48,10 +48,12 @@ pub struct Touching {
     pub role: Role,
 }
 
-/// Gap and its rate at the start and at the end of a part, shape (2) each \[m, m/s\].
+/// What is seen of a rigid contact over a part.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
+    /// Gap and its rate at the start, shape (2) \[m, m/s\].
     pub start: [f64; 2],
+    /// The same at the end, shape (2) \[m, m/s\].
     pub end: [f64; 2],
 }
 

@@ -59,8 +59,9 @@ impl Lane {
 
 /// What is read of the rigid contact, lane by lane.
 struct Views<S> {
-    /// Gap and its rate at the start and at the end of the part \[m, m/s\].
+    /// Gap and its rate at the start of the part, shape (2) \[m, m/s\].
     start: [S; 2],
+    /// The same at its end, shape (2) \[m, m/s\].
     end: [S; 2],
     /// Impulse \[N s\], and the work it does \[J\].
     impulse: S,
@@ -76,7 +77,7 @@ pub struct Paced<S: Number> {
     stand: Stand<S>,
     /// Number of the rigid projectile \[index of a projectile\].
     guide: usize,
-    /// Shape (lanes).
+    /// The run in each lane, shape (lanes).
     lanes: Vec<Option<Lane>>,
     /// The first run that no lane has taken yet.
     next: usize,

@@ -27,9 +27,12 @@ pub struct Deed {
 /// The record of one run.
 #[derive(Clone, Debug, Default)]
 pub struct RigidLog {
+    /// Impacts that are kept, shape (impacts).
     impacts: Vec<Impact>,
     impact_count: usize,
+    /// Impulse of all \[N s\].
     impulse_total: f64,
+    /// Intervals of rest, shape (intervals).
     intervals: Vec<ContactInterval>,
     /// Number of the interval that is open.
     open: Option<usize>,

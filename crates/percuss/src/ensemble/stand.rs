@@ -9,11 +9,13 @@ use crate::scalar::{Number, array};
 /// A state and its ledger.
 #[derive(Clone, Debug)]
 pub struct Stand<S: Number> {
-    /// Displacements and velocities of the nodes, shape (beam nodes, 4) \[m, 1\], and by time \[m/s, 1/s\].
+    /// Displacements of the nodes, shape (beam nodes, 4) \[m, 1\].
     displacement: Vec<[S; 4]>,
+    /// Their velocities, shape (beam nodes, 4) \[m/s, 1/s\].
     velocity: Vec<[S; 4]>,
-    /// Gauss points and their angular rates, shape (elements, Gauss points).
+    /// Gauss points, shape (elements, Gauss points).
     start: Vec<[End<S>; GAUSS]>,
+    /// Angular rates of their tangents, shape (elements, Gauss points) \[rad/s\].
     spin: Vec<[S; GAUSS]>,
     /// Ways, velocities, gaps and their rates of the projectiles, shape (guided projectiles, 4) \[m, m/s, m, m/s\].
     guides: Vec<[S; 4]>,
