@@ -18,6 +18,35 @@ pub fn rigid_example(elements: usize, restitution: f64) -> Model {
     struck(elements, Besides::None, ProjectileKind::Rigid { restitution })
 }
 
+/// Variants of the paper's rigid example, which differ in speed, mass and restitution.
+///
+/// # Panics
+/// Never: the definitions are sound.
+pub fn rigid_study(count: usize) -> Vec<Model> {
+    let share = |k: usize, step: f64| (k as f64 * step).fract();
+    let model = |k: usize| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("stiff", 0.2e12, 3e3));
+        let section = b.section(Section::new("plank", 0.1, 8.33e-5));
+        let girder = b.beam(Beam::new("girder", &[[0.0, 0.0], [3.0, 0.0]], 6, material, section));
+        let at = |label: &str, f| PointRef {
+            label: label.into(),
+            beam: girder,
+            along: Along::Fraction(f),
+        };
+        for (name, f) in [("left", 0.0), ("right", 1.0)] {
+            b.support(Support::new(name, at(name, f), SupportKind::Clamp));
+        }
+        let kind = ProjectileKind::Rigid { restitution: share(k, 0.754_877_666) };
+        let mass = 50.0 + 150.0 * share(k, 0.618_033_989);
+        let speed = 20.0 + 40.0 * share(k, 0.569_840_291);
+        let hammer = Projectile::new("hammer", kind, mass, [0.0, -speed], at("mid", 0.5));
+        b.projectile(Projectile { standoff: 0.02, ..hammer });
+        b.build().expect("a sound scene")
+    };
+    (0..count).map(model).collect()
+}
+
 /// What a study may have besides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Besides {

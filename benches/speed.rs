@@ -3,7 +3,9 @@
 use std::time::Instant;
 
 use percuss::*;
-use percuss_bench::{Besides, above_floor, elastic_example, frame, sliding_discs, varied};
+use percuss_bench::{
+    Besides, above_floor, elastic_example, frame, rigid_study, sliding_discs, varied,
+};
 use percuss_output::{HistoryFormat, HistoryWriter};
 
 /// Repetitions of each measurement; the least is printed, as the one least disturbed.
@@ -61,6 +63,7 @@ fn main() {
     }
     surface_contacts();
     ensembles();
+    rigid_ensembles();
     println!("peak memory");
     for elements in [6, 60_000] {
         let program = std::env::current_exe().expect("this program");
@@ -137,6 +140,28 @@ fn surface_contacts() {
             "  {} points that touch no floor, {elements:>2} elements {us:6.2} us per step, {:+.1} %",
             per_element * elements,
             (us / alone - 1.0) * 100.0
+        );
+    }
+}
+
+/// Runs with a rigid projectile side by side, and some of them alone.
+fn rigid_ensembles() {
+    println!("a study of the rigid example, 6 elements, 2000 steps, one core");
+    let (models, settings) = (rigid_study(128), Settings::new(0.02, 1e-5));
+    let runs: Vec<_> = models.iter().map(|model| (model, &settings)).collect();
+    for (name, runs, detail) in
+        [("side by side", &runs[..], Detail::Motion), ("one by one", &runs[..8], Detail::Full)]
+    {
+        let seconds = least(|| {
+            let start = Instant::now();
+            assert!(simulate_batch(runs, detail).iter().all(Result::is_ok));
+            start.elapsed().as_secs_f64()
+        });
+        let count = runs.len() as f64;
+        println!(
+            "  {name:<16}  {:4.0} runs a second, {:.2} us per step and run",
+            count / seconds,
+            seconds / (count * 2000.0) * 1e6
         );
     }
 }

@@ -14,8 +14,8 @@ pub enum Detail {
     #[default]
     Full,
     /// All but section forces and reactions of supports, which are left out. Beams on fixed supports, damped by
-    /// their material or not, that guided projectiles strike and dead loads act on then run side by side in vector registers, many
-    /// times as fast.
+    /// their material or not, that guided projectiles strike, at most one of them rigid, and dead loads act on then run side by side in
+    /// vector registers, many times as fast.
     Motion,
 }
 

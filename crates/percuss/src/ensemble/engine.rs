@@ -3,6 +3,7 @@
 mod guide;
 
 use super::band::{Band, LaneBlock};
+use super::impact::Press;
 use super::numbers::{Numbers, PrescribedNumbers};
 use crate::element::beam::ElementValues;
 use crate::element::elastic::ElasticStep;
@@ -43,6 +44,8 @@ pub struct Engine<S: Number> {
     pub applied: Vec<[S; 4]>,
     /// Increment over the step, shape (beam nodes, 4) \[m, 1\].
     pub increment: Vec<[S; 4]>,
+    /// What accelerations added to it, as foreseen by the step before, shape (beam nodes, 4) \[m, 1\].
+    pub trend: Vec<[S; 4]>,
     /// Residual in the free directions, shape (beam nodes, 4) \[N, N m\].
     pub residual: Vec<[S; 4]>,
     /// Correction of the increment, shape (beam nodes, 4) \[m, 1\].
@@ -52,6 +55,8 @@ pub struct Engine<S: Number> {
     pub factors: Band<S>,
     /// The rigid projectile that strikes in the step at hand, if one does; runs side by side have none.
     pub striking: Option<usize>,
+    /// The rigid contact of runs side by side, if they have one.
+    pub press: Option<Press<S>>,
 }
 
 impl<S: Number> Engine<S> {
@@ -86,11 +91,13 @@ impl<S: Number> Engine<S> {
             load_factors: vec![numbers.step.constant(1.0); numbers.loads.len()],
             applied: still.clone(),
             increment: still.clone(),
+            trend: still.clone(),
             residual: still.clone(),
             correction: still,
             tangent: Band::zeros(nodes, zero),
             factors: Band::zeros(nodes, zero),
             striking: None,
+            press: None,
             numbers,
         }
     }

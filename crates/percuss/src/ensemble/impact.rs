@@ -1,10 +1,46 @@
 //! Impulses of a rigid projectile, and the impact interval they act in.
 
 use super::engine::Engine;
-use crate::scalar::Number;
+use crate::scalar::{Mask, Number};
+
+/// The rigid contact of runs side by side, which presses in the parts of some of them.
+#[derive(Clone, Debug)]
+pub struct Press<S: Number> {
+    /// Number of the projectile \[index of a projectile\].
+    pub guide: usize,
+    /// Lanes in whose part it may press.
+    pub which: S::Mask,
+    /// Least rate of the gap at the end of the part \[m/s\].
+    pub bound: S,
+    /// How far a unit force opens the gap \[m/N\].
+    pub opening: S,
+    /// How far it moves the nodes, shape (beam nodes, 4) \[m/N, 1/N\].
+    nodal: Vec<[S; 4]>,
+    /// How far it moves the projectiles, shape (guided projectiles) \[m/N\].
+    ways: Vec<S>,
+    /// Whether these are those of the factors in use.
+    pub known: bool,
+}
+
+impl<S: Number> Press<S> {
+    /// Of a projectile that presses nowhere.
+    pub fn new(engine: &Engine<S>, guide: usize) -> Self {
+        let zero = engine.h.constant(0.0);
+        Self {
+            guide,
+            which: zero.less(zero),
+            bound: zero,
+            opening: zero,
+            nodal: vec![[zero; 4]; engine.increment.len()],
+            ways: vec![zero; engine.guides.len()],
+            known: false,
+        }
+    }
+}
 
 impl<S: Number> Engine<S> {
     /// Gap of a guided projectile and its rate at the end of the step solved last.
+    #[inline(always)]
     pub fn gap_next(&self, k: usize) -> [S; 2] {
         let state = &self.guides[k];
         [state.gap + state.gap_change, state.gap_change * 2.0 / self.h - state.rate]
@@ -36,6 +72,7 @@ impl<S: Number> Engine<S> {
     }
 
     /// The answer of the factored tangent to a unit force that opens a gap, left in the corrections; returns how far it opens.
+    #[inline(always)]
     fn answer(&mut self, k: usize) -> S {
         let zero = self.h.constant(0.0);
         let guide = &self.numbers.guides[k];
@@ -53,5 +90,56 @@ impl<S: Number> Engine<S> {
         }
         let guide = &self.numbers.guides[k];
         guide.along(&self.correction) - self.guides[k].correction
+    }
+
+    /// Adds to the corrections of lanes that seek what the impulse of the contact that presses changes: its gap's rate stays above
+    /// the bound, or is that where it presses.
+    #[inline(always)]
+    pub fn press(&mut self, seeking: S::Mask) {
+        let Some(mut press) = self.press.take() else { return };
+        let which = press.which & seeking;
+        if which.any() {
+            if !press.known {
+                self.find_answer(&mut press);
+            }
+            self.add_impulse(&press, which);
+        }
+        self.press = Some(press);
+    }
+
+    /// The answer to a unit force by the factors in use; corrections stay as they are.
+    #[inline(always)]
+    fn find_answer(&mut self, press: &mut Press<S>) {
+        std::mem::swap(&mut self.correction, &mut press.nodal);
+        for (way, state) in press.ways.iter_mut().zip(&self.guides) {
+            *way = state.correction;
+        }
+        press.opening = self.answer(press.guide);
+        std::mem::swap(&mut self.correction, &mut press.nodal);
+        for (way, state) in press.ways.iter_mut().zip(&mut self.guides) {
+            std::mem::swap(way, &mut state.correction);
+        }
+        press.known = true;
+    }
+
+    #[inline(always)]
+    fn add_impulse(&mut self, press: &Press<S>, which: S::Mask) {
+        let (k, twice) = (press.guide, self.h.recip() * 2.0);
+        let (guide, state) = (&self.numbers.guides[k], &self.guides[k]);
+        let moved = guide.along(&self.correction) - state.correction;
+        let free = (state.gap_change + moved) * twice - state.rate;
+        let impulse = state.impulse + (press.bound - free) / (press.opening * twice / self.h);
+        let impulse = impulse.max(impulse.constant(0.0));
+        let force = (impulse - state.impulse) / self.h;
+        self.guides[k].impulse = S::choose(which, impulse, state.impulse);
+        for (c, answer) in self.correction.iter_mut().zip(&press.nodal) {
+            for i in 0..4 {
+                c[i] = S::choose(which, c[i].add_product(answer[i], force), c[i]);
+            }
+        }
+        for (state, way) in self.guides.iter_mut().zip(&press.ways) {
+            let own = state.correction;
+            state.correction = S::choose(which, own.add_product(*way, force), own);
+        }
     }
 }

@@ -92,6 +92,33 @@ pub struct Log<S: Number> {
     point_start: Vec<[[S; 2]; 2]>,
     /// Gaps and their rates at the start of the step, shape (guided projectiles, 2) \[m, m/s\].
     gap_start: Vec<[S; 2]>,
+    /// Lanes whose step is taken in.
+    taken: S::Mask,
+    /// What stays of the others.
+    kept: Kept<S>,
+}
+
+/// What lanes keep whose step is not taken in.
+#[derive(Clone, Debug)]
+struct Kept<S: Number> {
+    /// Extremes of the recorded points, shape (recorded points, 2).
+    points: Vec<[Crest<S>; 2]>,
+    /// What is noted of the projectiles, shape (guided projectiles).
+    guides: Vec<KeptGuide<S>>,
+}
+
+/// The same of a guided projectile, as in [`GuideLog`].
+#[derive(Clone, Copy, Debug)]
+struct KeptGuide<S: Number> {
+    open: Closed<S>,
+    deepest: Top<S>,
+    /// Impulse that it gave, and work that it did, shape (2) \[N s, J\].
+    given: [S; 2],
+    free: S,
+    released: S::Mask,
+    parted: FreeGap<S>,
+    /// Start and size of the step in which it parted, shape (2) \[s\].
+    parted_at: [S; 2],
 }
 
 impl<S: Number> Closed<S> {
@@ -167,6 +194,8 @@ impl<S: Number> Log<S> {
             guides: (0..guides).map(guide).collect(),
             point_start: vec![[[zero; 2]; 2]; points],
             gap_start: vec![[zero; 2]; guides],
+            taken: zero.at_most(zero),
+            kept: Kept { points: Vec::new(), guides: Vec::new() },
         }
     }
 
@@ -227,6 +256,25 @@ impl<S: Number> Log<S> {
         }
     }
 
+    /// The same of the lanes that `go`; nothing of the others.
+    #[inline(always)]
+    pub fn end_of(&mut self, engine: &Engine<S>, go: S::Mask) {
+        self.kept.points.clone_from(&self.points);
+        self.kept.guides.clear();
+        self.kept.guides.extend(self.guides.iter().map(GuideLog::kept));
+        let all = std::mem::replace(&mut self.taken, go);
+        self.end(engine);
+        self.taken = all;
+        for (now, kept) in
+            self.points.as_flattened_mut().iter_mut().zip(self.kept.points.as_flattened())
+        {
+            now.put_back(kept, go);
+        }
+        for (now, kept) in self.guides.iter_mut().zip(&self.kept.guides) {
+            now.put_back(kept, go);
+        }
+    }
+
     #[inline(always)]
     fn contact(&mut self, engine: &Engine<S>, k: usize, impulsive: S::Mask) {
         let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
@@ -236,14 +284,14 @@ impl<S: Number> Log<S> {
         let least = gap_0.if_less(state.gap, gap_0, state.gap);
         let log = &mut self.guides[k];
         let flight = FreeGap { gap: gap_0, rate: rate_0, acceleration: log.free };
-        log.open_throughout(!least.less(zero), (state.rate - rate_0) / h);
+        log.open_throughout(self.taken, !least.less(zero), (state.rate - rate_0) / h);
         if !least.any_less(zero) {
             return;
         }
         let path = Interpolant { h, start: [-gap_0, -rate_0], end: [-state.gap, -state.rate] };
         for lane in 0..S::LANES {
             let (before, after) = (gap_0.lane(lane), state.gap.lane(lane));
-            if !log.is_open[lane] && (before < 0.0 || after < 0.0) {
+            if self.taken.lane(lane) && !log.is_open[lane] && (before < 0.0 || after < 0.0) {
                 log.is_open[lane] = true;
                 let [opens, approach] = path.touch_down(&flight, lane);
                 let mut new = Closed::none(zero);
@@ -262,7 +310,7 @@ impl<S: Number> Log<S> {
         log.open.deepest.take(&path, time, impulsive);
         log.deepest.take(&path, time, impulsive);
         for lane in 0..S::LANES {
-            if log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
+            if self.taken.lane(lane) && log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
                 let parted = FreeGap { gap: state.gap, rate: -state.rate, acceleration: zero };
                 let mut done = log.open;
                 let since = done.part(&parted, [time, h]);
@@ -320,7 +368,7 @@ impl<S: Number> Engine<S> {
     }
 
     /// The same so long before the end of the step that has just been made.
-    fn struck_before(&self, k: usize, since: S) -> [S; 2] {
+    pub fn struck_before(&self, k: usize, since: S) -> [S; 2] {
         let [now, moved] = [self.struck(k), self.numbers.guides[k].value(&self.increment)];
         let share = since / self.h;
         [now[0] - share * moved[0], now[1] - share * moved[1]]
@@ -328,12 +376,38 @@ impl<S: Number> Engine<S> {
 }
 
 impl<S: Number> GuideLog<S> {
+    #[inline(always)]
+    fn kept(&self) -> KeptGuide<S> {
+        let Self { open, deepest, given, free, released, parted, parted_at, .. } = *self;
+        KeptGuide { open, deepest, given, free, released, parted, parted_at }
+    }
+
+    /// Puts all lanes but those that `go` back to what they were.
+    #[inline(always)]
+    fn put_back(&mut self, kept: &KeptGuide<S>, go: S::Mask) {
+        let choose = |now: &mut S, kept: S| *now = S::choose(go, *now, kept);
+        for lane in (0..S::LANES).filter(|lane| !go.lane(*lane)) {
+            self.open.set_lane(lane, &kept.open, lane);
+        }
+        choose(&mut self.deepest.value, kept.deepest.value);
+        choose(&mut self.deepest.time, kept.deepest.time);
+        choose(&mut self.free, kept.free);
+        choose(&mut self.parted.gap, kept.parted.gap);
+        choose(&mut self.parted.rate, kept.parted.rate);
+        choose(&mut self.parted.acceleration, kept.parted.acceleration);
+        for i in 0..2 {
+            choose(&mut self.given[i], kept.given[i]);
+            choose(&mut self.parted_at[i], kept.parted_at[i]);
+        }
+        self.released = self.released & go | kept.released & !go;
+    }
+
     /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
     #[inline(always)]
-    fn open_throughout(&mut self, open: S::Mask, acceleration: S) {
+    fn open_throughout(&mut self, taken: S::Mask, open: S::Mask, acceleration: S) {
         let zero = acceleration.constant(0.0);
         self.free = S::choose(open, acceleration, zero);
-        let (freed, released) = (self.released & open, self.released);
+        let (freed, released) = (self.released & open & taken, self.released & taken);
         if !released.any() {
             return;
         }

@@ -18,11 +18,15 @@ mod loads;
 mod log;
 mod newton;
 mod numbers;
+mod pace;
+mod paced;
 mod prescribed;
 mod reactions;
+mod rigid_log;
 mod run;
 mod sensitivity;
 mod shape;
+mod stand;
 mod summary;
 
 pub use batch::{Detail, simulate_batch};

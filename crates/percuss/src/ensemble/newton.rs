@@ -10,6 +10,12 @@ use crate::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
 /// two corrections.
 const MOST_SERVICE: f64 = 8.0;
 
+/// The same where lanes go by parts of their own: they seldom renew together, and every renewal costs all of them.
+const MOST_SERVICE_APART: f64 = 32.0;
+
+/// So large a share of the size of a step, up to which it differs from the one that the tangent was factored for, costs no correction.
+const NEARLY: f64 = 1e-3;
+
 /// Impulse left unbalanced at a contact, relative to the momentum scale, that is more than round-off: it has opened or closed with
 /// a correction that was foreseen to be the last.
 const UNFORESEEN: f64 = 1e-13;
@@ -34,9 +40,14 @@ pub struct LaneNewton<S: Number> {
     service: S,
     /// Whether the tangent is to be factored anew.
     renew: S::Mask,
-    /// Size of the last step \[s\], and whether this one has the same.
-    size: S,
-    steady: S::Mask,
+    /// Size of the last step \[s\].
+    pub size: S,
+    /// Accelerations, as a share of those of the step before, by the square of what this one is longer: if they stay, if none, if that
+    /// step was not accepted; and whether others say so than steps of the same size.
+    pub ahead: S,
+    pub told: bool,
+    /// Share of the last change of these additions that is expected again.
+    pub trusted: S,
     /// Corrections and factorisations of the run so far.
     pub iterations: S,
     pub factorizations: S,
@@ -59,7 +70,9 @@ impl<S: Number> LaneNewton<S> {
             service: zero.constant(MOST_SERVICE),
             renew: no,
             size: never,
-            steady: no,
+            ahead: zero,
+            told: false,
+            trusted: zero,
             iterations: zero,
             factorizations: zero,
         }
@@ -95,9 +108,9 @@ impl<S: Number> Engine<S> {
     /// Finds the increments of the step at hand; lanes in which there is none are marked.
     #[inline(always)]
     pub fn solve(&mut self, ledger: &LaneLedger<S>, search: &mut LaneNewton<S>) {
-        search.begin(ledger.energy_scale, self.h);
+        let before = search.begin(ledger.energy_scale, self.h);
         self.settled = self.h.less(self.h);
-        self.predict(search.steady);
+        self.predict(before, search.ahead, search.trusted);
         let reach = largest(&self.displacement);
         let momentum = {
             let play = (self.numbers.total_mass * ledger.energy_scale * 2.0).sqrt();
@@ -129,6 +142,7 @@ impl<S: Number> Engine<S> {
                 self.renew(search);
             }
             self.correct_and_strike();
+            self.press(search.seeking);
             corrections += 1;
             let took = search.seeking;
             self.take(search, reach, ledger, corrections == 1);
@@ -172,21 +186,28 @@ impl<S: Number> Engine<S> {
         self.settled = self.settled | ends;
     }
 
-    /// The increments if accelerations stay as they were in a step of the same size, or are zero.
+    /// The increments if accelerations are those of the step before, of size `before`, times `ahead` by the square of the sizes, and change
+    /// by the share `trusted` of what they changed by then.
     #[inline(always)]
-    fn predict(&mut self, steady: S::Mask) {
-        let zero = self.h.constant(0.0);
+    fn predict(&mut self, before: S, ahead: S, trusted: S) {
+        let (zero, told) = (self.h.constant(0.0), !ahead.equals(self.h.constant(0.0)));
         for n in 0..self.increment.len() {
             for i in 0..4 {
-                let free = self.h * self.velocity[n][i];
-                let change = free - self.increment[n][i];
-                self.increment[n][i] = free + S::choose(steady, change, zero);
+                let v = self.velocity[n][i];
+                let last = (before * v - self.increment[n][i]) * ahead;
+                let change = last + (last - self.trend[n][i]) * trusted;
+                self.trend[n][i] = S::choose(told, last, zero);
+                self.increment[n][i] = self.h * v + S::choose(told, change, zero);
             }
         }
         Self::project(&self.numbers.prescribed, &mut self.increment);
         for guide in &mut self.guides {
-            let free = self.h * guide.velocity;
-            guide.increment = free + S::choose(steady, free - guide.increment, zero);
+            let v = guide.velocity;
+            let change = (before * v - guide.increment) * ahead;
+            guide.increment = self.h * v + S::choose(told, change, zero);
+            if self.press.is_some() {
+                guide.impulse = zero; // it is found anew
+            }
         }
     }
 
@@ -230,6 +251,9 @@ impl<S: Number> Engine<S> {
         } else {
             std::mem::swap(&mut self.factors, &mut self.tangent);
             self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
+        }
+        if let Some(press) = &mut self.press {
+            press.known = false;
         }
         search.renewed(self.h);
     }
@@ -284,22 +308,33 @@ impl<S: Number> Engine<S> {
 }
 
 impl<S: Number> LaneNewton<S> {
-    /// Begins a step of size `h`.
+    /// Begins a step of size `h`; returns the size of the last one.
     #[inline(always)]
-    fn begin(&mut self, energy: S, h: S) {
+    fn begin(&mut self, energy: S, h: S) -> S {
         let no = h.less(h);
         self.convergence = ConvergenceMonitor::new(energy);
         (self.seeking, self.failed) = (self.live, no);
-        // Derivatives need the tangent at the solution anyway.
-        self.steady = if S::DERIVES { no } else { h.equals(self.size) };
-        self.size = h;
+        if !self.told {
+            // Derivatives need the tangent at the solution anyway.
+            let steady = if S::DERIVES { no } else { h.equals(self.size) };
+            self.ahead = S::choose(steady, h.constant(1.0), h.constant(0.0));
+        }
+        let before = std::mem::replace(&mut self.size, h);
         self.served += h.constant(1.0);
         let due = if S::DERIVES { !no } else { self.service.at_most(self.served) };
-        self.renew = self.live & (due | !h.equals(self.factored_for));
-        let most = h.constant(MOST_SERVICE);
+        self.renew = self.live & (due | !self.fits(h));
+        let most = h.constant(if self.told { MOST_SERVICE_APART } else { MOST_SERVICE });
         let longer = self.service + h.constant(1.0);
         let longer = longer.if_less(most, longer, most);
         self.service = S::choose(due, longer, self.service);
+        before
+    }
+
+    /// Whether the factors are those of steps of size `h`, or of nearly that.
+    #[inline(always)]
+    fn fits(&self, h: S) -> S::Mask {
+        let near = h * if self.told { NEARLY } else { 0.0 };
+        (h - self.factored_for).abs().at_most(near)
     }
 
     /// Wants the tangent renewed if the iteration no longer contracts well.

@@ -5,6 +5,7 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
+use super::paced::{Paced, rigid_guides};
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use crate::model::Model;
@@ -22,7 +23,8 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
         let faultless = settings.validate(model).is_empty();
         let numbers = numbers(model, settings).ok().filter(|_| faultless)?;
         let shape = BatchShape::of(&numbers);
-        (!shape.has_rigid_guides()).then_some((i, shape, numbers))
+        let closes = numbers.guides.iter().any(|guide| guide.standoff < 0.0);
+        (rigid_guides(&numbers).count() <= 1 && !closes).then_some((i, shape, numbers))
     };
     let mut left: Vec<_> = runs.iter().enumerate().filter_map(known).collect();
     while let Some((_, shape, _)) = left.first() {
@@ -45,12 +47,12 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
 }
 
 /// A run of an ensemble.
-struct LaneRun<'a> {
+pub struct LaneRun<'a> {
     /// Its place among all runs asked for.
-    index: usize,
-    model: &'a Model,
-    settings: &'a Settings,
-    numbers: Numbers<f64>,
+    pub index: usize,
+    pub model: &'a Model,
+    pub settings: &'a Settings,
+    pub numbers: Numbers<f64>,
 }
 
 /// Runs in lanes, compiled for each of the register widths that processors have.
@@ -64,7 +66,11 @@ impl pulp::WithSimd for SideBySide<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<P: pulp::Simd>(self, family: P) {
-        Ensemble::of(self.runs, Lanes::new(family, 0.0)).run(self.runs, self.keep);
+        let like = Lanes::new(family, 0.0);
+        match rigid_guides(&self.runs[0].numbers).next() {
+            None => Ensemble::of(self.runs, like).run(self.runs, self.keep),
+            Some(guide) => Paced::of(self.runs, guide, like).run(self.runs, self.keep),
+        }
     }
 }
 
@@ -180,6 +186,7 @@ impl<S: Number> Ensemble<S> {
                     solver_steps: steps,
                     // The one at the start, too.
                     rows: 1 + steps.div_ceil(own.settings.record_every),
+                    rigid: None,
                 };
                 let fixed = Fixed::all(own.model);
                 let read = |x: S| x.lane(lane);

@@ -232,6 +232,7 @@ impl Case<'_> {
             steps: self.settings.step_count(),
             solver_steps: flight.solver_steps,
             rows: found.summary.rows,
+            rigid: None,
         };
         let read = |x: Derived| x.value;
         let reading = Reading { read: &read, fixed: &self.fixed, derivative: false };

@@ -42,11 +42,6 @@ impl BatchShape {
             points: numbers.points.iter().map(|p| p.node).collect(),
         }
     }
-
-    /// Whether impulses can occur.
-    pub fn has_rigid_guides(&self) -> bool {
-        self.guides.iter().any(|(_, law)| *law == GuideLaw::Rigid)
-    }
 }
 
 /// The numbers of a run, or what about it an ensemble does not know: beams on fixed supports at nodes, damped by their

@@ -5,6 +5,7 @@ use super::ledger::LaneLedger;
 use super::log::{Closed, Log, Struck, Top};
 use super::newton::LaneNewton;
 use super::numbers::GuideLaw;
+use super::rigid_log::RigidLog;
 use crate::model::Model;
 use crate::run::crest::{Crest, at_last};
 use crate::scalar::Number;
@@ -23,6 +24,8 @@ pub struct Telling<'a, S: Number> {
     pub steps: usize,
     pub solver_steps: usize,
     pub rows: usize,
+    /// What its rigid contact did, of runs side by side.
+    pub rigid: Option<&'a RigidLog>,
 }
 
 /// How the numbers of a summary are read.
@@ -114,7 +117,7 @@ impl<S: Number> Telling<'_, S> {
                     record: self.record(k, reading),
                 })
                 .collect(),
-            contact_residual_max: error(0.0),
+            contact_residual_max: error(self.rigid.map_or(0.0, |rigid| rigid.residual)),
             shared_blows: SharedBlows::default(),
             points: (model.points.iter().zip(&self.log.points))
                 .map(|(p, crests)| {
@@ -151,6 +154,9 @@ impl<S: Number> Telling<'_, S> {
     fn record(&self, k: usize, reading: &Reading<S>) -> ContactRecord {
         let read = reading.read;
         let (guide, log) = (&self.engine.numbers.guides[k], &self.log.guides[k]);
+        if let (GuideLaw::Rigid, Some(rigid)) = (guide.law, self.rigid) {
+            return rigid.record(reading.fixed[k].s);
+        }
         if guide.law == GuideLaw::Rigid {
             let struck = &log.impacts[self.lane];
             let total = struck.iter().fold(self.engine.h.constant(0.0), |sum, i| sum + i.impulse);

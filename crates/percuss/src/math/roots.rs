@@ -9,44 +9,85 @@
 /// # Errors
 /// The first error of `f`.
 pub fn bracketed<E>(
-    mut lo: (f64, f64),
-    mut hi: (f64, f64),
+    lo: (f64, f64),
+    hi: (f64, f64),
     guess: f64,
     x_tolerance: f64,
     f_tolerance: f64,
     mut f: impl FnMut(f64) -> Result<f64, E>,
 ) -> Result<f64, E> {
-    const TRIALS: usize = 60;
-    let mut next = guess;
-    let mut last = guess;
-    let mut last_side = 0;
-    for trial in 0..TRIALS {
-        if !(next > lo.0 && next < hi.0) || trial % 8 == 7 {
-            next = 0.5 * (lo.0 + hi.0);
+    let mut search = Bracket::new(lo, hi, guess, [x_tolerance, f_tolerance]);
+    loop {
+        let x = search.propose();
+        if search.take(f(x)?) {
+            return Ok(x);
         }
-        last = next;
-        let y = f(last)?;
-        if y.abs() <= f_tolerance || hi.0 - lo.0 <= x_tolerance {
-            break;
+    }
+}
+
+/// The same search in the hands of whoever evaluates the function, several of them in turns for instance.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bracket {
+    /// Ends of the bracket with the values there, weighted.
+    lo: (f64, f64),
+    hi: (f64, f64),
+    next: f64,
+    /// On which side the last point was.
+    last_side: i32,
+    /// Points tried.
+    trial: usize,
+    x_tolerance: f64,
+    f_tolerance: f64,
+}
+
+impl Bracket {
+    const TRIALS: usize = 60;
+
+    /// A search as that of [`bracketed`], with the tolerances of the argument and of the value.
+    pub fn new(
+        lo: (f64, f64),
+        hi: (f64, f64),
+        guess: f64,
+        [x_tolerance, f_tolerance]: [f64; 2],
+    ) -> Self {
+        Self { lo, hi, next: guess, last_side: 0, trial: 0, x_tolerance, f_tolerance }
+    }
+
+    /// The next point to evaluate the function at.
+    pub fn propose(&mut self) -> f64 {
+        let inside = self.next > self.lo.0 && self.next < self.hi.0;
+        if !inside || self.trial % 8 == 7 {
+            self.next = 0.5 * (self.lo.0 + self.hi.0);
+        }
+        self.trial += 1;
+        self.next
+    }
+
+    /// Takes in the value there; whether the search has ended at that point.
+    pub fn take(&mut self, y: f64) -> bool {
+        let last = self.next;
+        if y.abs() <= self.f_tolerance || self.hi.0 - self.lo.0 <= self.x_tolerance {
+            return true;
         }
         // Anderson and Bjorck's weight for an end of the bracket that stays twice.
         let weight = |old: f64| if y / old < 1.0 { 1.0 - y / old } else { 0.5 };
         if y > 0.0 {
-            if last_side > 0 {
-                hi.1 *= weight(lo.1);
+            if self.last_side > 0 {
+                self.hi.1 *= weight(self.lo.1);
             }
-            lo = (last, y);
-            last_side = 1;
+            self.lo = (last, y);
+            self.last_side = 1;
         } else {
-            if last_side < 0 {
-                lo.1 *= weight(hi.1);
+            if self.last_side < 0 {
+                self.lo.1 *= weight(self.hi.1);
             }
-            hi = (last, y);
-            last_side = -1;
+            self.hi = (last, y);
+            self.last_side = -1;
         }
-        next = (lo.0 * hi.1 - hi.0 * lo.1) / (hi.1 - lo.1);
+        let (lo, hi) = (self.lo, self.hi);
+        self.next = (lo.0 * hi.1 - hi.0 * lo.1) / (hi.1 - lo.1);
+        self.trial >= Self::TRIALS
     }
-    Ok(last)
 }
 
 #[cfg(test)]

@@ -210,7 +210,8 @@ impl StepViews<'_> {
     }
 }
 
-fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInterval {
+/// An interval that opens.
+pub(crate) fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInterval {
     ContactInterval {
         start,
         end: f64::NAN,

@@ -50,6 +50,17 @@ impl<S: Number> Crest<S> {
         self.doubtful.set_lane(lane, fresh.doubtful, 0);
     }
 
+    /// Puts all lanes but those that `go` back to what they were.
+    #[inline(always)]
+    pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
+        let choose = |now: &mut S, kept: S| *now = S::choose(go, *now, kept);
+        choose(&mut self.value, kept.value);
+        choose(&mut self.time, kept.time);
+        choose(&mut self.bend, kept.bend);
+        (0..2).for_each(|i| choose(&mut self.awaiting[i], kept.awaiting[i]));
+        choose(&mut self.doubtful, kept.doubtful);
+    }
+
     /// Whether steps resolve the value in a lane: no larger crest within a step was left out.
     pub fn is_resolved(&self, lane: usize) -> bool {
         self.doubtful.lane(lane) <= self.value.lane(lane).abs()

@@ -19,6 +19,7 @@ mod initial_motions;
 mod joints;
 mod layers;
 mod multiple_impacts;
+mod rigid_ensembles;
 mod schemes;
 mod section_forces;
 mod sensitivities;
