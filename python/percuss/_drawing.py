@@ -133,10 +133,11 @@ class Drawing:
             self.line(curve.points, "outline", 2.5)
 
     def _coloured(self, beam: SceneBeam, curve: Curve, sides: tuple[Floats, Floats] | None) -> None:
+        from matplotlib import colormaps
         from matplotlib.collections import LineCollection, PolyCollection
 
         values = self._values(self.frame, beam, curve)
-        each = np.nan_to_num(np.maximum(values[1:], values[:-1]))
+        each = np.ma.masked_invalid(np.maximum(values[1:], values[:-1]))
         if sides is None:
             lines = np.stack([curve.points[:-1], curve.points[1:]], axis=1)
             made: Any = LineCollection(list(lines), linewidths=4.0)
@@ -145,7 +146,8 @@ class Drawing:
             quads = np.stack([upper[:-1], upper[1:], lower[1:], lower[:-1]], axis=1)
             made = PolyCollection(list(quads), edgecolors="face", linewidths=0.3)
         made.set_array(each)
-        made.set_cmap("cividis")
+        # What has no value is drawn as without colours: no depth, or a section that can yield.
+        made.set_cmap(colormaps["cividis"].with_extremes(bad=COLOURS["beam"]))
         made.set_clim(0.0, self._top or 1.0)
         self._own.append(self.ax.add_collection(made, autolim=False))
 
@@ -174,6 +176,8 @@ class Drawing:
         from matplotlib.colors import Normalize
 
         name, unit = _LEGENDS[self.colour]
+        if self.colour == "stress" and any(np.isnan(beam.inertia).any() for beam in self.fields.beams):
+            name = "stress, elastic beams"
         shown = ScalarMappable(Normalize(0.0, self._top or 1.0), "cividis")
         self.ax.figure.colorbar(shown, ax=self.ax, label=f"{name} [{unit}]", shrink=0.7)
 

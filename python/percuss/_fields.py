@@ -198,7 +198,8 @@ class Fields:
         return np.asarray((1 - share) * ends[:, 0] + share * ends[:, 1])
 
     def stress(self, frame: int, beam: SceneBeam, curve: Curve) -> Floats:
-        """Largest normal stress of the fibres [Pa] at the points of a curve; nan where the depth is not known."""
+        """Largest normal stress of the fibres [Pa] at the points of a curve; nan where the depth is not known or the section can
+        yield: stress does not follow from forces there."""
         forces, k, share = self.section(frame, curve), curve.stations, curve.shares
         area = (1 - share) * beam.area[k] + share * beam.area[k + 1]
         inertia = (1 - share) * beam.inertia[k] + share * beam.inertia[k + 1]

@@ -209,6 +209,7 @@ class Drawing {
 
   colourAt(beam, a, b, by) {
     const value = (p) => this.motion.quantity(by, this.state.index, beam, p);
+    if (value(a) == null || value(b) == null) return this.palette.beam;
     return mapColour(Math.max(value(a), value(b)) / (this.colourTop(by) || 1));
   }
 
@@ -222,7 +223,7 @@ class Drawing {
       const curves = this.motion.scene.beams.map((_, i) => this.motion.curve(i, rest).flat().filter((p) => p.share === 0 || p.share === 1));
       for (let f = 0; f < this.motion.count; f++) {
         curves.forEach((points, i) => {
-          for (const p of points) this.tops[by] = Math.max(this.tops[by], this.motion.quantity(by, f, i, p));
+          for (const p of points) this.tops[by] = Math.max(this.tops[by], this.motion.quantity(by, f, i, p) ?? 0);
         });
       }
     }
@@ -400,7 +401,7 @@ class Drawing {
       pen.path([[a, y], [a + width / 32 + 0.5, y], [a + width / 32 + 0.5, y + 8], [a, y + 8]], { fill: mapColour(k / 31), closed: true });
     }
     pen.text([x, y + 18], "0", { fill: palette.soft, size: 11 });
-    const name = { stress: "largest stress", velocity: "speed" }[by] ?? `|${by}|`;
+    const name = { stress: this.motion.yields ? "stress, elastic beams" : "largest stress", velocity: "speed" }[by] ?? `|${by}|`;
     pen.text([x + width, y + 18], `${name} ${engineering(this.colourTop(by), UNITS[by])}`, { fill: palette.soft, size: 11, align: "right" });
   }
 }

@@ -183,10 +183,10 @@ class Motion {
     return [0, 1, 2].map((i) => (1 - point.share) * all[at + i] + point.share * all[at + 3 + i]);
   }
 
-  // Largest stress of the fibres [Pa], by the section at the point; null without a depth.
+  // Largest stress of the fibres [Pa], by the section at the point; null without a depth, and where the section can yield.
   stress(index, beam, point) {
     const b = this.scene.beams[beam];
-    if (point.half_depth == null) return null;
+    if (point.half_depth == null || b.inertia[point.k] == null) return null;
     const mix = (row) => row[point.k] + point.share * (row[point.k + 1] - row[point.k]);
     const [axial, , moment] = this.section(index, point);
     return Math.abs(axial) / mix(b.area) + (Math.abs(moment) * point.half_depth) / mix(b.inertia);
@@ -204,9 +204,15 @@ class Motion {
     return Math.hypot(along(0), along(1));
   }
 
-  // What colours stand for at a point of a curve: largest stress of the fibres, speed, or the size of a section force.
+  // Whether a beam has no stress by its forces: it can yield.
+  get yields() {
+    return this.scene.beams.some((b) => b.inertia.some((value) => value == null));
+  }
+
+  // What colours stand for at a point of a curve: largest stress of the fibres, speed, or the size of a section force; null where it is
+  // not known.
   quantity(by, index, beam, point) {
-    if (by === "stress") return this.stress(index, beam, point) ?? 0;
+    if (by === "stress") return this.stress(index, beam, point);
     if (by === "velocity") return this.hasVelocity ? this.speed(index, beam, point) : 0;
     return Math.abs(this.section(index, point)[FORCES[by]]);
   }

@@ -25,12 +25,25 @@ use crate::error::Error;
 use crate::files;
 
 /// Colour-blind safe (Okabe and Ito 2008, the yellows darkened), index = style of a series.
-pub(crate) const COLOURS: [&str; 9] = [
+pub(crate) const COLOURS: [&str; 12] = [
     "#1b1f24", "#0072b2", "#d55e00", "#009e73", "#a9548a", "#b27c00", "#56b4e9", "#7d8590",
-    "#7a3b00",
+    "#7a3b00", "#4c3a9e", "#c2255c", "#5c8001",
 ];
 /// Dash patterns, index = style of a series; a curve alone is solid.
-const DASHES: [&str; 9] = ["", "", "9 4", "2 3", "9 3 2 3", "14 5", "5 2", "1 2", "12 3 2 3 2 3"];
+const DASHES: [&str; 12] = [
+    "",
+    "",
+    "9 4",
+    "2 3",
+    "9 3 2 3",
+    "14 5",
+    "5 2",
+    "1 2",
+    "12 3 2 3 2 3",
+    "4 4",
+    "16 3 4 3",
+    "7 2 2 2",
+];
 /// Bins per curve in a picture.
 const BINS: usize = 600;
 /// Stems per picture, and bands.

@@ -170,7 +170,8 @@ fn station(model: &Model, span: &Span, k: usize) -> DrawnStation {
         tangent: frame.tangent,
         half_depth: section.half_depth,
         area: section.area,
-        inertia: section.law.bending / young,
+        // Stress does not follow from forces where it may have yielded.
+        inertia: if span.fibres.is_some() { f64::NAN } else { section.law.bending / young },
     }
 }
 

@@ -58,7 +58,7 @@ pub struct DrawnStation {
     pub half_depth: f64,
     /// Area \[m^2\].
     pub area: f64,
-    /// Second moment of area \[m^4\].
+    /// Second moment of area, for stresses \[m^4\]; NaN where the section can yield, and stress does not follow from forces.
     pub inertia: f64,
 }
 
