@@ -1,7 +1,7 @@
 //! What a run is said to show: short formulas over the numbers of its summary, compared or put into a sentence.
 //!
-//! A formula is a product of numbers and paths of `summary.json`, `2 * projectile.ball.mass / point.bar.mid.count`; names within a path
-//! may hold dots. Bars make a magnitude, `|projectile.ball.velocity_final[1]|`; a list stands for its length.
+//! A formula is a sum of products of numbers and paths of `summary.json`, `1000 * contact.ball.peak_force.time - 5`; names within a path may
+//! hold dots. Bars make a magnitude, `|projectile.ball.velocity_final[1]|`; a list stands for its length.
 
 use serde_json::Value;
 
@@ -54,19 +54,22 @@ fn three_digits(x: f64) -> String {
 
 /// What a formula comes to.
 fn value(formula: &str, summary: &Value) -> Result<f64, String> {
-    let mut product = 1.0;
-    let mut divides = false;
+    let (mut sum, mut product, mut divides) = (0.0, 1.0, false);
     for word in formula.split_whitespace() {
         match word {
             "*" => divides = false,
             "/" => divides = true,
+            "+" | "-" => {
+                sum += product;
+                (product, divides) = (if word == "-" { -1.0 } else { 1.0 }, false);
+            }
             _ => {
                 let factor = factor(word, summary)?;
                 product = if divides { product / factor } else { product * factor };
             }
         }
     }
-    Ok(product)
+    Ok(sum + product)
 }
 
 fn factor(word: &str, summary: &Value) -> Result<f64, String> {
@@ -119,6 +122,7 @@ mod tests {
         let sentence = "{1000 * |point.bar.mid.largest.value|} mm, {impacts} impacts";
         assert_eq!(filled(sentence, &summary).unwrap(), "12.3 mm, 2 impacts");
         assert!(holds("impacts[0].impulse / impacts[last].impulse < 0.51", &summary).is_ok());
+        assert!(holds("impacts[1].impulse - impacts[0].impulse * 2 + 1 > 0.9", &summary).is_ok());
         assert!(holds("impacts[0].impulse > impacts[1].impulse", &summary).is_err());
         assert!(holds("impacts[2].impulse > 0", &summary).is_err());
         assert!(filled("{nothing}", &summary).is_err());

@@ -29,6 +29,9 @@ fn every_scenario_hangs_in_the_gallery_once() {
     let missing: Vec<String> =
         wanted.filter(|name| !shown.contains(name) && !out.contains(name)).collect();
     assert!(missing.is_empty(), "not in docs/book/gallery.toml: {missing:?}");
+    let idle: Vec<&String> =
+        out.iter().filter(|name| !all.iter().any(|one| one.name == **name)).collect();
+    assert!(idle.is_empty(), "left out and not there: {idle:?}");
     for scene in &scenes {
         let lesson = &scene.lesson;
         assert!(!lesson.is_empty() && !lesson.contains('\n'), "{}: {lesson:?}", scene.file);

@@ -1,5 +1,6 @@
 //! What the book promises of itself.
 
+mod fragments;
 mod gallery;
 mod paper;
 mod scenario;
