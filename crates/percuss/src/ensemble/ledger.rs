@@ -96,16 +96,9 @@ impl<S: Number> LaneLedger<S> {
         }
     }
 
-    /// Puts all lanes but those that `go` back to what they were.
+    /// All its numbers.
     #[inline(always)]
-    pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
-        for (mine, kept) in self.each().into_iter().zip({ *kept }.each()) {
-            *mine = S::choose(go, *mine, *kept);
-        }
-    }
-
-    #[inline(always)]
-    fn each(&mut self) -> Vec<&mut S> {
+    pub(super) fn each(&mut self) -> Vec<&mut S> {
         let mut all = Vec::new();
         for m in [&mut self.start, &mut self.now] {
             let [l1, l2] = &mut m.linear;

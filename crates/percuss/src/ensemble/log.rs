@@ -1,5 +1,6 @@
 //! What the summaries of an ensemble tell of points and contacts: peaks and intervals, resolved within the step.
 
+mod kept;
 mod path;
 
 use super::engine::Engine;
@@ -9,6 +10,7 @@ use crate::math::interpolant::Interpolant;
 use crate::run::crest::Crest;
 use crate::scalar::{Mask, Number};
 use crate::step::contacts::IMPULSIVE;
+use kept::Kept;
 
 /// A largest value and when it occurred.
 #[derive(Clone, Copy, Debug)]
@@ -98,29 +100,6 @@ pub struct Log<S: Number> {
     kept: Kept<S>,
 }
 
-/// What lanes keep whose step is not taken in.
-#[derive(Clone, Debug)]
-struct Kept<S: Number> {
-    /// Extremes of the recorded points, shape (recorded points, 2).
-    points: Vec<[Crest<S>; 2]>,
-    /// What is noted of the projectiles, shape (guided projectiles).
-    guides: Vec<KeptGuide<S>>,
-}
-
-/// The same of a guided projectile, as in [`GuideLog`].
-#[derive(Clone, Copy, Debug)]
-struct KeptGuide<S: Number> {
-    open: Closed<S>,
-    deepest: Top<S>,
-    /// Impulse that it gave, and work that it did, shape (2) \[N s, J\].
-    given: [S; 2],
-    free: S,
-    released: S::Mask,
-    parted: FreeGap<S>,
-    /// Start and size of the step in which it parted, shape (2) \[s\].
-    parted_at: [S; 2],
-}
-
 impl<S: Number> Closed<S> {
     fn none(like: S) -> Self {
         let (nan, zero) = (like.constant(f64::NAN), like.constant(0.0));
@@ -195,7 +174,7 @@ impl<S: Number> Log<S> {
             point_start: vec![[[zero; 2]; 2]; points],
             gap_start: vec![[zero; 2]; guides],
             taken: zero.at_most(zero),
-            kept: Kept { points: Vec::new(), guides: Vec::new() },
+            kept: Kept::default(),
         }
     }
 
@@ -253,25 +232,6 @@ impl<S: Number> Log<S> {
             if engine.numbers.guides[k].law != GuideLaw::Rigid {
                 self.contact(engine, k, impulsive);
             }
-        }
-    }
-
-    /// The same of the lanes that `go`; nothing of the others.
-    #[inline(always)]
-    pub fn end_of(&mut self, engine: &Engine<S>, go: S::Mask) {
-        self.kept.points.clone_from(&self.points);
-        self.kept.guides.clear();
-        self.kept.guides.extend(self.guides.iter().map(GuideLog::kept));
-        let all = std::mem::replace(&mut self.taken, go);
-        self.end(engine);
-        self.taken = all;
-        for (now, kept) in
-            self.points.as_flattened_mut().iter_mut().zip(self.kept.points.as_flattened())
-        {
-            now.put_back(kept, go);
-        }
-        for (now, kept) in self.guides.iter_mut().zip(&self.kept.guides) {
-            now.put_back(kept, go);
         }
     }
 
@@ -376,32 +336,6 @@ impl<S: Number> Engine<S> {
 }
 
 impl<S: Number> GuideLog<S> {
-    #[inline(always)]
-    fn kept(&self) -> KeptGuide<S> {
-        let Self { open, deepest, given, free, released, parted, parted_at, .. } = *self;
-        KeptGuide { open, deepest, given, free, released, parted, parted_at }
-    }
-
-    /// Puts all lanes but those that `go` back to what they were.
-    #[inline(always)]
-    fn put_back(&mut self, kept: &KeptGuide<S>, go: S::Mask) {
-        let choose = |now: &mut S, kept: S| *now = S::choose(go, *now, kept);
-        for lane in (0..S::LANES).filter(|lane| !go.lane(*lane)) {
-            self.open.set_lane(lane, &kept.open, lane);
-        }
-        choose(&mut self.deepest.value, kept.deepest.value);
-        choose(&mut self.deepest.time, kept.deepest.time);
-        choose(&mut self.free, kept.free);
-        choose(&mut self.parted.gap, kept.parted.gap);
-        choose(&mut self.parted.rate, kept.parted.rate);
-        choose(&mut self.parted.acceleration, kept.parted.acceleration);
-        for i in 0..2 {
-            choose(&mut self.given[i], kept.given[i]);
-            choose(&mut self.parted_at[i], kept.parted_at[i]);
-        }
-        self.released = self.released & go | kept.released & !go;
-    }
-
     /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
     #[inline(always)]
     fn open_throughout(&mut self, taken: S::Mask, open: S::Mask, acceleration: S) {

@@ -79,6 +79,8 @@ impl<S: Number> Stand<S> {
             g.gap = S::choose(go, g.gap, *gap);
             g.rate = S::choose(go, g.rate, *rate);
         }
-        ledger.put_back(&self.ledger, go);
+        for (now, kept) in ledger.each().into_iter().zip({ self.ledger }.each()) {
+            *now = S::choose(go, *now, *kept);
+        }
     }
 }
