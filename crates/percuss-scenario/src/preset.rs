@@ -18,6 +18,10 @@ pub struct Preset {
     pub density: f64,
     /// Stresses that it usually bears.
     pub strength: Option<Strength>,
+    /// Yield stress (Pa) of one that yields: what `yield = "preset"` stands for.
+    pub yields: Option<f64>,
+    /// Constants C (1/s) and q of Cowper and Symonds, shape (2), where they have been measured: what `rate = "preset"` stands for.
+    pub rate: Option<[f64; 2]>,
 }
 
 /// The name of a material known by name.
@@ -27,42 +31,61 @@ macro_rules! presets {
     ($($name:literal = $mega:literal MPa, $density:literal kg, $bears:expr, $about:literal;)*) => {
         &[$((
             $name,
-            Preset { name: $name, young: $mega as f64 * 1e6, density: $density as f64, strength: $bears },
+            Preset {
+                name: $name,
+                young: $mega as f64 * 1e6,
+                density: $density as f64,
+                strength: $bears.0,
+                yields: $bears.1,
+                rate: $bears.2,
+            },
             concat!($about, ": ", $mega, " MPa, ", $density, " kg/m^3"),
         )),*]
     };
 }
 
-/// What bears as much in tension as in compression (MPa).
-const fn both(stress: f64) -> Option<Strength> {
-    Some(Strength { tension: 1e6 * stress, compression: 1e6 * stress })
+/// What a material bears, where it yields, and how that depends on rates.
+type Limits = (Option<Strength>, Option<f64>, Option<[f64; 2]>);
+
+/// What bears as much in tension as in compression (MPa), and does not yield.
+const fn both(stress: f64) -> Limits {
+    each(stress, stress)
 }
 
 /// What bears different stresses in tension and in compression (MPa).
-const fn each(tension: f64, compression: f64) -> Option<Strength> {
-    Some(Strength { tension: 1e6 * tension, compression: 1e6 * compression })
+const fn each(tension: f64, compression: f64) -> Limits {
+    (Some(Strength { tension: 1e6 * tension, compression: 1e6 * compression }), None, None)
 }
+
+/// What yields at a stress (MPa), at higher ones with constants of Cowper and Symonds if there are any.
+const fn metal(stress: f64, rate: Option<[f64; 2]>) -> Limits {
+    (both(stress).0, Some(1e6 * stress), rate)
+}
+
+/// What has no usual strength.
+const UNKNOWN: Limits = (None, None, None);
 
 impl Words for Presets {
     type Value = Preset;
     #[rustfmt::skip]
     const WORDS: &'static [(&'static str, Preset, &'static str)] = presets! {
-        // Strength: yield stress of S235 (EN 1993-1-1, table 3.1).
-        "steel" = 210_000 MPa, 7850 kg, both(235.0),
+        // Strength: yield stress of S235 (EN 1993-1-1, table 3.1). Rates: mild steel (Cowper and Symonds 1957; Jones 1989, table 8.1).
+        "steel" = 210_000 MPa, 7850 kg, metal(235.0, Some([40.4, 5.0])),
             "structural steel (EN 1993-1-1, 3.2.6; density EN 1993-1-2)";
-        // Proof stress of hot rolled plate (EN 10088-2).
-        "stainless-steel" = 200_000 MPa, 7900 kg, both(210.0),
+        // Proof stress of hot rolled plate (EN 10088-2). Rates: AISI 304 (Forrestal and Sagartz 1978; Jones 1989, table 8.1).
+        "stainless-steel" = 200_000 MPa, 7900 kg, metal(210.0, Some([100.0, 10.0])),
             "austenitic stainless steel 1.4301 (EN 10088-1)";
-        // Proof stress of EN AW-6061 T6 (EN 1999-1-1, table 3.2b): alloys reach from 35 to some 300 MPa.
-        "aluminium" = 70_000 MPa, 2700 kg, both(240.0),
+        // Proof stress of EN AW-6061 T6 (EN 1999-1-1, table 3.2b): alloys reach from 35 to some 300 MPa. Rates: 6061-T6 (Symonds 1965;
+        // Jones 1989, table 8.1).
+        "aluminium" = 70_000 MPa, 2700 kg, metal(240.0, Some([6500.0, 4.0])),
             "aluminium alloys (EN 1999-1-1, 3.2.5)";
         // Yield stress of annealed sheet (MMPDS: 120 ksi).
-        "titanium" = 110_000 MPa, 4430 kg, both(827.0),
+        "titanium" = 110_000 MPa, 4430 kg, metal(827.0, None),
             "Ti-6Al-4V, annealed (MMPDS: 16.0e3 ksi, 0.160 lb/in^3)";
         // From soft to hard by a factor of five: no usual strength.
-        "copper" = 117_000 MPa, 8940 kg, None,
+        "copper" = 117_000 MPa, 8940 kg, UNKNOWN,
             "oxygen-free copper C10200 (Copper Development Association: 17e3 ksi, 0.323 lb/in^3)";
-        "brass" = 110_000 MPa, 8530 kg, None,
+        "brass" = 110_000 MPa, 8530 kg, UNKNOWN,
             "cartridge brass C26000 (Copper Development Association: 16e3 ksi, 0.308 lb/in^3)";
         // Mean tensile and characteristic compressive strength (EN 1992-1-1, table 3.1).
         "concrete" = 33_000 MPa, 2500 kg, each(2.9, 30.0),

@@ -11,7 +11,7 @@ use toml::de::DeValue;
 
 use crate::code::FaultCode;
 use crate::format::{Format, Inline};
-use crate::measure::{Length, LineInertia, Measure, Time};
+use crate::measure::{Length, LineInertia, Measure, Pressure, Time};
 use crate::node::{Node, Reader};
 use crate::quantity::Quantity;
 use crate::reference::Described;
@@ -308,6 +308,8 @@ pub(crate) trait Endless: 'static {
     type Measure: Measure;
     /// The word.
     const WORD: &'static str;
+    /// SI unit that is written beside the number.
+    const UNIT: &'static str = "";
 }
 
 /// A time, or `"forever"`.
@@ -316,6 +318,15 @@ pub(crate) struct Until;
 impl Endless for Until {
     type Measure = Time;
     const WORD: &'static str = "forever";
+}
+
+/// A yield stress, or `"preset"`: that of the material known by name.
+pub(crate) struct OfPreset;
+
+impl Endless for OfPreset {
+    type Measure = Pressure;
+    const UNIT: &'static str = Pressure::UNIT;
+    const WORD: &'static str = "preset";
 }
 
 /// A radius of curvature, or `"flat"`.
@@ -365,6 +376,8 @@ impl<E: Endless> Format for OrEndless<E> {
 }
 
 impl<E: Endless> Inline for OrEndless<E> {
+    const UNIT: &'static str = E::UNIT;
+
     fn text(value: &f64) -> Option<String> {
         match value.is_finite() {
             true => Some(write::number(*value)),

@@ -33,6 +33,11 @@ fn definitions_are_those_of_the_file() {
          damping: [1000.0, 5.0], rotational_stiffness: 5000.0, rotational_damping: 3.0 }",
         "Stop { direction: [1.0, 0.0], gap: 0.002, stiffness: 10000000.0, two_sided: true }",
         "ElasticHinge { stiffness: 2000.0, damping: 4.0 }",
+        "yielding: Some(Plasticity { curve: [Hardening { from: 0.0, stress: 80.0, modulus: 10.0 }], \
+         kinematic: 5.0, overstress: None, failure_strain: Some(0.5235987755982988) })",
+        "yielding: Some(Plasticity { curve: [Hardening { from: 0.0, stress: 5000.0, modulus: 100000.0 }, \
+         Hardening { from: 0.01, stress: 6000.0, modulus: 0.0 }], kinematic: 20.0, overstress: None, \
+         failure_strain: Some(0.4) })",
         "Ground([-1.0, 0.5])], stiffness: 40000.0, damping: 100.0, length: Some(1.0)",
         "mass: 20.0, rotary_inertia: 0.5",
         "moment: 5.0, follower: true }, function: Table { times: [0.0, 0.002, 0.005, 0.01], \
@@ -96,7 +101,11 @@ fn bodies_and_contacts_are_those_of_the_file() {
 fn a_hinge_without_stiffness_is_a_hinge() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/everything.toml");
     let text = std::fs::read_to_string(path).unwrap();
-    let text = text.replace("stiffness = \"2 kN*m/rad\"\ndamping = \"4 N*m*s/rad\"\n", "");
+    let own = "stiffness = \"2 kN*m/rad\"\ndamping = \"4 N*m*s/rad\"\nyield_moment = \"80 N*m\"\n\
+               hardening = { isotropic = \"10 N*m/rad\", kinematic = \"5 N*m\" }\n\
+               failure_rotation = \"30 deg\"\n";
+    assert!(text.contains(own));
+    let text = text.replace(own, "");
     let scenario = crate::read(&text, path).unwrap_or_else(|e| panic!("{e}"));
     let builder = build::definitions(scenario.content(), None).0;
     assert!(format!("{builder:?}").contains("kind: Hinge"));

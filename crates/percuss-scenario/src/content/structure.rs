@@ -2,7 +2,7 @@
 
 use percuss::{Along, Curve, Ends, Slack, StrainMeasure};
 
-use super::yielding::{Hardening, RateLaw, settle_yield};
+use super::yielding::{Hardening, RateLaw, RateText, settle_presets, settle_yield};
 
 use crate::csv::Points;
 use crate::format::{Count, Format, List, Maybe};
@@ -13,7 +13,7 @@ use crate::point::Place;
 use crate::preset::{Preset, Presets};
 use crate::quantity::Quantity;
 use crate::table::{Braces, exclude};
-use crate::words::{Bears, Closed, Curved, Strain, Word};
+use crate::words::{Bears, Closed, Curved, OfPreset, OrEndless, Strain, Word};
 use crate::write::Writer;
 
 table! {
@@ -31,12 +31,12 @@ table! {
         retardation: f64 as Quantity<measure::Time> = 0.0,
         /// Damping force per mass and velocity (1/s).
         mass_damping: f64 as Quantity<measure::Rate> = 0.0,
-        /// Yield stress (Pa); without it the material is elastic.
-        r#yield: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
+        /// Yield stress (Pa), or "preset" for the usual one of the preset; without it the material is elastic.
+        r#yield: Option<f64> as Maybe<OrEndless<OfPreset>> = None,
         /// How the yield stress grows with plastic strain; perfectly plastic without.
         hardening: Option<Hardening> as Maybe<Braces<Hardening>> = None,
-        /// How stress grows beyond the yield stress with the rate of plastic strain.
-        rate: Option<RateLaw> as Maybe<Braces<RateLaw>> = None,
+        /// How stress grows beyond the yield stress with the rate of plastic strain, or "preset" for measured constants of the preset.
+        rate: Option<RateLaw> as Maybe<RateText> = None,
         /// Magnitude of strain at which a fibre fails for good; none does without.
         failure_strain: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
         /// Stresses that it bears.
@@ -49,6 +49,7 @@ table! {
 /// Fills in the values of the preset.
 fn settle_material(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
     settle_yield(material, body, reader);
+    settle_presets(material, body, reader);
     if let Some(preset) = material.preset {
         material.young.get_or_insert(preset.young);
         material.density.get_or_insert(preset.density);

@@ -1,12 +1,17 @@
 //! How a material yields.
 #![allow(non_snake_case, reason = "Cowper and Symonds' C is called so")]
 
+use serde_json::{Value as Json, json};
+
 use super::Material;
-use crate::format::{Couple, List, Maybe};
+use crate::format::{Couple, Format, Inline, List, Maybe};
 use crate::measure;
-use crate::node::{Body, Reader};
+use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
-use crate::table::exclude;
+use crate::reach::Reached;
+use crate::reference::Described;
+use crate::table::{Braces, exclude};
+use crate::words::{Endless, OfPreset};
 use crate::write::Writer;
 
 table! {
@@ -67,6 +72,80 @@ table! {
         C: f64 as Quantity<measure::Rate>,
         /// q: 5 for mild steel, 4 for aluminium 6061-T6.
         q: f64 as Quantity<measure::Ratio>,
+    }
+}
+
+/// A rate law in braces, or `"preset"`: that of the material known by name, without end till then.
+pub(crate) struct RateText;
+
+impl Format for RateText {
+    type Value = RateLaw;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<RateLaw> {
+        match node.value.as_str() {
+            Some(word) if word == OfPreset::WORD => {
+                Some(RateLaw { C: f64::INFINITY, q: f64::INFINITY })
+            }
+            _ => Braces::<RateLaw>::read(node, reader),
+        }
+    }
+
+    fn placeholder() -> RateLaw {
+        Braces::<RateLaw>::placeholder()
+    }
+
+    fn expected() -> String {
+        format!("\"{}\" or {}", OfPreset::WORD, Braces::<RateLaw>::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "anyOf": [{ "const": OfPreset::WORD }, Braces::<RateLaw>::schema()] })
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..Braces::<RateLaw>::described() }
+    }
+
+    fn reach<'c>(value: &'c mut RateLaw, path: &[String]) -> Reached<'c> {
+        Braces::<RateLaw>::reach(value, path)
+    }
+}
+
+impl Inline for RateText {
+    fn text(value: &RateLaw) -> Option<String> {
+        Braces::<RateLaw>::text(value)
+    }
+}
+
+/// Puts the values of the preset in the place of `"preset"`.
+pub(super) fn settle_presets(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let preset = material.preset;
+    // One that could not be read is told of already.
+    let unknown = preset.is_none() && body.get("preset").is_some();
+    let mut refuse = |key: &str, what: &str| {
+        let Some(node) = body.get(key).filter(|_| !unknown) else { return };
+        let found = match preset {
+            Some(known) => format!("\"preset\", and no {what} of {} known", known.name),
+            None => "\"preset\" of a material without one".into(),
+        };
+        let expected = match key {
+            "yield" => Quantity::<measure::Pressure>::expected(),
+            _ => Braces::<RateLaw>::expected(),
+        };
+        reader.misplaced(&node.path, node.span.clone(), found, expected);
+    };
+    if material.r#yield == Some(f64::INFINITY) {
+        material.r#yield = preset.and_then(|known| known.yields);
+        if material.r#yield.is_none() {
+            refuse("yield", "yield stress");
+        }
+    }
+    if material.rate.as_ref().is_some_and(|rate| rate.C == f64::INFINITY) {
+        let known = preset.and_then(|known| known.rate);
+        material.rate = known.map(|[c, q]| RateLaw { C: c, q });
+        if material.rate.is_none() {
+            refuse("rate", "rate constants");
+        }
     }
 }
 

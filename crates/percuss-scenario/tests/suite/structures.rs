@@ -35,6 +35,89 @@ fn bad(text: &str, expected: &[&str]) {
 }
 
 #[test]
+fn what_a_preset_yields_at_is_taken_where_it_is_asked_for() {
+    let material = |text: &str| {
+        file(&[
+            "[section.s]\nshape = \"rectangle\"\nwidth = 1\ndepth = 1\n",
+            BEAM,
+            "[material.m]\n",
+            text,
+        ])
+    };
+    let content = good(&material("preset = \"steel\"\nyield = \"preset\"\nrate = \"preset\"\n"));
+    let metal = &content.material[0].table;
+    assert_eq!(metal.r#yield, Some(235e6));
+    assert_eq!(metal.rate.as_ref().map(|rate| [rate.C, rate.q]), Some([40.4, 5.0]));
+    assert_eq!(good(&material("preset = \"steel\"\n")).material[0].table.r#yield, None);
+    bad(
+        &material("preset = \"titanium\"\nyield = \"preset\"\nrate = \"preset\"\n"),
+        &["13:8: material.m.rate: found \"preset\", and no rate constants of titanium known, \
+           expected a table { C = ..., q = ... }"],
+    );
+    bad(
+        &material("preset = \"glass\"\nyield = \"preset\"\n"),
+        &["12:9: material.m.yield: found \"preset\", and no yield stress of glass known, \
+           expected a pressure (Pa), such as \"0.2e10 Pa\""],
+    );
+    bad(
+        &material("young = 1e9\ndensity = 1e3\nyield = \"preset\"\n"),
+        &["13:9: material.m.yield: found \"preset\" of a material without one, \
+           expected a pressure (Pa), such as \"0.2e10 Pa\""],
+    );
+}
+
+/// Keys beside a spring and a hinge of the file.
+fn connected(spring: &str, joint: &str) -> String {
+    let other =
+        "[beam.c]\npoints = [[3, 0], [4, 0]]\nelements = 1\nmaterial = \"m\"\nsection = \"s\"\n";
+    let hinge = format!("[joint.j]\nkind = \"hinge\"\nbetween = [\"b.end\", \"c.start\"]\n{joint}");
+    let spring = format!("[spring.s]\nbetween = [\"b.end\", [3, 1]]\n{spring}");
+    file(&[HEAD, BEAM, other, &hinge, &spring])
+}
+
+#[test]
+fn springs_and_hinges_yield_by_their_keys() {
+    let spring =
+        "stiffness = 1e6\nyield_force = \"2 kN\"\nhardening = { table = [[0, 2e3], [1, 3e3]] }\n";
+    let joint = "stiffness = 1e6\nyield_moment = \"2 kN*m\"\nfailure_rotation = \"10 deg\"\n";
+    let content = good(&connected(spring, joint));
+    assert_eq!(content.spring[0].table.yield_force, Some(2000.0));
+    let one = |spring: &str, joint: &str, expected: &str| {
+        bad(&connected(&format!("stiffness = 1e6\n{spring}"), joint), &[expected]);
+    };
+    let hinge = "stiffness = 1e6\n";
+    one(
+        "failure_extension = 1\n",
+        hinge,
+        "22:1: spring.s.yield_force: found `failure_extension` without a yield force, \
+         expected `yield_force` beside it",
+    );
+    one(
+        "yield_force = 1e3\nfailure_extension = \"1 mm\"\n",
+        hinge,
+        "26:21: spring.s.failure_extension: found 0.001 m, and it yields at 0.001000 m, \
+         expected an extension beyond that at which it yields",
+    );
+    one(
+        "yield_force = 1e3\nhardening = { kinematic = -1 }\n",
+        hinge,
+        "26:13: spring.s.hardening.kinematic: found -1 N/m, expected a plastic stiffness of zero or above",
+    );
+    one(
+        "yield_force = 1e3\nhardening = { table = [[0, 2e3]] }\n",
+        hinge,
+        "26:23: spring.s.hardening.table: found a table that begins with [0, 2000 N], \
+         expected [0, 1000] first: no plastic extension at the yield force",
+    );
+    one(
+        "",
+        "yield_moment = 1\n",
+        "18:1: joint.j.stiffness: found no stiffness, but a yield moment, \
+         expected a stiffness above zero: it is elastic until it yields",
+    );
+}
+
+#[test]
 fn presets_fill_in_what_is_not_given() {
     let content = good(&file(&[
         "[material.m]\npreset = \"aluminium\"\ndensity = 2750\n",

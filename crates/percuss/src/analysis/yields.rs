@@ -3,7 +3,7 @@
 use super::static_search::Reached;
 use crate::element::fibre::StressLaw;
 use crate::model::Model;
-use crate::model::frozen::{Connector, Coordinate, YieldingLaw};
+use crate::model::frozen::{Connector, YieldingLaw};
 use crate::state::State;
 
 /// A spring or an elastic hinge that can yield, in equilibrium.
@@ -32,21 +32,6 @@ pub struct PathYield {
     pub name: String,
     /// Load factor at which it yields.
     pub factor: f64,
-}
-
-impl Model {
-    /// Connectors that can yield, their number and how, in the model's order.
-    pub(crate) fn yielding(&self) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
-        let each = self.connectors.iter().enumerate();
-        each.filter_map(|(i, c)| c.yielding.as_ref().map(|own| (i, c, own)))
-    }
-}
-
-impl Connector {
-    /// Whether it acts on an angle.
-    pub(crate) fn turns(&self) -> bool {
-        matches!(self.coordinate, Coordinate::Angle { .. })
-    }
 }
 
 /// Springs and hinges that can yield in a state at rest.

@@ -137,6 +137,26 @@ fn yielding(
     Some(YieldingLaw { name, law, memory: model.memory_count() })
 }
 
+impl Model {
+    /// Number of connectors that can yield.
+    pub(crate) fn memory_count(&self) -> usize {
+        self.yielding().count()
+    }
+
+    /// Connectors that can yield, their number and how, in the model's order.
+    pub(crate) fn yielding(&self) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
+        let each = self.connectors.iter().enumerate();
+        each.filter_map(|(i, c)| c.yielding.as_ref().map(|own| (i, c, own)))
+    }
+}
+
+impl Connector {
+    /// Whether it acts on an angle.
+    pub(crate) fn turns(&self) -> bool {
+        matches!(self.coordinate, Coordinate::Angle { .. })
+    }
+}
+
 impl ConnectorEnd {
     /// Position in the reference configuration \[m\].
     pub fn reference(&self) -> [f64; 2] {

@@ -234,11 +234,6 @@ impl Model {
         last.map_or(0, |(span, fibres)| fibres.first + fibres.count * span.elements.len())
     }
 
-    /// Number of connectors that can yield.
-    pub(crate) fn memory_count(&self) -> usize {
-        self.connectors.iter().filter(|c| c.yielding.is_some()).count()
-    }
-
     /// Whether any beam can yield, or bears no stress of one sign.
     pub(crate) fn has_fibres(&self) -> bool {
         self.spans.iter().any(|s| s.fibres.is_some())

@@ -1,5 +1,6 @@
 //! The columns of the history and their values at a state.
 
+use super::connector_log;
 use super::record::Channel;
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
@@ -85,27 +86,20 @@ pub fn channels(model: &Model) -> Vec<Channel> {
             add(format!("support.{name}.impulse_moment"), "N*m*s", text);
         }
     }
-    for (_, c, own) in model.yielding() {
-        let name = &own.name;
-        let [(what, unit), (force, of)] = if c.turns() {
-            [("rotation", "rad"), ("moment", "N*m")]
-        } else {
-            [("extension", "m"), ("force", "N")]
-        };
-        add(format!("{name}.{what}"), unit, &format!("Its {what} from where it has no {force}"));
-        let text = format!("Plastic {what}: what would stay of it without {force}");
-        add(format!("{name}.plastic_{what}"), unit, &text);
-        add(format!("{name}.{force}"), of, &format!("Its {force}, its damper's left out"));
-    }
-    for (name, unit, description) in BALANCE_COLUMNS {
-        add(name.into(), unit, description);
-    }
-    if model.is_inelastic() {
-        for (name, description) in PLASTIC_COLUMNS {
-            add(name.into(), "J", description);
-        }
-    }
+    out.extend(connector_log::channels(model));
+    out.extend(balances(model));
     out
+}
+
+/// Columns of energies, momenta and the solver.
+fn balances(model: &Model) -> impl Iterator<Item = Channel> {
+    let plastic = PLASTIC_COLUMNS.iter().filter(|_| model.is_inelastic());
+    let plastic = plastic.map(|(name, description)| (*name, "J", *description));
+    BALANCE_COLUMNS.into_iter().chain(plastic).map(|(name, unit, description)| Channel {
+        name: name.into(),
+        unit,
+        description: description.into(),
+    })
 }
 
 /// Columns of histories of what can yield.
@@ -272,11 +266,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             row.extend_from_slice(impulses);
         }
     }
-    for (i, c, own) in model.yielding() {
-        let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
-        let force = c.reached_force(q, &state.memories);
-        row.extend([q - c.law.free(), memory.plastic, force]);
-    }
+    connector_log::values(model, state, row);
     let ledger = &state.ledger;
     let residual = ledger.linear_residual(m);
     row.extend([

@@ -93,14 +93,7 @@ pub fn equilibrium_path_recorded(
     refuse_overlaps(&StaticSearch::new(model))?;
     let goal = Goal::new(model, &settings.end).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let mut tracer = Tracer::new(model)?;
-    let mut path = Path {
-        names: model.points.iter().map(|p| p.label.clone()).collect(),
-        points: vec![tracer.point()],
-        limit_points: Vec::new(),
-        yields: Vec::new(),
-        end: finish(&mut StaticSearch::new(model), 0),
-        reached: false,
-    };
+    let mut path = Path::begin(model, tracer.point());
     tracer.show(recorder, false, 0);
     let first = tracer.first_arc(settings.first).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let (mut arc, longest) = (first, first.max(LONGEST_ARC));
@@ -133,19 +126,14 @@ pub fn equilibrium_path_recorded(
             }
         };
         if goal.passed(&before, &tracer) {
-            tracer.back_to(&before);
-            path.reached = tracer.hit(&goal);
-            if !path.reached {
-                tracer.back_to(&before);
-                arc *= 0.5;
-                if arc < SMALLEST_ARC * first {
-                    break;
-                }
-                continue;
+            if path.arrive(&mut tracer, &goal, &before, yields) {
+                break;
             }
-            path.points.push(tracer.point());
-            path.yields.extend(yields.into_iter().filter(|one| tracer.has_yielded(one)));
-            break;
+            arc *= 0.5;
+            if arc < SMALLEST_ARC * first {
+                break;
+            }
+            continue;
         }
         if factor_along_arc.turned {
             let after = tracer.mark();
@@ -171,6 +159,39 @@ pub fn equilibrium_path_recorded(
     tracer.search.reached();
     path.end = finish(&mut tracer.search, steps);
     Ok(path)
+}
+
+impl Path {
+    /// One that has its first point.
+    fn begin(model: &Model, first: PathPoint) -> Self {
+        Self {
+            names: model.points.iter().map(|p| p.label.clone()).collect(),
+            points: vec![first],
+            limit_points: Vec::new(),
+            yields: Vec::new(),
+            end: finish(&mut StaticSearch::new(model), 0),
+            reached: false,
+        }
+    }
+
+    /// Ends at the goal, which lies between a mark and the point at hand; whether it is met there.
+    fn arrive(
+        &mut self,
+        tracer: &mut Tracer,
+        goal: &Goal,
+        before: &Mark,
+        yields: Vec<PathYield>,
+    ) -> bool {
+        tracer.back_to(before);
+        self.reached = tracer.hit(goal);
+        if self.reached {
+            self.points.push(tracer.point());
+            self.yields.extend(yields.into_iter().filter(|one| tracer.has_yielded(one)));
+        } else {
+            tracer.back_to(before);
+        }
+        self.reached
+    }
 }
 
 /// What ends a path.
