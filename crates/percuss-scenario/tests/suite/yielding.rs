@@ -69,7 +69,9 @@ fn what_yields_in_no_way_is_told() {
     bad(&spring("stiffness = 10\nyield_force = 1\nhardening = { kinematic = -1 }\n"), &[""]);
     bad(&spring("stiffness = 10\nyield_force = 1\nhardening = { isotropic = -1 }\n"), &[""]);
     bad(
-        &spring("stiffness = 10\nyield_force = 1\nhardening = { isotropic = 1, table = [[0, 1]] }\n"),
+        &spring(
+            "stiffness = 10\nyield_force = 1\nhardening = { isotropic = 1, table = [[0, 1]] }\n",
+        ),
         &[""],
     );
     bad(&spring("stiffness = 10\nyield_force = 1\nhardening = { table = [[0, 2]] }\n"), &[""]);
@@ -77,7 +79,8 @@ fn what_yields_in_no_way_is_told() {
     bad(&joint("kind = \"hinge\"\nyield_moment = 1\n"), &[""]);
     bad(&joint("kind = \"hinge\"\nstiffness = 1\nhardening = { isotropic = 1 }\n"), &[""]);
     bad(&joint("kind = \"rigid\"\nyield_moment = 1\n"), &[""]);
-    let failure = "kind = \"hinge\"\nstiffness = 10\nyield_moment = 1\nfailure_rotation = \"1 deg\"\n";
+    let failure =
+        "kind = \"hinge\"\nstiffness = 10\nyield_moment = 1\nfailure_rotation = \"1 deg\"\n";
     bad(&joint(failure), &[""]);
     let scheme = "[integrator]\nscheme = \"strain-rate\"\n";
     bad(&spring(&format!("stiffness = 10\nyield_force = 1\n{scheme}")), &[""]);

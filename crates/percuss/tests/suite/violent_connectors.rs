@@ -142,7 +142,6 @@ fn scene(number: u64) -> (Model, Settings) {
     }
     let step = r.decades(3e-5, 1e-3);
     let settings = Settings::new(step * (60 + r.below(121)) as f64, step);
-    if std::env::var("SHOW").is_ok_and(|n| n == number.to_string()) { println!("{b:#?}"); }
     let model = b.build().unwrap_or_else(|faults| panic!("scene {number}: {faults:?}"));
     (model, settings)
 }
@@ -199,31 +198,4 @@ fn a_hundred_struck_chains_account_for_all_energy() {
     println!("gave up: {reasons:?}");
     assert!(springs > 30 && hinges > 30 && failed > 10 && struck > 30);
     assert!(reasons.values().map(Vec::len).sum::<usize>() <= 5, "{reasons:?}");
-}
-
-#[test]
-fn look() {
-    let number: u64 = std::env::var("SHOW").unwrap().parse().unwrap();
-    let (model, settings) = scene(number);
-    println!("{settings:?}");
-    let mut rows = MemoryRecorder::default();
-    let summary = simulate(&model, &settings, &mut rows).unwrap();
-    let n = rows.channels.len();
-    let r = rows.column("energy.residual").unwrap();
-    let k = r.iter().position(|x| x.abs() > 1e-9 * summary.energy.scale).unwrap_or(1);
-    for i in k.saturating_sub(2)..(k + 3).min(r.len()) {
-        println!("---- row {i}");
-        for (c, v) in rows.channels.iter().zip(&rows.values[i * n..]) { println!("  {} {v:e}", c.name); }
-    }
-    println!("{:#?}", summary.yielding);
-    println!("{:?} {:?}", summary.termination, summary.energy);
-}
-#[test]
-fn all() {
-    for number in 0..SCENES {
-        let (model, settings) = scene(number);
-        let s = simulate(&model, &settings, &mut NoRecorder).unwrap();
-        let failed = s.yielding.iter().any(|y| y.failed.is_some());
-        println!("{number} {:?} {:e} lin {:e} ang {:e} failed {failed}", matches!(s.termination, Termination::Completed), s.energy.residual_max, s.momentum.linear_residual_max, s.momentum.angular_residual_max);
-    }
 }

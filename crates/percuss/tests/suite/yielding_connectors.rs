@@ -279,6 +279,7 @@ fn what_cannot_follow_a_yielding_connector_says_so() {
     softens.curve[0].modulus = -2.0;
     b.spring(spring("softens", 10.0, softens));
     b.spring(spring("backwards", 10.0, perfect(-1.0)));
+    b.spring(Spring { length: Some(1.0), ..spring("tight", 10.0, perfect(1.0)) });
     let faults = b.build().err().unwrap();
     let paths: Vec<&str> = faults.iter().map(|fault| fault.path.as_str()).collect();
     let expected = [
@@ -287,6 +288,7 @@ fn what_cannot_follow_a_yielding_connector_says_so() {
         "spring.soft.hardening.kinematic",
         "spring.softens.hardening",
         "spring.backwards.yield_force",
+        "spring.tight.length",
     ];
     assert_eq!(paths, expected, "{faults:?}");
 }
