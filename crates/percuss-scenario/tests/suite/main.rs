@@ -19,3 +19,4 @@ mod templates;
 mod units;
 mod vary;
 mod violent;
+mod yielding;

@@ -4,7 +4,7 @@ use super::super::builder::ModelBuilder;
 use super::super::definition::*;
 use super::actions::check_function;
 use super::beams::{arc, check_point, length, position};
-use super::yielding::{check_yielding_joint, check_yielding_spring};
+use super::yielding::{check_yielding_joint, check_yielding_length, check_yielding_spring};
 use super::{Faults, quantity};
 use crate::math::vec2::{norm, sub};
 
@@ -118,6 +118,8 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
         let expected = "two points apart from each other: a joint or an elastic support \
                         connects what lies at one place";
         out.add(path("between"), "a spring between points at the same place", expected);
+    } else if let [Some(a), Some(b)] = ends {
+        check_yielding_length(spring, norm(sub(a, b)), out);
     }
 }
 

@@ -58,6 +58,21 @@ pub(super) fn check_yielding_spring(spring: &Spring, out: &mut Faults) {
     words.check_connector(spring.stiffness, law, out);
 }
 
+/// What a spring went through before it was strained beyond yield nobody knows.
+pub(super) fn check_yielding_length(spring: &Spring, distance: f64, out: &mut Faults) {
+    let (Some(law), Some(length)) = (&spring.yielding, spring.length) else { return };
+    let most = law.curve.first().map_or(f64::NAN, |part| part.stress) / spring.stiffness;
+    let extension = distance - length;
+    if most.is_finite() && extension.abs() > most {
+        let found = format!(
+            "{length} m for points {distance:.6} m apart: an extension of {extension:.6} m, \
+             and it yields at {most:.6} m"
+        );
+        let expected = "a length with which it does not yield before anything moves";
+        out.add(format!("spring.{}.length", spring.name), found, expected);
+    }
+}
+
 /// What yields of a joint.
 pub(super) fn check_yielding_joint(joint: &Joint, out: &mut Faults) {
     let Some(law) = &joint.yielding else { return };
