@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use percuss_codes::Code;
+use percuss_output::SummaryPath;
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::parameter::{Input, Variation};
@@ -70,6 +71,20 @@ impl Study {
     pub fn scenario_of(&self, run: u64) -> Result<String, String> {
         let inputs = self.inputs(run);
         Preparer::new(self).scenario(&inputs).map(Scenario::to_toml)
+    }
+
+    /// Why the first run that can be prepared would be made alone and not side by side with others in vector registers, many times as
+    /// fast; none if nothing is against it, or no run can be prepared.
+    pub fn runs_alone(&self) -> Option<String> {
+        let asked = |path: &SummaryPath| path.is_of_forces() || path.is_of_effort();
+        if let Some(result) = self.results.iter().find(|result| asked(&result.path)) {
+            return Some(format!("`{}` is asked for ({})", result.name, result.path.path()));
+        }
+        let mut preparer = Preparer::new(self);
+        let mut sound =
+            (0..self.run_count().min(8)).filter_map(|run| preparer.prepare(&self.inputs(run)).ok());
+        let first = sound.next()?;
+        percuss::runs_alone(&first.model, &first.settings).map(str::to_owned)
     }
 
     /// Prepares at most so many runs, evenly chosen, and tells of those that are no sound scenario; and how many were prepared.

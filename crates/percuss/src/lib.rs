@@ -37,8 +37,8 @@ pub use analysis::{
     mechanisms, modes_about, modes_about_equilibrium, natural_frequencies,
 };
 pub use ensemble::{
-    Detail, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,
-    simulate_batch,
+    Detail, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, runs_alone,
+    sensitivities, simulate_batch,
 };
 pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce};

@@ -63,6 +63,11 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
         [runs(study.run_count()), count(parameters, "parameter"), count(results, "result")];
     let file = arguments.file.display();
     terminal::print(&format!("{file}: sound: {}\n", contents.join(", ")))?;
+    let how = match study.runs_alone() {
+        Some(why) => format!("runs go one by one: {why}"),
+        None => "runs go side by side in vector registers".to_owned(),
+    };
+    terminal::print(&format!("{how}\n"))?;
     let (invalid, looked_at) = study.check_sample(SAMPLE);
     let mut denied = Vec::new();
     if !invalid.is_empty() {

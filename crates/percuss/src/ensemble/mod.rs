@@ -30,6 +30,7 @@ mod stand;
 mod summary;
 
 pub use batch::{Detail, simulate_batch};
+pub use run::runs_alone;
 pub use sensitivity::{
     Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,
 };

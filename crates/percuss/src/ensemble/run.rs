@@ -21,10 +21,8 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
     let mut done: Vec<Option<RunSummary>> = runs.iter().map(|_| None).collect();
     let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {
         let faultless = settings.validate(model).is_empty();
-        let numbers = numbers(model, settings).ok().filter(|_| faultless)?;
-        let shape = BatchShape::of(&numbers);
-        let closes = numbers.guides.iter().any(|guide| guide.standoff < 0.0);
-        (rigid_guides(&numbers).count() <= 1 && !closes).then_some((i, shape, numbers))
+        let numbers = lane_numbers(model, settings).ok().filter(|_| faultless)?;
+        Some((i, BatchShape::of(&numbers), numbers))
     };
     let mut left: Vec<_> = runs.iter().enumerate().filter_map(known).collect();
     while let Some((_, shape, _)) = left.first() {
@@ -44,6 +42,24 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
         in_lanes(SideBySide { runs: &group, keep: &mut keep });
     }
     done
+}
+
+/// The numbers of a run that goes in a lane, or why it runs alone.
+fn lane_numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
+    let numbers = numbers(model, settings)?;
+    if rigid_guides(&numbers).count() > 1 {
+        return Err("more than one rigid projectile");
+    }
+    match numbers.guides.iter().any(|guide| guide.standoff < 0.0) {
+        true => Err("a projectile inside what it strikes at the start"),
+        false => Ok(numbers),
+    }
+}
+
+/// What of a run keeps [`simulate_batch`](super::simulate_batch) from stepping it beside others under
+/// [`Detail::Motion`](super::Detail::Motion), in words; none if nothing does.
+pub fn runs_alone(model: &Model, settings: &Settings) -> Option<&'static str> {
+    lane_numbers(model, settings).err()
 }
 
 /// A run of an ensemble.
