@@ -59,29 +59,104 @@ fn springs_and_hinges_yield_as_materials_do() {
     assert_eq!((hardening.isotropic, hardening.kinematic), (Some(5e4), 2e4));
 }
 
+/// A file with a spring or a joint of which one thing is wrong, and the fault.
+#[track_caller]
+fn wrong(parts: &[&str], expected: &str) {
+    bad(&file(parts), &[expected]);
+}
+
 #[test]
-fn what_yields_in_no_way_is_told() {
-    let spring = |text: &str| file(&[HEAD, BEAM, SPRING, text]);
-    bad(&spring("stiffness = 1\nhardening = { isotropic = 1 }\n"), &[""]);
-    bad(&spring("stiffness = 1\nfailure_extension = 1\n"), &[""]);
-    bad(&spring("stiffness = 0\ndamping = 1\nyield_force = 1\n"), &[""]);
-    bad(&spring("stiffness = 10\nyield_force = 1\nfailure_extension = 0.05\n"), &[""]);
-    bad(&spring("stiffness = 10\nyield_force = 1\nhardening = { kinematic = -1 }\n"), &[""]);
-    bad(&spring("stiffness = 10\nyield_force = 1\nhardening = { isotropic = -1 }\n"), &[""]);
-    bad(
-        &spring(
-            "stiffness = 10\nyield_force = 1\nhardening = { isotropic = 1, table = [[0, 1]] }\n",
-        ),
-        &[""],
+fn what_a_spring_cannot_yield_by_is_one_fault() {
+    let spring = |text: &str, expected: &str| wrong(&[HEAD, BEAM, SPRING, text], expected);
+    spring(
+        "stiffness = 1\nhardening = { isotropic = 1 }\n",
+        "12:1: spring.k.yield_force: found `hardening` without a yield force, expected \
+         `yield_force` beside it",
     );
-    bad(&spring("stiffness = 10\nyield_force = 1\nhardening = { table = [[0, 2]] }\n"), &[""]);
-    let joint = |text: &str| file(&[HEAD, BEAM, OTHER, JOINT, text]);
-    bad(&joint("kind = \"hinge\"\nyield_moment = 1\n"), &[""]);
-    bad(&joint("kind = \"hinge\"\nstiffness = 1\nhardening = { isotropic = 1 }\n"), &[""]);
-    bad(&joint("kind = \"rigid\"\nyield_moment = 1\n"), &[""]);
-    let failure =
-        "kind = \"hinge\"\nstiffness = 10\nyield_moment = 1\nfailure_rotation = \"1 deg\"\n";
-    bad(&joint(failure), &[""]);
+    spring(
+        "stiffness = 1\nfailure_extension = 1\n",
+        "12:1: spring.k.yield_force: found `failure_extension` without a yield force, expected \
+         `yield_force` beside it",
+    );
+    spring(
+        "stiffness = 0\ndamping = 1\nyield_force = 1\n",
+        "14:13: spring.k.stiffness: found no stiffness, but a yield force, expected a stiffness \
+         above zero: it is elastic until it yields",
+    );
+    spring(
+        "stiffness = 10\nyield_force = 1\nfailure_extension = 0.05\n",
+        "16:21: spring.k.failure_extension: found 0.05 m, and it yields at 0.100000 m, expected \
+         an extension beyond that at which it yields",
+    );
+    spring(
+        "stiffness = 10\nyield_force = 1\nlength = 1.5\n",
+        "16:10: spring.k.length: found 1.5 m for points 2.000000 m apart: an extension of \
+         0.500000 m, and it yields at 0.100000 m, expected a length with which it does not yield \
+         before anything moves",
+    );
+}
+
+#[test]
+fn what_a_spring_cannot_harden_by_is_one_fault() {
+    let spring = |hardening: &str, expected: &str| {
+        let text = format!("stiffness = 10\nyield_force = 1\nhardening = {{ {hardening} }}\n");
+        wrong(&[HEAD, BEAM, SPRING, &text], expected);
+    };
+    spring(
+        "kinematic = -1",
+        "16:27: spring.k.hardening.kinematic: found -1 N/m, expected a plastic stiffness of zero \
+         or above",
+    );
+    spring(
+        "isotropic = -1",
+        "16:13: spring.k.hardening: found -1 N/m: it softens, expected a plastic stiffness of \
+         zero or above: softening is not followed",
+    );
+    spring(
+        "isotropic = 1, table = [[0, 1]]",
+        "16:38: spring.k.hardening.table: found `table` besides `isotropic`, expected one of the \
+         two",
+    );
+    spring(
+        "table = [[0, 2]]",
+        "16:23: spring.k.hardening.table: found a table that begins with [0, 2 N], expected \
+         [0, 1] first: no plastic extension at the yield force",
+    );
+}
+
+#[test]
+fn what_a_hinge_cannot_yield_by_is_one_fault() {
+    let joint = |text: &str, expected: &str| wrong(&[HEAD, BEAM, OTHER, JOINT, text], expected);
+    joint(
+        "kind = \"hinge\"\nyield_moment = 1\n",
+        "17:1: joint.j.stiffness: found no stiffness, but a yield moment, expected a stiffness \
+         above zero: it is elastic until it yields",
+    );
+    joint(
+        "kind = \"hinge\"\nstiffness = 1\nhardening = { isotropic = 1 }\n",
+        "17:1: joint.j.yield_moment: found `hardening` without a yield moment, expected \
+         `yield_moment` beside it",
+    );
+    joint(
+        "kind = \"rigid\"\nyield_moment = 1\n",
+        "20:1: joint.j.yield_moment: found `yield_moment`, which belongs to kind = \"hinge\", \
+         expected one of `between`, `kind` for kind = \"rigid\"",
+    );
+    joint(
+        "kind = \"hinge\"\nstiffness = 10\nyield_moment = 1\nfailure_rotation = \"1 deg\"\n",
+        "22:20: joint.j.failure_rotation: found 0.017453292519943295 rad, and it yields at \
+         0.100000 rad, expected a rotation beyond that at which it yields",
+    );
+}
+
+#[test]
+fn a_scheme_that_cannot_account_for_what_yields_is_one_fault() {
     let scheme = "[integrator]\nscheme = \"strain-rate\"\n";
-    bad(&spring(&format!("stiffness = 10\nyield_force = 1\n{scheme}")), &[""]);
+    let text = format!("stiffness = 10\nyield_force = 1\n{scheme}");
+    wrong(
+        &[HEAD, BEAM, SPRING, &text],
+        "17:10: integrator.scheme: found another scheme than energy-momentum, with what yields or \
+         bears no stress of one sign, expected energy-momentum: the work of what yields is exact \
+         in no other",
+    );
 }
