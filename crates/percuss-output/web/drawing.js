@@ -4,6 +4,7 @@
 
 const MARGIN = 34; // pixels around the structure
 const ARROW_MARGIN = 52; // where arrows of forces stand around it
+const [SPRING, BLOCK, REAR] = [34, 22, 54]; // lengths of a guided projectile's symbols: spring, mass, and what stands behind [pixels]
 const SYMBOL = 11; // half the size of a symbol [pixels]
 const UNITS = { stress: "Pa", velocity: "m/s", axial: "N", shear: "N", moment: "N m" };
 const DIAGRAMS = { axial: "N", shear: "V", moment: "M" };
@@ -24,7 +25,7 @@ function boundsOf(motion, factor = 1) {
   const hasBeams = Number.isFinite(low[0]);
   const size = hasBeams ? Math.max(high[0] - low[0], high[1] - low[1]) : Infinity;
   const reach = hasBeams ? 0.35 * size : Infinity;
-  const margin = motion.scene.loads.some((load) => load.kind === "point") ? ARROW_MARGIN : MARGIN;
+  const margin = Math.max(motion.scene.loads.some((load) => load.kind === "point") ? ARROW_MARGIN : MARGIN, room(motion.scene.bodies));
   const out = { low: [...low], high: [...high], margin };
   const grow = ([x, y], r) => {
     if (hasBeams && (x < low[0] - reach || x > high[0] + reach || y < low[1] - reach || y > high[1] + reach)) return;
@@ -47,6 +48,12 @@ function boundsOf(motion, factor = 1) {
   for (const s of motion.scene.springs) for (const end of s.between) if (end.position) grow(end.position, 0);
   if (!Number.isFinite(out.low[0])) return { low: [-1, -1], high: [1, 1], margin };
   return out;
+}
+
+// Room that guided projectiles take behind their points [pixels].
+function room(bodies) {
+  const guided = bodies.map((body, i) => body.kind === "guided" && (body.elastic ? SPRING : 0) + BLOCK + 6 + (bodies[i + 1]?.kind === "rear" ? REAR : 0));
+  return Math.max(0, ...guided.filter(Boolean));
 }
 
 // World to pixels, y upwards to y downwards; `zoom` and `shift` are the reader's.
@@ -278,7 +285,7 @@ class Drawing {
     const off = struck.half_depth + Math.max(gap, 0);
     const d = [d1, -d2];
     const surface = view.to([struck.place[0] - off * d1, struck.place[1] - off * d2]);
-    const free = body.elastic ? 34 : 0; // length of the spring [pixels]
+    const free = body.elastic ? SPRING : 0;
     const pressed = body.elastic ? Math.min(24, Math.max(-gap, 0) * view.scale) : 0;
     const front = [surface[0] - (free - pressed) * d[0], surface[1] - (free - pressed) * d[1]];
     if (body.elastic) this.coil(front, surface, 5);

@@ -89,30 +89,30 @@ fn springs_and_hinges_yield_by_their_keys() {
     one(
         "failure_extension = 1\n",
         hinge,
-        "22:1: spring.s.yield_force: found `failure_extension` without a yield force, \
+        "21:1: spring.s.yield_force: found `failure_extension` without a yield force, \
          expected `yield_force` beside it",
     );
     one(
         "yield_force = 1e3\nfailure_extension = \"1 mm\"\n",
         hinge,
-        "26:21: spring.s.failure_extension: found 0.001 m, and it yields at 0.001000 m, \
+        "25:21: spring.s.failure_extension: found 0.001 m, and it yields at 0.001000 m, \
          expected an extension beyond that at which it yields",
     );
     one(
         "yield_force = 1e3\nhardening = { kinematic = -1 }\n",
         hinge,
-        "26:13: spring.s.hardening.kinematic: found -1 N/m, expected a plastic stiffness of zero or above",
+        "25:13: spring.s.hardening.kinematic: found -1 N/m, expected a plastic stiffness of zero or above",
     );
     one(
         "yield_force = 1e3\nhardening = { table = [[0, 2e3]] }\n",
         hinge,
-        "26:23: spring.s.hardening.table: found a table that begins with [0, 2000 N], \
+        "25:23: spring.s.hardening.table: found a table that begins with [0, 2000 N], \
          expected [0, 1000] first: no plastic extension at the yield force",
     );
     one(
         "",
         "yield_moment = 1\n",
-        "18:1: joint.j.stiffness: found no stiffness, but a yield moment, \
+        "17:1: joint.j.stiffness: found no stiffness, but a yield moment, \
          expected a stiffness above zero: it is elastic until it yields",
     );
 }

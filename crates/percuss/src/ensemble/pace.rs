@@ -13,7 +13,7 @@ use crate::settings::{SAME_INSTANT, Settings};
 
 /// What a lane solves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum LanePart {
     /// All that is left of the step.
     Whole,
     /// Up to where one of the gaps seems to have dipped below zero and out again.
@@ -59,7 +59,7 @@ pub struct Seen {
 
 /// What is no approach, and no gap, by round-off \[m/s, m\].
 #[derive(Clone, Copy, Debug)]
-pub struct Nothing {
+pub struct Negligible {
     pub rate: f64,
     pub gap: f64,
 }
@@ -81,7 +81,7 @@ pub struct Pace {
     target: f64,
     offset: f64,
     /// The part at hand, its size, and that of the whole one it belongs to \[s\].
-    pub part: Part,
+    pub part: LanePart,
     pub h: f64,
     whole: f64,
     /// Instants located and impacts that the step may still have.
@@ -121,7 +121,7 @@ impl Pace {
             time: 0.0,
             target: 0.0,
             offset: 0.0,
-            part: Part::Whole,
+            part: LanePart::Whole,
             h: 0.0,
             whole: 0.0,
             events_left: MOST_EVENTS,
@@ -167,7 +167,7 @@ impl Pace {
     }
 
     /// Begins the next part where the contacts stand as given, shape (rigid contacts).
-    pub fn begin(&mut self, seen: &[Seen], nothing: Nothing) {
+    pub fn begin(&mut self, seen: &[Seen], nothing: Negligible) {
         let interval = self.interval();
         let mut strikes = false;
         for (k, (contact, seen)) in self.contacts.iter_mut().zip(seen).enumerate() {
@@ -189,26 +189,29 @@ impl Pace {
     #[inline(always)]
     fn begin_part(&mut self, strikes: bool) {
         self.whole = self.target - self.offset;
-        (self.part, self.h) =
-            if strikes { (Part::Impact, self.interval()) } else { (Part::Whole, self.whole) };
+        (self.part, self.h) = if strikes {
+            (LanePart::Impact, self.interval())
+        } else {
+            (LanePart::Whole, self.whole)
+        };
         self.located = None;
     }
 
     /// Whether the part solved last is accepted; if not, the next trial is at hand. Contacts as given, shape (rigid contacts).
-    pub fn judge(&mut self, seen: &[Seen], nothing: Nothing) -> bool {
+    pub fn judge(&mut self, seen: &[Seen], nothing: Negligible) -> bool {
         match self.part {
-            Part::Clear | Part::Impact => true,
-            Part::Whole => self.first_contact(seen, nothing),
-            Part::Dip => {
+            LanePart::Clear | LanePart::Impact => true,
+            LanePart::Whole => self.first_contact(seen, nothing),
+            LanePart::Dip => {
                 let (ahead, _) = self.nearest(seen, nothing);
                 if ahead > 0.0 {
-                    (self.part, self.h) = (Part::Clear, self.whole);
+                    (self.part, self.h) = (LanePart::Clear, self.whole);
                 } else {
                     self.open_search(self.h, ahead);
                 }
                 false
             }
-            Part::Trial => {
+            LanePart::Trial => {
                 let (ahead, nearest) = self.nearest(seen, nothing);
                 let approaches = nearest.is_some_and(|k| seen[k].end[1] < 0.0);
                 let inside = approaches || ahead < -self.near;
@@ -223,12 +226,12 @@ impl Pace {
     }
 
     /// What a gap is below zero by round-off where the part begins.
-    fn floor(seen: &Seen, nothing: Nothing) -> f64 {
+    fn floor(seen: &Seen, nothing: Negligible) -> f64 {
         seen.start[0].clamp(-nothing.gap, 0.0)
     }
 
     /// Least gap of the open contacts half an impact interval after the end of the part, and whose it is.
-    fn nearest(&self, seen: &[Seen], nothing: Nothing) -> (f64, Option<usize>) {
+    fn nearest(&self, seen: &[Seen], nothing: Negligible) -> (f64, Option<usize>) {
         let mut least = (f64::INFINITY, None);
         for (k, (contact, seen)) in self.contacts.iter().zip(seen).enumerate() {
             if contact.closed {
@@ -244,7 +247,7 @@ impl Pace {
     }
 
     /// Whether nothing touches in a whole part; else the first trial of the search is at hand.
-    fn first_contact(&mut self, seen: &[Seen], nothing: Nothing) -> bool {
+    fn first_contact(&mut self, seen: &[Seen], nothing: Negligible) -> bool {
         self.paths.clear();
         for (contact, seen) in self.contacts.iter().zip(seen).filter(|(c, _)| !c.closed) {
             let floor = Self::floor(seen, nothing);
@@ -262,7 +265,7 @@ impl Pace {
         let Some(dip) = self.paths.iter().filter_map(dips).reduce(f64::min) else {
             return true;
         };
-        (self.part, self.h) = (Part::Dip, dip);
+        (self.part, self.h) = (LanePart::Dip, dip);
         false
     }
 
@@ -281,12 +284,12 @@ impl Pace {
         let guess = paths.iter().filter_map(|c| descent(c, end)).reduce(f64::min).unwrap_or(guess);
         let guess = guess - 0.5 * interval;
         self.search = Bracket::new((0.0, start), (end, ahead), guess, [tolerance, self.near]);
-        (self.part, self.h) = (Part::Trial, self.search.propose());
+        (self.part, self.h) = (LanePart::Trial, self.search.propose());
     }
 
     /// Accepts the part at hand: contacts at its end and impulses as given, shape (rigid contacts).
-    pub fn accept(&mut self, seen: &[Seen], impulses: &[f64], nothing: Nothing) {
-        let event = self.part == Part::Impact || self.located.is_some();
+    pub fn accept(&mut self, seen: &[Seen], impulses: &[f64], nothing: Negligible) {
+        let event = self.part == LanePart::Impact || self.located.is_some();
         self.events_left = self.events_left.saturating_sub(usize::from(event));
         let strikes = |c: &Touching| matches!(c.role, Role::Strikes(_));
         let strikes = self.contacts.iter().zip(impulses).any(|(c, i)| strikes(c) && *i > 0.0);
@@ -313,7 +316,7 @@ impl Pace {
     }
 
     /// Contacts that touch, at rest but for what is no approach, count as closed.
-    pub fn close_at_rest(&mut self, seen: &[Seen], nothing: Nothing) {
+    pub fn close_at_rest(&mut self, seen: &[Seen], nothing: Negligible) {
         for (contact, seen) in self.contacts.iter_mut().zip(seen) {
             let [gap, rate] = seen.end;
             contact.closed |= gap <= nothing.gap && rate.abs() <= nothing.rate;

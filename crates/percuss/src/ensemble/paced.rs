@@ -6,8 +6,8 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
-use super::pace::{Nothing, Pace, Part, Role, Seen};
-use super::rigid_log::{Deed, RigidLog};
+use super::pace::{LanePart, Negligible, Pace, Role, Seen};
+use super::rigid_log::{LaneDeed, RigidLog};
 use super::run::LaneRun;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
@@ -38,7 +38,8 @@ impl Lane {
     /// Share of the accelerations of the part before that those of the one at hand are taken for, by the square of the sizes.
     fn ahead(&self) -> f64 {
         let longer = self.pace.h / self.last.0;
-        let unknown = self.last.1 == 0.0 || self.pace.part == Part::Impact || longer > MOST_LONGER;
+        let unknown =
+            self.last.1 == 0.0 || self.pace.part == LanePart::Impact || longer > MOST_LONGER;
         if unknown { 0.0 } else { self.last.1 * longer * longer }
     }
 
@@ -157,13 +158,13 @@ impl<S: Number> Paced<S> {
 
     /// What is no approach and no gap in a lane, as of a single run.
     #[inline(always)]
-    fn nothing(&self, lane: &Lane, number: usize) -> Nothing {
+    fn nothing(&self, lane: &Lane, number: usize) -> Negligible {
         let numbers = &self.engine.numbers;
         let (energy, mass) = (self.ledger.energy_scale, numbers.total_mass);
         let speed = (2.0 * energy.lane(number) / mass.lane(number)).sqrt();
         let rate = lane.creep.max(NO_APPROACH * speed);
         let gap = (1e-12 * lane.pace.size()).max(rate * numbers.step.lane(number));
-        Nothing { rate, gap }
+        Negligible { rate, gap }
     }
 
     /// Gives every lane the part at hand: its size, the bound of its contact, the factors of its loads.
@@ -222,7 +223,7 @@ impl<S: Number> Paced<S> {
             }
             if !go[number] {
                 lane.last.1 = -1.0;
-            } else if lane.pace.part == Part::Impact {
+            } else if lane.pace.part == LanePart::Impact {
                 lane.last.1 = 0.0;
             }
             self.lanes[number] = Some(lane);
@@ -287,7 +288,7 @@ impl<S: Number> Paced<S> {
         let own = seen.lane(number);
         let impulse = seen.impulse.lane(number);
         let rests = lane.pace.contacts[0].role == Role::Rests;
-        if lane.pace.part == Part::Impact {
+        if lane.pace.part == LanePart::Impact {
             let most = NO_GAIN * (impulse * own.start[1]).abs();
             if seen.work.lane(number) > most {
                 return false; // another law stands in for the contact's own
@@ -312,13 +313,13 @@ impl<S: Number> Paced<S> {
     }
 
     /// What the contact of a lane did in the part just accepted.
-    fn deed(&self, lane: &Lane, number: usize, own: &Seen, end: [f64; 2]) -> Deed {
+    fn deed(&self, lane: &Lane, number: usize, own: &Seen, end: [f64; 2]) -> LaneDeed {
         let (k, h) = (self.guide, self.engine.h);
         let (guide, state) = (&self.engine.numbers.guides[k], &self.engine.guides[k]);
         let force = state.impulse / h;
         let given = [force * guide.along(&self.engine.increment), -(force * state.increment)];
         let [start, middle] = [h, h * 0.5].map(|back| self.engine.struck_before(k, back));
-        Deed {
+        LaneDeed {
             rests: lane.pace.contacts[0].role == Role::Rests,
             impulsive: lane.pace.h < IMPULSIVE * self.engine.numbers.step.lane(number),
             start: lane.pace.time,
@@ -332,7 +333,7 @@ impl<S: Number> Paced<S> {
     }
 
     /// How well the impulse meets its conditions, beside the fastest approach of the run so far: slow ones are known to its round-off.
-    fn weigh(&self, lane: &mut Lane, number: usize, deed: &Deed) {
+    fn weigh(&self, lane: &mut Lane, number: usize, deed: &LaneDeed) {
         let Some(press) = &self.engine.press else { return };
         let mobility = 2.0 * press.opening.lane(number) / (deed.h * deed.h);
         let bound = press.bound.lane(number);

@@ -5,7 +5,7 @@ use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, 
 
 /// What the contact did in a part of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Deed {
+pub struct LaneDeed {
     /// Whether it was to stay closed; else it strikes.
     pub rests: bool,
     /// Whether the part is as short as an impact.
@@ -56,7 +56,7 @@ impl RigidLog {
     }
 
     /// Takes in a part in which it may have pressed.
-    pub fn take(&mut self, deed: &Deed) {
+    pub fn take(&mut self, deed: &LaneDeed) {
         self.impulse_total += deed.impulse;
         let work = deed.given;
         let energy = EnergySplit { given: work, lost: -work[0] - work[1], ..Default::default() };
@@ -80,7 +80,7 @@ impl RigidLog {
         }
     }
 
-    fn rest(&mut self, deed: &Deed, energy: &EnergySplit) {
+    fn rest(&mut self, deed: &LaneDeed, energy: &EnergySplit) {
         if self.open.is_none()
             && deed.impulse > 0.0
             && self.intervals.len() < ContactRecord::IMPACTS_KEPT

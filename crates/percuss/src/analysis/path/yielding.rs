@@ -12,7 +12,7 @@ const BEYOND: f64 = 1e-6;
 
 /// What the arc advanced last has brought.
 pub(super) enum Yielded {
-    /// First yields, in their order; most arcs have none.
+    /// First yields, in their order, shape (those on the arc); most arcs have none.
     Here(Vec<PathYield>),
     /// The first of them lies well before its end: the arc that leads there.
     Before(f64),

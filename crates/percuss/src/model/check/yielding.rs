@@ -13,15 +13,15 @@ struct Words {
     path: String,
     /// Key of the elastic modulus or stiffness.
     elastic: &'static str,
-    /// Key of the yield limit, and in words.
+    /// Key of the yield limit, and in words, shape (2).
     limit: [&'static str; 2],
-    /// Key of the failure limit, and in words.
+    /// Key of the failure limit, and in words, shape (2).
     failure: [&'static str; 2],
     /// What flows plastically, in the plural.
     flow: &'static str,
     /// Plastic modulus, in words.
     modulus: &'static str,
-    /// Units of the limit, the modulus and what flows.
+    /// Units of the limit, the modulus and what flows, shape (3).
     units: [&'static str; 3],
 }
 
