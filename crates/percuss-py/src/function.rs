@@ -15,11 +15,12 @@ type Rows<'py> = (Bound<'py, PyAny>, Vec<(usize, String)>);
 /// A number's smallest and largest value, or None where it has no bounds.
 type Bounds = Option<(f64, f64)>;
 
+/// Parameters, their bounds, their medians, and results.
+type Layout = (Vec<Named>, Vec<Bounds>, Vec<f64>, Vec<Named>);
+
 /// Parameters with their bounds and medians, and results.
 #[pyfunction]
-pub fn function_layout(
-    study: &Bound<'_, crate::study::Study>,
-) -> PyResult<(Vec<Named>, Vec<Bounds>, Vec<f64>, Vec<Named>)> {
+pub fn function_layout(study: &Bound<'_, crate::study::Study>) -> PyResult<Layout> {
     let study = study.get().inner();
     let function = study.function().map_err(|error| study_error(&error))?;
     let parameters = function.parameters();

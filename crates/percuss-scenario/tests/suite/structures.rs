@@ -101,7 +101,7 @@ fn springs_and_hinges_yield_by_their_keys() {
     one(
         "yield_force = 1e3\nhardening = { kinematic = -1 }\n",
         hinge,
-        "25:13: spring.s.hardening.kinematic: found -1 N/m, expected a plastic stiffness of zero or above",
+        "25:27: spring.s.hardening.kinematic: found -1 N/m, expected a plastic stiffness of zero or above",
     );
     one(
         "yield_force = 1e3\nhardening = { table = [[0, 2e3]] }\n",
