@@ -117,6 +117,9 @@ pub struct Plot {
     /// Replace files even if percuss did not write them
     #[arg(long)]
     pub force: bool,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
 }
 
 /// Format of a figure.

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import vm from "node:vm";
 
 // The page runs them as one script.
-const parts = ["pens.js", "figures.js", "scene.js", "clearance.js", "drawing.js", "symbols.js", "player.js", "shapes.js", "chart.js"];
+const parts = ["pens.js", "figures.js", "scene.js", "clearance.js", "view.js", "drawing.js", "symbols.js", "player.js", "shapes.js", "chart.js"];
 const text = parts.map((name) => readFileSync(new URL(name, import.meta.url), "utf8")).join("\n");
 const names = "{ SvgPen, escapeXml, Motion, engineering, Drawing, boundsOf, viewOf, canExaggerate, mapColour, contactSpan, exaggerations, visibleFactor, ShapeMotion, PathMotion, RestingMotion, roundTicks, crossings }";
 const page = vm.runInNewContext(`${text}\n;(${names})`, { Float32Array, Math, Number, Map, Set });
@@ -54,6 +54,30 @@ test("stress is that of axial force and moment on the section", () => {
   const [point] = m.curve(0, m.at(1).u).flat();
   const expected = 3 / 0.02 + (6 * 0.1) / 2e-5;
   assert.ok(Math.abs(m.stress(1, 0, point) - expected) < 1e-6 * expected);
+});
+
+test("a beam that can yield has no stress by its forces, and no colour of it", () => {
+  const m = new page.Motion({ ...motion().scene, beams: [beam({ inertia: [null, null] })] }, motion().frames);
+  const [point] = m.curve(0, m.at(1).u).flat();
+  assert.equal(m.stress(1, 0, point), null);
+  assert.equal(motion().yields, false);
+  const drawing = new page.Drawing(m, new Proxy({}, { get: (_, name) => (name === "beam" ? "#abcdef" : "#000000") }));
+  assert.equal(drawing.colourTop("stress"), 0);
+  const pen = new page.SvgPen(600, 400);
+  drawing.draw(pen, 1, page.viewOf(drawing.bounds, 600, 400), { colour: "stress" });
+  const svg = pen.finish();
+  assert.match(svg, /stress, elastic beams/);
+  assert.match(svg, /#abcdef/);
+});
+
+test("a guided projectile at the edge has room for its symbols", () => {
+  const strikes = { beam: 0, s: 2 };
+  const guided = (more) => ({ name: "p", kind: "guided", position: [2, 0], direction: [0, 1], standoff: 0, strikes, ...more });
+  const margin = (...bodies) => page.boundsOf(motion({ bodies })).margin;
+  const bare = page.boundsOf(motion()).margin;
+  assert.ok(margin(guided({ elastic: false })) >= 22);
+  assert.ok(margin(guided({ elastic: true })) >= 34 + 22, "spring and mass");
+  assert.ok(margin(guided({ elastic: true }), { name: "rear", kind: "rear", position: [2, 0] }) > margin(guided({ elastic: true })) && bare < 40);
 });
 
 test("axes are equal and the whole motion is in view", () => {

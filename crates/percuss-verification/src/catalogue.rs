@@ -1,9 +1,35 @@
 //! The catalogue of cases.
 
+mod published;
+mod yielding;
+
+use self::published::PUBLISHED;
+use self::yielding::YIELDING;
 use crate::*;
 
 /// Every case, in the order of the manual.
-pub const CASES: &[Case] = &[
+pub const CASES: &[Case] = &joined::<COUNT>(LISTS);
+
+const LISTS: &[&[Case]] = &[OWN, YIELDING, PUBLISHED];
+const COUNT: usize = OWN.len() + YIELDING.len() + PUBLISHED.len();
+
+/// All of some lists, one behind the other.
+const fn joined<const N: usize>(lists: &[&[Case]]) -> [Case; N] {
+    let mut all = [lists[0][0]; N];
+    let (mut list, mut first, mut k) = (0, 0, 0);
+    while k < N {
+        if k - first == lists[list].len() {
+            first = k;
+            list += 1;
+        }
+        all[k] = lists[list][k - first];
+        k += 1;
+    }
+    all
+}
+
+/// Cases of what stays elastic, whose scenes are built through the library.
+const OWN: &[Case] = &[
     Case {
         id: "elastic-clamped",
         title: "Elastic projectile on a clamped beam: figures and order of convergence",
@@ -315,179 +341,5 @@ pub const CASES: &[Case] = &[
         title: "A stiff bar falls on its corner; a disc slides over the end of a beam",
         source: "rigid bodies in closed form",
         run: ends::beam_ends,
-    },
-    Case {
-        id: "plastic-cycles",
-        title: "Bars pulled and pressed beyond yield: stress, what is dissipated and stored",
-        source: "closed form, isotropic and kinematic hardening",
-        run: plastic_bars::cycles,
-    },
-    Case {
-        id: "plastic-rates",
-        title: "Bars pulled at a steady rate, viscous overstress",
-        source: "Cowper and Symonds 1957; closed form; Runge and Kutta",
-        run: plastic_bars::rates,
-    },
-    Case {
-        id: "plastic-wave",
-        title: "A bar whose end is pulled at once: precursor and plastic front",
-        source: "closed form (Donnell 1930; von Karman and Duwez 1950)",
-        run: plastic_bars::plastic_wave,
-    },
-    Case {
-        id: "three-bars",
-        title: "Three bars in a fan, loaded until all yield and unloaded",
-        source: "ANSYS VM11; closed form",
-        run: plastic_bars::fan,
-    },
-    Case {
-        id: "plastic-bending",
-        title: "Moment and curvature of a rectangle beyond yield, by the number of fibres",
-        source: "closed form; ANSYS LS-DYNA verification case 003",
-        run: plastic_bending::moment_and_curvature,
-    },
-    Case {
-        id: "plastic-moments",
-        title: "Fully plastic moments of five shapes",
-        source: "closed form",
-        run: plastic_bending::plastic_moments,
-    },
-    Case {
-        id: "explosive-ring",
-        title: "A free ring that sheet explosive closes, by hardening and by rate",
-        source: "Clark et al. 1962; Abaqus benchmark of the free ring",
-        run: plastic_bending::explosive_ring,
-    },
-    Case {
-        id: "heavy-mass",
-        title: "A heavy mass on clamped and pinned beams, rigid-plastic",
-        source: "closed form (Haythornthwaite 1957; Jones 1989)",
-        run: rigid_plastic::heavy_mass,
-    },
-    Case {
-        id: "parkes",
-        title: "A cantilever struck at its tip, rigid-plastic",
-        source: "closed form (Parkes 1955)",
-        run: rigid_plastic::parkes,
-    },
-    Case {
-        id: "thrown-beam",
-        title: "A velocity on all of a beam, rigid-plastic",
-        source: "closed form (Symonds; Jones 1989)",
-        run: rigid_plastic::thrown,
-    },
-    Case {
-        id: "thrown-bar",
-        title: "A stiff bar thrown round a hinge that yields",
-        source: "closed form",
-        run: yielding_joints::thrown_bar,
-    },
-    Case {
-        id: "mass-on-a-rod",
-        title: "A mass on a rod that yields under a force that acts at once",
-        source: "ANSYS VM80 (Biggs 1964); closed form",
-        run: yielding_joints::mass_on_a_rod,
-    },
-    Case {
-        id: "portal-pushover",
-        title: "A portal whose hinges yield one after the other",
-        source: "slope-deflection method; plastic-hinge analysis",
-        run: yielding_joints::portal_pushover,
-    },
-    Case {
-        id: "overhanging-beam",
-        title: "A beam with overhangs under a uniform load",
-        source: "ANSYS VM2; closed form",
-        run: published_statics::overhanging_beam,
-    },
-    Case {
-        id: "tapered-cantilever",
-        title: "Stresses of a cantilever whose depth grows to its root",
-        source: "ANSYS VM5; closed form",
-        run: published_statics::tapered_cantilever,
-    },
-    Case {
-        id: "t-section",
-        title: "Bending of a T section",
-        source: "ANSYS VM10; closed form",
-        run: published_statics::t_section,
-    },
-    Case {
-        id: "propped-cantilever",
-        title: "A cantilever propped at its end under a uniform load",
-        source: "closed form",
-        run: published_statics::propped_cantilever,
-    },
-    Case {
-        id: "pressed-ring",
-        title: "A thin ring pressed by two forces",
-        source: "closed form (Timoshenko, Strength of Materials II)",
-        run: published_statics::pressed_ring,
-    },
-    Case {
-        id: "portal-sway",
-        title: "Linear buckling of a portal frame that sways",
-        source: "closed form (Timoshenko and Gere, Theory of Elastic Stability)",
-        run: published_statics::portal_sway,
-    },
-    Case {
-        id: "euler-columns",
-        title: "Euler's four columns, order in the element size",
-        source: "closed form",
-        run: published_statics::euler_columns,
-    },
-    Case {
-        id: "two-springs",
-        title: "Two springs and a force, with large displacements",
-        source: "ANSYS VM9; least potential energy",
-        run: published_motion::two_springs,
-    },
-    Case {
-        id: "deep-beam",
-        title: "NAFEMS FV5: frequencies of a deep beam, and what shear is worth",
-        source: "NAFEMS FV5 (Abaqus benchmark); closed forms of Rayleigh and Timoshenko",
-        run: published_motion::deep_beam,
-    },
-    Case {
-        id: "ring-modes",
-        title: "In-plane modes of a thin ring",
-        source: "closed form (Love)",
-        run: published_motion::ring_modes,
-    },
-    Case {
-        id: "stepped-load",
-        title: "NAFEMS 5T: a deep beam under a load put on at once",
-        source: "NAFEMS 5T (Altair); sum over modes",
-        run: published_motion::stepped_load,
-    },
-    Case {
-        id: "rise-time",
-        title: "A beam that bears a mass under a force with a rise time",
-        source: "ANSYS VM77 (Biggs 1964); closed form",
-        run: published_motion::rise_time,
-    },
-    Case {
-        id: "dropped-container",
-        title: "A container dropped on a spring",
-        source: "ANSYS VM65, VM81; closed form",
-        run: published_motion::dropped_container,
-    },
-    Case {
-        id: "struck-rod",
-        title: "Saint-Venant's rod struck by a mass behind a spring",
-        source: "waves with a delay, integrated finely",
-        run: published_motion::struck_rod,
-    },
-    Case {
-        id: "bead-column",
-        title: "Three rigid beads fall on a floor, 24 impacts",
-        source: "event to event, closed form between",
-        run: published_motion::bead_column,
-    },
-    Case {
-        id: "fibre-bar",
-        title: "A bar of fibres pulled beyond yield",
-        source: "code_aster SSNL106; closed form",
-        run: published_motion::fibre_bar,
     },
 ];

@@ -55,6 +55,7 @@ pub fn run(arguments: &Plot) -> Result<Status, Failure> {
         }
     }
     match names.len() {
+        _ if arguments.quiet => {}
         n if n > NAMED => {
             terminal::tell(&format!(
                 "{n} files of {} figures in {}",

@@ -128,6 +128,37 @@ fn what_cannot_be_evaluated_is_told_and_nothing_is_lost() {
     }
 }
 
+/// Whether runs go side by side, and what keeps them from it.
+#[test]
+fn checks_say_whether_runs_go_side_by_side() {
+    let desk = desk();
+    let told = |study: String| {
+        desk.put("asked.toml", study);
+        let told = desk.percuss(&["check", "asked.toml"]);
+        assert_eq!(told.status, Some(0), "{}", told.stderr);
+        told.stdout.lines().nth(1).unwrap_or_default().to_owned()
+    };
+    let rigid = STUDY
+        .replace("elastic.toml", "rigid.toml")
+        .replace("\"10 m/s\", to = \"30 m/s\"", "\"-30 m/s\", to = \"-10 m/s\"")
+        .replace("contact.mass.peak_force.value", "contact.hammer.impulse_total")
+        .replace("projectile.mass", "projectile.hammer");
+    for study in [STUDY.to_owned(), rigid] {
+        assert_eq!(told(study), "runs go side by side in vector registers");
+    }
+    let forces = STUDY
+        .replace("[results]", "[results]\nmoment = \"section_forces.girder.moment_max.value\"");
+    assert_eq!(
+        told(forces),
+        "runs go one by one: `moment` is asked for (section_forces.girder.moment_max.value)"
+    );
+    let stayed = common::ELASTIC.to_owned()
+        + "\n[spring.stay]\nbetween = [\"girder.mid\", [0, 1]]\nstiffness = 1e3\n";
+    desk.put("stayed.toml", stayed);
+    let springs = STUDY.replace("elastic.toml", "stayed.toml");
+    assert_eq!(told(springs), "runs go one by one: springs and dampers");
+}
+
 /// A request over HTTP: status and answer.
 fn ask(address: &str, path: &str, body: &Value) -> (u16, Value) {
     let mut stream = TcpStream::connect(address).expect("a connection");

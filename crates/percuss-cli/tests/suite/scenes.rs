@@ -185,3 +185,30 @@ fn what_stays_pushed_in_and_how_long_steps_were_is_told() {
     desk.put("both.toml", both);
     desk.percuss(&["run", "both.toml"]).ends_with(2).tells("accuracy");
 }
+
+/// The sentence on springs and hinges that yield is about the one that dissipated most, and what they dissipated makes the whole.
+#[test]
+fn what_springs_and_hinges_took_is_told() {
+    let desk = Desk::empty();
+    desk.put("barrier.toml", include_str!("../../../../docs/book/examples/yielding-barrier.toml"));
+    let run = desk.percuss(&["run", "barrier.toml", "--no-report"]);
+    run.ends_with(0);
+    let summary = desk.summary("runs/barrier");
+    let all = summary["yielding"].as_object().expect("what can yield");
+    let lost = |one: &serde_json::Value| one["dissipated"].as_f64().unwrap_or(f64::NAN);
+    let (most, _) = all.iter().max_by(|a, b| lost(a.1).total_cmp(&lost(b.1))).expect("one of them");
+    let told = format!("{}{}", run.stdout, run.stderr);
+    let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
+    let sentence = format!(
+        "4 of 4 springs and joints that can yield did. {most} took most: it began to yield at"
+    );
+    assert!(told.contains(&sentence), "{told}");
+    let plastic = summary["energy"]["plastic"].as_f64().unwrap_or(f64::NAN);
+    let sum: f64 = all.values().map(lost).sum();
+    assert!((sum / plastic - 1.0).abs() < 1e-12, "{sum}, {plastic}");
+    // The tie fails; what it stored is lost with it.
+    let tie = &all["spring.tie"];
+    assert!(
+        tie["failure"]["time"].is_number() && summary["energy"]["failure"].as_f64() > Some(0.0)
+    );
+}

@@ -10,9 +10,10 @@ const SECTION: &str = include_str!("../../web/scene.html");
 /// What scenes and figures are drawn with.
 pub(super) const PENS: &str = include_str!("../../web/pens.js");
 /// The scripts that draw the scene, in the order in which they use each other.
-pub(super) const SCRIPTS: [&str; 5] = [
+pub(super) const SCRIPTS: [&str; 6] = [
     include_str!("../../web/scene.js"),
     include_str!("../../web/clearance.js"),
+    include_str!("../../web/view.js"),
     include_str!("../../web/drawing.js"),
     include_str!("../../web/symbols.js"),
     include_str!("../../web/player.js"),

@@ -2,18 +2,18 @@
 
 use percuss_scenario::{Content, Diagnostics, FileAccess, read, read_with};
 
-const HEAD: &str = "[material.m]\nyoung = 1e9\ndensity = 1e3\n\
+pub const HEAD: &str = "[material.m]\nyoung = 1e9\ndensity = 1e3\n\
                     [section.s]\narea = 1\ninertia = 1\n";
-const BEAM: &str = "[beam.b]\npoints = [[0, 0], [3, 0]]\nelements = 6\nmaterial = \"m\"\n\
+pub const BEAM: &str = "[beam.b]\npoints = [[0, 0], [3, 0]]\nelements = 6\nmaterial = \"m\"\n\
                     section = \"s\"\n";
 const TIME: &str = "[time]\nend = 1\nstep = 0.1\n";
 
-fn file(parts: &[&str]) -> String {
+pub fn file(parts: &[&str]) -> String {
     parts.concat() + TIME
 }
 
 #[track_caller]
-fn good(text: &str) -> Content {
+pub fn good(text: &str) -> Content {
     let scenario = read(text, "f.toml").unwrap_or_else(|e| panic!("{text}\n{e}"));
     let again = read(&scenario.to_toml(), "again").unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(again.content(), scenario.content());
@@ -28,7 +28,7 @@ fn faults(text: &str) -> Diagnostics {
 
 /// All faults of a file.
 #[track_caller]
-fn bad(text: &str, expected: &[&str]) {
+pub fn bad(text: &str, expected: &[&str]) {
     let all = faults(text).to_string();
     let lines: Vec<&str> = all.lines().map(|l| l.trim_start_matches("f.toml:")).collect();
     assert_eq!(lines, expected);
@@ -63,57 +63,6 @@ fn what_a_preset_yields_at_is_taken_where_it_is_asked_for() {
         &material("young = 1e9\ndensity = 1e3\nyield = \"preset\"\n"),
         &["13:9: material.m.yield: found \"preset\" of a material without one, \
            expected a pressure (Pa), such as \"0.2e10 Pa\""],
-    );
-}
-
-/// Keys beside a spring and a hinge of the file.
-fn connected(spring: &str, joint: &str) -> String {
-    let other =
-        "[beam.c]\npoints = [[3, 0], [4, 0]]\nelements = 1\nmaterial = \"m\"\nsection = \"s\"\n";
-    let hinge = format!("[joint.j]\nkind = \"hinge\"\nbetween = [\"b.end\", \"c.start\"]\n{joint}");
-    let spring = format!("[spring.s]\nbetween = [\"b.end\", [3, 1]]\n{spring}");
-    file(&[HEAD, BEAM, other, &hinge, &spring])
-}
-
-#[test]
-fn springs_and_hinges_yield_by_their_keys() {
-    let spring =
-        "stiffness = 1e6\nyield_force = \"2 kN\"\nhardening = { table = [[0, 2e3], [1, 3e3]] }\n";
-    let joint = "stiffness = 1e6\nyield_moment = \"2 kN*m\"\nfailure_rotation = \"10 deg\"\n";
-    let content = good(&connected(spring, joint));
-    assert_eq!(content.spring[0].table.yield_force, Some(2000.0));
-    let one = |spring: &str, joint: &str, expected: &str| {
-        bad(&connected(&format!("stiffness = 1e6\n{spring}"), joint), &[expected]);
-    };
-    let hinge = "stiffness = 1e6\n";
-    one(
-        "failure_extension = 1\n",
-        hinge,
-        "21:1: spring.s.yield_force: found `failure_extension` without a yield force, \
-         expected `yield_force` beside it",
-    );
-    one(
-        "yield_force = 1e3\nfailure_extension = \"1 mm\"\n",
-        hinge,
-        "25:21: spring.s.failure_extension: found 0.001 m, and it yields at 0.001000 m, \
-         expected an extension beyond that at which it yields",
-    );
-    one(
-        "yield_force = 1e3\nhardening = { kinematic = -1 }\n",
-        hinge,
-        "25:27: spring.s.hardening.kinematic: found -1 N/m, expected a plastic stiffness of zero or above",
-    );
-    one(
-        "yield_force = 1e3\nhardening = { table = [[0, 2e3]] }\n",
-        hinge,
-        "25:23: spring.s.hardening.table: found a table that begins with [0, 2000 N], \
-         expected [0, 1000] first: no plastic extension at the yield force",
-    );
-    one(
-        "",
-        "yield_moment = 1\n",
-        "17:1: joint.j.stiffness: found no stiffness, but a yield moment, \
-         expected a stiffness above zero: it is elastic until it yields",
     );
 }
 

@@ -1,38 +1,6 @@
 //! Springs and hinges that yield: what they accept and what they say of the rest.
 
-use percuss_scenario::{Content, Diagnostics, FileAccess, read, read_with};
-
-const HEAD: &str = "[material.m]\nyoung = 1e9\ndensity = 1e3\n\
-                    [section.s]\narea = 1\ninertia = 1\n";
-const BEAM: &str = "[beam.b]\npoints = [[0, 0], [3, 0]]\nelements = 6\nmaterial = \"m\"\n\
-                    section = \"s\"\n";
-const TIME: &str = "[time]\nend = 1\nstep = 0.1\n";
-
-fn file(parts: &[&str]) -> String {
-    parts.concat() + TIME
-}
-
-#[track_caller]
-fn good(text: &str) -> Content {
-    let scenario = read(text, "f.toml").unwrap_or_else(|e| panic!("{text}\n{e}"));
-    let again = read(&scenario.to_toml(), "again").unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!(again.content(), scenario.content());
-    scenario.content().clone()
-}
-
-/// Reads, and compiles what reads.
-fn faults(text: &str) -> Diagnostics {
-    let read = read_with(text, "f.toml", FileAccess::Anywhere).and_then(|s| s.compile());
-    read.map(|_| panic!("no fault in\n{text}")).unwrap_err()
-}
-
-/// All faults of a file.
-#[track_caller]
-fn bad(text: &str, expected: &[&str]) {
-    let all = faults(text).to_string();
-    let lines: Vec<&str> = all.lines().map(|l| l.trim_start_matches("f.toml:")).collect();
-    assert_eq!(lines, expected);
-}
+use crate::structures::{BEAM, HEAD, bad, file, good};
 
 /// A second beam beside `BEAM`, for joints.
 const OTHER: &str = "[beam.c]\npoints = [[3, 0], [5, 0]]\nelements = 2\nmaterial = \"m\"\n\

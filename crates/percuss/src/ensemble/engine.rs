@@ -53,7 +53,7 @@ pub struct Engine<S: Number> {
     /// The tangent, once assembled and then factored, and the factors in use.
     pub tangent: Band<S>,
     pub factors: Band<S>,
-    /// The rigid projectile that strikes in the step at hand, if one does; runs side by side have none.
+    /// The rigid projectile that strikes in the step at hand of a run with derivatives, if one does.
     pub striking: Option<usize>,
     /// The rigid contact of runs side by side, if they have one.
     pub press: Option<Press<S>>,

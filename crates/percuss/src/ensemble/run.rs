@@ -47,12 +47,9 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
 /// The numbers of a run that goes in a lane, or why it runs alone.
 fn lane_numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     let numbers = numbers(model, settings)?;
-    if rigid_guides(&numbers).count() > 1 {
-        return Err("more than one rigid projectile");
-    }
-    match numbers.guides.iter().any(|guide| guide.standoff < 0.0) {
-        true => Err("a projectile inside what it strikes at the start"),
-        false => Ok(numbers),
+    match rigid_guides(&numbers).count() {
+        0 | 1 => Ok(numbers),
+        _ => Err("more than one rigid projectile"),
     }
 }
 

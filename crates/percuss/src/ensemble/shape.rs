@@ -58,15 +58,15 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         (settings.accuracy.is_some(), "an accuracy in place of a step"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (!model.is_still(), "beams that move at the start"),
-        (
-            !model.constraints.is_empty(),
-            "joints, supports between nodes or for a time, or what acts along a beam between its ends",
-        ),
         (!model.connectors.is_empty(), "springs and dampers"),
         (!model.masses.is_empty(), "point masses"),
         (!model.motions.is_empty(), "prescribed motions"),
         (!model.modal_damping.is_empty(), "modal damping"),
         (!model.obstacles.is_empty(), "obstacles"),
+        (
+            !model.constraints.is_empty(),
+            "joints, supports between nodes or for a time, or what acts along a beam between its ends",
+        ),
         (model.bodies.iter().any(|b| b.kind != BodyKind::Guided), "discs and rear masses"),
         (model.contacts.len() != model.projectiles.len(), "contacts that move along a beam"),
     ] {

@@ -6,6 +6,7 @@ use crate::frame::{Frame, FrameForce};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};
+use crate::step::forcing::INSTANT;
 
 /// What frames are made in.
 #[derive(Clone, Debug, Default)]
@@ -14,6 +15,8 @@ pub(super) struct Frames {
     section_forces: Vec<[[f64; 3]; 2]>,
     /// Forces of everything that touches, shape (such forces).
     contact_forces: Vec<FrameForce>,
+    /// Factors of the loads, shape (loads) \[-\].
+    load_factors: Vec<f64>,
     /// Size of the part of a step accepted last \[s\], and whether impulses acted in it.
     pub part: (f64, bool),
 }
@@ -35,13 +38,19 @@ impl Simulation<'_> {
         frames.section_forces.extend(ends);
         frames.contact_forces.clear();
         self.contact_forces_of(frames.part, &mut frames.contact_forces);
+        frames.load_factors.clone_from(&self.forcing.factors);
+        if self.state.time == 0.0 {
+            // Before the first step no mean over one is known: what acts at that instant.
+            let at_once = self.model.loads.iter().map(|load| load.factor(0.0, INSTANT));
+            frames.load_factors.splice(.., at_once);
+        }
         recorder.frame(&Frame {
             time: self.state.time,
             displacement: &self.state.displacement,
             velocity: &self.state.velocity,
             section_forces: &frames.section_forces,
             contact_forces: &frames.contact_forces,
-            load_factors: &self.forcing.factors,
+            load_factors: &frames.load_factors,
         });
         self.frames = frames;
     }

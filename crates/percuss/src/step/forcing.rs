@@ -29,6 +29,8 @@ pub struct Forcing {
 /// Parts of a step below this share of it take the increments of motions from their rates: differences of values would be
 /// round-off, and round-off over so short a time a velocity. What they leave out or add the next longer part makes good.
 const SHORT: f64 = 1e-3;
+/// What acts at an instant is taken for the mean over so short a time \[s\].
+pub(crate) const INSTANT: f64 = 1e-9;
 /// Derivatives of motions given as code are taken over this share of a step.
 pub(crate) const WIDTH: f64 = 0.02;
 
@@ -94,7 +96,7 @@ impl Forcing {
 
     /// Sets a share of what acts at time zero.
     pub fn set_static(&mut self, model: &Model, share: f64) {
-        self.set_loads(model, 0.0, 1e-9, share);
+        self.set_loads(model, 0.0, INSTANT, share);
         for (i, function) in model.motions.iter().enumerate() {
             self.started[i] = 0.0;
             self.moved[i] = share * function.value(0.0);

@@ -13,6 +13,7 @@ struct Shown {
     displacement: Vec<[f64; 4]>,
     section_forces: Vec<[[f64; 3]; 2]>,
     contact_forces: Vec<FrameForce>,
+    load_factors: Vec<f64>,
 }
 
 /// Keeps every frame and, of one column, every row.
@@ -50,6 +51,7 @@ impl Recorder for Frames {
             displacement: frame.displacement.to_vec(),
             section_forces: frame.section_forces.to_vec(),
             contact_forces: frame.contact_forces.to_vec(),
+            load_factors: frame.load_factors.to_vec(),
         });
     }
 }
@@ -91,6 +93,30 @@ fn frames_hold_the_impulses_of_the_impacts() {
     let before = frames.frames.iter().filter(|f| f.time < first);
     assert!(before.clone().count() > 1);
     assert!(before.clone().all(|f| !f.impulsive && f.contact_forces.is_empty()));
+}
+
+#[test]
+fn the_first_frame_has_the_loads_that_act_at_the_start() {
+    let mut b = ModelBuilder::new();
+    let girder = clamped(&mut b);
+    let kind = || LoadKind::Point {
+        at: at("girder.mid", girder, 0.5),
+        force: [0.0, -1e3],
+        moment: 0.0,
+        follower: false,
+    };
+    b.load(Load::new("dead", kind()));
+    b.load(Load { from: 2e-4, ..Load::new("later", kind()) });
+    let cosine = TimeFunction::Harmonic { frequency: 50.0, phase: 0.5 * std::f64::consts::PI };
+    b.load(Load { function: cosine, ..Load::new("shake", kind()) });
+    let mut frames = Frames::default();
+    simulate(&b.build().unwrap(), &Settings::new(1e-3, 1e-4), &mut frames).unwrap();
+    let first = &frames.frames[0].load_factors;
+    assert!(first[0] == 1.0 && first[1] == 0.0 && (first[2] - 1.0).abs() < 1e-6, "{first:?}");
+    // Later ones are means over the step before: 50 Hz turn by a hundredth of pi in it.
+    let step = 0.01 * std::f64::consts::PI;
+    assert!((frames.frames[1].load_factors[2] - step.sin() / step).abs() < 1e-9);
+    assert_eq!(frames.frames[3].load_factors[1], 1.0);
 }
 
 #[test]

@@ -14,7 +14,7 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
     };
     let metres = |value: &Value| quantity(value.as_f64(), "m");
     let mut out = format!(
-        "{name} yielded first at {}, {} from its start, and reached a plastic strain of {}.",
+        "{name} began to yield at {}, {} from its start, and reached a plastic strain of {}.",
         quantity(Some(time), "s"),
         metres(&most["first_yield"]["s"]),
         quantity(most["strain_max"].as_f64(), "").trim_end()
@@ -49,11 +49,13 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     };
     let time = |t: f64| quantity(Some(t), "s");
     let yielded = all.values().filter(|one| first(one).is_some()).count();
+    let began = time(began);
     let mut out = match all.len() {
-        1 => String::new(),
-        n => format!("{yielded} of {n} springs and joints that can yield did. "),
+        1 => format!("{name} began to yield at {began}"),
+        n => format!(
+            "{yielded} of {n} springs and joints that can yield did. {name} took most: it began to yield at {began}"
+        ),
     };
-    out.push_str(&format!("{name} yielded first at {}", time(began)));
     match most["failure"]["time"].as_f64() {
         Some(failed) => out.push_str(&format!(" and failed at {}", time(failed))),
         None => {
