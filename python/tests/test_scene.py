@@ -153,3 +153,14 @@ def test_frames_are_on_disk_and_in_the_report(elastic, tmp_path):
     percuss.run(elastic, out=tmp_path / "run", report=True)
     assert (tmp_path / "run" / "fields" / "frames.parquet").is_file()
     assert "What happened" in (tmp_path / "run" / "report.html").read_text()
+
+
+def test_beams_that_can_yield_have_no_colour_of_stress():
+    """Stress does not follow from their forces: 797 MPa would be drawn where 547 were reached."""
+    result = percuss.run(SCENARIOS / "yielding-beam.toml", time__end="5 ms")
+    fields = result.fields
+    for beam in fields.beams:
+        for curve in beam.curves(fields.displacement[-1]):
+            assert np.isnan(fields.stress(len(fields) - 1, beam, curve)).all()
+    ax = result.plot(colour="stress")
+    assert "stress, elastic beams [Pa]" in [other.get_ylabel() for other in ax.figure.axes]
