@@ -3,6 +3,7 @@
 mod advice;
 mod contact;
 mod derivative;
+mod every_event;
 mod pick;
 mod plastic;
 mod provenance;

@@ -1,10 +1,9 @@
 //! Single numbers of a summary by their path, as in `summary.json`, without writing all of it.
 
-use percuss::{
-    ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak, RunSummary,
-};
+use percuss::RunSummary;
 use serde_json::Value;
 
+use super::every_event::{contact_with_every_event, plastic_with_every_event};
 use super::{
     audit, contact, energy, momentum, plastic, point, projectile, section_forces, step_control,
     support,
@@ -25,8 +24,8 @@ const PLAIN: [&str; 9] = [
 /// Parts of a summary that are tables.
 const TABLES: [&str; 4] = ["energy", "momentum", "audit", "step_control"];
 /// Parts of a summary with one table a name.
-const NAMED: [&str; 6] =
-    ["projectile", "contact", "point", "support", "yielding", "section_forces"];
+const NAMED: [&str; 7] =
+    ["projectile", "contact", "point", "support", "plastic", "yielding", "section_forces"];
 
 /// The path of a number in a summary: `contact.mass.peak_force.value`, `projectile.mass.velocity_final[1]`.
 ///
@@ -155,7 +154,6 @@ pub fn pick(paths: &[SummaryPath], run: &RunSummary) -> Vec<f64> {
 
 /// Every number that a summary of such runs can have; of lists that grow with a run the first entry.
 pub fn summary_paths(sample: &RunSummary) -> Vec<Picked> {
-    let full = with_every_event(&sample.contacts);
     let mut all = Vec::new();
     for key in PLAIN {
         all.push(Picked { path: key.into(), unit: unit(&[key]) });
@@ -165,10 +163,7 @@ pub fn summary_paths(sample: &RunSummary) -> Vec<Picked> {
     }
     for key in NAMED {
         for name in names(key, sample) {
-            let value = match full.iter().find(|c| key == "contact" && c.name == name) {
-                Some(full) => contact::value(full),
-                None => part(key, &name, sample),
-            };
+            let value = part_with_every_event(key, &name, sample);
             leaves(&format!("{key}.{name}"), &[key], &value, &mut all);
         }
     }
@@ -182,6 +177,7 @@ fn names(part: &str, run: &RunSummary) -> Vec<String> {
         "contact" => run.contacts.iter().map(|c| c.name.clone()).collect(),
         "point" => run.points.iter().map(|p| p.name.clone()).collect(),
         "support" => run.supports.iter().map(|s| s.name.clone()).collect(),
+        "plastic" => run.plastic.iter().map(|beam| beam.name.clone()).collect(),
         "yielding" => run.yielding.iter().map(|c| c.name.clone()).collect(),
         "section_forces" => run.section_forces.iter().map(|s| s.name.clone()).collect(),
         _ => Vec::new(),
@@ -211,53 +207,22 @@ fn part(part: &str, name: &str, run: &RunSummary) -> Value {
         "contact" => one(&run.contacts, |c| c.name == name, contact::value),
         "point" => one(&run.points, |p| p.name == name, point),
         "support" => one(&run.supports, |s| s.name == name, support),
+        "plastic" => one(&run.plastic, |beam| beam.name == name, plastic::value),
         "yielding" => one(&run.yielding, |c| c.name == name, plastic::yielding),
         "section_forces" => one(&run.section_forces, |s| s.name == name, section_forces),
         _ => Value::Null,
     }
 }
 
-/// The contacts with an interval and an impact each, so that every key shows.
-fn with_every_event(contacts: &[percuss::ContactSummary]) -> Vec<percuss::ContactSummary> {
-    let (nan, place, energy) = (f64::NAN, ContactPlace::default(), EnergySplit::default());
-    let interval = ContactInterval {
-        start: 0.0,
-        end: 0.0,
-        impulse: 0.0,
-        tangential_impulse: 0.0,
-        peak_force: Peak { value: 0.0, time: 0.0 },
-        approach_velocity: nan,
-        separation_velocity: nan,
-        steps: 0,
-        steady: true,
-        one_point: true,
-        place,
-        place_end: place,
-        energy,
-    };
-    let impact = Impact {
-        time: 0.0,
-        impulse: 0.0,
-        tangential_impulse: 0.0,
-        points: 1,
-        approach_velocity: nan,
-        separation_velocity: nan,
-        place,
-        energy,
-        fallback_law: false,
-    };
-    let full = |contact: &percuss::ContactSummary| {
-        let mut contact = contact.clone();
-        match &mut contact.record {
-            ContactRecord::Smooth { intervals, .. } => *intervals = vec![interval],
-            ContactRecord::Nonsmooth { impacts, intervals, .. } => {
-                *impacts = vec![impact];
-                *intervals = vec![interval];
-            }
-        }
-        contact
-    };
-    contacts.iter().map(full).collect()
+/// A part of the summary of a run in which everything has happened that can, so that every key shows.
+fn part_with_every_event(key: &str, name: &str, run: &RunSummary) -> Value {
+    let contact = run.contacts.iter().find(|c| key == "contact" && c.name == name);
+    let beam = run.plastic.iter().find(|beam| key == "plastic" && beam.name == name);
+    match (contact, beam) {
+        (Some(contact), _) => contact::value(&contact_with_every_event(contact)),
+        (_, Some(beam)) => plastic::value(&plastic_with_every_event(beam)),
+        _ => part(key, name, run),
+    }
 }
 
 /// Every number in a value; unset ones are numbers too.
@@ -301,7 +266,7 @@ fn spelled(path: &str) -> String {
 /// The path of the first entry wherever a list grows with the run.
 fn unnumbered(path: &str) -> String {
     let mut out = path.to_string();
-    for list in [".intervals[", ".impacts["] {
+    for list in [".intervals[", ".impacts[", ".hinges["] {
         if let Some((before, after)) = out.clone().split_once(list)
             && let Some((index, rest)) = after.split_once(']')
             && index.parse::<usize>().is_ok()
@@ -328,7 +293,9 @@ fn unit(keys: &[&str]) -> &'static str {
         "value" if has("moment") || has("moment_max") => "N*m",
         "value" => "N",
         "moment" | "deflection" if has("equivalent_force") => "N",
-        "permanent_penetration" => "m",
+        "permanent_penetration" | "permanent_set" | "displacement" => "m",
+        "length" | "element_length" => "m",
+        "rotation" => "rad",
         "time" | "start" | "end" => "s",
         "s" | "position" => "m",
         "approach_velocity" | "separation_velocity" | "velocity_final" => "m/s",

@@ -15,7 +15,7 @@ use percuss_scenario::{Diagnostics, Scenario};
 use crate::resolve::result;
 
 /// Results looked at where none are named: how their paths end.
-const USUAL: [&str; 9] = [
+const USUAL: [&str; 11] = [
     ".displacement_max.component_1.value",
     ".displacement_max.component_2.value",
     ".velocity_final[0]",
@@ -25,6 +25,8 @@ const USUAL: [&str; 9] = [
     ".moment_max.value",
     ".axial_max.value",
     ".shear_max.value",
+    ".permanent_set",
+    ".rotation",
 ];
 /// Products of steps and elements that one run may have; about a quarter of an hour.
 const MOST_WORK: f64 = 5e8;

@@ -3,3 +3,4 @@
 mod convergence;
 mod sensitivities;
 mod studies;
+mod yielding;

@@ -10,7 +10,7 @@ use crate::math::hermite;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, Span, SpanFibres};
 use crate::state::State;
-use crate::summary::{FirstYield, PlasticHinge, PlasticSummary, SectionPeak};
+use crate::summary::{FirstYield, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
 
 /// What is noted of a beam.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -103,9 +103,6 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
     };
     let both = model.beams.iter().zip(records).filter(can_yield);
     both.map(|(beam, record)| {
-        let set = |u: &Vec<[f64; 4]>| {
-            u[beam.nodes.clone()].iter().map(|u| u[0].hypot(u[1])).fold(0.0, f64::max)
-        };
         let none = SectionPeak { value: 0.0, s: f64::NAN, time: f64::NAN };
         let or_none = |peak: SectionPeak| if record.first.is_some() { peak } else { none };
         let mut out = PlasticSummary {
@@ -116,7 +113,10 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
             hinges: hinges(model, state, beam),
             dissipated: 0.0,
             hardening: 0.0,
-            permanent_set: record.first.and(unloaded.as_ref()).map(set),
+            permanent_set: record
+                .first
+                .and(unloaded.as_ref())
+                .and_then(|u| permanent_set(model, beam, u)),
             failed: 0,
         };
         for point in points(model, state, beam, false) {
@@ -130,6 +130,16 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
         out
     })
     .collect()
+}
+
+/// The node of a beam that stays displaced farthest.
+fn permanent_set(model: &Model, beam: &BeamData, unloaded: &[[f64; 4]]) -> Option<PermanentSet> {
+    let nodes = model.spans[beam.spans.clone()]
+        .iter()
+        .flat_map(|span| span.nodes.clone().zip(span.stations.iter().copied()));
+    let sets =
+        nodes.map(|(n, s)| PermanentSet { s, displacement: [unloaded[n][0], unloaded[n][1]] });
+    sets.max_by(|a, b| a.size().total_cmp(&b.size()))
 }
 
 /// Plastic curvature at a Gauss point: what of the bending strain is not that of its moment.

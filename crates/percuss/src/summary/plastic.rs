@@ -45,11 +45,27 @@ pub struct PlasticSummary {
     pub dissipated: f64,
     /// Energy that hardening has stored \[J\].
     pub hardening: f64,
-    /// Largest displacement of a node once the structure is unloaded and at rest \[m\]; none where it has not yielded, is not held by
+    /// Largest displacement of a node once the structure is unloaded and at rest; none where it has not yielded, is not held by
     /// supports, or has no such equilibrium near its last configuration.
-    pub permanent_set: Option<f64>,
+    pub permanent_set: Option<PermanentSet>,
     /// Fibres that have failed.
     pub failed: usize,
+}
+
+/// What stays of a beam's displacements where most of them stays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PermanentSet {
+    /// Arc length of the node from the start of the beam \[m\].
+    pub s: f64,
+    /// Its displacement, shape (2) \[m\].
+    pub displacement: [f64; 2],
+}
+
+impl PermanentSet {
+    /// Magnitude of the displacement \[m\].
+    pub fn size(&self) -> f64 {
+        self.displacement[0].hypot(self.displacement[1])
+    }
 }
 
 impl PlasticSummary {

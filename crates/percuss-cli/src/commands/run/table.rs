@@ -121,7 +121,9 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         ));
     }
     if let Some(set) = beam.permanent_set {
-        parts.push(format!("permanent set {} m", number(set)));
+        let [x, y] = set.displacement.map(number);
+        let (size, s) = (number(set.size()), number(set.s));
+        parts.push(format!("permanent set {size} m, ({x}, {y}) m at s = {s} m"));
     }
     if beam.failed > 0 {
         parts.push(format!("{} failed", count(beam.failed, "fibre")));

@@ -1,0 +1,65 @@
+//! Summaries of runs in which everything has happened that can: they show what keys there are.
+
+use percuss::{
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, FirstYield, Impact,
+    Peak, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
+};
+
+/// The contact with an interval and an impact.
+pub(super) fn contact_with_every_event(contact: &ContactSummary) -> ContactSummary {
+    let (nan, place, energy) = (f64::NAN, ContactPlace::default(), EnergySplit::default());
+    let interval = ContactInterval {
+        start: 0.0,
+        end: 0.0,
+        impulse: 0.0,
+        tangential_impulse: 0.0,
+        peak_force: Peak { value: 0.0, time: 0.0 },
+        approach_velocity: nan,
+        separation_velocity: nan,
+        steps: 0,
+        steady: true,
+        one_point: true,
+        place,
+        place_end: place,
+        energy,
+    };
+    let impact = Impact {
+        time: 0.0,
+        impulse: 0.0,
+        tangential_impulse: 0.0,
+        points: 1,
+        approach_velocity: nan,
+        separation_velocity: nan,
+        place,
+        energy,
+        fallback_law: false,
+    };
+    let mut contact = contact.clone();
+    match &mut contact.record {
+        ContactRecord::Smooth { intervals, .. } => *intervals = vec![interval],
+        ContactRecord::Nonsmooth { impacts, intervals, .. } => {
+            *impacts = vec![impact];
+            *intervals = vec![interval];
+        }
+    }
+    contact
+}
+
+/// The beam yielded, bent at a hinge, for good.
+pub(super) fn plastic_with_every_event(beam: &PlasticSummary) -> PlasticSummary {
+    let peak = SectionPeak { value: 0.0, s: 0.0, time: 0.0 };
+    PlasticSummary {
+        strain_max: peak,
+        accumulated_max: peak,
+        first_yield: Some(FirstYield { s: 0.0, time: 0.0 }),
+        hinges: vec![PlasticHinge {
+            s: 0.0,
+            length: 0.0,
+            element_length: 0.0,
+            rotation: 0.0,
+            dissipated: 0.0,
+        }],
+        permanent_set: Some(PermanentSet { s: 0.0, displacement: [0.0; 2] }),
+        ..beam.clone()
+    }
+}
