@@ -24,10 +24,28 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
         let beams = if others == 1 { "beam" } else { "beams" };
         out.push_str(&format!(" So did {others} other {beams}, by less."));
     }
-    if most["permanent_set"].is_number() {
-        out.push_str(&format!(" Unloaded it keeps a set of {}.", metres(&most["permanent_set"])));
+    if let Some(set) = permanent_set(most) {
+        out.push_str(&format!(" Unloaded it keeps {set}."));
     }
     Some(out)
+}
+
+/// Components of a permanent set below this share of it are round-off or next to nothing: the other one tells it.
+const ASIDE: f64 = 1e-3;
+
+/// What a beam keeps for good, and which way.
+fn permanent_set(beam: &Value) -> Option<String> {
+    let size = beam["permanent_set"].as_f64()?;
+    let metres = |x: f64| quantity(Some(x), "m");
+    let at = &beam["permanent_set_at"]["displacement"];
+    let along = [at[0].as_f64(), at[1].as_f64()];
+    let [Some(x), Some(y)] = along else { return Some(format!("a set of {}", metres(size))) };
+    let alone = |other: f64| size > 0.0 && other.abs() <= ASIDE * size;
+    Some(match (alone(y), alone(x)) {
+        (true, _) => format!("a set of {} along e1", metres(x)),
+        (_, true) => format!("a set of {} along e2", metres(y)),
+        _ => format!("a set of {}: {} along e1, {} along e2", metres(size), metres(x), metres(y)),
+    })
 }
 
 /// The spring or hinge that dissipated most.
