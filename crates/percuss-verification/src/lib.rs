@@ -10,6 +10,7 @@ mod conservation;
 mod cradle;
 mod elastic;
 mod ends;
+mod layered;
 mod motion;
 mod plastic_bars;
 mod plastic_bending;

@@ -154,7 +154,7 @@ impl Settings {
         }
         if self.scheme != Scheme::EnergyMomentum && model.is_inelastic() {
             let found = "another scheme than energy-momentum, with what yields or bears no \
-                         stress of one sign";
+                         stress of one sign, or a section of fibres";
             let expected = "energy-momentum: the work of what yields is exact in no other";
             add("integrator.scheme", found.into(), expected);
         }

@@ -39,7 +39,9 @@ impl<'c> Beams<'c> {
     pub fn add(content: &'c Content, builder: &mut ModelBuilder, faults: &mut Vec<Fault>) -> Self {
         let materials = materials(content, builder, faults);
         let (mut ids, mut by_name) = (BTreeMap::new(), BTreeMap::new());
-        for (section, named) in sections(content, faults).into_iter().zip(&content.section) {
+        for (section, named) in
+            sections(content, &materials, faults).into_iter().zip(&content.section)
+        {
             ids.insert(named.name.as_str(), builder.section(section.clone()));
             by_name.insert(named.name.as_str(), section);
         }

@@ -73,6 +73,7 @@ fn follows(fault: &str, tainted: &str) -> bool {
         }
         "grading" => &["points", "curve", "elements", "element_length"],
         "changes" => &["points", "curve", "elements", "element_length"],
+        "heights" | "areas" | "materials" => &["heights", "areas", "materials", "depth"],
         "stations" | "sections" => &["stations", "sections"],
         "times" | "values" => &["times", "values", "file"],
         "modal" | "modes" => &["modal", "modes"],

@@ -2,21 +2,25 @@
 
 use std::collections::BTreeMap;
 
-use percuss::{Fault, Section, Station};
+use percuss::{Fault, MaterialId, Section, SectionFibre, Station};
 
 use crate::content::{self, Content, Shape};
 use crate::node::count;
 use crate::table::Named;
 
 /// Every section of the file; one at fault becomes a harmless one, so that the rest can be checked.
-pub(super) fn sections(content: &Content, faults: &mut Vec<Fault>) -> Vec<Section> {
+pub(super) fn sections(
+    content: &Content,
+    materials: &BTreeMap<&str, MaterialId>,
+    faults: &mut Vec<Fault>,
+) -> Vec<Section> {
     let mut uniform = BTreeMap::new();
     for named in &content.section {
         if !matches!(named.table.shape, Shape::Tapered { .. }) {
             let before = faults.len();
             dimensions(named, faults);
             let sound = faults.len() == before;
-            uniform.insert(named.name.as_str(), sound.then(|| shaped(named)));
+            uniform.insert(named.name.as_str(), sound.then(|| shaped(named, materials)));
         }
     }
     let one = |named: &Named<content::Section>| {
@@ -39,7 +43,9 @@ fn dimensions(named: &Named<content::Section>, faults: &mut Vec<Fault>) {
         faults.push(Fault::new(format!("section.{}.{key}", named.name), found, expected));
     };
     let all: &[(&str, f64)] = match &named.table.shape {
-        Shape::Explicit { depth, .. } => &[("depth", depth.unwrap_or(1.0))],
+        Shape::Explicit { depth, .. } | Shape::Fibres { depth, .. } => {
+            &[("depth", depth.unwrap_or(1.0))]
+        }
         Shape::Rectangle { width, depth } => &[("width", *width), ("depth", *depth)],
         Shape::Circle { diameter } => &[("diameter", *diameter)],
         Shape::Tube { diameter, thickness } => {
@@ -53,7 +59,7 @@ fn dimensions(named: &Named<content::Section>, faults: &mut Vec<Fault>) {
         }
         Shape::Tapered { .. } => &[],
     };
-    let mut sound = true;
+    let mut sound = lists(named, &mut fault);
     for (key, value) in all.iter().filter(|(_, value)| *value <= 0.0) {
         fault(key, format!("{value} m"), format!("a {key} above zero"));
         sound = false;
@@ -81,9 +87,43 @@ fn dimensions(named: &Named<content::Section>, faults: &mut Vec<Fault>) {
     }
 }
 
-fn shaped(named: &Named<content::Section>) -> Section {
+/// Whether the lists of fibres go together.
+fn lists(named: &Named<content::Section>, fault: &mut impl FnMut(&str, String, String)) -> bool {
+    let Shape::Fibres { heights, areas, materials, .. } = &named.table.shape else { return true };
+    let mut sound = true;
+    let mut told = |key: &str, found: String, expected: &str| {
+        fault(key, found, expected.to_owned());
+        sound = false;
+    };
+    let fibres = count(heights.len(), "fibre");
+    if areas.len() != heights.len() {
+        let found = format!("{} for {fibres}", count(areas.len(), "area"));
+        told("areas", found, "an area for each height");
+    }
+    if let Some(materials) = materials
+        && materials.len() != heights.len()
+    {
+        let found = format!("{} for {fibres}", count(materials.len(), "material"));
+        told("materials", found, "a material for each height, or no `materials`");
+    }
+    if named.table.fibres != Section::FIBRES {
+        let found = format!("{} of a section whose fibres are listed", named.table.fibres);
+        told("fibres", found, "no number: as many as there are heights");
+    }
+    sound
+}
+
+fn shaped(named: &Named<content::Section>, known: &BTreeMap<&str, MaterialId>) -> Section {
     let name = named.name.as_str();
     match named.table.shape {
+        Shape::Fibres { ref heights, ref areas, ref materials, depth } => {
+            let material = |i: usize| known.get(materials.as_ref()?.get(i)?.as_str()).copied();
+            let both = heights.iter().zip(areas).enumerate();
+            let fibre =
+                |(i, (&height, &area))| SectionFibre { height, area, material: material(i) };
+            let section = Section::of_fibres(name, both.map(fibre).collect());
+            Section { depth: depth.or(section.depth), ..section }
+        }
         Shape::Explicit { area, inertia, depth } => {
             Section { depth, ..Section::new(name, area, inertia) }
         }
@@ -134,6 +174,15 @@ fn tapered(
     if let Some(bad) = sections.iter().find(|s| !uniform.contains_key(s.as_str())) {
         let found = format!("{bad:?}, which is tapered itself");
         fault("sections", found, "sections that do not vary along the beam");
+        return None;
+    }
+    let made = |s: &&String| {
+        let section = uniform.get(s.as_str()).and_then(Option::as_ref);
+        section.is_some_and(|s| matches!(s.profile, percuss::Profile::Fibres(_)))
+    };
+    if let Some(bad) = sections.iter().find(made) {
+        let found = format!("{bad:?}, which is made of fibres");
+        fault("sections", found, "sections whose fibres are not listed");
         return None;
     }
     let mut out = Vec::new();

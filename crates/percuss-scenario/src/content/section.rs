@@ -4,7 +4,7 @@ use percuss::RotaryInertia;
 
 use crate::format::{Count, List, Maybe};
 use crate::measure;
-use crate::name::{NameOf, SectionName};
+use crate::name::{MaterialName, NameOf, SectionName};
 use crate::node::{Body, Reader};
 use crate::quantity::Quantity;
 use crate::words::Rotary;
@@ -60,6 +60,17 @@ kinds! {
             depth: f64 as Quantity<measure::Length>,
             /// Thickness of the wall (m).
             thickness: f64 as Quantity<measure::Length>,
+        },
+        /// Fibres one by one, of one material or of several; the centre line is their elastic centroid.
+        Fibres = "fibres" {
+            /// Heights of the fibres above the centre line (m).
+            heights: Vec<f64> as List<Quantity<measure::Length>>,
+            /// Areas of the fibres (m^2).
+            areas: Vec<f64> as List<Quantity<measure::Area>>,
+            /// Names of the materials of the fibres; all are of the beam's material without.
+            materials: Option<Vec<String>> as Maybe<List<NameOf<MaterialName>>> = None,
+            /// Depth of what touches and is drawn, the centre line half-way (m); twice the largest distance of a fibre without.
+            depth: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
         /// Varies along the beam: area, second moment of area and depth linearly between stations.
         Tapered = "tapered" {

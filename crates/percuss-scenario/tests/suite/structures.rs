@@ -230,6 +230,36 @@ fn sections_come_in_shapes() {
     assert!(text.contains("(did you mean `tube`?)"), "{text}");
 }
 
+#[test]
+fn fibres_are_listed_with_one_fault_for_each_slip() {
+    let section = |text: &str| {
+        let materials =
+            "[material.m]\npreset = \"steel\"\n[material.soft]\nyoung = 1e10\ndensity = 1\n";
+        file(&[BEAM, materials, "[section.s]\nshape = \"fibres\"\n", text])
+    };
+    good(&section("heights = [\"-1 cm\", 0.01]\nareas = [\"1 cm^2\", 1e-4]\n"));
+    let two = "heights = [-0.01, 0.01]\nareas = [1e-4, 1e-4]\n";
+    good(&section(&format!("{two}materials = [\"soft\", \"soft\"]\ndepth = \"3 cm\"\n")));
+    let taper =
+        "\n[section.t]\nshape = \"tapered\"\nstations = [0, 1]\nsections = [\"s\", \"s\"]\n";
+    for (text, words) in [
+        ("heights = [-0.01, 0.01]\nareas = [1e-4]\n".to_owned(), "found 1 area for 2 fibres"),
+        ("heights = [-0.01, 0.01]\nareas = [1e-4, 0]\n".to_owned(), "expected areas above zero"),
+        ("heights = []\nareas = []\n".to_owned(), "from 2 to 200 fibres"),
+        (format!("{two}materials = [\"m\"]\n"), "found 1 material for 2 fibres"),
+        (format!("{two}materials = [\"m\", \"sift\"]\n"), "the unknown material \"sift\""),
+        (format!("{two}materials = [\"m\", \"soft\"]\n"), "measured from the elastic centroid"),
+        (format!("{two}depth = \"1 cm\"\n"), "within half the depth of the centre line"),
+        (format!("{two}depth = 0\n"), "a depth above zero"),
+        (format!("{two}fibres = 8\n"), "whose fibres are listed"),
+        (format!("{two}{taper}"), "which is made of fibres"),
+    ] {
+        let all = faults(&section(&text));
+        let found = all.to_string();
+        assert!(all.all().len() == 1 && found.contains(words), "{text}: {found}");
+    }
+}
+
 fn beam(from: &str, to: &str) -> String {
     assert!(BEAM.contains(from));
     file(&[HEAD, &BEAM.replace(from, to)])

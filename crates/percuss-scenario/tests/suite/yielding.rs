@@ -124,7 +124,7 @@ fn a_scheme_that_cannot_account_for_what_yields_is_one_fault() {
     wrong(
         &[HEAD, BEAM, SPRING, &text],
         "17:10: integrator.scheme: found another scheme than energy-momentum, with what yields or \
-         bears no stress of one sign, expected energy-momentum: the work of what yields is exact \
-         in no other",
+         bears no stress of one sign, or a section of fibres, expected energy-momentum: the work of \
+         what yields is exact in no other",
     );
 }

@@ -1,6 +1,6 @@
 //! Cases of beams, springs and hinges that yield.
 
-use crate::{Case, plastic_bars, plastic_bending, rigid_plastic, yielding_joints};
+use crate::{Case, layered, plastic_bars, plastic_bending, rigid_plastic, yielding_joints};
 
 pub(super) const YIELDING: &[Case] = &[
     Case {
@@ -38,6 +38,12 @@ pub(super) const YIELDING: &[Case] = &[
         title: "Fully plastic moments of five shapes",
         source: "closed form",
         run: plastic_bending::plastic_moments,
+    },
+    Case {
+        id: "layered-sections",
+        title: "Layers of two metals and a reinforced rectangle: stresses, first yield, plastic moment",
+        source: "closed form, transformed section",
+        run: layered::layered_sections,
     },
     Case {
         id: "explosive-ring",

@@ -85,6 +85,7 @@ cases! {
     three_bars = "three-bars",
     plastic_bending = "plastic-bending",
     plastic_moments = "plastic-moments",
+    layered_sections = "layered-sections",
     explosive_ring = "explosive-ring",
     heavy_mass = "heavy-mass",
     parkes = "parkes",

@@ -53,7 +53,10 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
             "impacts one after another",
         ),
-        (model.has_fibres(), "a material that yields or bears no stress of one sign"),
+        (
+            model.has_fibres(),
+            "a material that yields or bears no stress of one sign, or a section of fibres",
+        ),
         (model.is_inelastic(), "springs or joints that yield"),
         (settings.accuracy.is_some(), "an accuracy in place of a step"),
         (settings.start != Start::Reference, "a start in static equilibrium"),

@@ -211,6 +211,7 @@ impl ModelBuilder {
     fn add_span(&self, line: &CentreLine, plan: &SpanPlan, model: &mut Model) {
         let material = &self.materials[plan.material.0 as usize];
         let section = &self.sections[plan.section.0 as usize];
+        let make = fibres::Make { material, section, materials: &self.materials };
         let stations = &plan.stations;
         let n = stations.len() - 1;
         let frames: Vec<NodeFrame> = (0..=n)
@@ -221,12 +222,11 @@ impl ModelBuilder {
             .collect();
         let total = line.length();
         let values = |k: usize, length: f64, xi: f64| {
-            section_values(material, section, (stations[k] + xi * length) / total)
+            section_values(&make, (stations[k] + xi * length) / total)
         };
         let table = |k: usize, length: f64| {
             let ends = [frames[k], frames[k + 1]];
-            let always = material.inelasticity.is_some();
-            ElementTable::new(length, ends, always, |xi| values(k, length, xi))
+            ElementTable::new(length, ends, make.has_fibres(), |xi| values(k, length, xi))
         };
         let sections = |k: usize| {
             let length = stations[k + 1] - stations[k];
@@ -253,8 +253,10 @@ impl ModelBuilder {
             measure: material.strain,
             retardation: material.retardation,
             mass_damping: material.mass_damping,
-            strength: material.strength.filter(|_| material.inelasticity.is_none()),
-            fibres: fibres::of_span(material, section, &stretch, model.fibre_count()),
+            strength: material
+                .strength
+                .filter(|_| material.inelasticity.is_none() && make.is_plain()),
+            fibres: fibres::of_span(&make, &stretch, model.fibre_count()),
         };
         for k in 0..n {
             let m = &span.table(k).mass;
@@ -306,8 +308,13 @@ impl ModelBuilder {
     }
 }
 
-fn section_values(material: &Material, section: &Section, fraction: f64) -> SectionValues {
+fn section_values(make: &fibres::Make, fraction: f64) -> SectionValues {
+    let fibres::Make { material, section, .. } = *make;
     let station = section.at(fraction);
+    let (area, half_depth) = (station.area, station.depth.map_or(f64::NAN, |d| 0.5 * d));
+    if let Some((law, mass)) = make.law(material.strain) {
+        return SectionValues { law, mass, area, half_depth };
+    }
     SectionValues {
         law: SectionLaw {
             axial: material.young * station.area,
@@ -320,8 +327,8 @@ fn section_values(material: &Material, section: &Section, fraction: f64) -> Sect
             measure: material.strain,
         },
         mass: material.density * station.area,
-        area: station.area,
-        half_depth: station.depth.map_or(f64::NAN, |d| 0.5 * d),
+        area,
+        half_depth,
     }
 }
 

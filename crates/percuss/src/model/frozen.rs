@@ -93,7 +93,7 @@ pub(crate) struct Span {
     pub mass_damping: f64,
     /// Stresses that an elastic material usually bears, if known.
     pub strength: Option<Strength>,
-    /// Its fibres, if its material does more than Hooke's law says.
+    /// Its fibres, if its material does more than Hooke's law says or its section is given by them.
     pub fibres: Option<SpanFibres>,
 }
 
@@ -102,8 +102,8 @@ pub(crate) struct Span {
 pub(crate) struct SpanFibres {
     /// Laws of its materials, shape (laws).
     pub laws: Vec<StressLaw>,
-    /// Fibres at the Gauss points, as many entries as the span has tables, shape (tables, Gauss points, fibres at one); the last two at
-    /// each are of no area, at the lower and the upper surface.
+    /// Fibres at the Gauss points, as many entries as the span has tables, shape (tables, Gauss points, fibres at one); those of
+    /// a shape end with two of no area, at the lower and the upper surface.
     pub at: Vec<[Vec<Fibre>; GAUSS]>,
     /// Fibres of an element, all its Gauss points together.
     pub count: usize,

@@ -17,6 +17,7 @@ mod impact_log;
 mod impacts;
 mod initial_motions;
 mod joints;
+mod layered;
 mod layers;
 mod multiple_impacts;
 mod rigid_ensembles;

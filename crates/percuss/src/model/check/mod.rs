@@ -15,7 +15,7 @@ use actions::{check_load, check_projectile};
 use beams::{check_beam, check_point, check_stations};
 use contacts::{check_contact, check_disc, check_obstacle};
 use supports::{check_joint, check_spring, check_support};
-use yielding::{check_fibres, check_plasticity};
+use yielding::{check_fibres, check_given_fibres, check_plasticity};
 
 pub(super) use actions::line_of_flight;
 
@@ -126,8 +126,12 @@ fn check_materials(model: &ModelBuilder, out: &mut Faults) {
 fn check_sections(model: &ModelBuilder, out: &mut Faults) {
     for s in &model.sections {
         let path = |field: &str| format!("section.{}.{field}", s.name);
-        out.positive(path("area"), s.area, "an area", "m^2");
-        out.positive(path("inertia"), s.inertia, "a second moment of area", "m^4");
+        if s.given_fibres().is_some() {
+            check_given_fibres(model, s, out);
+        } else {
+            out.positive(path("area"), s.area, "an area", "m^2");
+            out.positive(path("inertia"), s.inertia, "a second moment of area", "m^4");
+        }
         if let Some(depth) = s.depth {
             out.positive(path("depth"), depth, "a depth", "m");
         }

@@ -2,6 +2,7 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
+use super::super::fibres::{Make, Weighed};
 use super::{Faults, quantity};
 
 /// Most fibres through the depth of a section.
@@ -183,6 +184,10 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
         else {
             continue;
         };
+        if s.given_fibres().is_some() {
+            check_centroid(&Make { material: m, section: s, materials: &model.materials }, out);
+            continue;
+        }
         if m.inelasticity.is_none() {
             continue;
         }
@@ -198,5 +203,60 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
             let expected = "an even number of fibres from 4 to 200";
             out.add(format!("section.{}.fibres", s.name), s.fibres.to_string(), expected);
         }
+    }
+}
+
+/// Faults of a section that is given fibre by fibre; its elastic centroid is looked at where its materials are known.
+pub(super) fn check_given_fibres(model: &ModelBuilder, s: &Section, out: &mut Faults) {
+    let Some(fibres) = s.given_fibres() else { return };
+    let path = |field: &str| format!("section.{}.{field}", s.name);
+    if !s.stations.is_empty() {
+        out.add(path("stations"), "stations of a section of fibres", "none: it does not vary");
+    }
+    if !(2..=MOST_FIBRES).contains(&fibres.len()) {
+        let expected = "from 2 to 200 fibres, not all at one height";
+        out.add(path("heights"), fibres.len().to_string(), expected);
+        return;
+    }
+    let heights: Vec<f64> = fibres.iter().map(|f| f.height).collect();
+    out.finite(path("heights"), &heights, "m");
+    if let Some(bad) = fibres.iter().find(|f| !(f.area > 0.0 && f.area.is_finite())) {
+        out.add(path("areas"), quantity(bad.area, "m^2"), "areas above zero");
+    }
+    if heights.iter().all(|y| *y == heights[0]) {
+        let found = format!("all fibres at {} m", heights[0]);
+        out.add(path("heights"), found, "fibres at different heights: a second moment of area");
+    }
+    let half = 0.5 * s.depth.unwrap_or(f64::INFINITY);
+    if let Some(bad) = heights.iter().find(|y| y.abs() > half * (1.0 + 1e-9)) {
+        let found = format!("a fibre at {bad} m in a depth of {} m", 2.0 * half);
+        out.add(path("heights"), found, "fibres within half the depth of the centre line");
+    }
+    let unknown =
+        |f: &SectionFibre| f.material.is_some_and(|m| m.0 as usize >= model.materials.len());
+    if fibres.iter().any(unknown) {
+        out.add(path("materials"), "an unknown material", "materials of this model");
+    }
+}
+
+/// The elastic centroid may be this far off the centre line, relative to the radius of gyration: what it couples is of the order of
+/// the square.
+const OFF_CENTRE: f64 = 1e-3;
+
+/// The centre line runs through the elastic centroid: there axial force stretches and does not bend, as vibrations, buckling and the
+/// shares of energy take for granted.
+fn check_centroid(make: &Make, out: &mut Faults) {
+    let Some(Weighed { stiffness: [axial, first, second], .. }) = make.weighed() else { return };
+    let centroid = first / axial;
+    let gyration = (second / axial - centroid * centroid).sqrt();
+    if centroid.abs() <= OFF_CENTRE * gyration || !(gyration > 0.0) {
+        return;
+    }
+    let found = format!("an elastic centroid {centroid:.6e} m above the centre line");
+    let expected =
+        format!("heights measured from the elastic centroid: {:+.6e} m added to each", -centroid);
+    let of = format!("section.{}.", make.section.name);
+    if !out.0.iter().any(|fault| fault.path.starts_with(&of)) {
+        out.add(format!("{of}heights"), found, &expected);
     }
 }

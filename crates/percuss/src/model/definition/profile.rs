@@ -5,7 +5,9 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// How the area of a doubly symmetric section lies about its centre line.
+use super::MaterialId;
+
+/// How the area of a section lies about its centre line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
     /// Not known: such a section cannot yield.
@@ -19,6 +21,19 @@ pub enum Profile {
         /// Inner radius, zero for a full circle \[m\].
         inner: f64,
     },
+    /// Fibres as given, of one material or of several, shape (fibres): such a section is made of them whatever its materials do.
+    Fibres(Vec<SectionFibre>),
+}
+
+/// A fibre of a section that is given fibre by fibre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionFibre {
+    /// Height above the centre line, along the normal to the left of the beam's direction \[m\].
+    pub height: f64,
+    /// Area \[m^2\].
+    pub area: f64,
+    /// Its material; that of the beam without.
+    pub material: Option<MaterialId>,
 }
 
 /// A part of a section of uniform width.
@@ -49,6 +64,7 @@ impl Profile {
         let half = (count / 2).max(2);
         let upper = match self {
             Self::Unknown => Vec::new(),
+            Self::Fibres(given) => return given.iter().map(|f| [f.height, f.area]).collect(),
             Self::Strips(strips) => {
                 let thin = 2 * (strips.len() - 1);
                 let fibres = |(i, strip): (usize, &Strip)| {

@@ -1,6 +1,6 @@
 //! Cross sections.
 
-use super::profile::{Profile, Strip};
+use super::profile::{Profile, SectionFibre, Strip};
 
 /// Rotary inertia per unit length of a section, rhoI \[kg m\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -113,6 +113,23 @@ impl Section {
         let inertia = (width * depth.powi(3) - w * d.powi(3)) / 12.0;
         let profile = Profile::flanged(width, depth, d, 2.0 * thickness);
         Self::deep(name, width * depth - w * d, inertia, depth).with(profile)
+    }
+
+    /// Fibres one by one; the centre line of the beam is their elastic centroid, and the depth is twice the largest of their
+    /// distances from it.
+    pub fn of_fibres(name: impl Into<String>, fibres: Vec<SectionFibre>) -> Self {
+        let sum = |f: fn(&SectionFibre) -> f64| fibres.iter().map(f).sum::<f64>();
+        let (area, inertia) = (sum(|f| f.area), sum(|f| f.area * f.height * f.height));
+        let most = fibres.iter().map(|f| f.height.abs()).fold(0.0, f64::max);
+        Self::deep(name, area, inertia, 2.0 * most).with(Profile::Fibres(fibres))
+    }
+
+    /// Fibres given one by one, if it is made of such.
+    pub(crate) fn given_fibres(&self) -> Option<&[SectionFibre]> {
+        match &self.profile {
+            Profile::Fibres(fibres) => Some(fibres),
+            _ => None,
+        }
     }
 
     /// Area, second moment of area and depth at a fraction of the beam's length.
