@@ -47,7 +47,7 @@ impl Make<'_> {
     }
 
     /// The material of a fibre; the beam's own where it has none.
-    fn of(&self, fibre: &SectionFibre) -> &Material {
+    pub fn of(&self, fibre: &SectionFibre) -> &Material {
         let own = fibre.material.and_then(|id| self.materials.get(id.0 as usize));
         own.unwrap_or(self.material)
     }

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::analysis::unloaded;
 use crate::element::beam::ElementValues;
-use crate::element::fibre::{Fibre, FibreState};
+use crate::element::fibre::{Fibre, FibreState, StressLaw};
 use crate::element::yielding::gauss_strains;
 use crate::math::hermite;
 use crate::model::Model;
@@ -99,7 +99,9 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
     let unloaded =
         if records.iter().any(|r| r.first.is_some()) { unloaded(model, state) } else { None };
     let can_yield = |(beam, _): &(&BeamData, &YieldRecord)| {
-        model.spans[beam.spans.clone()].iter().any(|span| span.fibres.is_some())
+        let yields = |law: &StressLaw| matches!(law, StressLaw::Plastic(_));
+        let mut fibres = model.spans[beam.spans.clone()].iter().filter_map(|s| s.fibres.as_ref());
+        fibres.any(|of| of.laws.iter().any(yields))
     };
     let both = model.beams.iter().zip(records).filter(can_yield);
     both.map(|(beam, record)| {

@@ -174,4 +174,13 @@ fn every_fault_of_fibres_is_told_once() {
         Section::of_fibres("s", vec![plain(-0.01, 1e-4), bar])
     };
     told(faults(two), "-9.047619e-3 m added to each");
+    // Fibres that strain by another measure, or are damped otherwise, would not be what their material says.
+    let mut b = ModelBuilder::new();
+    let own = b.material(Material::new("own", 1e10, 1000.0));
+    let damped = b.material(Material { mass_damping: 5.0, ..Material::new("damped", 1e10, 1e3) });
+    let other = SectionFibre { material: Some(damped), ..plain(0.01, 1e-4) };
+    let section = b.section(Section::of_fibres("s", vec![plain(-0.01, 1e-4), other]));
+    b.beam(beam("girder", [0.0, 0.0], [1.0, 0.0], 2, own, section));
+    let found = b.build().err().unwrap_or_default();
+    told(found.iter().map(ToString::to_string).collect(), "`damped`");
 }

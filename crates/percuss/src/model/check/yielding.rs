@@ -185,7 +185,9 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
             continue;
         };
         if s.given_fibres().is_some() {
-            check_centroid(&Make { material: m, section: s, materials: &model.materials }, out);
+            let make = Make { material: m, section: s, materials: &model.materials };
+            check_together(&make, out);
+            check_centroid(&make, out);
             continue;
         }
         if m.inelasticity.is_none() {
@@ -236,6 +238,24 @@ pub(super) fn check_given_fibres(model: &ModelBuilder, s: &Section, out: &mut Fa
         |f: &SectionFibre| f.material.is_some_and(|m| m.0 as usize >= model.materials.len());
     if fibres.iter().any(unknown) {
         out.add(path("materials"), "an unknown material", "materials of this model");
+    }
+}
+
+/// Fibres strain and are damped together: by the measure and the damping of the beam's material.
+fn check_together(make: &Make, out: &mut Faults) {
+    let own = make.material;
+    for other in make.section.given_fibres().unwrap_or_default().iter().map(|f| make.of(f)) {
+        let same = other.strain == own.strain
+            && other.retardation == own.retardation
+            && other.mass_damping == own.mass_damping;
+        let path = format!("section.{}.materials", make.section.name);
+        if !same && !out.0.iter().any(|fault| fault.path == path) {
+            let found = format!(
+                "`{}`, whose `strain`, `retardation` or `mass_damping` is not that of the beam's material `{}`",
+                other.name, own.name
+            );
+            out.add(path, found, "materials of one strain measure and one damping");
+        }
     }
 }
 
