@@ -269,7 +269,7 @@ fn check_centroid(make: &Make, out: &mut Faults) {
     let Some(Weighed { stiffness: [axial, first, second], .. }) = make.weighed() else { return };
     let centroid = first / axial;
     let gyration = (second / axial - centroid * centroid).sqrt();
-    if centroid.abs() <= OFF_CENTRE * gyration || !(gyration > 0.0) {
+    if centroid.abs() <= OFF_CENTRE * gyration || gyration <= 0.0 || gyration.is_nan() {
         return;
     }
     let found = format!("an elastic centroid {centroid:.6e} m above the centre line");
