@@ -12,7 +12,7 @@ use std::fmt;
 pub use filter::{Cfc, filtered};
 pub use recorded::{Acceleration, accelerations};
 pub use signal::Signal;
-pub use spectrum::{Band, Extremes, ShockSpectrum, shock_spectrum};
+pub use spectrum::{Band, Extremes, SPECTRUM_HEADER, ShockSpectrum, shock_spectrum};
 
 /// Why a signal cannot be filtered, or has no spectrum.
 #[derive(Clone, Debug, PartialEq)]

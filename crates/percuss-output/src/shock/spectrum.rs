@@ -6,6 +6,7 @@
 //! Nigam and Jennings (1969), which keeps z and z' and so gives displacements, velocities and the free motion after the end besides.
 
 use std::f64::consts::PI;
+use std::fmt::Write as _;
 
 use super::{ShockError, Signal};
 
@@ -93,6 +94,26 @@ impl ShockSpectrum {
             Extremes { primary: w * z.primary, residual: w * z.residual }
         };
         self.frequency.iter().zip(&self.displacement).map(scaled).collect()
+    }
+}
+
+/// First line of the file of a spectrum.
+pub const SPECTRUM_HEADER: &str = "frequency,acceleration_primary,acceleration_residual,acceleration_maximax,\
+    pseudo_velocity_primary,pseudo_velocity_residual,pseudo_velocity_maximax,\
+    displacement_primary,displacement_residual,displacement_maximax";
+
+impl ShockSpectrum {
+    /// The spectrum as CSV, a row a frequency \[Hz, m/s^2, m/s, m\], below [`SPECTRUM_HEADER`].
+    pub fn csv(&self) -> String {
+        let mut out = format!("{SPECTRUM_HEADER}\n");
+        for (k, velocity) in self.pseudo_velocity().into_iter().enumerate() {
+            let _ = write!(out, "{}", self.frequency[k]);
+            for answer in [self.acceleration[k], velocity, self.displacement[k]] {
+                let _ = write!(out, ",{},{},{}", answer.primary, answer.residual, answer.maximax());
+            }
+            out.push('\n');
+        }
+        out
     }
 }
 
