@@ -51,8 +51,7 @@ pub fn shock_spectrum<'py>(
     let signal = signal(&history.0, &history.1, cfc)?;
     let (from, to, per_octave) = band;
     let band = Band { from, to, per_octave };
-    let found =
-        shock::shock_spectrum(&signal, damping, &band).map_err(|error| refused(&error))?;
+    let found = shock::shock_spectrum(&signal, damping, &band).map_err(|error| refused(&error))?;
     let result = PyDict::new(py);
     let velocity = found.pseudo_velocity();
     let answers = [

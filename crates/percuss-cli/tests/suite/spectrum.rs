@@ -50,7 +50,9 @@ fn what_cannot_be_judged_is_refused_with_what_would_do() {
     let (desk, column) = desk();
     let velocity = column.replace("acceleration", "velocity");
     desk.percuss(&["spectrum", "hit", &velocity]).ends_with(2).tells("is no acceleration");
-    desk.percuss(&["spectrum", "hit", &column, "--to", "1e12"]).ends_with(2).tells("samples a second");
+    desk.percuss(&["spectrum", "hit", &column, "--to", "1e12"])
+        .ends_with(2)
+        .tells("samples a second");
     desk.percuss(&["spectrum", "hit", &column, "--damping", "1"]).ends_with(2).tells("0.05");
     desk.percuss(&["spectrum", "hit", &column, "--cfc", "100"]).ends_with(2).tells("60, 180");
 }

@@ -146,7 +146,10 @@ mod tests {
                 let ratio = tangent(frequency) / tangent(CORNER * f64::from(class.number()));
                 let exact = 1.0 / (1.0 + ratio.powi(4));
                 // The rest is what the held ends have sent into the middle: nothing but round-off.
-                assert!((in_phase - exact).abs() < 1e-9, "{class:?} {frequency}: {in_phase} {exact}");
+                assert!(
+                    (in_phase - exact).abs() < 1e-9,
+                    "{class:?} {frequency}: {in_phase} {exact}"
+                );
                 assert!(out_of_phase.abs() < 1e-9, "{class:?} {frequency}: {out_of_phase}");
             }
         }

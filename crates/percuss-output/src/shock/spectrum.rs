@@ -275,8 +275,7 @@ mod tests {
     fn a_step_doubles_and_damping_takes_what_it_takes_of_a_period() {
         let signal = pulse(|_| 1.0);
         for zeta in [0.0_f64, 0.05, 0.3] {
-            let (frequency, overshoot) =
-                (5.0 / T, (-PI * zeta / (1.0 - zeta * zeta).sqrt()).exp());
+            let (frequency, overshoot) = (5.0 / T, (-PI * zeta / (1.0 - zeta * zeta).sqrt()).exp());
             let w = 2.0 * PI * frequency;
             let (_, z) = at(&signal, frequency, zeta);
             // The step rises within a sample; extremes are met to 0.12 %.
