@@ -143,6 +143,30 @@ class Result(Columns[np.float64]):
 
         return dataset(self)
 
+    def filtered(self, column: str, cfc: int | None = 180) -> xarray.DataArray:
+        """An acceleration, such as ``point.tip.acceleration_2``, in a channel frequency class of SAE J211 and ISO 6487 (60, 180, 600,
+        1000; None leaves it as it is) [m/s^2]: means over recorded steps, at the middle of them."""
+        from ._shock import filtered
+
+        return filtered(self, column, cfc)
+
+    def shock_spectrum(
+        self,
+        column: str,
+        damping: float = 0.05,
+        *,
+        from_: float = 1.0,
+        to: float | None = None,
+        per_octave: float = 12.0,
+        cfc: int | None = None,
+    ) -> xarray.Dataset:
+        """Shock response spectrum of an acceleration over natural frequencies from ``from_`` to ``to`` [Hz] (by default 10 kHz, or a
+        tenth of the sampling where that is less): primary, residual and maximax absolute accelerations, pseudo-velocities and
+        relative displacements."""
+        from ._shock import shock_spectrum
+
+        return shock_spectrum(self, column, damping, (from_, to, per_octave), cfc)
+
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         return _arrow.table(self).__arrow_c_stream__(requested_schema)
 

@@ -14,7 +14,7 @@ use self::closing::{
 };
 use crate::commands::explain;
 use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
-use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot};
+use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot, SPECTRUM, Spectrum};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
 
 /// Simulates impact on geometrically exact beams, with balances that close.
@@ -72,6 +72,9 @@ pub enum Command {
     /// Write figures of a finished run for print
     #[command(after_help = PLOT)]
     Plot(Plot),
+    /// Shock response spectrum and peak of an acceleration of a finished run
+    #[command(after_help = SPECTRUM)]
+    Spectrum(Spectrum),
     /// Run the verification cases and print what was measured and expected
     #[command(after_help = VERIFY)]
     Verify(Verify),

@@ -45,6 +45,7 @@ pub fn command<T: Into<OsString> + Clone>(line: impl IntoIterator<Item = T>) -> 
         Command::Report(arguments) => commands::report::run(&arguments),
         Command::Animate(arguments) => commands::animate::run(&arguments),
         Command::Plot(arguments) => commands::plot::run(&arguments),
+        Command::Spectrum(arguments) => commands::spectrum::run(&arguments),
         Command::Serve(arguments) => commands::serve::run(&arguments),
         Command::Eval(arguments) => commands::eval::run(&arguments),
         Command::Verify(arguments) => commands::verify::run(&arguments),

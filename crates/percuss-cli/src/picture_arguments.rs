@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, RangedU64ValueParser};
 use clap::{Args, ValueEnum, ValueHint};
 use percuss_output::report::scene_choices;
+use percuss_output::shock::Cfc;
 use percuss_pictures::PrintFormat;
 use percuss_scenario::units::{self, Dimension};
 
@@ -26,7 +27,18 @@ Letters are 8 to 9 points high at any width. In SVG and PDF they are outlines, s
 Examples:
   percuss plot runs/plank --list
   percuss plot runs/plank --figure energy --format pdf
-  percuss plot runs/plank --figure force,energy --format svg,pdf,png --width 85mm --out figures";
+  percuss plot runs/plank --figure force,energy --format svg,pdf,png --width 85mm --out figures
+  percuss plot runs/plank --cfc 180 --figure acceleration-middle";
+
+/// Examples of `spectrum`.
+pub const SPECTRUM: &str = "\
+COLUMN is the acceleration of a recorded point or of a projectile: point.NAME.acceleration_1 or _2, projectile.NAME.acceleration_1
+or _2, the mean over each recorded step. The picture, FILE with .svg, shows the absolute accelerations. A file that percuss did not write is left alone
+unless --force is given.
+
+Examples:
+  percuss spectrum runs/plank point.middle.acceleration_2
+  percuss spectrum runs/plank point.middle.acceleration_2 --damping 0.02 --from 10Hz --to 5kHz --cfc 1000 --out srs.csv";
 
 /// Arguments of `animate`.
 #[derive(Args, Debug)]
@@ -108,12 +120,50 @@ pub struct Plot {
     /// Pixels an inch of PNG
     #[arg(long, value_name = "N", default_value = "300", value_parser = RangedU64ValueParser::<u32>::new().range(36..=2400))]
     pub dpi: u32,
+    /// Figures of accelerations besides, filtered in a channel frequency class of SAE J211 and ISO 6487: 60, 180, 600 or 1000
+    #[arg(long, value_name = "CLASS", value_parser = class)]
+    pub cfc: Option<Cfc>,
     /// Leave out titles, as captions of papers have them
     #[arg(long)]
     pub no_title: bool,
     /// Directory of the files
     #[arg(long, value_hint = ValueHint::DirPath, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
+    /// Replace files even if percuss did not write them
+    #[arg(long)]
+    pub force: bool,
+    /// Say nothing unless something is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Arguments of `spectrum`.
+#[derive(Args, Debug)]
+pub struct Spectrum {
+    /// Directory of a finished run
+    #[arg(value_hint = ValueHint::DirPath, value_name = "DIR")]
+    pub dir: PathBuf,
+    /// Acceleration, such as point.middle.acceleration_2
+    #[arg(value_name = "COLUMN")]
+    pub column: String,
+    /// Damping ratio of the oscillators, from 0 to below 1
+    #[arg(long, value_name = "RATIO", default_value = "0.05")]
+    pub damping: f64,
+    /// Lowest natural frequency
+    #[arg(long, value_name = "FREQUENCY", default_value = "1Hz", value_parser = frequency)]
+    pub from: f64,
+    /// Highest natural frequency [default: 10 kHz, or a tenth of the sampling where that is less]
+    #[arg(long, value_name = "FREQUENCY", value_parser = frequency)]
+    pub to: Option<f64>,
+    /// Natural frequencies an octave
+    #[arg(long, value_name = "N", default_value = "12", value_parser = RangedU64ValueParser::<u32>::new().range(1..=96))]
+    pub per_octave: u32,
+    /// Filter the acceleration in a channel frequency class of SAE J211 and ISO 6487 first: 60, 180, 600 or 1000
+    #[arg(long, value_name = "CLASS", value_parser = class)]
+    pub cfc: Option<Cfc>,
+    /// File of the spectrum [default: COLUMN-spectrum.csv]
+    #[arg(long, value_hint = ValueHint::FilePath, value_name = "FILE")]
+    pub out: Option<PathBuf>,
     /// Replace files even if percuss did not write them
     #[arg(long)]
     pub force: bool,
@@ -162,6 +212,18 @@ fn quantity(text: &str, dimension: Dimension, example: &str) -> Result<f64, Stri
 /// A time with its unit, or in seconds \[s\].
 pub fn time(text: &str) -> Result<f64, String> {
     quantity(text, Dimension::new(0, 0, 1), "\"12 ms\"")
+}
+
+fn frequency(text: &str) -> Result<f64, String> {
+    match quantity(text, Dimension::new(0, 0, -1), "100Hz")? {
+        hertz if hertz > 0.0 && hertz.is_finite() => Ok(hertz),
+        _ => Err("expected a frequency above zero, such as 100Hz".into()),
+    }
+}
+
+fn class(text: &str) -> Result<Cfc, String> {
+    let class = text.trim().parse().ok().and_then(Cfc::of);
+    class.ok_or_else(|| "expected a class of SAE J211: 60, 180, 600 or 1000".into())
 }
 
 fn duration(text: &str) -> Result<f64, String> {

@@ -75,5 +75,10 @@ catalogue! {
         NoValue = "E319", "a point without a value",
             "A study as a function wants a number for each of its parameters, in SI units, and has a value where the run completes and has \
              the results asked for: a blow that misses has no peak force. The message says which it is.";
+        /// A column that is no acceleration, or an acceleration that cannot be judged as it was asked to.
+        Acceleration = "E320", "no acceleration to filter or to take a spectrum of",
+            "Filters of channel frequency classes and shock response spectra are those of an acceleration: of a recorded point or a \
+             projectile. A class needs ten samples a period of its cut-off, a spectrum twice as many samples a second as its highest \
+             frequency. The message says what is there and what is wanted.";
     }
 }

@@ -20,6 +20,7 @@ pub mod paraview;
 mod path;
 pub mod report;
 mod shapes;
+pub mod shock;
 mod summary;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};

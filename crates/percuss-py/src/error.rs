@@ -51,6 +51,11 @@ pub fn recorder_error(error: &percuss::Error) -> PyErr {
     coded("FileError", error.code().into(), &error.to_string())
 }
 
+/// Something cannot be done as it was asked for.
+pub fn request_error(code: RequestCode, text: &str) -> PyErr {
+    coded("InputError", code.into(), text)
+}
+
 /// Runs of a study are missing.
 pub fn incomplete(text: &str) -> PyErr {
     coded("StudyError", RequestCode::MissingShard.into(), text)

@@ -14,6 +14,7 @@ mod ready;
 mod recorder;
 mod run;
 mod sensitivity;
+mod shock;
 mod structure;
 mod study;
 
@@ -38,6 +39,8 @@ mod _percuss {
     use super::run::run;
     #[pymodule_export]
     use super::sensitivity::{extrapolated, sensitivity};
+    #[pymodule_export]
+    use super::shock::{acceleration, shock_spectrum};
     #[pymodule_export]
     use super::study::Study;
 

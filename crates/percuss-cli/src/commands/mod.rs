@@ -16,6 +16,7 @@ pub mod run;
 pub mod schema;
 pub mod sensitivity;
 pub mod serve;
+pub mod spectrum;
 pub mod statics;
 pub mod sweep;
 pub mod verify;

@@ -5,13 +5,15 @@ use std::fs;
 use std::path::PathBuf;
 
 use percuss_codes::RequestCode;
+use percuss_output::HistoryReader;
 use percuss_output::report::ReportData;
-use percuss_output::report::prints::{Print, prints};
+use percuss_output::report::prints::{Print, accelerations, prints};
 use percuss_pictures::{PrintFormat, picture, put, unfinished};
 use percuss_scenario::one_of;
 
 use super::animate::refuse_foreign;
 use super::report::refuse_what_is_no_run;
+use super::spectrum::refused;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Plot;
@@ -24,7 +26,11 @@ const NAMED: usize = 12;
 pub fn run(arguments: &Plot) -> Result<Status, Failure> {
     let dir = &arguments.dir;
     refuse_what_is_no_run(dir)?;
-    let prints = prints(&ReportData::read(dir)?)?;
+    let mut prints = prints(&ReportData::read(dir)?)?;
+    if let Some(class) = arguments.cfc {
+        let filtered = accelerations(&HistoryReader::open(dir)?, class)?;
+        prints.extend(filtered.map_err(|error| refused(&error))?);
+    }
     if arguments.list {
         return list(&prints);
     }

@@ -20,5 +20,6 @@ mod report;
 mod run;
 mod scenes;
 mod slips;
+mod spectrum;
 mod statics;
 mod sweep;

@@ -107,6 +107,28 @@ impl HistoryReader {
         Ok(Self { path, format, channels, rows })
     }
 
+    /// Columns by their names, shape (n_names, n_rows); no other is read.
+    ///
+    /// # Errors
+    /// If there is no such column, or the file is damaged.
+    pub fn columns(&self, names: &[&str]) -> Result<Vec<Vec<f64>>, Error> {
+        let position = |name: &&str| {
+            let found = self.channels.iter().position(|channel| channel.name == *name);
+            found.ok_or_else(|| Error::content(&self.path, format!("has no column {name}")))
+        };
+        let wanted = names.iter().map(position).collect::<Result<Vec<_>, _>>()?;
+        let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(self.rows); wanted.len()];
+        self.scan(&wanted, &mut |piece| {
+            columns.iter_mut().zip(piece).for_each(|(all, some)| all.extend_from_slice(some));
+        })?;
+        Ok(columns)
+    }
+
+    /// The columns' names and units.
+    pub fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+
     fn name(&self) -> &'static str {
         match self.format {
             HistoryFormat::Parquet => PARQUET,
@@ -123,11 +145,8 @@ impl HistoryReader {
 
     /// All rows of all columns.
     pub(super) fn read(self) -> Result<History, Error> {
-        let wanted: Vec<usize> = (0..self.channels.len()).collect();
-        let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(self.rows); wanted.len()];
-        self.scan(&wanted, &mut |piece| {
-            columns.iter_mut().zip(piece).for_each(|(all, some)| all.extend_from_slice(some));
-        })?;
+        let names: Vec<&str> = self.channels.iter().map(|channel| channel.name.as_str()).collect();
+        let columns = self.columns(&names)?;
         let source = self.name().to_owned();
         Ok(History { channels: self.channels, columns, source })
     }

@@ -175,7 +175,7 @@ fn overview(figures: &[&Figure], span: (f64, f64)) -> Scene {
 }
 
 /// The scene with room at its sides, the upright labels farther from the numbers beside them.
-pub(super) fn with_room(mut scene: Scene) -> Scene {
+pub(crate) fn with_room(mut scene: Scene) -> Scene {
     for element in &mut scene.elements {
         if let Primitive::Text { x, rotate: Some(_), .. } = element {
             *x -= ROOM_LEFT;

@@ -5,10 +5,13 @@ use kuva::plot::legend::{LegendEntry, LegendShape};
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
 use super::ReportData;
-use super::figure::{Abscissa, Figure};
+use super::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table};
 use super::figures;
 use super::pictures::{has_data, layout, plots, span, with_room};
+use super::quantity::Scale;
 use crate::error::Error;
+use crate::history::HistoryReader;
+use crate::shock::{self, Cfc, ShockError, Signal};
 
 /// Units of a drawing in a millimetre: 96 an inch.
 const UNITS: f64 = 96.0 / 25.4;
@@ -42,6 +45,56 @@ pub fn prints(data: &ReportData) -> Result<Vec<Print>, Error> {
     let over_time: Vec<&Figure> = all.iter().filter(|f| f.abscissa == Abscissa::Time).collect();
     let span = span(&over_time);
     Ok(all.into_iter().map(|figure| Print { figure, span }).collect())
+}
+
+/// Figures of the accelerations of a run, one a recorded point or projectile, filtered in a channel frequency class.
+///
+/// # Errors
+/// If the history cannot be read, or the inner one if its sampling is too coarse for the class.
+pub fn accelerations(
+    history: &HistoryReader,
+    class: Cfc,
+) -> Result<Result<Vec<Print>, ShockError>, Error> {
+    let mut curves: Vec<(String, String, Signal)> = Vec::new();
+    for one in shock::accelerations(history.channels()) {
+        let columns = history.columns(&["time", &one.velocity])?;
+        let signal = Signal::from_velocity(&columns[0], &columns[1]);
+        match signal.and_then(|signal| shock::filtered(&signal, class)) {
+            Ok(signal) => {
+                let (owner, axis) = one.name.rsplit_once(".acceleration_").unwrap_or_default();
+                let owner = owner.split_once('.').map_or(owner, |(_, name)| name);
+                curves.push((owner.to_owned(), axis.to_owned(), signal));
+            }
+            Err(error) => return Ok(Err(error)),
+        }
+    }
+    Ok(Ok(curves.chunk_by(|a, b| a.0 == b.0).map(|of| acceleration(of, class)).collect()))
+}
+
+/// The components of one acceleration over time.
+fn acceleration(curves: &[(String, String, Signal)], class: Cfc) -> Print {
+    let end = curves.iter().filter_map(|c| c.2.times().last()).fold(0.0, f64::max);
+    let scale = Scale::new(end, "s");
+    let name = &curves[0].0;
+    let title = format!("Acceleration of {name} (CFC {})", class.number());
+    let axis = Axis { label: "time".to_owned(), unit: scale.unit.clone() };
+    let id = format!("acceleration-{name}");
+    let mut figure = Figure::new(Section::Points, &id, &title, axis, "acceleration");
+    figure.y.unit = "m/s\u{b2}".to_owned();
+    let table = |(k, (_, axis, signal)): (usize, &(String, String, Signal))| Table {
+        x: signal.times().map(|t| t * scale.factor).collect(),
+        series: vec![Series {
+            label: format!("along e{axis}"),
+            style: k + 1,
+            weight: 1.0,
+            dashed: true,
+            shape: Shape::Line,
+            y: signal.values.clone(),
+        }],
+    };
+    figure.tables = curves.iter().enumerate().map(table).collect();
+    let span = span(&[&figure]);
+    Print { figure, span }
 }
 
 impl Print {
@@ -192,7 +245,6 @@ fn wrapped(text: &str, width: f64, size: u32) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::figure::{Axis, Section, Series, Shape, Table};
 
     fn print(labels: &[&str]) -> Print {
         let axis = Axis { label: "time".into(), unit: "ms".into() };

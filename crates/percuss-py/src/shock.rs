@@ -1,0 +1,71 @@
+//! Filtered accelerations and shock response spectra.
+
+use numpy::IntoPyArray;
+use percuss_codes::RequestCode;
+use percuss_output::shock::{self, Band, Cfc, ShockError, Signal};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::request_error;
+
+fn refused(error: &ShockError) -> PyErr {
+    request_error(RequestCode::Acceleration, &error.to_string())
+}
+
+/// The acceleration that follows from a velocity, in a class if one is given.
+fn signal(time: &[f64], velocity: &[f64], cfc: Option<u32>) -> PyResult<Signal> {
+    let signal = Signal::from_velocity(time, velocity).map_err(|error| refused(&error))?;
+    let Some(number) = cfc else { return Ok(signal) };
+    let class = Cfc::of(number).ok_or_else(|| {
+        let text = format!("cfc={number}: expected a class of SAE J211: 60, 180, 600 or 1000");
+        request_error(RequestCode::Acceleration, &text)
+    })?;
+    shock::filtered(&signal, class).map_err(|error| refused(&error))
+}
+
+/// Times, accelerations, and whether the rows were not evenly spaced.
+#[pyfunction]
+pub fn acceleration<'py>(
+    py: Python<'py>,
+    time: Vec<f64>,
+    velocity: Vec<f64>,
+    cfc: Option<u32>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let signal = signal(&time, &velocity, cfc)?;
+    let result = PyDict::new(py);
+    result.set_item("time", signal.times().collect::<Vec<f64>>().into_pyarray(py))?;
+    result.set_item("resampled", signal.resampled)?;
+    result.set_item("values", signal.values.into_pyarray(py))?;
+    Ok(result)
+}
+
+/// Frequencies and primary, residual and largest answers.
+#[pyfunction]
+pub fn shock_spectrum<'py>(
+    py: Python<'py>,
+    history: (Vec<f64>, Vec<f64>),
+    damping: f64,
+    band: (f64, Option<f64>, f64),
+    cfc: Option<u32>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let signal = signal(&history.0, &history.1, cfc)?;
+    let (from, to, per_octave) = band;
+    let band = Band { from, to, per_octave };
+    let found = shock::shock_spectrum(&signal, damping, &band).map_err(|error| refused(&error))?;
+    let result = PyDict::new(py);
+    let velocity = found.pseudo_velocity();
+    let answers = [
+        ("acceleration", found.acceleration),
+        ("pseudo_velocity", velocity),
+        ("displacement", found.displacement),
+    ];
+    for (name, values) in answers {
+        let column = |of: fn(&shock::Extremes) -> f64| values.iter().map(of).collect::<Vec<f64>>();
+        result.set_item(format!("{name}_primary"), column(|x| x.primary).into_pyarray(py))?;
+        result.set_item(format!("{name}_residual"), column(|x| x.residual).into_pyarray(py))?;
+        result.set_item(format!("{name}_maximax"), column(|x| x.maximax()).into_pyarray(py))?;
+    }
+    result.set_item("frequency", found.frequency.into_pyarray(py))?;
+    result.set_item("resampled", signal.resampled)?;
+    Ok(result)
+}

@@ -1,0 +1,73 @@
+"""Accelerations of a run: filtered in a channel frequency class, and as shock response spectra."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from . import _percuss
+from ._columns import nearest
+from ._errors import InputError, MissingError, coded
+from ._words import unit_words
+
+if TYPE_CHECKING:
+    import xarray
+
+    from ._result import Result
+
+_ANSWERS = {
+    "acceleration": ("m/s^2", "Absolute acceleration of the oscillator"),
+    "pseudo_velocity": ("m/s", "Angular natural frequency times relative displacement"),
+    "displacement": ("m", "Displacement of the oscillator relative to its base"),
+}
+_WHEN = {"primary": "while the signal lasts", "residual": "after it", "maximax": "at any time"}
+
+
+def filtered(result: Result, column: str, cfc: int | None) -> xarray.DataArray:
+    """An acceleration over time."""
+    xarray = _xarray()
+    native = _percuss.acceleration(*_velocity(result, column), cfc)
+    suffix = "" if cfc is None else f" (CFC {cfc})"
+    about = {"units": unit_words("m/s^2"), "long_name": f"{column}{suffix}", "resampled": int(native["resampled"])}
+    time = ("time", native["time"], {"units": "s", "long_name": "Middle of the step"})
+    array: xarray.DataArray = xarray.DataArray(native["values"], {"time": time}, ("time",), column, about)
+    return array
+
+
+def shock_spectrum(
+    result: Result, column: str, damping: float, band: tuple[float, float | None, float], cfc: int | None
+) -> xarray.Dataset:
+    """Answers over the natural frequency."""
+    xarray = _xarray()
+    native = _percuss.shock_spectrum(_velocity(result, column), damping, band, cfc)
+    variables: dict[str, Any] = {}
+    for name, (unit, words) in _ANSWERS.items():
+        for when, then in _WHEN.items():
+            about = {"units": unit_words(unit), "long_name": f"{words}, largest {then}"}
+            variables[f"{name}_{when}"] = ("frequency", native[f"{name}_{when}"], about)
+    frequency = ("frequency", native["frequency"], {"units": "Hz", "long_name": "Undamped natural frequency"})
+    attributes = {"column": column, "damping": damping, "resampled": int(native["resampled"])}
+    if cfc is not None:
+        attributes["cfc"] = cfc
+    data: xarray.Dataset = xarray.Dataset(variables, {"frequency": frequency}, attributes)
+    return data
+
+
+def _velocity(result: Result, column: str) -> tuple[list[float], list[float]]:
+    """Times, and the velocity that an acceleration follows from."""
+    known = {
+        name.replace(".velocity_", ".acceleration_"): name for name in result.columns if ".velocity_" in name
+    }
+    if column not in known:
+        what = "is no acceleration" if column in result else "the run has no such column"
+        hint = nearest(column, known) if known else ""
+        expected = hint if hint.startswith("; did") else f"; expected one of {', '.join(known) or 'none: record points'}"
+        raise coded(InputError, f"{column}: {what}{expected}", "E320")
+    return result.time.tolist(), result[known[column]].tolist()
+
+
+def _xarray() -> Any:
+    try:
+        import xarray
+    except ImportError as error:
+        raise MissingError.of("xarray", "a data set", "tables") from error
+    return xarray
