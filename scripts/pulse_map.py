@@ -1,5 +1,6 @@
 """Draws the map of docs/short-pulse.md from the results of scripts/pulse-map, and prints what its table says."""
 
+import math
 import sys
 from pathlib import Path
 
@@ -8,6 +9,7 @@ import pyarrow.parquet as parquet
 
 matplotlib.use("svg")
 matplotlib.rcParams["svg.hashsalt"] = "percuss"  # the same file from the same results
+matplotlib.rcParams["svg.fonttype"] = "none"
 import matplotlib.pyplot as plt  # noqa: E402
 
 LABELS = {
@@ -29,6 +31,11 @@ def sets(folder: Path) -> dict[float, dict[float, float]]:
     return out
 
 
+def side(found: float) -> int | None:
+    """1 above, -1 below; nothing where no equilibrium is near."""
+    return None if math.isnan(found) else (1 if found > 0 else -1)
+
+
 def main(runs: Path, picture: Path) -> None:
     """Reads the results below `runs` and draws them."""
     figure, axes = plt.subplots(len(LABELS), 1, figsize=(7.5, 11), sharex=True, layout="constrained")
@@ -44,10 +51,10 @@ def main(runs: Path, picture: Path) -> None:
         ax.legend(fontsize=7, loc="upper left")
         first, *others = found.values()
         shared = [f for f in first if f >= SETTLED]
-        same = [f for f in shared if all((o[f] > 0) == (first[f] > 0) for o in others)]
-        far = max(abs(o[f] - first[f]) for f in same for o in others)
+        same = [f for f in shared if all(side(o[f]) == side(first[f]) for o in others)]
+        far = max(abs(o[f] - first[f]) for f in same for o in others if side(o[f]))
         below = [f for f in first if f < SETTLED]
-        alike = [f for f in below if all((o[f] > 0) == (first[f] > 0) for o in others)]
+        alike = [f for f in below if all(side(o[f]) == side(first[f]) for o in others)]
         print(
             f"{name}: same side in {len(same)} of {len(shared)} pulses from {SETTLED / 1e3} kN/m on "
             f"(others: {sorted(set(shared) - set(same))}), there at most {1e3 * far:.3f} mm apart; "
