@@ -12,7 +12,7 @@ fn desk() -> (Desk, String) {
     let asked = desk.percuss(&["spectrum", "hit", "none"]);
     asked.ends_with(2).tells("E320");
     let text = asked.stderr.clone();
-    let column = text.split('`').find(|word| word.contains(".acceleration_"));
+    let column = text.split('`').find(|word| word.contains(".acceleration_2"));
     let column = column.expect("an acceleration is named").to_owned();
     (desk, column)
 }
@@ -50,6 +50,9 @@ fn what_cannot_be_judged_is_refused_with_what_would_do() {
     let (desk, column) = desk();
     let velocity = column.replace("acceleration", "velocity");
     desk.percuss(&["spectrum", "hit", &velocity]).ends_with(2).tells("is no acceleration");
+    // It moves along e2 alone.
+    let aside = column.replace("acceleration_2", "acceleration_1");
+    desk.percuss(&["spectrum", "hit", &aside]).ends_with(2).tells("zero throughout");
     desk.percuss(&["spectrum", "hit", &column, "--to", "1e12"])
         .ends_with(2)
         .tells("samples a second");

@@ -20,14 +20,19 @@ impl ShockSpectrum {
             let points = self.frequency.iter().zip(&self.acceleration);
             let points: Vec<(f64, f64)> =
                 points.map(|(f, a)| (*f, of(a))).filter(|(_, a)| *a > 0.0).collect();
+            // A curve without points has no place on logarithmic axes.
+            if points.is_empty() {
+                return None;
+            }
             let line = LinePlot::new().with_data(points).with_legend(label);
-            Plot::Line(line.with_color(COLOURS[style]).with_stroke_width(1.5))
+            Some(Plot::Line(line.with_color(COLOURS[style]).with_stroke_width(1.5)))
         };
-        let plots = vec![
+        let curves = [
             curve("maximax", 0, &|a| a.maximax()),
             curve("primary", 1, &|a| a.primary),
             curve("residual", 2, &|a| a.residual),
         ];
+        let plots: Vec<Plot> = curves.into_iter().flatten().collect();
         let layout = Layout::auto_from_plots(&plots)
             .with_log_scale()
             .with_title(title)

@@ -130,6 +130,10 @@ pub fn shock_spectrum(
         let text = format!("damping {damping}: expected a ratio from 0 to below 1, such as 0.05");
         return Err(ShockError::Request(text));
     }
+    if signal.values.iter().all(|a| *a == 0.0) {
+        let text = "the acceleration is zero throughout: nothing answers to it".to_owned();
+        return Err(ShockError::Signal(text));
+    }
     let frequency = band.frequencies(signal)?;
     let (acceleration, displacement) =
         frequency.iter().map(|f| extremes(signal, 2.0 * PI * f, damping)).unzip();

@@ -34,9 +34,9 @@ pub(super) struct Make<'a> {
 /// Sums over fibres that are given one by one, each with its own material.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Weighed {
-    /// Axial stiffness \[N\], its first \[N m\] and its second moment about the centre line \[N m^2\], shape (3).
+    /// Axial stiffness, its first and its second moment about the centre line, shape (3) \[N, N m, N m^2\].
     pub stiffness: [f64; 3],
-    /// Mass per length \[kg/m\] and its second moment about the centre line \[kg m\], shape (2).
+    /// Mass per length and its second moment about the centre line, shape (2) \[kg/m, kg m\].
     pub mass: [f64; 2],
 }
 

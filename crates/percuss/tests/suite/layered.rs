@@ -88,7 +88,8 @@ fn struck(number: u64) -> RunSummary {
     let retardation = if r.chance(0.3) { 1e-6 } else { 0.0 };
     let body = b.material(Material { retardation, ..body });
     let kinematic = if r.chance(0.5) { hard * 0.02 } else { 0.0 };
-    let bars = b.material(metal("bars", hard, 7850.0, r.between(2e8, 6e8), kinematic));
+    let bars = metal("bars", hard, 7850.0, r.between(2e8, 6e8), kinematic);
+    let bars = b.material(Material { retardation, ..bars });
     let (depth, width) = (r.between(0.02, 0.06), r.between(0.02, 0.05));
     let fibre = |i: u32| {
         let height = depth * ((f64::from(i) + 0.5) / 10.0 - 0.5);

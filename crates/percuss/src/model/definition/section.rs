@@ -121,7 +121,9 @@ impl Section {
         let sum = |f: fn(&SectionFibre) -> f64| fibres.iter().map(f).sum::<f64>();
         let (area, inertia) = (sum(|f| f.area), sum(|f| f.area * f.height * f.height));
         let most = fibres.iter().map(|f| f.height.abs()).fold(0.0, f64::max);
-        Self::deep(name, area, inertia, 2.0 * most).with(Profile::Fibres(fibres))
+        // Fibres at no height are a fault of their own.
+        let depth = (most > 0.0).then_some(2.0 * most);
+        Self { depth, ..Self::new(name, area, inertia) }.with(Profile::Fibres(fibres))
     }
 
     /// Fibres given one by one, if it is made of such.
