@@ -73,8 +73,10 @@ pub fn requested() -> bool {
 /// # Errors
 /// As [`RunDirectory::create_for`].
 pub fn directory(results: Results, out: &Path) -> Result<RunDirectory, percuss_output::Error> {
+    // No signal comes between its appearance and the note of it, or it would stay behind.
+    let mut unfinished = lock();
     let directory = RunDirectory::create_for(results, out)?;
-    protect([directory.path(), directory.lock_file()]);
+    *unfinished = [directory.path(), directory.lock_file()].map(Path::to_owned).into();
     Ok(directory)
 }
 
@@ -83,8 +85,9 @@ pub fn directory(results: Results, out: &Path) -> Result<RunDirectory, percuss_o
 /// # Errors
 /// As [`RunUpdate::open`].
 pub fn update(dir: &Path) -> Result<RunUpdate, percuss_output::Error> {
+    let mut unfinished = lock();
     let update = RunUpdate::open(dir)?;
-    protect([update.path(), update.lock_file()]);
+    *unfinished = [update.path(), update.lock_file()].map(Path::to_owned).into();
     Ok(update)
 }
 
