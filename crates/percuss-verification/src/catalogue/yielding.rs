@@ -1,6 +1,8 @@
 //! Cases of beams, springs and hinges that yield.
 
-use crate::{Case, layered, plastic_bars, plastic_bending, rigid_plastic, yielding_joints};
+use crate::{
+    Case, interaction, layered, plastic_bars, plastic_bending, rigid_plastic, yielding_joints,
+};
 
 pub(super) const YIELDING: &[Case] = &[
     Case {
@@ -44,6 +46,12 @@ pub(super) const YIELDING: &[Case] = &[
         title: "Layers of two metals and a reinforced rectangle: stresses, first yield, plastic moment",
         source: "closed form, transformed section",
         run: layered::layered_sections,
+    },
+    Case {
+        id: "interaction",
+        title: "Axial force and moment together that a rectangle bears",
+        source: "closed form, M/M0 = 1 - (N/N0)^2",
+        run: interaction::interaction,
     },
     Case {
         id: "explosive-ring",

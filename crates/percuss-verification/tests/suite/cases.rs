@@ -86,6 +86,7 @@ cases! {
     plastic_bending = "plastic-bending",
     plastic_moments = "plastic-moments",
     layered_sections = "layered-sections",
+    interaction = "interaction",
     explosive_ring = "explosive-ring",
     heavy_mass = "heavy-mass",
     parkes = "parkes",

@@ -1,0 +1,47 @@
+//! Axial force and moment together: what a rectangle bears when all of it yields.
+
+use percuss::*;
+
+use crate::check::{Checks, Report};
+use crate::structure::at;
+use crate::yielding::perfect;
+
+/// Width, depth and length of the bar \[m\]: so short that its deflection turns no axial force into a moment worth telling.
+const BAR: [f64; 3] = [0.02, 0.04, 0.04];
+const LIMIT: f64 = 250e6;
+/// Fibres through the depth; the edge of what is pulled and what is pressed lies between two of them.
+const FIBRES: usize = 96;
+
+/// Whether a cantilever bears an axial force and a moment at its end, which grow together.
+fn bears(axial: f64, moment: f64) -> bool {
+    let [width, depth, length] = BAR;
+    let mut b = ModelBuilder::new();
+    let steel = b.material(perfect(200e9, 7850.0, LIMIT));
+    let section = Section { fibres: FIBRES, ..Section::rectangle("bar", width, depth) };
+    let section = b.section(section);
+    let arm = b.beam(Beam::new("arm", &[[0.0, 0.0], [length, 0.0]], 2, steel, section));
+    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+    let kind =
+        LoadKind::Point { at: at("tip", arm, 1.0), force: [axial, 0.0], moment, follower: false };
+    b.load(Load::new("end", kind));
+    b.build().is_ok_and(|model| equilibrium(&model).is_ok())
+}
+
+/// `M/M0 = 1 - (N/N0)^2` with `N0 = Y b h`, `M0 = Y b h^2/4`: the share of both at once that is borne, along rays of axial force and moment,
+/// pulled and pressed.
+pub fn interaction() -> Report {
+    let mut c = Checks::new();
+    let [width, depth, _] = BAR;
+    let (axial, moment) = (LIMIT * width * depth, LIMIT * width * depth * depth / 4.0);
+    for n in [0.0, 0.3, 0.6, 0.9, -0.3, -0.6, -0.9] {
+        let m = 1.0 - n * n;
+        let (mut low, mut high) = (0.5, 1.5);
+        for _ in 0..13 {
+            let share = 0.5 * (low + high);
+            let borne = bears(share * n * axial, share * m * moment);
+            *(if borne { &mut low } else { &mut high }) = share;
+        }
+        c.absolute(format!("N/N0 = {n}, M/M0 = {m:.2}: share borne"), low, 1.0, 3e-3);
+    }
+    c.into_report()
+}
