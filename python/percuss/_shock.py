@@ -24,12 +24,12 @@ _WHEN = {"primary": "while the signal lasts", "residual": "after it", "maximax":
 
 def filtered(result: Result, column: str, cfc: int | None) -> xarray.DataArray:
     """An acceleration over time."""
-    xarray = _xarray()
+    arrays = _xarray()
     native = _percuss.acceleration(*_velocity(result, column), cfc)
     suffix = "" if cfc is None else f" (CFC {cfc})"
     about = {"units": unit_words("m/s^2"), "long_name": f"{column}{suffix}", "resampled": int(native["resampled"])}
     time = ("time", native["time"], {"units": "s", "long_name": "Middle of the step"})
-    array: xarray.DataArray = xarray.DataArray(native["values"], {"time": time}, ("time",), column, about)
+    array: xarray.DataArray = arrays.DataArray(native["values"], {"time": time}, ("time",), column, about)
     return array
 
 
@@ -37,7 +37,7 @@ def shock_spectrum(
     result: Result, column: str, damping: float, band: tuple[float, float | None, float], cfc: int | None
 ) -> xarray.Dataset:
     """Answers over the natural frequency."""
-    xarray = _xarray()
+    arrays = _xarray()
     native = _percuss.shock_spectrum(_velocity(result, column), damping, band, cfc)
     variables: dict[str, Any] = {}
     for name, (unit, words) in _ANSWERS.items():
@@ -48,7 +48,7 @@ def shock_spectrum(
     attributes = {"column": column, "damping": damping, "resampled": int(native["resampled"])}
     if cfc is not None:
         attributes["cfc"] = cfc
-    data: xarray.Dataset = xarray.Dataset(variables, {"frequency": frequency}, attributes)
+    data: xarray.Dataset = arrays.Dataset(variables, {"frequency": frequency}, attributes)
     return data
 
 
