@@ -30,21 +30,19 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
     Some(out)
 }
 
-/// Components of a permanent set below this share of it are round-off or next to nothing: the other one tells it.
-const ASIDE: f64 = 1e-3;
+/// A permanent set is told along an axis if what it has across is no more than this share of it; else by its size.
+const ASIDE: f64 = 0.1;
 
 /// What a beam keeps for good, and which way.
 fn permanent_set(beam: &Value) -> Option<String> {
     let size = beam["permanent_set"].as_f64()?;
-    let metres = |x: f64| quantity(Some(x), "m");
     let at = &beam["permanent_set_at"]["displacement"];
-    let along = [at[0].as_f64(), at[1].as_f64()];
-    let [Some(x), Some(y)] = along else { return Some(format!("a set of {}", metres(size))) };
-    let alone = |other: f64| size > 0.0 && other.abs() <= ASIDE * size;
-    Some(match (alone(y), alone(x)) {
-        (true, _) => format!("a set of {} along e1", metres(x)),
-        (_, true) => format!("a set of {} along e2", metres(y)),
-        _ => format!("a set of {}: {} along e1, {} along e2", metres(size), metres(x), metres(y)),
+    let across =
+        |i: usize| at[1 - i].as_f64().is_some_and(|x| size > 0.0 && x.abs() <= ASIDE * size);
+    let along = (0..2).find(|i| across(*i)).and_then(|i| Some((i + 1, at[i].as_f64()?)));
+    Some(match along {
+        Some((axis, set)) => format!("a set of {} along e{axis}", quantity(Some(set), "m")),
+        None => format!("a set of {}", quantity(Some(size), "m")),
     })
 }
 
