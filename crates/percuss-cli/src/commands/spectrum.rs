@@ -16,6 +16,7 @@ use percuss_scenario::one_of;
 use super::animate::refuse_foreign;
 use super::report::refuse_what_is_no_run;
 use crate::interrupt;
+use crate::number::number;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Spectrum;
 use crate::terminal;
@@ -109,21 +110,23 @@ fn told(signal: &Signal, spectrum: &ShockSpectrum, class: Option<Cfc>) -> String
     let mut text = String::new();
     if signal.resampled {
         text += &format!(
-            "rows are not evenly spaced: velocities interpolated linearly to steps of {:.4e} s\n",
-            signal.step
+            "rows are not evenly spaced: velocities interpolated linearly to steps of {} s\n",
+            number(signal.step)
         );
     }
     if let Some((peak, time)) = signal.peak() {
-        text += &format!("peak acceleration {peak:.6} m/s^2 at {time:.6} s{}\n", suffix(class));
+        let (peak, time) = (number(peak), number(time));
+        text += &format!("peak acceleration {peak} m/s^2 at {time} s{}\n", suffix(class));
     }
     let answers = spectrum.frequency.iter().zip(&spectrum.acceleration);
     let largest = answers.max_by(|a, b| a.1.maximax().total_cmp(&b.1.maximax()));
     if let Some((frequency, answer)) = largest {
         text += &format!(
-            "peak of the spectrum {:.6} m/s^2 at {frequency:.6} Hz, from {:.4} Hz to {:.4} Hz with damping {}{}\n",
-            answer.maximax(),
-            spectrum.frequency[0],
-            spectrum.frequency[spectrum.frequency.len() - 1],
+            "peak of the spectrum {} m/s^2 at {} Hz, from {} Hz to {} Hz with damping {}{}\n",
+            number(answer.maximax()),
+            number(*frequency),
+            number(spectrum.frequency[0]),
+            number(spectrum.frequency[spectrum.frequency.len() - 1]),
             spectrum.damping,
             suffix(class),
         );

@@ -59,3 +59,42 @@ fn what_cannot_be_judged_is_refused_with_what_would_do() {
     desk.percuss(&["spectrum", "hit", &column, "--damping", "1"]).ends_with(2).tells("0.05");
     desk.percuss(&["spectrum", "hit", &column, "--cfc", "100"]).ends_with(2).tells("60, 180");
 }
+
+#[test]
+fn accelerations_are_drawn_in_a_class_and_a_rigid_blow_keeps_its_change_of_velocity() {
+    let desk = Desk::new();
+    desk.percuss(&["run", "rigid.toml", "--out", "blow", "--no-report", "-q"]).ends_with(0);
+    let listed = desk.percuss(&["plot", "blow", "--list", "--cfc", "60"]);
+    listed.ends_with(0);
+    let figure = listed.stdout.split_whitespace().find(|word| word.starts_with("acceleration-"));
+    let figure = figure.expect("a figure of an acceleration").to_owned();
+    let plain = desk.percuss(&["plot", "blow", "--list"]);
+    assert!(!plain.stdout.contains("acceleration-"), "{}", plain.stdout);
+    let draw =
+        ["plot", "blow", "--cfc", "60", "--figure", &figure, "--format", "svg", "--out", "."];
+    desk.percuss(&draw).ends_with(0);
+    let drawn = std::fs::read_to_string(desk.path(&format!("{figure}.svg"))).unwrap();
+    assert!(drawn.contains("<path"), "an empty picture");
+
+    // Rows are not evenly spaced about an impact, which is said.
+    let projectile = figure.trim_start_matches("acceleration-");
+    let column = format!("projectile.{projectile}.acceleration_2");
+    let asked = ["spectrum", "blow", &column, "--to", "500", "--damping", "0", "--out", "blow.csv"];
+    let told = desk.percuss(&asked);
+    told.ends_with(0);
+    assert!(told.stdout.contains("not evenly spaced"), "{}", told.stdout);
+    // The slowest oscillator stays where it was on its way: what it moves relative to the base is what blows move the base.
+    let table = std::fs::read_to_string(desk.path("blow.csv")).unwrap();
+    let slowest: Vec<f64> =
+        table.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    let history = percuss_output::read_history(desk.path("blow")).unwrap();
+    let time = history.column("time").unwrap();
+    let velocity = history.column(&column.replace("acceleration", "velocity")).unwrap();
+    let (mut moved, mut most) = (0.0, 0.0_f64);
+    for (t, v) in time.windows(2).zip(velocity.windows(2)) {
+        moved += (0.5 * (v[0] + v[1]) - velocity[0]) * (t[1] - t[0]);
+        most = most.max(f64::abs(moved));
+    }
+    // It swings by (2 pi 0.02)^2 / 12 and less of that in the 0.02 s of the run.
+    assert!(most > 0.1 && (slowest[7] / most - 1.0).abs() < 5e-3, "{} {most}", slowest[7]);
+}

@@ -116,9 +116,13 @@ impl HistoryReader {
             let found = self.channels.iter().position(|channel| channel.name == *name);
             found.ok_or_else(|| Error::content(&self.path, format!("has no column {name}")))
         };
-        let wanted = names.iter().map(position).collect::<Result<Vec<_>, _>>()?;
+        self.gather(&names.iter().map(position).collect::<Result<Vec<_>, _>>()?)
+    }
+
+    /// Columns by their numbers, shape (numbers, rows).
+    fn gather(&self, wanted: &[usize]) -> Result<Vec<Vec<f64>>, Error> {
         let mut columns: Vec<Vec<f64>> = vec![Vec::with_capacity(self.rows); wanted.len()];
-        self.scan(&wanted, &mut |piece| {
+        self.scan(wanted, &mut |piece| {
             columns.iter_mut().zip(piece).for_each(|(all, some)| all.extend_from_slice(some));
         })?;
         Ok(columns)
@@ -145,8 +149,7 @@ impl HistoryReader {
 
     /// All rows of all columns.
     pub(super) fn read(self) -> Result<History, Error> {
-        let names: Vec<&str> = self.channels.iter().map(|channel| channel.name.as_str()).collect();
-        let columns = self.columns(&names)?;
+        let columns = self.gather(&(0..self.channels.len()).collect::<Vec<_>>())?;
         let source = self.name().to_owned();
         Ok(History { channels: self.channels, columns, source })
     }

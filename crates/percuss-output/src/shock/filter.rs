@@ -8,7 +8,7 @@ use super::{ShockError, Signal};
 const CORNER: f64 = 2.0775;
 /// The filter has forgotten what it held after so many periods of the class: `exp(-2 pi 2.0775 / sqrt 2 * 4)` is below 1e-16.
 const MEMORY: f64 = 4.0;
-/// SAE J211 asks for a sampling of ten times the class, and so does this filter of ten times its cut-off (5/3 of the class).
+/// Samples a period of the cut-off that the filter asks for: the bilinear formula bends frequencies, at the cut-off by 3 %.
 const SAMPLES: f64 = 10.0;
 
 /// Channel frequency class.
@@ -43,7 +43,7 @@ impl Cfc {
         }
     }
 
-    /// Where the amplitude is 3 dB down \[Hz\].
+    /// The cut-off that the standards name \[Hz\]: the amplitude is 3 dB down there, of CFC 1000 at 1667 Hz.
     pub fn cut_off(self) -> f64 {
         match self {
             Self::Class1000 => 1650.0,

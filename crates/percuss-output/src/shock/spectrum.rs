@@ -19,7 +19,7 @@ const NYQUIST: f64 = 0.5;
 /// Terms of the series for short steps: with `w h` below 2 pi / 64 the rest is below 1e-16.
 const TERMS: usize = 16;
 /// Natural frequencies of a spectrum at most.
-const MOST: f64 = 20_000.0;
+const MOST: f64 = 2_000.0;
 
 /// Natural frequencies, evenly spaced on a logarithmic axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

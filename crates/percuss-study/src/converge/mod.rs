@@ -2,6 +2,7 @@
 //! accuracy.
 
 mod cheapest;
+mod results;
 mod sequence;
 
 pub use cheapest::Cheapest;
@@ -9,25 +10,11 @@ pub use sequence::{Extrapolation, extrapolate};
 
 use percuss::{Fault, Flow, Model, Recorder, RunSummary, Settings, Simulation, Termination};
 use percuss_codes::AnalysisCode;
-use percuss_output::{SummaryPath, pick, summary_paths};
+use percuss_output::{SummaryPath, pick};
 use percuss_scenario::{Diagnostics, Scenario};
 
-use crate::resolve::result;
+use results::paths;
 
-/// Results looked at where none are named: how their paths end.
-const USUAL: [&str; 11] = [
-    ".displacement_max.component_1.value",
-    ".displacement_max.component_2.value",
-    ".velocity_final[0]",
-    ".velocity_final[1]",
-    ".peak_force.value",
-    ".impulse_total",
-    ".moment_max.value",
-    ".axial_max.value",
-    ".shear_max.value",
-    ".permanent_set",
-    ".rotation",
-];
 /// Products of steps and elements that one run may have; about a quarter of an hour.
 const MOST_WORK: f64 = 5e8;
 /// Growth from one level to the next that no sequence with a limit keeps up.
@@ -268,41 +255,6 @@ fn finer_mesh(scenario: &Scenario, factor: u32) -> Result<Model, ConvergeError> 
         }
     }
     Ok(fine.compile()?.model)
-}
-
-/// The results asked for, or the usual ones.
-fn paths(
-    scenario: &Scenario,
-    wanted: &[String],
-    summary: &RunSummary,
-) -> Result<Vec<SummaryPath>, ConvergeError> {
-    let mut faults = Vec::new();
-    let mut find = |path: &str| match result(path, summary) {
-        Ok(path) => Some(path),
-        Err((found, expected)) => {
-            faults.push(Fault::new(path, found, expected));
-            None
-        }
-    };
-    let found: Vec<SummaryPath> = if wanted.is_empty() {
-        let all = summary_paths(summary).into_iter().map(|one| one.path);
-        let usual = |path: &String| {
-            USUAL.iter().any(|end| path.ends_with(end)) && !path.contains("intervals")
-        };
-        let all = all.filter(usual).filter_map(|path| find(&path));
-        // What is zero but for round-off says nothing.
-        all.filter(|path| pick(std::slice::from_ref(path), summary)[0].abs() > 1e-12).collect()
-    } else {
-        wanted.iter().filter_map(|path| find(path)).collect()
-    };
-    if !faults.is_empty() {
-        return Err(scenario.diagnostics(faults).into());
-    }
-    if found.is_empty() {
-        let text = "the run has no usual results: name some, such as point.girder.mid.displacement_max.component_2.value";
-        return Err(ConvergeError::Refused(text.into()));
-    }
-    Ok(found)
 }
 
 /// What is known of a result beside its values.

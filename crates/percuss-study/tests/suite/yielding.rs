@@ -1,7 +1,7 @@
 //! Studies of what yields.
 
 use percuss::{NoRecorder, Simulation};
-use percuss_study::Study;
+use percuss_study::{Ladder, Study, converge};
 
 /// A cantilever that yields, on a spring that yields, struck at its end.
 const BASE: &str = r#"
@@ -92,4 +92,21 @@ fn units_of_what_yields_are_told() {
     assert!(table.numbers("set").is_some());
     let units: Vec<&str> = study.results().iter().map(|result| result.path.unit()).collect();
     assert_eq!(units, ["m", "m", "1", "s", "rad", "m", "rad"]);
+}
+
+#[test]
+fn convergence_looks_at_what_stays_and_not_at_numbered_hinges() {
+    let text = BASE.replace("velocity = [0, 1]", "velocity = [0, 8]");
+    let scenario = percuss_scenario::read(&text, "base").expect("sound");
+    let ladder = Ladder { results: Vec::new(), levels: 3, accuracy: None };
+    let found = converge(&scenario, &ladder, &|| true, &|_, _| {}).expect("levels");
+    let paths: Vec<&str> = found.results.iter().map(|one| one.path.as_str()).collect();
+    for wanted in ["plastic.b.permanent_set", "plastic.b.rotation"] {
+        assert!(paths.contains(&wanted), "{paths:?}");
+    }
+    assert!(!paths.iter().any(|path| path.contains("hinges")), "{paths:?}");
+    let set = found.results.iter().find(|one| one.path.ends_with("permanent_set")).expect("a set");
+    // Four elements and steps of 5e-5 s are within a few per cent of the limit, and the limit is told.
+    assert!((set.value / set.limit - 1.0).abs() < 0.1, "{set:?}");
+    assert_eq!(set.unit, "m");
 }

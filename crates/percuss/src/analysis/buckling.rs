@@ -60,7 +60,8 @@ pub enum BucklingOutcome {
     Mechanism,
     /// The unloaded structure is unstable: stressed springs see to that.
     Unstable,
-    /// A material yields, or bears stress of one sign only: no stiffness holds up to a factor.
+    /// A material yields or bears stress of one sign only, and no stiffness holds up to a factor; or a section is given fibre by fibre, which
+    /// the search does not know.
     Inelastic,
     /// Factors were counted that the search did not find.
     Unfinished,
@@ -92,7 +93,7 @@ impl BucklingOutcome {
                 .into(),
             Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
             Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
-            Self::Inelastic => "no linear buckling factor: something yields or bears stress of one sign only; \
+            Self::Inelastic => "no linear buckling factor: something can yield, bears stress of one sign only or is given fibre by fibre; \
                  the path of equilibria (--path) shows what the structure carries"
                 .into(),
             Self::Unfinished => "linear buckling factors exist that the search did not find".into(),

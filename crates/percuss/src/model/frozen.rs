@@ -234,12 +234,13 @@ impl Model {
         last.map_or(0, |(span, fibres)| fibres.first + fibres.count * span.elements.len())
     }
 
-    /// Whether any beam can yield, or bears no stress of one sign.
+    /// Whether any beam is made of fibres: it can yield, bears no stress of one sign, or its section is given by them.
     pub(crate) fn has_fibres(&self) -> bool {
         self.spans.iter().any(|s| s.fibres.is_some())
     }
 
-    /// Whether any beam, spring or joint can yield, or any beam bears no stress of one sign.
+    /// Whether any beam is made of fibres, since it can yield, bears no stress of one sign or has a section given by them, or any spring
+    /// or joint can yield.
     pub fn is_inelastic(&self) -> bool {
         self.has_fibres() || self.memory_count() > 0
     }

@@ -121,7 +121,9 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         ));
     }
     if let Some(set) = beam.permanent_set {
-        let [x, y] = set.displacement.map(number);
+        // What is round-off beside the other component is none.
+        let plain = |x: f64| number(if x.abs() < 1e-9 * set.size() { 0.0 } else { x });
+        let [x, y] = set.displacement.map(plain);
         let (size, s) = (number(set.size()), number(set.s));
         parts.push(format!("permanent set {size} m, ({x}, {y}) m at s = {s} m"));
     }

@@ -82,3 +82,30 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     out.push_str(&format!(", and dissipated {}.", quantity(Some(lost(most)), "J")));
     Some(out)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    /// The words, without what keeps a number and its unit on one line.
+    fn plain(beam: &Value) -> Option<String> {
+        permanent_set(beam).map(|text| text.replace('\u{a0}', " "))
+    }
+
+    #[test]
+    fn a_set_is_told_along_the_axis_that_it_lies_on() {
+        let told = |x: f64, y: f64| {
+            let at = json!({ "s": 0.5, "displacement": [x, y] });
+            plain(&json!({ "permanent_set": x.hypot(y), "permanent_set_at": at }))
+        };
+        assert_eq!(told(1e-17, -6.9e-3).as_deref(), Some("a set of -6.9 mm along e2"));
+        assert_eq!(told(30e-3, -1e-3).as_deref(), Some("a set of 30 mm along e1"));
+        assert_eq!(told(3e-3, 4e-3).as_deref(), Some("a set of 5 mm"));
+        assert_eq!(told(0.0, 0.0).as_deref(), Some("a set of 0 m"));
+        // A result of an earlier version says no more than how much.
+        let old = json!({ "permanent_set": 2e-3 });
+        assert_eq!(plain(&old).as_deref(), Some("a set of 2 mm"));
+        assert!(plain(&json!({ "permanent_set": null })).is_none());
+    }
+}
