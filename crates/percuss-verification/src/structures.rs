@@ -140,6 +140,18 @@ fn everything_model() -> Model {
         ..Beam::new("arm", &[[2.0, 2.0], [2.2, 1.2], [1.9, 0.6], [2.1, 0.1]], 8, other, deep)
     });
     let tie = b.beam(Beam::new("tie", &[[4.0, 2.0], [4.0, 0.0]], 3, steel, deep));
+    joints(&mut b, [frame, arch, arm, tie]);
+    supports(&mut b, [frame, arch, arm, tie]);
+    springs_and_masses(&mut b, [frame, arch, arm]);
+    loads(&mut b, frame, arch, arm, tie);
+    b.modal_damping(vec![0.01, 0.02, 0.005]);
+    b.initial_motion(InitialMotion { velocity: [0.0, 0.05], spin: 0.02, about: [2.0, 1.0] });
+    strikers(&mut b, [frame, arch, tie]);
+    b.build().expect("a verification case builds")
+}
+
+/// A rigid joint, an elastic hinge and a hinge.
+fn joints(b: &mut ModelBuilder, [frame, arch, arm, tie]: [BeamId; 4]) {
     let joint = |name: &str, kind, a: PointRef, b: PointRef| Joint::new(name, kind, [a, b]);
     b.joint(joint(
         "knee",
@@ -150,7 +162,10 @@ fn everything_model() -> Model {
     let hinge = JointKind::ElasticHinge { stiffness: 3e3, damping: 4.0 };
     b.joint(joint("hinge", hinge, at("frame.end", frame, 1.0), at("arm.start", arm, 0.0)));
     b.joint(joint("pin", JointKind::Hinge, at("arch.end", arch, 1.0), at("tie.start", tie, 0.0)));
-    // A foot that is shaken and turned, one on springs, one that lets go, an inclined roller between nodes, a stop.
+}
+
+/// A foot that is shaken and turned, one on springs, one that lets go, an inclined roller between nodes, a stop.
+fn supports(b: &mut ModelBuilder, [frame, arch, arm, tie]: [BeamId; 4]) {
     let mut foot = Support::new("foot", at("frame.start", frame, 0.0), SupportKind::Clamp);
     foot.motion = Some(Motion {
         displacement: [0.01, -0.004],
@@ -183,6 +198,10 @@ fn everything_model() -> Model {
     let stop =
         SupportKind::Stop { direction: [0.0, -1.0], gap: 2e-3, stiffness: 5e5, two_sided: true };
     b.support(Support::new("stop", at("frame@0.8", frame, 0.8), stop));
+}
+
+/// Springs between points and to the ground, masses with and without rotary inertia.
+fn springs_and_masses(b: &mut ModelBuilder, [frame, arch, arm]: [BeamId; 3]) {
     let (a, z) = (at("frame@0.3", frame, 0.3), at("arm@0.7", arm, 0.7));
     b.spring(Spring {
         name: "brace".into(),
@@ -208,9 +227,10 @@ fn everything_model() -> Model {
     };
     b.point_mass(mass("head", at("arm.end", arm, 1.0), 12.0, 0.3));
     b.point_mass(mass("lamp", at("arch@0.61", arch, 0.61), 5.0, 0.0));
-    loads(&mut b, frame, arch, arm, tie);
-    b.modal_damping(vec![0.01, 0.02, 0.005]);
-    b.initial_motion(InitialMotion { velocity: [0.0, 0.05], spin: 0.02, about: [2.0, 1.0] });
+}
+
+/// A guided projectile of each kind.
+fn strikers(b: &mut ModelBuilder, [frame, arch, tie]: [BeamId; 3]) {
     for (name, kind, strikes, velocity) in [
         ("buffer", ProjectileKind::spring(4e5), at("frame@0.5", frame, 0.5), [6.0, -3.0]),
         (
@@ -233,7 +253,6 @@ fn everything_model() -> Model {
             local_mass: 0.0,
         });
     }
-    b.build().expect("a verification case builds")
 }
 
 fn loads(b: &mut ModelBuilder, frame: BeamId, arch: BeamId, arm: BeamId, tie: BeamId) {

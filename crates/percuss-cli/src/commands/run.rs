@@ -220,15 +220,7 @@ fn simulate(
     let done = checkpoint.as_ref().map_or(0, |c| c.step());
     let simulation = begin(ready, arguments, checkpoint)?;
     let content = ready.scenario.content();
-    let mut advice = advise(&compiled.model, &compiled.settings);
-    advisor::judge(&mut advice, content);
-    if !arguments.quiet {
-        advisor::tell(&advice);
-    }
-    let denied = advisor::denied(&advice, &arguments.deny);
-    if !denied.is_empty() {
-        return Err(Failure::Denied(denied));
-    }
+    let mut advice = advice_before(ready, arguments)?;
     let end = compiled.settings.end;
     let mut progress =
         Progress::of_settings("run".into(), &compiled.settings, shows_progress(arguments));
@@ -281,6 +273,21 @@ fn simulate(
         warnings,
         denied,
     })
+}
+
+/// What the advisor says before the run, told unless it is to be quiet.
+///
+/// # Errors
+/// Advice that is denied.
+fn advice_before(ready: &Ready, arguments: &Run) -> Result<Vec<Advice>, Failure> {
+    let compiled = &ready.compiled;
+    let mut advice = advise(&compiled.model, &compiled.settings);
+    advisor::judge(&mut advice, ready.scenario.content());
+    if !arguments.quiet {
+        advisor::tell(&advice);
+    }
+    let denied = advisor::denied(&advice, &arguments.deny);
+    if denied.is_empty() { Ok(advice) } else { Err(Failure::Denied(denied)) }
 }
 
 /// The run, from a checkpoint on or from the beginning.

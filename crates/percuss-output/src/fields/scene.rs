@@ -1,94 +1,18 @@
 //! The scene as JSON.
 
 use percuss::scene::{
-    BodyShape, ObstacleOutline, OnBeam, Scene, SceneAnchor, SceneLoadKind, SupportSymbol,
+    BodyShape, DrawnStation, ObstacleOutline, OnBeam, Scene, SceneAnchor, SceneBeam, SceneBody,
+    SceneLoad, SceneLoadKind, SceneObstacle, SceneSupport, SupportSymbol,
 };
 use serde_json::{Value, json};
 
 /// The scene as `scene.json` has it: SI units, `null` where something is not known or never ends.
 pub fn scene_value(scene: &Scene) -> Value {
-    let beams = scene.beams.iter().map(|beam| {
-        let column = |f: &dyn Fn(&percuss::scene::DrawnStation) -> f64| -> Vec<f64> {
-            beam.stations.iter().map(f).collect()
-        };
-        json!({
-            "name": beam.name,
-            "s": column(&|s| s.s),
-            "x": column(&|s| s.position[0]),
-            "y": column(&|s| s.position[1]),
-            "tx": column(&|s| s.tangent[0]),
-            "ty": column(&|s| s.tangent[1]),
-            "half_depth": column(&|s| s.half_depth),
-            "area": column(&|s| s.area),
-            "inertia": column(&|s| s.inertia),
-        })
-    });
-    let bodies = scene.bodies.iter().map(|body| {
-        let shape = match body.shape {
-            BodyShape::Disc { radius } => json!({ "kind": "disc", "radius": radius }),
-            BodyShape::Guided { direction, elastic, strikes, standoff } => json!({
-                "kind": "guided", "direction": direction, "elastic": elastic,
-                "strikes": on(strikes), "standoff": standoff,
-            }),
-            BodyShape::Rear => json!({ "kind": "rear" }),
-            BodyShape::Obstacle => json!({ "kind": "obstacle" }),
-        };
-        with(json!({ "name": body.name, "position": body.position }), shape)
-    });
-    let obstacles = scene.obstacles.iter().map(|obstacle| {
-        let outline = match &obstacle.outline {
-            ObstacleOutline::HalfPlane { point, normal } => {
-                json!({ "kind": "half-plane", "point": point, "normal": normal })
-            }
-            ObstacleOutline::Disc { centre, radius } => {
-                json!({ "kind": "disc", "centre": centre, "radius": radius })
-            }
-            ObstacleOutline::Walls { ends, thickness } => {
-                json!({ "kind": "walls", "ends": ends, "thickness": thickness })
-            }
-        };
-        with(json!({ "name": obstacle.name, "body": obstacle.body }), outline)
-    });
-    let supports = scene.supports.iter().map(|support| {
-        let symbol = match support.symbol {
-            SupportSymbol::Clamp => json!({ "kind": "clamp" }),
-            SupportSymbol::Pin => json!({ "kind": "pin" }),
-            SupportSymbol::Roller { direction } => {
-                json!({ "kind": "roller", "direction": direction })
-            }
-            SupportSymbol::Guide => json!({ "kind": "guide" }),
-            SupportSymbol::Elastic { direction } => {
-                json!({ "kind": "elastic", "direction": direction })
-            }
-            SupportSymbol::Stop { direction, gap, two_sided } => json!({
-                "kind": "stop", "direction": direction, "gap": gap, "two_sided": two_sided,
-            }),
-        };
-        let until = support.until.is_finite().then_some(support.until);
-        let plain = json!({
-            "name": support.name, "at": on(support.at), "moves": support.moves, "until": until,
-        });
-        with(plain, symbol)
-    });
-    let loads = scene.loads.iter().map(|load| {
-        let kind = match load.kind {
-            SceneLoadKind::Gravity { acceleration } => {
-                json!({ "kind": "gravity", "acceleration": acceleration })
-            }
-            SceneLoadKind::Point { at, force, moment } => {
-                json!({ "kind": "point", "at": on(at), "force": force, "moment": moment })
-            }
-            SceneLoadKind::Distributed { beam, stretch, force } => json!({
-                "kind": "distributed", "beam": beam, "stretch": stretch, "force": force,
-            }),
-        };
-        with(json!({ "name": load.name, "follower": load.follower }), kind)
-    });
     json!({
-        "beams": beams.collect::<Vec<_>>(),
-        "bodies": bodies.collect::<Vec<_>>(),
-        "obstacles": obstacles.collect::<Vec<_>>(),
-        "supports": supports.collect::<Vec<_>>(),
+        "beams": scene.beams.iter().map(beam_value).collect::<Vec<_>>(),
+        "bodies": scene.bodies.iter().map(body_value).collect::<Vec<_>>(),
+        "obstacles": scene.obstacles.iter().map(obstacle_value).collect::<Vec<_>>(),
+        "supports": scene.supports.iter().map(support_value).collect::<Vec<_>>(),
         "joints": scene.joints.iter().map(|j| json!({ "name": j.name, "at": on(j.at), "turns": j.turns }))
             .collect::<Vec<_>>(),
         "springs": scene.springs.iter().map(|s| json!({
@@ -96,11 +20,92 @@ pub fn scene_value(scene: &Scene) -> Value {
         })).collect::<Vec<_>>(),
         "masses": scene.masses.iter().map(|m| json!({ "name": m.name, "at": on(m.at), "mass": m.mass }))
             .collect::<Vec<_>>(),
-        "loads": loads.collect::<Vec<_>>(),
+        "loads": scene.loads.iter().map(load_value).collect::<Vec<_>>(),
         "contacts": scene.contacts.iter().map(|c| json!({
             "name": c.name, "between": c.between, "rigid": c.rigid,
         })).collect::<Vec<_>>(),
     })
+}
+
+fn beam_value(beam: &SceneBeam) -> Value {
+    let column =
+        |f: &dyn Fn(&DrawnStation) -> f64| -> Vec<f64> { beam.stations.iter().map(f).collect() };
+    json!({
+        "name": beam.name,
+        "s": column(&|s| s.s),
+        "x": column(&|s| s.position[0]),
+        "y": column(&|s| s.position[1]),
+        "tx": column(&|s| s.tangent[0]),
+        "ty": column(&|s| s.tangent[1]),
+        "half_depth": column(&|s| s.half_depth),
+        "area": column(&|s| s.area),
+        "inertia": column(&|s| s.inertia),
+    })
+}
+
+fn body_value(body: &SceneBody) -> Value {
+    let shape = match body.shape {
+        BodyShape::Disc { radius } => json!({ "kind": "disc", "radius": radius }),
+        BodyShape::Guided { direction, elastic, strikes, standoff } => json!({
+            "kind": "guided", "direction": direction, "elastic": elastic,
+            "strikes": on(strikes), "standoff": standoff,
+        }),
+        BodyShape::Rear => json!({ "kind": "rear" }),
+        BodyShape::Obstacle => json!({ "kind": "obstacle" }),
+    };
+    with(json!({ "name": body.name, "position": body.position }), shape)
+}
+
+fn obstacle_value(obstacle: &SceneObstacle) -> Value {
+    let outline = match &obstacle.outline {
+        ObstacleOutline::HalfPlane { point, normal } => {
+            json!({ "kind": "half-plane", "point": point, "normal": normal })
+        }
+        ObstacleOutline::Disc { centre, radius } => {
+            json!({ "kind": "disc", "centre": centre, "radius": radius })
+        }
+        ObstacleOutline::Walls { ends, thickness } => {
+            json!({ "kind": "walls", "ends": ends, "thickness": thickness })
+        }
+    };
+    with(json!({ "name": obstacle.name, "body": obstacle.body }), outline)
+}
+
+fn support_value(support: &SceneSupport) -> Value {
+    let symbol = match support.symbol {
+        SupportSymbol::Clamp => json!({ "kind": "clamp" }),
+        SupportSymbol::Pin => json!({ "kind": "pin" }),
+        SupportSymbol::Roller { direction } => {
+            json!({ "kind": "roller", "direction": direction })
+        }
+        SupportSymbol::Guide => json!({ "kind": "guide" }),
+        SupportSymbol::Elastic { direction } => {
+            json!({ "kind": "elastic", "direction": direction })
+        }
+        SupportSymbol::Stop { direction, gap, two_sided } => json!({
+            "kind": "stop", "direction": direction, "gap": gap, "two_sided": two_sided,
+        }),
+    };
+    let until = support.until.is_finite().then_some(support.until);
+    let plain = json!({
+        "name": support.name, "at": on(support.at), "moves": support.moves, "until": until,
+    });
+    with(plain, symbol)
+}
+
+fn load_value(load: &SceneLoad) -> Value {
+    let kind = match load.kind {
+        SceneLoadKind::Gravity { acceleration } => {
+            json!({ "kind": "gravity", "acceleration": acceleration })
+        }
+        SceneLoadKind::Point { at, force, moment } => {
+            json!({ "kind": "point", "at": on(at), "force": force, "moment": moment })
+        }
+        SceneLoadKind::Distributed { beam, stretch, force } => json!({
+            "kind": "distributed", "beam": beam, "stretch": stretch, "force": force,
+        }),
+    };
+    with(json!({ "name": load.name, "follower": load.follower }), kind)
 }
 
 fn on(place: OnBeam) -> Value {

@@ -302,6 +302,12 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
     for (name, key) in named("plastic") {
         row(format!("permanent set, {name}"), format!("/plastic/{key}/permanent_set"), "m");
     }
+    balance_rows(summary, &mut row);
+    rows
+}
+
+/// Where the energy went, how well the balance closed, and what the run cost.
+fn balance_rows(summary: &Value, row: &mut impl FnMut(String, String, &'static str)) {
     let damping = match crushes(summary) {
         true => "energy taken by damping and crushing",
         false => "energy taken by damping",
@@ -320,7 +326,6 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
     ] {
         row(label.to_owned(), pointer.to_owned(), unit);
     }
-    rows
 }
 
 /// A name as JSON pointers spell it.
