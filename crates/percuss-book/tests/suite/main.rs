@@ -3,6 +3,7 @@
 mod fragments;
 mod gallery;
 mod paper;
+mod release;
 mod scenario;
 
 use std::path::Path;
