@@ -28,11 +28,14 @@ from ._errors import (
 )
 from ._function import Function, function
 from ._function import openturns_function as openturns
+from ._given import Potential
+from ._load import check, load
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
+from ._review import Advice, Review
 from ._run import open, run
-from ._scenario import Advice, Potential, Review, Scenario, check, load
+from ._scenario import Scenario
 from ._sensitivity import Sensitivity, sensitivity
 from ._study import Sweep
 from ._sweep import sweep

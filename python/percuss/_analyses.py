@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _percuss
-from ._scenario import Scenarios, changes_of, scenario_of
+from ._load import Scenarios, changes_of, scenario_of
 from ._structure import Beams, Floats
 
 if TYPE_CHECKING:
@@ -18,7 +18,16 @@ if TYPE_CHECKING:
 
 
 class Modes:
-    """Natural modes, from the lowest on."""
+    """Natural modes, from the lowest on; :func:`percuss.modes` makes them.
+
+    Examples
+    --------
+    >>> modes = percuss.modes("plank.toml", 3)
+    >>> modes
+    <percuss.Modes: 7.036, 28.1496, 63.397 Hz>
+    >>> len(modes)
+    3
+    """
 
     def __init__(self, native: dict[str, Any]) -> None:
         self._native = native
@@ -28,18 +37,51 @@ class Modes:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """As in ``modes.json``."""
+        """What ``modes.json`` says.
+
+        Returns
+        -------
+        dict
+            Of each mode number, kind, frequency [Hz], period [s], eigenvalue [1/s^2] and rate of growth [1/s].
+
+        Examples
+        --------
+        >>> percuss.modes("plank.toml", 1).summary["modes"][0]["kind"]
+        'vibration'
+        """
         summary: dict[str, Any] = json.loads(self._native["summary"])
         return summary
 
     @property
     def frequencies(self) -> Floats:
-        """Natural frequencies [Hz]; NaN of a motion that grows."""
+        """Natural frequencies; NaN of a motion that grows.
+
+        Returns
+        -------
+        ndarray of shape (n_mode,)
+            Frequencies [Hz].
+
+        Examples
+        --------
+        >>> percuss.modes("plank.toml", 3).frequencies.round(2)
+        array([ 7.04, 28.15, 63.4 ])
+        """
         return np.array([mode["frequency"] for mode in self.summary["modes"]], dtype=float)
 
     @property
     def shapes(self) -> Floats:
-        """Displacements and slopes of the nodes, of unit modal mass, shape (n_mode, n_node, 4)."""
+        """Displacements and slopes of the nodes, of unit modal mass.
+
+        Returns
+        -------
+        ndarray of shape (n_mode, n_node, 4)
+            (u1, u2, u1', u2') of each node [kg^(-1/2), m^-1 kg^(-1/2)].
+
+        Examples
+        --------
+        >>> percuss.modes("plank.toml", 3).shapes.shape
+        (3, 9, 4)
+        """
         shapes: Floats = self._native["shapes"]
         return shapes
 
@@ -47,7 +89,32 @@ class Modes:
         return len(self.shapes)
 
     def plot(self, number: int = 1, ax: Axes | None = None, amplitude: float = 0.1) -> Axes:
-        """A mode, counted from 1; ``amplitude`` is its largest displacement as a share of the structure's size."""
+        """Draws a mode over the configuration about which the structure vibrates.
+
+        Parameters
+        ----------
+        number : int
+            The mode, counted from 1.
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+        amplitude : float
+            Largest displacement as a share of the structure's size.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Raises
+        ------
+        MissingError
+            If matplotlib is not installed.
+
+        Examples
+        --------
+        >>> percuss.modes("plank.toml", 2).plot(2).get_title()
+        'mode 2: 28.1496 Hz'
+        """
         from ._plot import equal_axes, pyplot
 
         ax = ax or pyplot().subplots()[1]
@@ -79,7 +146,13 @@ class Modes:
 
 
 class Equilibrium:
-    """A static equilibrium."""
+    """A static equilibrium; :func:`percuss.static` makes it.
+
+    Examples
+    --------
+    >>> percuss.static("plank.toml")
+    <percuss.Equilibrium stable: plank.mid [0.0, 0.0] m>
+    """
 
     def __init__(self, native: dict[str, Any]) -> None:
         self._native = native
@@ -89,23 +162,79 @@ class Equilibrium:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """Displacements, reactions, section forces and buckling factor, as ``percuss static --json`` prints them."""
+        """Displacements, reactions, section forces and buckling factor, as ``percuss static --json`` prints them.
+
+        Returns
+        -------
+        dict
+            By the names of docs/results.md, in SI units.
+
+        Examples
+        --------
+        >>> percuss.static("plank.toml").summary["point"]
+        {'plank.mid': {'displacement': [0.0, 0.0]}}
+        """
         summary: dict[str, Any] = json.loads(self._native["summary"])
         return summary
 
     @property
     def stable(self) -> bool:
-        """Whether the structure stays there."""
+        """Whether the structure stays there.
+
+        Returns
+        -------
+        bool
+            False past a limit point.
+
+        Examples
+        --------
+        >>> percuss.static("plank.toml").stable
+        True
+        """
         return bool(self.summary["stable"])
 
     @property
     def displacement(self) -> Floats:
-        """Displacements and slopes of the nodes, shape (n_node, 4)."""
+        """Displacements and slopes of the nodes, those of bodies (u1, u2, angle, 0) behind those of beams.
+
+        Returns
+        -------
+        ndarray of shape (n_node, 4)
+            (u1, u2, u1', u2') of each node [m, 1].
+
+        Examples
+        --------
+        >>> percuss.static("plank.toml").displacement.shape
+        (10, 4)
+        """
         displacement: Floats = self._native["displacement"]
         return displacement
 
     def plot(self, ax: Axes | None = None, scale: float = 1.0) -> Axes:
-        """The structure in equilibrium over its reference, displacements times ``scale``."""
+        """Draws the structure in equilibrium over its reference.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+        scale : float
+            Displacements are drawn so many times as large.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Raises
+        ------
+        MissingError
+            If matplotlib is not installed.
+
+        Examples
+        --------
+        >>> percuss.static("plank.toml").plot(scale=10).get_xlabel()
+        'position along e1 [m]'
+        """
         from ._plot import equal_axes, pyplot
 
         ax = ax or pyplot().subplots()[1]
@@ -125,8 +254,38 @@ class Equilibrium:
 def modes(
     scenario: Scenarios, count: int = 10, about: Literal["reference", "static"] | None = None, **overrides: Any
 ) -> Modes:
-    """The lowest natural modes of a scenario; projectiles take no part. ``about`` says of which configuration: by default the
-    one that the scenario starts from."""
+    """The lowest natural modes of a scenario; projectiles take no part.
+
+    Parameters
+    ----------
+    scenario : str, path, mapping or Scenario
+        A scenario, the path of its file, or nested dictionaries with the file's names.
+    count : int
+        How many, from 1 to 1000.
+    about : {"reference", "static"}, optional
+        Of which configuration; by default the one that the scenario starts from.
+    **overrides
+        Values to change, with ``__`` for the dots of a path.
+
+    Returns
+    -------
+    Modes
+        From the lowest on.
+
+    Raises
+    ------
+    ValueError
+        If ``count`` or ``about`` is out of what they may be.
+    ScenarioError
+        If the scenario has faults.
+    AnalysisError
+        If there are no such modes, as of a beam without mass.
+
+    Examples
+    --------
+    >>> percuss.modes("plank.toml", 2, section__plank__depth="24 mm").frequencies.round(1)
+    array([14.1, 56.3])
+    """
     if about not in (None, "reference", "static"):
         raise ValueError(f'about={about!r}: expected "reference" or "static"')
     if not 1 <= count <= 1000:
@@ -135,6 +294,35 @@ def modes(
 
 
 def static(scenario: Scenarios, path: bool = False, **overrides: Any) -> Equilibrium:
-    """Static equilibrium under the loads that act at time zero; projectiles take no part. With ``path`` the equilibrium is
-    followed by arc length, past limit points, and stands in ``summary["path"]``."""
+    """Static equilibrium under the loads that act at time zero; projectiles take no part.
+
+    Parameters
+    ----------
+    scenario : str, path, mapping or Scenario
+        A scenario, the path of its file, or nested dictionaries with the file's names.
+    path : bool
+        Follow the equilibrium by arc length, past limit points; it then stands in ``summary["path"]``.
+    **overrides
+        Values to change, with ``__`` for the dots of a path.
+
+    Returns
+    -------
+    Equilibrium
+        Where the structure comes to rest.
+
+    Raises
+    ------
+    ScenarioError
+        If the scenario has faults, or the structure can move without being strained.
+    AnalysisError
+        If no equilibrium was found.
+
+    Examples
+    --------
+    >>> scenario = percuss.load("plank.toml")
+    >>> scenario["load.worker"] = {"kind": "point", "at": "plank.mid", "force": [0, "-800 N"]}
+    >>> place = percuss.static(scenario).summary["point"]["plank.mid"]["displacement"]
+    >>> round(1000 * place[1], 1)  # mm
+    -22.0
+    """
     return Equilibrium(_percuss.static(scenario_of(scenario)._source(changes_of(overrides)), path))

@@ -32,6 +32,29 @@ class Columns(Generic[Kind]):
             return dict if asks.partition(".")[0] == "pandas" else type(self)
 
     def __getitem__(self, name: str) -> NDArray[Kind]:
+        """A column by its name.
+
+        Parameters
+        ----------
+        name : str
+            Its name; ``columns`` lists all.
+
+        Returns
+        -------
+        ndarray of shape (n_row,)
+            The column [its unit in ``units``].
+
+        Raises
+        ------
+        KeyError
+            If there is none of that name; the text says which are like it.
+
+        Examples
+        --------
+        >>> result = percuss.run("plank.toml")
+        >>> round(result["contact.bag.force"].max())  # N
+        2561
+        """
         try:
             return np.asarray(self._columns[name])
         except KeyError:
@@ -44,19 +67,71 @@ class Columns(Generic[Kind]):
         return iter(self._columns)
 
     def keys(self) -> KeysView[str]:
-        """Names of the columns: this is a mapping."""
+        """Names of the columns: this is a mapping.
+
+        Returns
+        -------
+        KeysView of str
+            In the order of the table.
+
+        Examples
+        --------
+        >>> list(percuss.run("plank.toml").keys())[:2]
+        ['time', 'projectile.bag.position_1']
+        """
         return self._columns.keys()
 
     def values(self) -> ValuesView[NDArray[Kind]]:
-        """The columns."""
+        """The columns.
+
+        Returns
+        -------
+        ValuesView of ndarray
+            Each of shape (n_row,) [its unit in ``units``].
+
+        Examples
+        --------
+        >>> len(percuss.run("plank.toml").values())
+        45
+        """
         return self._columns.values()
 
     def items(self) -> ItemsView[str, NDArray[Kind]]:
-        """Names and columns."""
+        """Names and columns.
+
+        Returns
+        -------
+        ItemsView of (str, ndarray)
+            Each column of shape (n_row,) [its unit in ``units``].
+
+        Examples
+        --------
+        >>> name, column = list(percuss.run("plank.toml").items())[0]
+        >>> name, column.shape
+        ('time', (751,))
+        """
         return self._columns.items()
 
     def get(self, name: str, default: Any = None) -> Any:
-        """A column, or something else where there is none."""
+        """A column, or something else where there is none.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+        default : object
+            What is returned where there is none.
+
+        Returns
+        -------
+        ndarray of shape (n_row,), or ``default``
+            The column [its unit in ``units``].
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").get("contact.brick.force") is None
+        True
+        """
         return self._columns.get(name, default)
 
     def _to_pandas(self, units: dict[str, str], descriptions: dict[str, str]) -> pandas.DataFrame:

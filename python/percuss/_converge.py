@@ -12,11 +12,12 @@ import numpy as np
 from . import _percuss
 from ._columns import nearest
 from ._errors import AnalysisError, InputError, coded
+from ._load import Scenarios, changes_of, scenario_of
 from ._plot import pyplot
 from ._progress import Progress
 from ._result import Result
 from ._run import run
-from ._scenario import Scenario, Scenarios, changes_of, scenario_of
+from ._scenario import Scenario
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,28 +26,58 @@ Quantity = Union[str, Callable[[Result], float]]
 
 
 class Convergence(NamedTuple):
-    """A quantity on finer and finer steps, or meshes."""
+    """A quantity on finer and finer steps, or meshes.
+
+    Attributes
+    ----------
+    refined : str
+        ``step`` or ``mesh``.
+    quantity : str
+        What was looked at.
+    factors : tuple of int
+        How many times finer than given: 1, 2, 4.
+    values : tuple of float
+        The quantity there [its SI unit].
+    order : float or None
+        Observed order [1], from the three finest; None where the values do not approach a limit steadily.
+    limit : float
+        Richardson's extrapolation [its SI unit]; the finest value where there is no order.
+    error : float
+        Value under the given settings less the limit [its SI unit].
+    uncertainty : float
+        Uncertainty of the limit [its SI unit]: without an order what the values but the coarsest still differ by.
+
+    Examples
+    --------
+    >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value", refine=["step"])
+    >>> found["step"].factors, round(found["step"].order, 1), round(found["step"].limit)
+    ((1, 2, 4), 2.0, 2561)
+    """
 
     refined: str
-    """``step`` or ``mesh``."""
     quantity: str
-    """What was looked at."""
     factors: tuple[int, ...]
-    """How many times finer than given: 1, 2, 4."""
     values: tuple[float, ...]
-    """The quantity there."""
     order: float | None
-    """Observed order, from the three finest; none where the values, all of them, do not approach a limit steadily."""
     limit: float
-    """Richardson's extrapolation; the finest value where there is no order."""
     error: float
-    """Value under the given settings less the limit."""
     uncertainty: float
-    """Uncertainty of the limit: without an order what the values but the coarsest still differ by."""
 
     @property
     def relative_error(self) -> float:
-        """Error of the given settings over the limit."""
+        """Error of the given settings over the limit.
+
+        Returns
+        -------
+        float
+            Error [1]; NaN where the limit is zero.
+
+        Examples
+        --------
+        >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value", refine=["step"])
+        >>> f"{found['step'].relative_error:.1e}"
+        '1.7e-05'
+        """
         return self.error / self.limit if self.limit else math.nan
 
     def __repr__(self) -> str:
@@ -61,7 +92,29 @@ class Convergence(NamedTuple):
         return f"<table><caption>{escape(repr(self)[1:-1])}</caption><tr><th>times finer</th><th>value</th></tr>{rows}</table>"
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Distance of each value from the limit over how many times finer it is, both logarithmic; the limit's uncertainty is shaded."""
+        """Distance of each value from the limit over how many times finer it is, both logarithmic; the limit's uncertainty is shaded.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Raises
+        ------
+        MissingError
+            If matplotlib is not installed.
+
+        Examples
+        --------
+        >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value", refine=["step"])
+        >>> found["step"].plot().get_xlabel()
+        'times finer than given'
+        """
         ax = ax or pyplot().subplots()[1]
         off = [abs(value - self.limit) for value in self.values]
         name = self.refined if self.order is None else f"{self.refined}, order {self.order:.2f}"
@@ -77,7 +130,14 @@ class Convergence(NamedTuple):
 
 
 class Convergences(dict[str, Convergence]):
-    """A quantity on finer steps and on finer meshes: ``found["step"]``, ``found["mesh"]``. Prints, and plots, as a whole."""
+    """A quantity on finer steps and on finer meshes: ``found["step"]``, ``found["mesh"]``. Prints, and plots, as a whole.
+
+    Examples
+    --------
+    >>> percuss.converge("plank.toml", "contact.bag.peak_force.value")
+    <percuss.Convergence in the step: contact.bag.peak_force.value = 2560.92..., order 2.0...>
+    <percuss.Convergence in the mesh: contact.bag.peak_force.value = 2560.92..., no steady order>
+    """
 
     def __repr__(self) -> str:
         return "\n".join(repr(one) for one in self.values())
@@ -86,7 +146,29 @@ class Convergences(dict[str, Convergence]):
         return "".join(one._repr_html_() for one in self.values())
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Distances from the limits over how many times finer, on one pair of axes."""
+        """Distances from the limits over how many times finer, on one pair of axes.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Raises
+        ------
+        MissingError
+            If matplotlib is not installed.
+
+        Examples
+        --------
+        >>> ax = percuss.converge("plank.toml", "contact.bag.peak_force.value").plot()
+        >>> len(ax.get_lines())
+        2
+        """
         ax = ax or pyplot().subplots()[1]
         for one in self.values():
             one.plot(ax)
@@ -125,11 +207,24 @@ def converge(
     Convergences
         By ``"step"`` and ``"mesh"``.
 
+    Raises
+    ------
+    InputError
+        If ``levels`` are fewer than 3, or the scenario chooses its steps itself (``time.accuracy``).
+    ValueError
+        If ``refine`` names something else, or no quantity is given and no point recorded.
+    KeyError
+        If the quantity is neither a column nor a number of the summary.
+    ScenarioError
+        If the scenario has faults.
+    AnalysisError
+        If a refined run does not complete.
+
     Examples
     --------
-    >>> found = percuss.converge("plank.toml", "contact.mass.peak_force.value")
-    >>> found["step"].order, found["step"].limit
-    >>> found.plot()
+    >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value")
+    >>> round(found["step"].order, 1), round(found["step"].limit)
+    (2.0, 2561)
     """
     if levels < 3:
         raise coded(InputError, f"levels={levels}: expected 3 or more, an order needs three values", "E311")

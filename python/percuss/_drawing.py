@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._fields import Curve, Fields, SceneBeam
+from ._fields import Fields
+from ._scene import Curve, SceneBeam
 from ._structure import Floats
 from ._symbols import Symbols
 from ._words import engineering

@@ -6,10 +6,23 @@ from typing import NamedTuple, TypeVar
 
 
 class PercussError(Exception):
-    """What all exceptions of the package are."""
+    """What all exceptions of the package are.
+
+    Attributes
+    ----------
+    code : str or None
+        Its code in the catalogue, ``E101``; ``percuss explain E101`` says what it stands for. None where there is none.
+
+    Examples
+    --------
+    >>> try:
+    ...     percuss.open("runs/nothing")
+    ... except percuss.PercussError as error:
+    ...     print(error.code)
+    E209
+    """
 
     code: str | None = None
-    """Its code in the catalogue, ``E101``; ``percuss explain E101`` says what it stands for. None where there is none."""
 
 
 _Kind = TypeVar("_Kind", bound=PercussError)
@@ -23,31 +36,62 @@ def coded(kind: type[_Kind], text: str, code: str | None) -> _Kind:
 
 
 class Fault(NamedTuple):
-    """One fault of a scenario."""
+    """One fault of a scenario.
+
+    Attributes
+    ----------
+    message : str
+        What was found.
+    help : str
+        What would be right.
+    field : str
+        Dotted path of the key, ``section.plank.area``; empty where there is none.
+    line : int or None
+        Line of the file, from 1; None where the fault is no place in it.
+    column : int or None
+        Column in characters, from 1.
+    code : str
+        ``E006``; ``percuss explain E006`` says what it stands for.
+
+    Examples
+    --------
+    >>> try:
+    ...     percuss.check("plank.toml", projectile__bag__mass="10 s")
+    ... except percuss.ScenarioError as error:
+    ...     print(error.faults[0].help)
+    a mass (kg), such as "500 kg"
+    """
 
     message: str
-    """What was found."""
     help: str
-    """What would be right."""
     field: str
-    """Dotted path of the key, ``section.plank.area``; empty where there is none."""
     line: int | None
-    """Line of the file, from 1; none where the fault is no place in it."""
     column: int | None
-    """Column in characters, from 1."""
     code: str
-    """``E006``; ``percuss explain E006`` says what it stands for."""
 
 
 class ScenarioError(PercussError, ValueError):
-    """A scenario has faults: all of them, in the order of the file; its code is that of the first."""
+    """A scenario has faults: all of them, in the order of the file; its code is that of the first.
+
+    Attributes
+    ----------
+    faults : list of Fault
+        All of them.
+    excerpt : str
+        The lines of the file at fault, underlined, with what would be right; also below the traceback from Python 3.11 on.
+
+    Examples
+    --------
+    >>> percuss.run("plank.toml", projectile__bag__mass="10 s")
+    Traceback (most recent call last):
+    percuss._errors.ScenarioError: plank.toml:27:8: projectile.bag.mass: found "10 s", which is a time (s), ...
+    """
 
     def __init__(
         self, text: str, faults: list[tuple[str, str, str, int | None, int | None, str]], excerpt: str = ""
     ) -> None:
         super().__init__(text, faults, excerpt)
         self.excerpt = excerpt
-        """The lines of the file at fault, underlined, with what would be right; also below the traceback from Python 3.11 on."""
         if excerpt and hasattr(self, "add_note"):
             self.add_note(excerpt)
         self.faults = [Fault(*fault) for fault in faults]
@@ -58,53 +102,172 @@ class ScenarioError(PercussError, ValueError):
 
     @property
     def line(self) -> int | None:
-        """Line of the first fault."""
+        """Line of the first fault.
+
+        Returns
+        -------
+        int or None
+            From 1; None where the fault is no place in the file.
+
+        Examples
+        --------
+        >>> try:
+        ...     percuss.check("plank.toml", projectile__bag__mass="10 s")
+        ... except percuss.ScenarioError as error:
+        ...     print(error.line)
+        27
+        """
         return self.faults[0].line
 
     @property
     def column(self) -> int | None:
-        """Column of the first fault."""
+        """Column of the first fault.
+
+        Returns
+        -------
+        int or None
+            In characters, from 1.
+
+        Examples
+        --------
+        >>> try:
+        ...     percuss.check("plank.toml", projectile__bag__mass="10 s")
+        ... except percuss.ScenarioError as error:
+        ...     print(error.column)
+        8
+        """
         return self.faults[0].column
 
     @property
     def field(self) -> str:
-        """Path of the first fault's key."""
+        """Path of the first fault's key.
+
+        Returns
+        -------
+        str
+            With dots; empty where there is none.
+
+        Examples
+        --------
+        >>> try:
+        ...     percuss.check("plank.toml", projectile__bag__mass="10 s")
+        ... except percuss.ScenarioError as error:
+        ...     print(error.field)
+        projectile.bag.mass
+        """
         return self.faults[0].field
 
 
 class AnalysisError(PercussError, RuntimeError):
-    """An analysis found no solution."""
+    """An analysis found no solution; also a ``RuntimeError``.
+
+    Examples
+    --------
+    >>> f = percuss.function("speed.toml")  # one of its results is a stress
+    >>> f.jacobian([-5.0])
+    Traceback (most recent call last):
+    percuss._errors.AnalysisError: derivatives are not known for section forces and reactions ... [E112]
+    """
 
 
 class FileError(PercussError, OSError):
-    """The system did not let a file be read or written."""
+    """The system did not let a file be read or written; also an ``OSError``.
+
+    Examples
+    --------
+    >>> issubclass(percuss.FileError, OSError)
+    True
+    """
 
 
 class InputError(PercussError, ValueError):
-    """What is asked for cannot be had, or a file or directory is not what it should be."""
+    """What is asked for cannot be had, or a file or directory is not what it should be; also a ``ValueError``.
+
+    Examples
+    --------
+    >>> percuss.converge("plank.toml", levels=2)
+    Traceback (most recent call last):
+    percuss._errors.InputError: levels=2: expected 3 or more, an order needs three values [E311]
+    """
 
 
 class MissingRunError(PercussError, FileNotFoundError):
-    """There is no run at a path."""
+    """There is no run at a path; also a ``FileNotFoundError``.
+
+    Examples
+    --------
+    >>> percuss.open("runs/nothing")
+    Traceback (most recent call last):
+    percuss._errors.MissingRunError: runs/nothing: no such directory; give the directory ... [E209]
+    """
 
 
 class MissingError(PercussError, ImportError):
-    """An optional package is needed."""
+    """An optional package is needed; also an ``ImportError``.
+
+    Examples
+    --------
+    >>> print(percuss.MissingError.of("matplotlib", "plotting", "plot"))
+    plotting needs matplotlib: pip install matplotlib, or pip install "percuss[plot]"
+    """
 
     @classmethod
     def of(cls, package: str, what: str, extra: str) -> MissingError:
-        """``package`` is needed for ``what`` and comes with ``extra``."""
+        """That ``package`` is needed for ``what`` and comes with ``extra``.
+
+        Parameters
+        ----------
+        package : str
+            Its name.
+        what : str
+            What it is for.
+        extra : str
+            The extra of this package that brings it.
+
+        Returns
+        -------
+        MissingError
+            To be raised.
+
+        Examples
+        --------
+        >>> percuss.MissingError.of("distributed", "a sweep on a cluster", "dask").code
+        'E304'
+        """
         error = cls(f'{what} needs {package}: pip install {package}, or pip install "percuss[{extra}]"', name=package)
         error.code = "E304" if extra == "dask" else None
         return error
 
 
 class StudyError(PercussError, RuntimeError):
-    """A sweep ended before every run was done; what is done is kept."""
+    """A sweep ended before every run was done; what is done is kept. Also a ``RuntimeError``.
+
+    Examples
+    --------
+    >>> from concurrent.futures import ThreadPoolExecutor
+    >>> pool = ThreadPoolExecutor()
+    >>> pool.shutdown()
+    >>> percuss.sweep("speed.toml", executor=pool)
+    Traceback (most recent call last):
+        ...
+    percuss._errors.StudyError: the sweep ended early, with 0 of 1 shards kept in ...
+    """
 
 
 class PercussWarning(UserWarning):
-    """Something of a finished run that deserves attention."""
+    """Something of a finished run that deserves attention.
+
+    Attributes
+    ----------
+    code : str or None
+        Its code in the catalogue, ``W105``; ``[allow]`` in the scenario takes it away, with a reason.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> warnings.simplefilter("error", percuss.PercussWarning)  # stop where a balance does not close
+    >>> percuss.run("plank.toml").status
+    'completed'
+    """
 
     code: str | None = None
-    """Its code in the catalogue, ``W105``; ``[allow]`` in the scenario takes it away, with a reason."""

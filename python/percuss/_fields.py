@@ -4,129 +4,83 @@ from __future__ import annotations
 
 import json
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import InputError, coded
+from ._scene import Contact, Curve, SceneBeam
 from ._structure import Beams, Floats
 
 Singles = NDArray[np.float32]
 
 
-class Curve(NamedTuple):
-    """Points of a beam without a corner between them."""
-
-    points: Floats
-    """Places on the axis [m], shape (n, 2)."""
-    normals: Floats
-    """Unit normals, to the left of the tangent, shape (n, 2)."""
-    tangents: Floats
-    """Unit tangents, shape (n, 2)."""
-    half_depth: Floats
-    """Distances of the extreme fibres from the axis [m]; nan where they are not known."""
-    intervals: NDArray[np.int64]
-    """Interval of the scene that each point lies in."""
-    shares: Floats
-    """How far along it."""
-    stations: NDArray[np.int64]
-    """Station of the beam before each point."""
-
-
-class Contact(NamedTuple):
-    """What acts at a place where two things touch."""
-
-    contact: str
-    """Name of the contact."""
-    position: Floats
-    """Where [m]."""
-    force: Floats
-    """On the beam, where a body presses on one [N]; an impulse [N s] in an impact."""
-    impulsive: bool
-    """Whether it is an impulse."""
-
-
-class SceneBeam:
-    """A beam of the scene: cubics between stations, those of the solver."""
-
-    def __init__(self, value: dict[str, Any], first: int, interval: int) -> None:
-        self.name: str = value["name"]
-        self.first = first
-        column = {key: np.array([np.nan if v is None else v for v in value[key]], float) for key in value if key != "name"}
-        self.s, self.half_depth = column["s"], column["half_depth"]
-        self.area, self.inertia = column["area"], column["inertia"]
-        self.rest = np.stack([column["x"], column["y"], column["tx"], column["ty"]], axis=1)
-        self.begins = np.flatnonzero(np.diff(self.s) > 0)
-        """Stations at which an interval begins."""
-        self.numbers = interval + np.arange(len(self.begins))
-        """Numbers of the intervals among those of all beams."""
-
-    def evaluate(self, k: Any, share: Any, u: Floats, scale: float = 1.0) -> tuple[Floats, Floats]:
-        """Places and unit tangents between stations ``k`` and ``k + 1`` where the scene's nodes have displacements ``u``."""
-        k, x = np.asarray(k), np.asarray(share, float)
-        y, length = 1.0 - x, self.s[k + 1] - self.s[k]
-        moved = self.rest + scale * u[self.first : self.first + len(self.s)]
-        a, b = moved[k], moved[k + 1]
-        value = [y * y * (1 + 2 * x), length * x * y * y, x * x * (1 + 2 * y), -length * x * x * y]
-        slope = [(6 * x * x - 6 * x) / length, 1 - 4 * x + 3 * x * x, (6 * x - 6 * x * x) / length, 3 * x * x - 2 * x]
-        parts = [a[..., :2], a[..., 2:], b[..., :2], b[..., 2:]]
-        place = sum(n[..., None] * part for n, part in zip(map(np.asarray, value), parts))
-        tangent = sum(n[..., None] * part for n, part in zip(map(np.asarray, slope), parts))
-        return np.asarray(place), np.asarray(tangent / np.maximum(np.linalg.norm(tangent, axis=-1, keepdims=True), 1e-300))
-
-    def curves(self, u: Floats, scale: float = 1.0, pieces: int = 8) -> list[Curve]:
-        """The beam as parts without corner."""
-        out = []
-        breaks = np.flatnonzero(np.diff(self.begins) > 1) + 1
-        for begins, numbers in zip(np.split(self.begins, breaks), np.split(self.numbers, breaks)):
-            k = np.append(np.repeat(begins, pieces), begins[-1])
-            share = np.append(np.tile(np.arange(pieces) / pieces, len(begins)), 1.0)
-            intervals = np.append(np.repeat(numbers, pieces), numbers[-1])
-            place, tangent = self.evaluate(k, share, u, scale)
-            normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
-            depth = (1 - share) * self.half_depth[k] + share * self.half_depth[k + 1]
-            out.append(Curve(place, normal, tangent, depth, intervals, share, k))
-        return out
-
-    def at(self, s: float, u: Floats, scale: float = 1.0) -> tuple[Floats, Floats, float]:
-        """Place, unit tangent and half depth (zero if unknown) at an arc length."""
-        inside = self.begins[s <= self.s[self.begins + 1]]
-        k = int(inside[0] if len(inside) else self.begins[-1])
-        share = float(np.clip((s - self.s[k]) / (self.s[k + 1] - self.s[k]), 0.0, 1.0))
-        place, tangent = self.evaluate(k, share, u, scale)
-        depth = (1 - share) * self.half_depth[k] + share * self.half_depth[k + 1]
-        return place, tangent, float(np.nan_to_num(depth))
-
-
 class Fields:
-    """The scene and its frames."""
+    """The scene and its frames, ``result.fields``.
+
+    Attributes
+    ----------
+    time : ndarray of shape (n_frame,)
+        Times of the frames [s].
+    displacement : ndarray of shape (n_frame, n_node, 4)
+        (u1, u2, u1', u2') of the stations of all beams [m, 1], then (u1, u2, angle, 0) of the bodies [m, rad].
+    velocity : ndarray of shape (n_frame, n_node, 4)
+        Velocities of the same [m/s, 1/s, rad/s]; no nodes where they were not kept.
+    section_forces : ndarray of shape (n_frame, n_interval, 2, 3)
+        (axial force [N], shear force [N], moment [N m]) at both ends of every interval.
+    load_factors : ndarray of shape (n_frame, n_load)
+        Factors of the loads [1].
+
+    Examples
+    --------
+    >>> fields = percuss.run("plank.toml").fields
+    >>> len(fields), fields.section_forces.shape
+    (751, (751, 8, 2, 3))
+    """
 
     def __init__(self, native: dict[str, Any]) -> None:
         self._native = native
         self.time: Floats = native["time"]
-        """Times of the frames [s]."""
         self.displacement: Singles = native["displacement"]
-        """(u1, u2, u1', u2') of the stations of all beams, then (u1, u2, angle, 0) of the bodies, shape (n_frame, n_node, 4)."""
         self.velocity: Singles = native["velocity"]
-        """Velocities of the same; no nodes where they were not kept."""
         self.section_forces: Singles = native["section_forces"]
-        """(axial force, shear force, moment) at both ends of every interval, shape (n_frame, n_interval, 2, 3)."""
         self.load_factors: Singles = native["load_factors"]
-        """Factors of the loads, shape (n_frame, n_load)."""
 
     def __len__(self) -> int:
         return len(self.time)
 
     @cached_property
     def scene(self) -> dict[str, Any]:
-        """What stands there, as in ``fields/scene.json``."""
+        """What stands there, as in ``fields/scene.json``.
+
+        Returns
+        -------
+        dict
+            Beams, bodies, obstacles, supports, joints, springs, masses, loads and contacts, in SI units.
+
+        Examples
+        --------
+        >>> [support["name"] for support in percuss.run("plank.toml").fields.scene["supports"]]
+        ['left', 'right']
+        """
         scene: dict[str, Any] = json.loads(self._native["scene"])
         return scene
 
     @cached_property
     def beams(self) -> list[SceneBeam]:
-        """The beams."""
+        """The beams.
+
+        Returns
+        -------
+        list of SceneBeam
+            In the order of the scenario.
+
+        Examples
+        --------
+        >>> [beam.name for beam in percuss.run("plank.toml").fields.beams]
+        ['plank']
+        """
         out: list[SceneBeam] = []
         for value in self.scene["beams"]:
             first = out[-1].first + len(out[-1].s) if out else 0
@@ -136,21 +90,81 @@ class Fields:
 
     @property
     def stations(self) -> int:
-        """Number of nodes that belong to beams."""
+        """Number of nodes that belong to beams.
+
+        Returns
+        -------
+        int
+            They stand before those of bodies.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.stations
+        9
+        """
         return self.beams[-1].first + len(self.beams[-1].s) if self.beams else 0
 
     @property
     def nodes(self) -> int:
-        """Number of nodes of the scene."""
+        """Number of nodes of the scene.
+
+        Returns
+        -------
+        int
+            Stations of beams and bodies.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.nodes
+        10
+        """
         return self.stations + len(self.scene["bodies"])
 
     def index(self, t: float) -> int:
-        """The frame nearest to a time."""
+        """The frame nearest to a time.
+
+        Parameters
+        ----------
+        t : float
+            The time [s].
+
+        Returns
+        -------
+        int
+            Into ``time``.
+
+        Raises
+        ------
+        InputError
+            If no frames were kept.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.index(0.02)
+        100
+        """
         self._require()
         return int(np.abs(self.time - t).argmin())
 
     def displacement_at(self, t: float) -> Floats:
-        """Displacements at a time, straight between frames, shape (n_node, 4); none where no frames were kept."""
+        """Displacements at a time, straight between frames.
+
+        Parameters
+        ----------
+        t : float
+            The time [s].
+
+        Returns
+        -------
+        ndarray of shape (n_node, 4)
+            As ``displacement`` [m, 1]; zeros where no frames were kept.
+
+        Examples
+        --------
+        >>> u = percuss.run("plank.toml").fields.displacement_at(0.02)
+        >>> round(1000 * float(u[4, 1]), 2)  # mm, in the middle
+        -2.55
+        """
         if not len(self):
             return np.zeros((self.nodes, 4))
         b = int(np.clip(np.searchsorted(self.time, t), 1, max(len(self) - 1, 1)))
@@ -164,19 +178,47 @@ class Fields:
         return np.concatenate([[0], np.cumsum(self._native["contact_counts"])]).astype(np.int64)
 
     def contacts(self, frame: int) -> list[Contact]:
-        """What touches in a frame."""
+        """What touches in a frame.
+
+        Parameters
+        ----------
+        frame : int
+            Its number.
+
+        Returns
+        -------
+        list of Contact
+            Places and forces.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.contacts(0)
+        []
+        """
         bodies = {b["name"] for b in self.scene["bodies"] + self.scene["obstacles"]}
         out = []
         for number, x, y, f, g, impulsive in self._native["contact_forces"][self._offsets[frame] : self._offsets[frame + 1]]:
             contact = self.scene["contacts"][int(number)]
             first, second = contact["between"]
             sign = -1.0 if second in bodies and first not in bodies else 1.0
-            out.append(Contact(contact["name"], np.array([x, y], float), sign * np.array([f, g], float), impulsive > 0.5))
+            out.append(Contact(contact["name"], np.array([x, y], float), sign * np.array([f, g], float), bool(impulsive > 0.5)))
         return out
 
     @cached_property
     def largest(self) -> tuple[dict[bool, float], float | None]:
-        """Largest force and impulse at one place, by whether it is an impulse; time of the largest resultant of a contact."""
+        """What arrows of contact forces are scaled by.
+
+        Returns
+        -------
+        (dict of float, float or None)
+            Largest force [N] and impulse [N s] at one place, by whether it is an impulse; time [s] of the largest resultant of a contact.
+
+        Examples
+        --------
+        >>> size, time = percuss.run("plank.toml").fields.largest
+        >>> round(size[False]), round(time, 4)
+        (2561, 0.0306)
+        """
         rows = self._native["contact_forces"]
         size, when = {False: 0.0, True: 0.0}, {False: (0.0, None), True: (0.0, None)}
         for frame in np.flatnonzero(self._native["contact_counts"]):
@@ -192,21 +234,86 @@ class Fields:
         return size, when[False][1] if when[False][1] is not None else when[True][1]
 
     def section(self, frame: int, curve: Curve) -> Floats:
-        """Axial force, shear force and moment at the points of a curve, shape (n, 3)."""
+        """Axial force, shear force and moment at the points of a curve.
+
+        Parameters
+        ----------
+        frame : int
+            Number of the frame.
+        curve : Curve
+            Of a beam of the scene.
+
+        Returns
+        -------
+        ndarray of shape (n, 3)
+            Forces and moment [N, N, N m].
+
+        Examples
+        --------
+        >>> fields = percuss.run("plank.toml").fields
+        >>> curve = fields.beams[0].curves(fields.displacement_at(0.02))[0]
+        >>> round(float(abs(fields.section(fields.index(0.02), curve)[:, 2]).max()))  # N m
+        214
+        """
         ends = self.section_forces[frame][curve.intervals].astype(float)
         share = curve.shares[:, None]
         return np.asarray((1 - share) * ends[:, 0] + share * ends[:, 1])
 
     def stress(self, frame: int, beam: SceneBeam, curve: Curve) -> Floats:
-        """Largest normal stress of the fibres [Pa] at the points of a curve; nan where the depth is not known or the section can
-        yield: stress does not follow from forces there."""
+        """Largest normal stress of the fibres at the points of a curve.
+
+        Parameters
+        ----------
+        frame : int
+            Number of the frame.
+        beam : SceneBeam
+            A beam of the scene.
+        curve : Curve
+            Of that beam.
+
+        Returns
+        -------
+        ndarray of shape (n,)
+            Stress [Pa]; NaN where the depth is not known or the section can yield, where it does not follow from forces.
+
+        Examples
+        --------
+        >>> fields = percuss.run("plank.toml").fields
+        >>> beam, frame = fields.beams[0], fields.index(0.02)
+        >>> curve = beam.curves(fields.displacement_at(0.02))[0]
+        >>> round(float(fields.stress(frame, beam, curve).max()) / 1e6, 1)  # MPa
+        44.6
+        """
         forces, k, share = self.section(frame, curve), curve.stations, curve.shares
         area = (1 - share) * beam.area[k] + share * beam.area[k + 1]
         inertia = (1 - share) * beam.inertia[k] + share * beam.inertia[k + 1]
         return np.asarray(np.abs(forces[:, 0]) / area + np.abs(forces[:, 2]) * curve.half_depth / inertia)
 
     def speed(self, frame: int, beam: SceneBeam, curve: Curve) -> Floats:
-        """Size of the velocity [m/s] at the points of a curve, the rate of the same cubics."""
+        """Size of the velocity at the points of a curve, the rate of the same cubics.
+
+        Parameters
+        ----------
+        frame : int
+            Number of the frame.
+        beam : SceneBeam
+            A beam of the scene.
+        curve : Curve
+            Of that beam.
+
+        Returns
+        -------
+        ndarray of shape (n,)
+            Speed [m/s]; zero where velocities were not kept.
+
+        Examples
+        --------
+        >>> fields = percuss.run("plank.toml").fields
+        >>> beam, frame = fields.beams[0], fields.index(0.02)
+        >>> curve = beam.curves(fields.displacement_at(0.02))[0]
+        >>> round(float(fields.speed(frame, beam, curve).max()), 2)
+        0.59
+        """
         if not len(self.velocity) or not self.velocity.shape[1]:
             return np.zeros(len(curve.shares))
         moved, _ = beam.evaluate(curve.stations, curve.shares, self.velocity[frame].astype(float))
@@ -214,7 +321,18 @@ class Fields:
         return np.asarray(np.linalg.norm(moved - rest, axis=1))
 
     def centre_lines(self) -> Beams:
-        """The beams for :class:`percuss.Result.shapes`."""
+        """The beams as :attr:`Result.shapes` takes them.
+
+        Returns
+        -------
+        Beams
+            Centre lines between stations.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.centre_lines().names
+        ('plank',)
+        """
         native = {}
         for beam in self.beams:
             k = beam.begins

@@ -29,13 +29,43 @@ class Function:
     failed : {"raise", "nan"}
         What becomes of a point whose run does not complete or has no such result.
 
+    Attributes
+    ----------
+    study : Study
+        The study.
+    failed : str
+        What becomes of points without a value.
+    names : tuple of str
+        Names of the parameters, in the order of a point.
+    results : tuple of str
+        Names of the results, in the order of a value.
+    units : dict of str
+        SI units of parameters and results.
+    paths : dict of str
+        Where parameters stand in the scenario, and results in the summary.
+    bounds : list of (float, float) or None
+        Smallest and largest value of each parameter in the study [SI units]; None where it has none.
+    middle : ndarray of shape (n_parameter,)
+        Median of each parameter in the study [SI units].
+
+    Raises
+    ------
+    ValueError
+        If ``failed`` is something else.
+    InputError
+        If something else than a number varies.
+
     Examples
     --------
     >>> f = percuss.function("speed-and-mass.toml")
     >>> f.names, f.results
     (('speed', 'mass', 'young'), ('peak_force', 'peak_displacement', 'exit_velocity'))
-    >>> y = f([[20, 500, 2e9], [25, 500, 2e9]])  # shape (2, 3)
-    >>> f.jacobian([20, 500, 2e9])  # shape (3, 3), exact
+    >>> f.units["speed"], f.bounds[0]
+    ('m/s', (10.0, 30.0))
+    >>> f([[20, 500, 2e9], [25, 500, 2e9]]).shape
+    (2, 3)
+    >>> f.jacobian([20, 500, 2e9]).shape  # exact
+    (3, 3)
     """
 
     def __init__(self, study: _percuss.Study, failed: Literal["raise", "nan"] = "raise") -> None:
@@ -43,21 +73,13 @@ class Function:
             raise ValueError(f'failed is {failed!r}; it may be "raise" or "nan"')
         inputs, bounds, middle, outputs = _percuss.function_layout(study)
         self.study = study
-        """The study."""
         self.failed = failed
-        """What becomes of points without a value."""
         self.names: tuple[str, ...] = tuple(name for name, _, _ in inputs)
-        """Names of the parameters, in the order of a point."""
         self.results: tuple[str, ...] = tuple(name for name, _, _ in outputs)
-        """Names of the results, in the order of a value."""
         self.units: dict[str, str] = {name: unit for name, unit, _ in [*inputs, *outputs]}
-        """SI units of parameters and results."""
         self.paths: dict[str, str] = {name: path for name, _, path in [*inputs, *outputs]}
-        """Where parameters stand in the scenario, and results in the summary."""
         self.bounds: list[tuple[float, float] | None] = bounds
-        """Smallest and largest value of each parameter in the study; None where it has none."""
         self.middle: Floats = np.array(middle)
-        """Median of each parameter in the study, shape (n_parameter,)."""
 
     def __call__(self, x: ArrayLike) -> Floats:
         """Results at points.
@@ -69,13 +91,21 @@ class Function:
 
         Returns
         -------
-        array of shape (n_result,) or (n_point, n_result)
-            Results, in SI units; one result as well stands in an axis of its own.
+        ndarray of shape (n_result,) or (n_point, n_result)
+            Results, in SI units [f.units]; one result as well stands in an axis of its own.
 
         Raises
         ------
+        ValueError
+            If the array has another shape.
         AnalysisError, InputError
             If a point has no value and ``failed`` is ``"raise"``: which, and why.
+
+        Examples
+        --------
+        >>> f = percuss.function("speed.toml")
+        >>> round(float(f([-5.0])[0]))  # N
+        2561
         """
         points = self._points(x)
         flat, failures = _percuss.function_values(self.study, np.atleast_2d(points).tolist())
@@ -95,8 +125,23 @@ class Function:
 
         Returns
         -------
-        array of shape (n_result, n_parameter)
-            In SI units of both.
+        ndarray of shape (n_result, n_parameter)
+            In SI units of both [result/parameter].
+
+        Raises
+        ------
+        ValueError
+            If it is not one point.
+        AnalysisError
+            If the run or one of the results has no derivatives.
+
+        Examples
+        --------
+        >>> f = percuss.function("speed-and-mass.toml")
+        >>> slope = f.jacobian([20, 500, 2e9])[0, 0]  # of the peak force with the speed, N per m/s
+        >>> ahead, behind = f([[20.001, 500, 2e9], [19.999, 500, 2e9]])[:, 0]
+        >>> bool(abs(slope - (ahead - behind) / 0.002) < 1e-3 * slope)
+        True
         """
         point = self._points(x)
         if point.ndim != 1:
@@ -108,7 +153,23 @@ class Function:
 
     @property
     def problem(self) -> dict[str, Any]:
-        """What SALib asks for: ``num_vars``, ``names``, ``bounds``, ``outputs``."""
+        """What SALib asks for.
+
+        Returns
+        -------
+        dict
+            ``num_vars``, ``names``, ``bounds``, ``outputs``.
+
+        Raises
+        ------
+        ValueError
+            If a parameter has no bounds.
+
+        Examples
+        --------
+        >>> percuss.function("speed-and-mass.toml").problem["bounds"][0]
+        [10.0, 30.0]
+        """
         open_ended = [name for name, bounds in zip(self.names, self.bounds) if bounds is None]
         if open_ended:
             raise ValueError(f"{', '.join(open_ended)}: no bounds in the study; a range, a uniform or a truncated distribution has them")
@@ -137,6 +198,21 @@ def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allo
         What becomes of a point whose run does not complete or has no such result.
     allow_outside : bool
         Let the study name files outside its own folder.
+
+    Returns
+    -------
+    Function
+        From values of the parameters to results.
+
+    Raises
+    ------
+    ScenarioError
+        If the study has faults.
+
+    Examples
+    --------
+    >>> percuss.function("speed.toml")
+    <percuss.Function (speed) -> (peak_force, deflection, stress)>
     """
     return Function(study_of(study, {}, allow_outside), failed)
 
@@ -148,6 +224,26 @@ def openturns_function(study: StudySource | Function) -> openturns.Function:
     ----------
     study : str, path, mapping, Study or Function
         A study, or the function it is.
+
+    Returns
+    -------
+    openturns.Function
+        From values of the parameters to results.
+
+    Raises
+    ------
+    MissingError
+        If OpenTURNS is not installed.
+    ScenarioError
+        If the study has faults.
+
+    Examples
+    --------
+    >>> g = percuss.openturns("speed-and-mass.toml")
+    >>> g.getInputDescription()
+    [speed,mass,young]
+    >>> round(g([20, 500, 2e9])[0] / 1000)  # kN
+    338
     """
     try:
         import openturns

@@ -35,7 +35,14 @@ def equal_axes(ax: Any) -> None:
 
 
 class Plots:
-    """Figures of a result; each takes ``ax`` to draw on and returns it."""
+    """Figures of a result, ``result.plot``; each takes ``ax`` to draw on and returns it.
+
+    Examples
+    --------
+    >>> result = percuss.run("plank.toml")
+    >>> result.plot(colour="stress").get_xlabel()
+    'position along e1 [m]'
+    """
 
     def __init__(self, result: Result) -> None:
         self._result = result
@@ -48,9 +55,39 @@ class Plots:
         colour: str = "none",
         hide: Collection[str] = (),
     ) -> Axes:
-        """The scene at a time, that of the largest contact force by default: beams to scale, supports, bodies, loads, contact
-        forces. ``colour`` is ``stress``, ``velocity``, ``moment``, ``axial`` or ``shear``; displacements are drawn times ``scale``;
-        ``hide`` takes away some of ``forces``, ``loads`` and ``ghost``, the reference configuration."""
+        """The scene at a time: beams to scale, supports, bodies, loads, contact forces.
+
+        Parameters
+        ----------
+        t : float, optional
+            The time [s]; by default that of the largest contact force.
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+        scale : float
+            Displacements are drawn so many times as large.
+        colour : {"none", "stress", "velocity", "moment", "axial", "shear"}
+            What colours the beams.
+        hide : collection of str
+            Some of ``forces``, ``loads`` and ``ghost``, the reference configuration.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Raises
+        ------
+        MissingError
+            If matplotlib is not installed.
+        InputError
+            If the run has no frames.
+        ValueError
+            If there is no such colour or part, or enlarged displacements would show bodies that overlap and do not.
+
+        Examples
+        --------
+        >>> ax = percuss.run("plank.toml").plot(0.03, hide=["ghost"])
+        """
         from ._drawing import Drawing
 
         fields = self._result.fields
@@ -63,7 +100,32 @@ class Plots:
         return ax
 
     def columns(self, *names: str, ax: Axes | None = None) -> Axes:
-        """Columns over time, told in words."""
+        """Columns over time, told in words.
+
+        Parameters
+        ----------
+        *names : str
+            Names of the columns.
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Raises
+        ------
+        KeyError
+            If there is no such column.
+        MissingError
+            If matplotlib is not installed.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").plot.columns("support.left.force_2").get_xlabel()
+        'time [s]'
+        """
         ax = ax or pyplot().subplots()[1]
         told = {name: words(name) for name in names}
         quantities = {word.quantity for word in told.values()}
@@ -84,16 +146,64 @@ class Plots:
         return [n for n, size in zip(names, sizes) if n == always or size > 1e-9 * most] or names[:1]
 
     def energy(self, ax: Axes | None = None) -> Axes:
-        """Energies over time: kinetic, strain, contact, total."""
+        """Energies over time: kinetic, strain, contact, total.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").plot.energy().get_ylabel()
+        'energy [J]'
+        """
         names = ["energy.kinetic", "energy.strain", "energy.contact", "energy.springs", "energy.total"]
         return self.columns(*self._seen(names, "energy.total"), ax=ax)
 
     def momentum(self, ax: Axes | None = None) -> Axes:
-        """Components of linear momentum over time."""
+        """Components of linear momentum over time.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Examples
+        --------
+        >>> len(percuss.run("plank.toml").plot.momentum().get_lines())
+        2
+        """
         return self.columns("momentum.linear_1", "momentum.linear_2", ax=ax)
 
     def force(self, ax: Axes | None = None) -> Axes:
-        """Contact forces over time; where contacts are rigid, impulses, which are no forces and stand alone."""
+        """Contact forces over time; where contacts are rigid, impulses, which are no forces and stand alone.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").plot.force().get_ylabel()
+        'contact force [N]'
+        """
         contacts = [name for name in self._result.columns if name.startswith("contact.")]
         names = [name for name in contacts if name.endswith(".force")]
         if names:
@@ -114,12 +224,47 @@ class Plots:
         return ax
 
     def displacement(self, ax: Axes | None = None) -> Axes:
-        """Displacements of the recorded points over time."""
+        """Displacements of the recorded points over time.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").plot.displacement().get_ylabel()
+        'displacement [m]'
+        """
         names = [n for n in self._result.columns if n.startswith("point.") and ".displacement_" in n]
         return self.columns(*self._seen(names), ax=ax)
 
     def beam(self, t: float | None = None, ax: Axes | None = None, scale: float = 1.0) -> Axes:
-        """The scene at a time, the end by default."""
+        """The scene at a time, the end by default.
+
+        Parameters
+        ----------
+        t : float, optional
+            The time [s].
+        ax : matplotlib.axes.Axes, optional
+            Where to draw; by default on a figure of its own.
+        scale : float
+            Displacements are drawn so many times as large.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            What was drawn on.
+
+        Examples
+        --------
+        >>> ax = percuss.run("plank.toml").plot.beam()
+        """
         return self(float(self._result.time[-1]) if t is None else t, ax=ax, scale=scale)
 
     def animation(
@@ -131,9 +276,44 @@ class Plots:
         span: tuple[float, float] | None = None,
         colour: str = "none",
     ) -> FuncAnimation:
-        """The scene in motion, evenly in time over ``span`` (the whole run by default); ``path`` keeps it as a film
-        (``hit.gif``, ``hit.mp4``), ``interval`` is the time from frame to frame [ms]. In a notebook the result itself shows a
-        player; ``HTML(animation.to_jshtml())`` shows this one."""
+        """The scene in motion, evenly in time.
+
+        In a notebook the result itself shows a player; ``HTML(animation.to_jshtml())`` shows this one.
+
+        Parameters
+        ----------
+        frames : int
+            How many.
+        scale : float
+            Displacements are drawn so many times as large.
+        interval : int
+            Time from frame to frame [ms].
+        path : str or path, optional
+            Keeps it as a film (``hit.gif``, ``hit.mp4``).
+        span : (float, float), optional
+            Part of the run [s]; by default all of it.
+        colour : {"none", "stress", "velocity", "moment", "axial", "shear"}
+            What colours the beams.
+
+        Returns
+        -------
+        matplotlib.animation.FuncAnimation
+            The animation.
+
+        Raises
+        ------
+        MissingError
+            If matplotlib is not installed.
+        InputError
+            If the run has no frames, or the format needs ffmpeg and there is none.
+
+        Examples
+        --------
+        >>> import os
+        >>> animation = percuss.run("plank.toml").plot.animation(frames=3, span=(0.01, 0.05), path="blow.gif")
+        >>> os.path.getsize("blow.gif") > 0
+        True
+        """
         plt = pyplot()
         from matplotlib.animation import FuncAnimation
 

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
 from functools import cached_property
-from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,7 +15,6 @@ from ._columns import Columns
 from ._errors import InputError, coded
 from ._fields import Fields
 from ._structure import Shapes
-from ._words import engineering
 
 if TYPE_CHECKING:
     import pandas
@@ -34,6 +31,11 @@ class Result(Columns[np.float64]):
 
     Arrays are those that the run filled, without a copy, and cannot be written to. pyarrow, pandas and polars take a result
     as a table: ``pyarrow.table(result)``, ``pandas.DataFrame(result)``, ``polars.DataFrame(result)``.
+
+    Examples
+    --------
+    >>> percuss.run("plank.toml")
+    <percuss.Result A sandbag falls on a plank: completed, 751 rows, 45 columns, energy residual ...>
     """
 
     def __init__(self, state: dict[str, Any]) -> None:
@@ -58,22 +60,66 @@ class Result(Columns[np.float64]):
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """Names of the columns of the history."""
+        """Names of the columns of the history.
+
+        Returns
+        -------
+        tuple of str
+            In the order of the file.
+
+        Examples
+        --------
+        >>> [name for name in percuss.run("plank.toml").columns if name.startswith("contact.")]
+        ['contact.bag.gap', 'contact.bag.force', 'contact.bag.impulse']
+        """
         return tuple(self._native["names"])
 
     @property
     def units(self) -> dict[str, str]:
-        """Unit of every column."""
+        """Unit of every column.
+
+        Returns
+        -------
+        dict of str
+            By the column's name; ``"1"`` of a pure number.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").units["contact.bag.force"]
+        'N'
+        """
         return dict(zip(self._native["names"], self._native["units"]))
 
     @property
     def descriptions(self) -> dict[str, str]:
-        """What every column holds."""
+        """What every column holds.
+
+        Returns
+        -------
+        dict of str
+            By the column's name.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").descriptions["contact.bag.force"]
+        'Contact force at this instant'
+        """
         return dict(zip(self._native["names"], self._native["descriptions"]))
 
     @property
     def time(self) -> Column:
-        """Times of the rows [s]."""
+        """Times of the rows.
+
+        Returns
+        -------
+        ndarray of shape (n_row,)
+            Times [s].
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").time[[0, -1]]
+        array([0.  , 0.15])
+        """
         return self._columns["time"]
 
     def __len__(self) -> int:
@@ -82,70 +128,266 @@ class Result(Columns[np.float64]):
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """What the run amounts to, as in ``summary.json``; see docs/results.md."""
+        """What the run amounts to, as in ``summary.json``; see docs/results.md.
+
+        Returns
+        -------
+        dict
+            By the names of docs/results.md, in SI units.
+
+        Examples
+        --------
+        >>> peak = percuss.run("plank.toml").summary["contact"]["bag"]["peak_force"]
+        >>> round(peak["value"]), round(peak["time"], 4)  # N, s
+        (2561, 0.0305)
+        """
         summary: dict[str, Any] = json.loads(self._native["summary"])
         return summary
 
     @property
     def status(self) -> str:
-        """``completed``, ``interrupted`` or ``failed``."""
+        """How the run ended.
+
+        Returns
+        -------
+        str
+            ``completed``, ``interrupted`` or ``failed``.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").status
+        'completed'
+        """
         return str(self.summary["status"])
 
     @property
     def scenario(self) -> str:
-        """The scenario that was run, as a file with every default written out."""
+        """The scenario that was run, as a file with every default written out.
+
+        Returns
+        -------
+        str
+            TOML, in SI units.
+
+        Examples
+        --------
+        >>> print(percuss.run("plank.toml").scenario.splitlines()[0])
+        title = "A sandbag falls on a plank"
+        """
         return str(self._native["scenario"])
 
     @property
     def shapes(self) -> Shapes:
-        """Shapes of the structure over time, those of the frames that were kept."""
+        """Shapes of the structure over time, those of the frames that were kept.
+
+        Returns
+        -------
+        Shapes
+            Centre lines of the beams.
+
+        Raises
+        ------
+        InputError
+            If no frames were kept.
+
+        Examples
+        --------
+        >>> len(percuss.run("plank.toml").shapes)
+        751
+        """
         fields = self.fields
         return Shapes(fields.centre_lines(), fields.time, fields.displacement[:, : fields.stations].astype(np.float64))
 
     @cached_property
     def fields(self) -> Fields:
-        """The scene and how it moved: what is drawn, animated and exported."""
+        """The scene and how it moved: what is drawn, animated and exported.
+
+        Returns
+        -------
+        Fields
+            The frames that were kept.
+
+        Raises
+        ------
+        InputError
+            If the run has none.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.displacement.shape  # frames, nodes, (u1, u2, u1', u2')
+        (751, 10, 4)
+        """
         if self._native["fields"] is None:
             raise coded(InputError, "this run has no fields/: run its scenario again with record.shapes above 0", "E210")
         return Fields(self._native["fields"])
 
     @property
     def story(self) -> str:
-        """What happened, in a few sentences."""
+        """What happened, in a few sentences.
+
+        Returns
+        -------
+        str
+            The sentences of the terminal and the report.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").story[:20]
+        'bag struck plank.mid'
+        """
         return _percuss.story(self._native["summary"])
 
     @property
     def plot(self) -> Plots:
-        """Figures: ``result.plot()`` draws the scene; ``result.plot.energy()``, ``.force()``, ``.displacement()`` draw curves."""
+        """Figures: ``result.plot()`` draws the scene; ``result.plot.energy()``, ``.force()``, ``.displacement()`` draw curves.
+
+        Returns
+        -------
+        Plots
+            To be called, or asked for a figure.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").plot.force().get_ylabel()
+        'contact force [N]'
+        """
         from ._plot import Plots
 
         return Plots(self)
 
     def animate(self, path: str | os.PathLike[str] | None = None, **options: Any) -> FuncAnimation:
-        """The scene in motion, with the options of ``result.plot.animation``; ``path`` keeps it as a film (``hit.gif``,
-        ``hit.mp4``)."""
+        """The scene in motion.
+
+        Parameters
+        ----------
+        path : str or path, optional
+            Keeps it as a film (``hit.gif``, ``hit.mp4``).
+        **options
+            Those of :meth:`Plots.animation`.
+
+        Returns
+        -------
+        matplotlib.animation.FuncAnimation
+            The animation.
+
+        Raises
+        ------
+        MissingError
+            If matplotlib is not installed.
+        InputError
+            If the run has no frames, or the format needs ffmpeg and there is none.
+
+        Examples
+        --------
+        >>> import os
+        >>> animation = percuss.run("plank.toml").animate("hit.gif", frames=3)
+        >>> os.path.getsize("hit.gif") > 0
+        True
+        """
         return self.plot.animation(path=path, **options)
 
     def export(self, directory: str | os.PathLike[str], format: str = "vtkhdf") -> list[str]:
-        """Writes how the scene moved for ParaView into a directory of its own; the names of the files to open. ``vtkhdf`` is for
-        ParaView 5.12 and later, ``pvd``, a file an instant, for all."""
+        """Writes how the scene moved for ParaView into a directory of its own.
+
+        Parameters
+        ----------
+        directory : str or path
+            Where to; it is made.
+        format : {"vtkhdf", "pvd"}
+            ``vtkhdf`` is for ParaView 5.12 and later, ``pvd``, a file an instant, for all.
+
+        Returns
+        -------
+        list of str
+            Names of the files to open.
+
+        Raises
+        ------
+        InputError
+            If the run has no frames, or there is no such format.
+        FileError
+            If the files cannot be written.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml", shapes=10).export("paraview")
+        ['beams.vtkhdf', ...]
+        """
         if self._native["fields"] is None:
             self.fields  # says why there are none
         return _percuss.export(self._native["fields"], directory, format)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The history as a table of pandas, one row a recorded step; ``attrs`` holds units and descriptions."""
+        """The history as a table of pandas, one row a recorded step.
+
+        Returns
+        -------
+        pandas.DataFrame
+            With units and descriptions in ``attrs``.
+
+        Raises
+        ------
+        MissingError
+            If pandas is not installed.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").to_pandas().shape
+        (751, 45)
+        """
         return self._to_pandas(self.units, self.descriptions)
 
     def to_xarray(self) -> xarray.Dataset:
-        """The history over ``time`` and the frames over ``instant`` as a data set of xarray, units as attributes."""
+        """The history over ``time`` and the frames over ``instant`` as a data set of xarray.
+
+        Returns
+        -------
+        xarray.Dataset
+            With units and descriptions as attributes.
+
+        Raises
+        ------
+        MissingError
+            If xarray is not installed.
+
+        Examples
+        --------
+        >>> data = percuss.run("plank.toml").to_xarray()
+        >>> data["contact.bag.force"].attrs["units"], data.sizes["station"]
+        ('N', 9)
+        """
         from ._tables import dataset
 
         return dataset(self)
 
     def filtered(self, column: str, cfc: int | None = 180) -> xarray.DataArray:
-        """An acceleration, such as ``point.tip.acceleration_2``, in a channel frequency class of SAE J211 and ISO 6487 (60, 180, 600,
-        1000; None leaves it as it is) [m/s^2]: means over recorded steps, at the middle of them."""
+        """An acceleration in a channel frequency class of SAE J211 and ISO 6487: means over recorded steps, at the middle of them.
+
+        Parameters
+        ----------
+        column : str
+            Such as ``point.tip.acceleration_2``.
+        cfc : {60, 180, 600, 1000, None}
+            The class; None leaves it as it is.
+
+        Returns
+        -------
+        xarray.DataArray of shape (n_row - 1,)
+            The acceleration [m/s^2] over time [s].
+
+        Raises
+        ------
+        InputError
+            If the column is no acceleration, the class is unknown, or the rows are too far apart for it.
+        MissingError
+            If xarray is not installed.
+
+        Examples
+        --------
+        >>> result = percuss.run("plank.toml")
+        >>> round(float(abs(result.filtered("point.plank.mid.acceleration_2", 60)).max()))  # m/s^2
+        176
+        """
         from ._shock import filtered
 
         return filtered(self, column, cfc)
@@ -160,9 +402,39 @@ class Result(Columns[np.float64]):
         per_octave: float = 12.0,
         cfc: int | None = None,
     ) -> xarray.Dataset:
-        """Shock response spectrum of an acceleration over natural frequencies from ``from_`` to ``to`` [Hz] (by default 10 kHz, or a
-        tenth of the sampling where that is less): primary, residual and maximax absolute accelerations, pseudo-velocities and
-        relative displacements."""
+        """Shock response spectrum of an acceleration over natural frequencies.
+
+        Parameters
+        ----------
+        column : str
+            Such as ``point.tip.acceleration_2``.
+        damping : float
+            Share of critical damping of the oscillators [1].
+        from_, to : float
+            First and last frequency [Hz]; the last by default 10 kHz, or a tenth of the sampling where that is less.
+        per_octave : float
+            Frequencies an octave [1].
+        cfc : {60, 180, 600, 1000}, optional
+            Filter the acceleration in this class first.
+
+        Returns
+        -------
+        xarray.Dataset
+            Primary, residual and maximax absolute accelerations [m/s^2], pseudo-velocities [m/s] and relative displacements [m].
+
+        Raises
+        ------
+        InputError
+            If the column is no acceleration, or the band or the damping cannot be had.
+        MissingError
+            If xarray is not installed.
+
+        Examples
+        --------
+        >>> spectrum = percuss.run("plank.toml").shock_spectrum("point.plank.mid.acceleration_2")
+        >>> round(float(spectrum.acceleration_maximax.max()))  # m/s^2
+        493
+        """
         from ._shock import shock_spectrum
 
         return shock_spectrum(self, column, damping, (from_, to, per_octave), cfc)
@@ -182,44 +454,6 @@ class Result(Columns[np.float64]):
         )
 
     def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><th>{escape(what)}</th><td>{escape(value)}</td></tr>" for what, value in self._facts())
-        title = escape(self.summary["title"] or "percuss run")
-        return f"{self._scene()}<table><caption><b>{title}</b></caption><tbody>{rows}</tbody></table>"
+        from ._notebook import shown
 
-    def _scene(self) -> str:
-        """The scene in motion, in a frame of its own: its scripts and styles touch nothing else of the notebook."""
-        fields = self._native["fields"]
-        page = _percuss.scene_page(fields, self._native["summary"]) if fields is not None else None
-        if page is None:
-            return ""
-        return (
-            f'<iframe srcdoc="{escape(page)}" sandbox="allow-scripts allow-downloads" title="The scene in motion" '
-            'style="width: 100%; height: 560px; border: 0"></iframe>'
-        )
-
-    def _facts(self) -> Iterator[tuple[str, str]]:
-        """What is worth a line."""
-        run = self.summary
-        yield "status", f"{run['status']} at t = {run['time']:.6g} s, {run['steps']} steps"
-        if "error" in run:
-            yield "error", f"{run['error']} [{run['error_code']}]" if "error_code" in run else run["error"]
-        energy, momentum = run["energy"], run["momentum"]
-        yield "energy", f"{engineering(energy['initial'], 'J')} to {engineering(energy['final'], 'J')}"
-        yield (
-            "balance, residuals (relative)",
-            f"energy {energy['residual_max']:.1e}, linear momentum {momentum['linear_residual_max']:.1e}, "
-            f"angular {momentum['angular_residual_max']:.1e}",
-        )
-        for name, contact in run["contact"].items():
-            if "peak_force" in contact and contact["peak_force"]["value"] is not None:
-                peak = contact["peak_force"]
-                yield f"contact {name}", f"peak force {engineering(peak['value'], 'N')} at {engineering(peak['time'], 's')}"
-            elif "impact_count" in contact:
-                yield f"contact {name}", f"{contact['impact_count']} impacts"
-        for name, point in run["point"].items():
-            peaks = [point["displacement_max"][f"component_{i}"]["value"] or 0.0 for i in (1, 2)]
-            # Beside the larger one, round-off is nothing.
-            told = [engineering(peak if abs(peak) > 1e-9 * max(map(abs, peaks)) else 0.0, "m") for peak in peaks]
-            yield f"point {name}", f"largest displacements {told[0]} along e1, {told[1]} along e2"
-        yield "history", f"{len(self)} rows, {len(self.columns)} columns"
-
+        return shown(self)

@@ -11,7 +11,7 @@ from . import _percuss
 from ._errors import MissingRunError, PercussWarning, coded
 from ._progress import Progress
 from ._result import Result
-from ._scenario import Scenarios, changes_of, scenario_of
+from ._load import Scenarios, changes_of, scenario_of
 
 
 def run(
@@ -24,19 +24,50 @@ def run(
 ) -> Result:
     """Simulates a scenario.
 
-    ``scenario`` is a :class:`Scenario`, the path of a file, or nested dictionaries; ``overrides`` change it for this run, as
-    ``**{"projectile.mass.velocity": [0, 30]}`` or ``projectile__mass__velocity=[0, 30]``.
-
-    ``progress`` shows a bar: in terminals and notebooks by default, once a run takes a second; a function is called with the
-    time reached and that of the end [s]. ``out`` is a directory for the files that ``percuss run`` writes, ``report`` adds
-    ``report.html``. ``shapes`` is the largest number of frames of the scene kept of either kind, those in which something touches
-    and the others; by default ``record.shapes`` of the scenario says how much memory they get. 0 keeps none.
-
     What the audit of the run warns of, such as a balance that does not close, is raised as a :class:`PercussWarning` with its code,
     unless the scenario allows it; ``result.summary["warnings"]`` has all of it.
 
-    A run that the solver gives up is a result whose ``status`` is ``"failed"``; it holds everything up to the last step. Ctrl-C
-    raises ``KeyboardInterrupt``; with ``out`` what there is has been written then.
+    Parameters
+    ----------
+    scenario : str, path, mapping or Scenario
+        A scenario, the path of its file, or nested dictionaries with the file's names.
+    progress : bool or callable, optional
+        Whether a bar is shown; by default in terminals and notebooks, once a run takes a second. A function is called with the
+        time reached and that of the end [s].
+    out : str or path, optional
+        Directory for the files that ``percuss run`` writes.
+    report : bool
+        Write ``report.html`` too.
+    shapes : int, optional
+        Largest number of frames of the scene kept of either kind, those in which something touches and the others; by default
+        ``record.shapes`` of the scenario says how much memory they get. 0 keeps none.
+    **overrides
+        Values to change for this run, as ``**{"projectile.mass.velocity": [0, 30]}`` or ``projectile__mass__velocity=[0, 30]``.
+
+    Returns
+    -------
+    Result
+        The run. One that the solver gives up has the ``status`` ``"failed"`` and everything up to the last step.
+
+    Raises
+    ------
+    ValueError
+        If ``shapes`` is below zero.
+    ScenarioError
+        If the scenario has faults: all of them.
+    FileError
+        If files cannot be written.
+    KeyboardInterrupt
+        On Ctrl-C; with ``out`` what there is has been written then.
+
+    Examples
+    --------
+    >>> result = percuss.run("plank.toml")
+    >>> round(result.summary["contact"]["bag"]["peak_force"]["value"])  # N
+    2561
+    >>> slow = percuss.run("plank.toml", projectile__bag__velocity=[0, "-1 m/s"])
+    >>> round(slow["contact.bag.force"].max())
+    512
     """
     if shapes is not None and shapes < 0:
         raise ValueError(f"shapes={shapes}: expected 0 or a number of frames")
@@ -60,7 +91,31 @@ def _warn(result: Result) -> None:
 
 
 def open(directory: str | os.PathLike[str]) -> Result:
-    """A finished run, from the directory that ``percuss run`` or ``run(..., out=directory)`` left."""
+    """A finished run, read back.
+
+    Parameters
+    ----------
+    directory : str or path
+        What ``percuss run`` or ``run(..., out=directory)`` left.
+
+    Returns
+    -------
+    Result
+        The same as ``run`` gave.
+
+    Raises
+    ------
+    MissingRunError
+        If there is none.
+    InputError
+        If its files are not what they should be.
+
+    Examples
+    --------
+    >>> result = percuss.run("plank.toml", out="runs/plank")
+    >>> percuss.open("runs/plank").status
+    'completed'
+    """
     path = os.fspath(directory)
     if not os.path.isfile(os.path.join(path, "summary.json")):
         what = "is not the directory of a run (it has no summary.json)" if os.path.isdir(path) else "no such directory"

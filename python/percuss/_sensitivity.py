@@ -7,12 +7,19 @@ from html import escape
 from typing import Any
 
 from . import _percuss
-from ._scenario import Scenarios, changes_of, scenario_of
+from ._load import Scenarios, changes_of, scenario_of
 from ._structure import Floats
 
 
 class Sensitivity:
-    """Derivatives of results with respect to numbers of the scenario, in SI units of both."""
+    """Derivatives of results with respect to numbers of the scenario, in SI units of both; :func:`percuss.sensitivity` makes them.
+
+    Examples
+    --------
+    >>> found = percuss.sensitivity("plank.toml", ["projectile.bag.mass"], ["contact.bag.peak_force.value"])
+    >>> round(found["contact.bag.peak_force.value", "projectile.bag.mass"], 1)  # N per kg
+    85.5
+    """
 
     def __init__(self, native: dict[str, Any]) -> None:
         self._native = native
@@ -22,51 +29,163 @@ class Sensitivity:
 
     @property
     def parameters(self) -> dict[str, float]:
-        """Values of the parameters, by their paths in the scenario."""
+        """Values of the parameters.
+
+        Returns
+        -------
+        dict of float
+            By their paths in the scenario [SI units].
+
+        Examples
+        --------
+        >>> percuss.sensitivity("plank.toml", ["projectile.bag.mass"]).parameters
+        {'projectile.bag.mass': 10.0}
+        """
         return {path: value for path, value, _ in self._native["parameters"]}
 
     @property
     def results(self) -> dict[str, float]:
-        """Values of the results, by their paths in the summary."""
+        """Values of the results.
+
+        Returns
+        -------
+        dict of float
+            By their paths in the summary [SI units].
+
+        Examples
+        --------
+        >>> found = percuss.sensitivity("plank.toml", ["projectile.bag.mass"], ["contact.bag.peak_force.value"])
+        >>> round(found.results["contact.bag.peak_force.value"])
+        2561
+        """
         return {path: value for path, value, _ in self._native["results"]}
 
     @property
     def units(self) -> dict[str, str]:
-        """SI units of parameters and results."""
+        """SI units of parameters and results.
+
+        Returns
+        -------
+        dict of str
+            By their paths.
+
+        Examples
+        --------
+        >>> percuss.sensitivity("plank.toml", ["projectile.bag.mass"]).units["projectile.bag.mass"]
+        'kg'
+        """
         both = [*self._native["parameters"], *self._native["results"]]
         return {path: unit for path, _, unit in both}
 
     @property
     def derivatives(self) -> Floats:
-        """All derivatives, shape (n_result, n_parameter); nan for those of ``without``."""
+        """All derivatives.
+
+        Returns
+        -------
+        ndarray of shape (n_result, n_parameter)
+            In SI units of both [result/parameter]; NaN for those of ``without``.
+
+        Examples
+        --------
+        >>> by = ["projectile.bag.mass", "projectile.bag.velocity[1]"]
+        >>> percuss.sensitivity("plank.toml", by, ["contact.bag.peak_force.value"]).derivatives.round(1)
+        array([[  85.5, -512.2]])
+        """
         derivatives: Floats = self._native["derivatives"]
         return derivatives
 
     @property
     def uncertainties(self) -> Floats:
-        """Uncertainty of each derivative from the size of the step, shape (n_result, n_parameter): three times what half or
-        four fifths of the step change, the larger; nan where other steps do not tell."""
+        """Uncertainty of each derivative from the size of the step.
+
+        Returns
+        -------
+        ndarray of shape (n_result, n_parameter)
+            Three times what half or four fifths of the step change, the larger [result/parameter]; NaN where other steps do not tell.
+
+        Examples
+        --------
+        >>> found = percuss.sensitivity("plank.toml", ["projectile.bag.mass"], ["contact.bag.peak_force.value"])
+        >>> bool(found.uncertainties[0, 0] < 0.01 * found.derivatives[0, 0])
+        True
+        """
         uncertainties: Floats = self._native["uncertainties"]
         return uncertainties
 
     @property
     def one_sided(self) -> list[str]:
-        """Contacts that a change of a parameter by less than one per cent makes or ends: derivatives by it are one-sided."""
+        """Contacts that a change of a parameter by less than one per cent makes or ends: derivatives by it are one-sided.
+
+        Returns
+        -------
+        list of str
+            Sentences.
+
+        Examples
+        --------
+        >>> percuss.sensitivity("plank.toml", ["projectile.bag.mass"]).one_sided
+        []
+        """
         return list(self._native["one_sided"])
 
     @property
     def without(self) -> dict[tuple[str, str], str]:
-        """Derivatives that there are not, by result and parameter, and why."""
+        """Derivatives that there are not.
+
+        Returns
+        -------
+        dict of str
+            Why, by (result, parameter).
+
+        Examples
+        --------
+        >>> percuss.sensitivity("plank.toml", ["projectile.bag.mass"], ["contact.bag.peak_force.value"]).without
+        {}
+        """
         return {(result, parameter): why for result, parameter, why in self._native["without"]}
 
     @property
     def horizon(self) -> tuple[float, str] | None:
-        """Time to which derivatives reach and what stands against more; none where they reach to the end of the run."""
+        """Time to which derivatives reach and what stands against more.
+
+        Returns
+        -------
+        (float, str) or None
+            The time [s] and the reason; None where they reach to the end of the run.
+
+        Examples
+        --------
+        >>> percuss.sensitivity("plank.toml", ["projectile.bag.mass"]).horizon is None
+        True
+        """
         horizon: tuple[float, str] | None = self._native["horizon"]
         return horizon
 
     def __getitem__(self, key: tuple[str, str]) -> float:
-        """``s[result, parameter]``."""
+        """One derivative: ``s[result, parameter]``.
+
+        Parameters
+        ----------
+        key : (str, str)
+            Paths of the result in the summary and of the parameter in the scenario.
+
+        Returns
+        -------
+        float
+            The derivative, in SI units of both [result/parameter].
+
+        Raises
+        ------
+        ValueError
+            If one of them was not asked for.
+
+        Examples
+        --------
+        >>> found = percuss.sensitivity("plank.toml", ["projectile.bag.mass"], ["contact.bag.peak_force.value"])
+        >>> round(found["contact.bag.peak_force.value", "projectile.bag.mass"], 1)
+        85.5
+        """
         result, parameter = key
         row = list(self.results).index(result)
         return float(self.derivatives[row, list(self.parameters).index(parameter)])
@@ -94,14 +213,37 @@ def sensitivity(
     """Derivatives of results of a run with respect to numbers of its scenario.
 
     Every operation of the run is differentiated, the instants of impacts included: the derivatives are those of the computed
-    run, not differences of runs.
+    run, not differences of runs. The run is made again at half and at four fifths of its step: what these change makes the
+    ``uncertainties``.
 
-    ``parameters`` are paths in the scenario (``"projectile.mass.velocity[1]"``), ``results`` paths in the summary
-    (``"contact.mass.peak_force.value"``); without results, peaks, impulses and velocities at the end.
+    Parameters
+    ----------
+    scenario : str, path, mapping or Scenario
+        A scenario, the path of its file, or nested dictionaries with the file's names.
+    parameters : sequence of str
+        Paths in the scenario (``"projectile.mass.velocity[1]"``).
+    results : sequence of str
+        Paths in the summary (``"contact.mass.peak_force.value"``); by default peaks, impulses and velocities at the end.
+    **overrides
+        Values to change, with ``__`` for the dots of a path.
 
-    The run is made again at half and at four fifths of its step: what these change makes the ``uncertainties``.
+    Returns
+    -------
+    Sensitivity
+        Of every result by every parameter.
 
-    Raises ``ScenarioError`` for paths that lead nowhere, ``AnalysisError`` for what cannot be differentiated.
+    Raises
+    ------
+    ScenarioError
+        If the scenario has faults, or a path leads nowhere.
+    AnalysisError
+        If something cannot be differentiated.
+
+    Examples
+    --------
+    >>> found = percuss.sensitivity("plank.toml", ["projectile.bag.mass"], ["contact.bag.peak_force.value"])
+    >>> found
+    <Sensitivity: 1 results by 1 parameters>
     """
     source = scenario_of(scenario)._source(changes_of(overrides))
     return Sensitivity(_percuss.sensitivity(source, list(parameters), list(results)))

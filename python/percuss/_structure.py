@@ -13,18 +13,54 @@ Floats = NDArray[np.float64]
 
 
 class Beams:
-    """Centre lines of the beams of a structure."""
+    """Centre lines of the beams of a structure: Hermite's cubic in every element.
+
+    Examples
+    --------
+    >>> percuss.run("plank.toml").shapes.beams.names
+    ('plank',)
+    """
 
     def __init__(self, native: dict[str, Any]) -> None:
         self._native = native
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The beams' names."""
+        """The beams' names.
+
+        Returns
+        -------
+        tuple of str
+            In the order of the scenario.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.centre_lines().names
+        ('plank',)
+        """
         return tuple(self._native)
 
     def curves(self, displacement: Floats, pieces: int = 12) -> dict[str, Floats]:
-        """Points (n, 2) of each beam where its nodes have these displacements (n_node, 4)."""
+        """Points of each beam.
+
+        Parameters
+        ----------
+        displacement : ndarray of shape (n_node, 4)
+            (u1, u2, u1', u2') of the nodes [m, 1].
+        pieces : int
+            Pieces an element.
+
+        Returns
+        -------
+        dict of ndarray
+            Places [m] of shape (n, 2), by the beam's name.
+
+        Examples
+        --------
+        >>> lines = percuss.run("plank.toml").fields.centre_lines()
+        >>> lines.curves(lines.reference(), pieces=2)["plank"][-1]
+        array([2., 0.])
+        """
         x = np.linspace(0.0, 1.0, pieces + 1)
         y = 1.0 - x
         out = {}
@@ -40,31 +76,98 @@ class Beams:
         return out
 
     def reference(self) -> Floats:
-        """No displacement at all."""
+        """No displacement at all.
+
+        Returns
+        -------
+        ndarray of shape (n_node, 4)
+            Zeros [m, 1].
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.centre_lines().reference().shape
+        (9, 4)
+        """
         last = max(int(nodes.max()) + 2 for nodes, _, _ in self._native.values())
         return np.zeros((last, 4))
 
 
 class Shapes:
-    """Shapes of a structure at some times of a run: those of its frames, between stations of the scene."""
+    """Shapes of a structure at some times of a run: those of its frames, between stations of the scene.
+
+    Attributes
+    ----------
+    beams : Beams
+        The beams' centre lines.
+    times : ndarray of shape (n_shape,)
+        Times [s].
+    displacement : ndarray of shape (n_shape, n_station, 4)
+        Displacements and slopes (u1, u2, u1', u2') of the stations [m, 1].
+
+    Examples
+    --------
+    >>> shapes = percuss.run("plank.toml").shapes
+    >>> len(shapes), shapes.displacement.shape
+    (751, (751, 9, 4))
+    """
 
     def __init__(self, beams: Beams, times: Floats, displacement: Floats) -> None:
         self.beams = beams
-        """The beams' centre lines."""
         self.times = times
-        """Times [s], shape (n_shape)."""
         self.displacement = displacement
-        """Displacements and slopes (u1, u2, u1', u2') of the stations, in single precision, shape (n_shape, n_station, 4)."""
 
     def __len__(self) -> int:
         return len(self.times)
 
     def index(self, t: float) -> int:
-        """Index of the shape nearest to a time."""
+        """Index of the shape nearest to a time.
+
+        Parameters
+        ----------
+        t : float
+            The time [s].
+
+        Returns
+        -------
+        int
+            Into ``times``.
+
+        Raises
+        ------
+        InputError
+            If no shapes were kept.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").shapes.index(0.02)
+        100
+        """
         if not len(self.times):
             raise coded(InputError, "no shapes were kept of this run: run it with record.shapes (or shapes=) above 0", "E210")
         return int(np.abs(self.times - t).argmin())
 
     def at(self, t: float) -> dict[str, Floats]:
-        """Points (n, 2) of each beam at the shape nearest to a time."""
+        """Points of each beam at the shape nearest to a time.
+
+        Parameters
+        ----------
+        t : float
+            The time [s].
+
+        Returns
+        -------
+        dict of ndarray
+            Places [m] of shape (n, 2), by the beam's name.
+
+        Raises
+        ------
+        InputError
+            If no shapes were kept.
+
+        Examples
+        --------
+        >>> line = percuss.run("plank.toml").shapes.at(0.02)["plank"]
+        >>> round(1000 * float(line[:, 1].min()), 2)  # mm
+        -2.55
+        """
         return self.beams.curves(self.displacement[self.index(t)])

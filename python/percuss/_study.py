@@ -65,33 +65,93 @@ def _base(scenario: Any) -> str:
 
 
 class Sweep(Columns[Any]):
-    """The table of a study: one row a run. pyarrow, pandas and polars take it as a table."""
+    """The table of a study: one row a run. pyarrow, pandas and polars take it as a table.
+
+    Attributes
+    ----------
+    study : Study
+        The study.
+    path : str
+        Where ``results.parquet`` lies; empty if nowhere.
+
+    Examples
+    --------
+    >>> percuss.sweep("speed.toml")
+    <percuss.Sweep The bag, from 1 to 9 m/s: 9 runs; peak_force, deflection, stress>
+    """
 
     def __init__(self, study: _percuss.Study, columns: list[tuple[str, str, str, str, Any]], path: str) -> None:
         self.study = study
-        """The study."""
         self.path = path
-        """Where ``results.parquet`` lies; empty if nowhere."""
         self._native = columns
         self._columns = {name: values for name, _, _, _, values in columns}
 
     @property
     def columns(self) -> tuple[str, ...]:
-        """Names of the columns: ``run``, parameters, results, ``status``, ``reason``, audit."""
+        """Names of the columns: ``run``, parameters, results, ``status``, ``reason``, audit.
+
+        Returns
+        -------
+        tuple of str
+            In the order of the table.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").columns[:3]
+        ('run', 'speed', 'peak_force')
+        """
         return tuple(self._columns)
 
     @property
     def units(self) -> dict[str, str]:
-        """Unit of every column."""
+        """Unit of every column.
+
+        Returns
+        -------
+        dict of str
+            By the column's name; ``"1"`` of a pure number.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").units["peak_force"]
+        'N'
+        """
         return {name: unit for name, unit, _, _, _ in self._native}
 
     @property
     def descriptions(self) -> dict[str, str]:
-        """What every column holds."""
+        """What every column holds.
+
+        Returns
+        -------
+        dict of str
+            By the column's name; of a parameter and a result its path.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").descriptions["speed"]
+        'projectile.bag.velocity[1]'
+        """
         return {name: about for name, _, _, about, _ in self._native}
 
     def names(self, role: str) -> tuple[str, ...]:
-        """Columns of a role: ``input``, ``result``, ``audit``."""
+        """Columns of a role.
+
+        Parameters
+        ----------
+        role : {"input", "result", "audit"}
+            Parameters, results, or what says how far a run can be trusted.
+
+        Returns
+        -------
+        tuple of str
+            Their names.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").names("result")
+        ('peak_force', 'deflection', 'stress')
+        """
         return tuple(name for name, _, own, _, _ in self._native if own == role)
 
     def __len__(self) -> int:
@@ -100,12 +160,39 @@ class Sweep(Columns[Any]):
 
     @cached_property
     def failures(self) -> dict[int, str]:
-        """Runs that did not complete, and why."""
+        """Runs that did not complete, and why.
+
+        Returns
+        -------
+        dict of str
+            By the number of the run.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").failures
+        {}
+        """
         ends = zip(self["run"].tolist(), self["status"].tolist(), self["reason"].tolist())
         return {run: f"{status}: {reason}" for run, status, reason in ends if status != "completed"}
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The table as one of pandas; ``attrs`` holds units and descriptions."""
+        """The table as one of pandas.
+
+        Returns
+        -------
+        pandas.DataFrame
+            With units and descriptions in ``attrs``.
+
+        Raises
+        ------
+        MissingError
+            If pandas is not installed.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").to_pandas()["peak_force"].round(0).tolist()[:3]
+        [512.0, 1024.0, 1537.0]
+        """
         return self._to_pandas(self.units, self.descriptions)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:

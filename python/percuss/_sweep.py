@@ -32,22 +32,56 @@ def sweep(
 ) -> Sweep:
     """Does every run of a study and returns its table.
 
-    ``study`` is the path of a study file or nested dictionaries with its names; or give its tables as keywords::
+    By default it runs on all cores of this machine; whoever runs it, the table has the same bytes.
 
-        percuss.sweep(
-            scenario=scenario,
-            parameters={"speed": {"path": "projectile.mass.velocity[1]", "range": {"from": 1, "to": 40, "count": 40}}},
-            design={"kind": "grid"},
-            results={"peak": "contact.mass.peak_force.value"},
-        )
+    Parameters
+    ----------
+    study : str, path, mapping or Study, optional
+        A study, the path of its file, or nested dictionaries with its names; or give its tables as keywords.
+    out : str or path, optional
+        Keeps the study: shards as they are done, ``results.parquet`` and ``report.html`` at the end. What was interrupted or killed
+        goes on from there. A directory, or with a cluster any location that fsspec knows, such as ``s3://bucket/study``.
+    client : distributed.Client, optional
+        Run it on a Dask cluster.
+    executor : concurrent.futures.Executor, optional
+        Run it on an executor: a process pool, mpi4py's.
+    jobs : int
+        Number of threads, 0 for one a core.
+    progress : bool, optional
+        Whether a bar is shown; by default on a terminal and in notebooks.
+    allow_outside : bool
+        Let the study and its scenario name files that lie anywhere, and not only in their folders or below.
+    **tables
+        Tables of the study: ``scenario``, ``parameters``, ``design``, ``results``, ``seed``, ``correlations``.
 
-    By default it runs on all cores, or ``jobs`` of them. ``client`` runs it on a Dask cluster, ``executor`` on anything that is
-    a ``concurrent.futures.Executor``: a process pool, mpi4py's. Whoever runs it, the table has the same bytes.
+    Returns
+    -------
+    Sweep
+        One row a run.
 
-    ``out`` keeps the study: shards as they are done, ``results.parquet`` and ``report.html`` at the end. What was interrupted or killed goes on
-    from there. It is a directory, or with a cluster any location that fsspec knows, such as ``s3://bucket/study``.
+    Raises
+    ------
+    TypeError
+        If a client and an executor are given, or tables beside a study file.
+    ScenarioError
+        If the study has faults.
+    StudyError
+        If the sweep ended early; the same call goes on from what is kept.
+    MissingError
+        If a cluster is asked for and Dask is not installed.
 
-    The base of a study and CSV files that its scenario names lie in the folder of the file that names them or below or, with ``allow_outside``, anywhere.
+    Examples
+    --------
+    >>> round(percuss.sweep("speed.toml")["peak_force"].max())  # N
+    4610
+    >>> table = percuss.sweep(
+    ...     scenario=percuss.load("plank.toml"),
+    ...     parameters={"speed": {"path": "projectile.bag.velocity[1]", "range": {"from": -1, "to": -9, "count": 5}}},
+    ...     design={"kind": "grid"},
+    ...     results={"peak": "contact.bag.peak_force.value"},
+    ... )
+    >>> table["speed"]
+    array([-1., -3., -5., -7., -9.])
     """
     if client is not None and executor is not None:
         raise TypeError("client and executor: give one of the two")

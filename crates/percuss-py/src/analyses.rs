@@ -12,9 +12,26 @@ use crate::error::analysis_error;
 use crate::ready::Source;
 use crate::structure::{beams, shaped};
 
-/// The `count` lowest modes: `summary` (JSON), `displacement`, `shapes` (n_mode, n_node, 4), `beams`.
+/// The lowest natural modes.
 ///
-/// `about` is `"reference"`, `"static"` or none for what the scenario starts from.
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives: text, name, changes, functions, whether files may lie outside.
+/// count : int
+///     How many.
+/// about : {"reference", "static"} or None
+///     Of which configuration; None for the one that the scenario starts from.
+///
+/// Returns
+/// -------
+/// dict
+///     `summary` (JSON), `displacement` (n_node, 4) [m, 1], `shapes` (n_mode, n_node, 4) [kg^(-1/2)], `beams`.
+///
+/// Examples
+/// --------
+/// >>> percuss._percuss.modes(percuss.load("plank.toml")._source(), 2, None)["shapes"].shape
+/// (2, 9, 4)
 #[pyfunction]
 #[pyo3(signature = (source, count, about))]
 pub fn modes<'py>(
@@ -59,7 +76,24 @@ pub fn modes<'py>(
     Ok(result)
 }
 
-/// Static equilibrium, or with `path` the path to it by arc length: `summary` (JSON), `displacement`, `beams`.
+/// Static equilibrium, or the path to it by arc length.
+///
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives.
+/// path : bool
+///     Whether to follow the path.
+///
+/// Returns
+/// -------
+/// dict
+///     `summary` (JSON), `displacement` (n_node, 4) [m, 1], `beams`.
+///
+/// Examples
+/// --------
+/// >>> percuss._percuss.static(percuss.load("plank.toml")._source(), False)["displacement"].shape
+/// (10, 4)
 #[pyfunction]
 #[pyo3(name = "static", signature = (source, path))]
 pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bound<'py, PyDict>> {

@@ -4,7 +4,32 @@ use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
-/// The text with `path` set to `value`, a TOML value; tables on the way are made where they are missing.
+/// The text with a value; tables on the way are made where they are missing.
+///
+/// Parameters
+/// ----------
+/// text : str
+///     TOML.
+/// path : str
+///     Where, with dots.
+/// value : str
+///     The value in TOML.
+///
+/// Returns
+/// -------
+/// str
+///     TOML with all comments.
+///
+/// Raises
+/// ------
+/// KeyError
+///     If the way leads through a value.
+///
+/// Examples
+/// --------
+/// >>> print(percuss._percuss.set("", "time.end", "0.1"))
+/// [time]
+/// end = 0.1
 #[pyfunction]
 pub fn set(text: &str, path: &str, value: &str) -> PyResult<String> {
     let mut document = parse(text)?;
@@ -23,7 +48,29 @@ pub fn set(text: &str, path: &str, value: &str) -> PyResult<String> {
     Ok(document.to_string())
 }
 
-/// The text without `path`.
+/// The text without what stands at a path.
+///
+/// Parameters
+/// ----------
+/// text : str
+///     TOML.
+/// path : str
+///     Where, with dots.
+///
+/// Returns
+/// -------
+/// str
+///     TOML with all other comments.
+///
+/// Raises
+/// ------
+/// KeyError
+///     If nothing stands there.
+///
+/// Examples
+/// --------
+/// >>> percuss._percuss.remove('title = "a"', "title")
+/// ''
 #[pyfunction]
 pub fn remove(text: &str, path: &str) -> PyResult<String> {
     let mut document = parse(text)?;

@@ -96,7 +96,25 @@ fn numbers<T: Element + Copy>(array: &Bound<'_, PyAny>) -> PyResult<Vec<T>> {
     Ok(array.as_array().iter().copied().collect())
 }
 
-/// The scene in motion as a page of its own with what the summary (JSON) tells; `None` without frames.
+/// The scene in motion as a page of its own with what the summary tells.
+///
+/// Parameters
+/// ----------
+/// fields : dict
+///     Those of a run.
+/// summary : str
+///     That of the run, JSON.
+///
+/// Returns
+/// -------
+/// str or None
+///     HTML; None without frames.
+///
+/// Examples
+/// --------
+/// >>> native = percuss._percuss.open(percuss.run("plank.toml", out="plank") and "plank")
+/// >>> percuss._percuss.scene_page(native["fields"], native["summary"])[:15]
+/// '<!doctype html>'
 #[pyfunction]
 pub fn scene_page(
     py: Python<'_>,
@@ -110,6 +128,22 @@ pub fn scene_page(
 }
 
 /// What happened, in a few sentences.
+///
+/// Parameters
+/// ----------
+/// summary : str
+///     That of a run, JSON.
+///
+/// Returns
+/// -------
+/// str
+///     The sentences of the terminal and the report.
+///
+/// Examples
+/// --------
+/// >>> native = percuss._percuss.open(percuss.run("plank.toml", out="plank") and "plank")
+/// >>> percuss._percuss.story(native["summary"])[:20]
+/// 'bag struck plank.mid'
 #[pyfunction]
 pub fn story(summary: &str) -> PyResult<String> {
     let summary =
@@ -117,7 +151,34 @@ pub fn story(summary: &str) -> PyResult<String> {
     Ok(report::story(&summary))
 }
 
-/// Writes the frames for ParaView; the names of the files to open.
+/// Writes the frames for ParaView.
+///
+/// Parameters
+/// ----------
+/// fields : dict
+///     Those of a run.
+/// directory : str or path
+///     Where to; it is made.
+/// format : {"vtkhdf", "pvd"}
+///     The kind of files.
+///
+/// Returns
+/// -------
+/// list of str
+///     Names of the files to open.
+///
+/// Raises
+/// ------
+/// InputError
+///     If there is no such format.
+/// FileError
+///     If the files cannot be written.
+///
+/// Examples
+/// --------
+/// >>> native = percuss._percuss.open(percuss.run("plank.toml", out="plank", shapes=5) and "plank")
+/// >>> percuss._percuss.export(native["fields"], "paraview", "vtkhdf")
+/// ['beams.vtkhdf', ...]
 #[pyfunction]
 pub fn export(
     py: Python<'_>,

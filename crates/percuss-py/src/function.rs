@@ -18,7 +18,28 @@ type Bounds = Option<(f64, f64)>;
 /// Parameters, their bounds, their medians, and results.
 type Layout = (Vec<Named>, Vec<Bounds>, Vec<f64>, Vec<Named>);
 
-/// Parameters with their bounds and medians, and results.
+/// What goes into a study as a function, and what comes out.
+///
+/// Parameters
+/// ----------
+/// study : Study
+///     The study.
+///
+/// Returns
+/// -------
+/// tuple
+///     Parameters (name, unit, path), their bounds or None, their medians, and results (name, unit, path).
+///
+/// Raises
+/// ------
+/// InputError
+///     If something else than a number varies.
+///
+/// Examples
+/// --------
+/// >>> study = percuss.function("speed.toml").study
+/// >>> percuss._percuss.function_layout(study)[0]
+/// [('speed', 'm/s', 'projectile.bag.velocity[1]')]
 #[pyfunction]
 pub fn function_layout(study: &Bound<'_, crate::study::Study>) -> PyResult<Layout> {
     let study = study.get().inner();
@@ -36,7 +57,26 @@ pub fn function_layout(study: &Bound<'_, crate::study::Study>) -> PyResult<Layou
     Ok((inputs, bounds, function.middle(), outputs))
 }
 
-/// Results at points, one after the other as (n_point * n_result) numbers, and (point, why) of those that have none.
+/// Results at points.
+///
+/// Parameters
+/// ----------
+/// study : Study
+///     The study.
+/// points : list of list of float
+///     Points, in SI units.
+///
+/// Returns
+/// -------
+/// tuple
+///     n_point * n_result numbers, point after point, and (point, why) of those that have none.
+///
+/// Examples
+/// --------
+/// >>> study = percuss.function("speed.toml").study
+/// >>> values, failures = percuss._percuss.function_values(study, [[-5.0], [-1.0]])
+/// >>> values.round()[::3], failures
+/// (array([2561.,  512.]), [])
 #[pyfunction]
 pub fn function_values<'py>(
     py: Python<'py>,
@@ -67,7 +107,26 @@ pub fn function_values<'py>(
 /// Python is asked for signals after so many points.
 const GROUP: usize = 64;
 
-/// Results at a point, derivatives as (n_result * n_parameter) numbers row by row, and nothing more; or why there are none.
+/// Results at a point and their derivatives, or why there are none.
+///
+/// Parameters
+/// ----------
+/// study : Study
+///     The study.
+/// point : list of float
+///     The point, in SI units.
+///
+/// Returns
+/// -------
+/// tuple
+///     Results, n_result * n_parameter derivatives row by row, and None; or what is missing and why.
+///
+/// Examples
+/// --------
+/// >>> study = percuss.function("speed-and-mass.toml").study
+/// >>> values, slopes, why = percuss._percuss.function_jacobian(study, [20.0, 500.0, 2e9])
+/// >>> len(values), len(slopes), why
+/// (3, 9, None)
 #[pyfunction]
 pub fn function_jacobian<'py>(
     py: Python<'py>,

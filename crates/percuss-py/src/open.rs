@@ -11,6 +11,27 @@ use crate::fields::to_python;
 use crate::structure::array;
 
 /// The same as `run` gives of a run, from what it left in a directory.
+///
+/// Parameters
+/// ----------
+/// directory : str or path
+///     The directory of the run.
+///
+/// Returns
+/// -------
+/// dict
+///     As of `run`.
+///
+/// Raises
+/// ------
+/// InputError, FileError
+///     If its files cannot be read, or are not what they should be.
+///
+/// Examples
+/// --------
+/// >>> result = percuss.run("plank.toml", out="plank")
+/// >>> percuss._percuss.open("plank")["names"] == list(result.columns)
+/// True
 #[pyfunction]
 pub fn open(py: Python<'_>, directory: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let read = py.detach(|| -> Result<_, percuss_output::Error> {

@@ -76,7 +76,27 @@ impl Ready {
 /// What the advisor says: verdict, contact, text, code, reason why it is allowed.
 type Said = (&'static str, String, String, &'static str, Option<String>);
 
-/// Raises `ScenarioError` if anything is wrong with a scenario; what the advisor says.
+/// What the advisor says.
+///
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives.
+///
+/// Returns
+/// -------
+/// list of tuple
+///     Verdict, contact, text, code, and the reason why it is allowed or None.
+///
+/// Raises
+/// ------
+/// ScenarioError
+///     If anything is wrong: every fault.
+///
+/// Examples
+/// --------
+/// >>> percuss._percuss.check(percuss.load("plank.toml")._source())[0][:2]
+/// ('fine', '...')
 #[pyfunction]
 pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
     let ready = source.ready(py)?;
@@ -91,7 +111,27 @@ pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
         .collect())
 }
 
-/// The scenario as a file with every default written out, in SI units.
+/// The scenario as a file with every default written out.
+///
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives.
+///
+/// Returns
+/// -------
+/// str
+///     TOML, in SI units.
+///
+/// Raises
+/// ------
+/// ScenarioError
+///     If anything is wrong: every fault.
+///
+/// Examples
+/// --------
+/// >>> "gravity" in percuss._percuss.written(percuss.load("plank.toml")._source())
+/// False
 #[pyfunction]
 pub fn written(py: Python<'_>, source: Source) -> PyResult<String> {
     Ok(source.ready(py)?.scenario.to_toml())

@@ -17,11 +17,38 @@ use crate::ready::{Ready, Source};
 use crate::recorder::RunRecorder;
 use crate::structure::array;
 
-/// Runs a scenario: `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `fields` (the scene and how it
-/// moved), `seconds`.
+/// Runs a scenario.
 ///
-/// `progress` is called with the time reached and that of the end, some times a second; `out` is a directory for the files of the run; `shapes` is
-/// the largest number of frames of either kind kept, touching or not; `None` leaves it to `record.shapes`.
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives.
+/// progress : callable or None
+///     Called with the time reached and that of the end [s], some times a second.
+/// out : str, path or None
+///     A directory for the files of the run.
+/// report : bool
+///     Whether `report.html` is one of them.
+/// shapes : int or None
+///     Largest number of frames of either kind kept, touching or not; None leaves it to `record.shapes`.
+///
+/// Returns
+/// -------
+/// dict
+///     `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `fields` (the scene and how it moved), `seconds` [s].
+///
+/// Raises
+/// ------
+/// ScenarioError
+///     If anything is wrong: every fault.
+/// FileError
+///     If files cannot be written.
+///
+/// Examples
+/// --------
+/// >>> native = percuss._percuss.run(percuss.load("plank.toml")._source(), None, None, False, 0)
+/// >>> len(native["names"]), len(native["columns"])
+/// (45, 45)
 #[pyfunction]
 #[pyo3(signature = (source, progress, out, report, shapes))]
 pub fn run<'py>(

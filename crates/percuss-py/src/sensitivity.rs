@@ -9,9 +9,35 @@ use crate::error::{analysis_error, scenario_error};
 use crate::ready::Source;
 use crate::structure::shaped;
 
-/// Values of parameters and results and the derivatives: `parameters` and `results` (lists of path, value, unit),
-/// `derivatives` and `uncertainties` (n_result, n_parameter), `one_sided` (sentences), `without` (list of result, parameter, why),
-/// `horizon` (time and why, or nothing).
+/// Values of parameters and results, and the derivatives.
+///
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives.
+/// parameters : list of str
+///     Paths in the scenario.
+/// results : list of str
+///     Paths in the summary; none for those of its own choice.
+///
+/// Returns
+/// -------
+/// dict
+///     `parameters` and `results` (lists of path, value, unit), `derivatives` and `uncertainties` (n_result, n_parameter), `one_sided`
+///     (sentences), `without` (list of result, parameter, why), `horizon` (time [s] and why, or None).
+///
+/// Raises
+/// ------
+/// ScenarioError
+///     If the scenario has faults, or a path leads nowhere.
+/// AnalysisError
+///     If something cannot be differentiated.
+///
+/// Examples
+/// --------
+/// >>> source = percuss.load("plank.toml")._source()
+/// >>> percuss._percuss.sensitivity(source, ["projectile.bag.mass"], [])["parameters"]
+/// [('projectile.bag.mass', 10.0, 'kg')]
 #[pyfunction]
 pub fn sensitivity<'py>(
     py: Python<'py>,
@@ -47,6 +73,21 @@ pub fn sensitivity<'py>(
 }
 
 /// Order, limit and uncertainty of a number on finer and finer steps or meshes.
+///
+/// Parameters
+/// ----------
+/// values : list of float
+///     The number, each time twice as fine.
+///
+/// Returns
+/// -------
+/// tuple
+///     Observed order [1] or None, limit and its uncertainty, in the unit of the number.
+///
+/// Examples
+/// --------
+/// >>> percuss._percuss.extrapolated([1.16, 1.04, 1.01])[0]
+/// 2.0
 #[pyfunction]
 pub fn extrapolated(values: Vec<f64>) -> (Option<f64>, f64, f64) {
     let found = percuss_study::extrapolate(&values);

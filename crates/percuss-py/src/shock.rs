@@ -23,7 +23,31 @@ fn signal(time: &[f64], velocity: &[f64], cfc: Option<u32>) -> PyResult<Signal> 
     shock::filtered(&signal, class).map_err(|error| refused(&error))
 }
 
-/// Times, accelerations, and whether the rows were not evenly spaced.
+/// The acceleration that follows from a velocity.
+///
+/// Parameters
+/// ----------
+/// time : list of float
+///     Times of the rows [s].
+/// velocity : list of float
+///     Velocity there [m/s].
+/// cfc : {60, 180, 600, 1000} or None
+///     Channel frequency class to filter it in.
+///
+/// Returns
+/// -------
+/// dict
+///     `time` [s], `values` [m/s^2], `resampled`: whether the rows were not evenly spaced.
+///
+/// Raises
+/// ------
+/// InputError
+///     If the class is unknown, or there are too few rows for it.
+///
+/// Examples
+/// --------
+/// >>> percuss._percuss.acceleration([0.0, 0.1, 0.2], [0.0, 1.0, 2.0], None)["values"].round(6)
+/// array([10., 10.])
 #[pyfunction]
 pub fn acceleration<'py>(
     py: Python<'py>,
@@ -39,7 +63,36 @@ pub fn acceleration<'py>(
     Ok(result)
 }
 
-/// Frequencies and primary, residual and largest answers.
+/// Shock response spectrum of the acceleration that follows from a velocity.
+///
+/// Parameters
+/// ----------
+/// history : (list of float, list of float)
+///     Times [s] and velocities [m/s].
+/// damping : float
+///     Share of critical damping [1].
+/// band : (float, float or None, float)
+///     First and last frequency [Hz], and frequencies an octave [1].
+/// cfc : {60, 180, 600, 1000} or None
+///     Channel frequency class to filter in first.
+///
+/// Returns
+/// -------
+/// dict
+///     `frequency` [Hz], and the primary, residual and largest answers of each kind.
+///
+/// Raises
+/// ------
+/// InputError
+///     If the band, the damping or the class cannot be had.
+///
+/// Examples
+/// --------
+/// >>> result = percuss.run("plank.toml")
+/// >>> history = result.time.tolist(), result["point.plank.mid.velocity_2"].tolist()
+/// >>> found = percuss._percuss.shock_spectrum(history, 0.05, (1.0, 100.0, 12.0), None)
+/// >>> len(found["frequency"]) == len(found["acceleration_maximax"])
+/// True
 #[pyfunction]
 pub fn shock_spectrum<'py>(
     py: Python<'py>,

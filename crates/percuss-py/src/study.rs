@@ -19,6 +19,26 @@ use crate::structure::array;
 const LOOK: Duration = Duration::from_millis(50);
 
 /// A study that has been read; it needs no file any more.
+///
+/// Parameters
+/// ----------
+/// text : str
+///     The text of a study file.
+/// name : str
+///     What stands for the file in messages; the scenario it names lies where it lies.
+/// allow_outside : bool
+///     Let it name files that lie anywhere.
+///
+/// Raises
+/// ------
+/// ScenarioError
+///     If it has faults: all of them.
+///
+/// Examples
+/// --------
+/// >>> with open("speed.toml") as file:
+/// ...     percuss.Study(file.read(), "speed.toml")
+/// <percuss.Study The bag, from 1 to 9 m/s: 9 runs>
 #[pyclass(frozen, module = "percuss._percuss")]
 pub struct Study {
     inner: percuss_study::Study,
@@ -47,42 +67,156 @@ impl Study {
     }
 
     /// The study as a function: `f(x)` for numbers of its parameters in SI units.
+    ///
+    /// Returns
+    /// -------
+    /// Function
+    ///     From values of the parameters to results.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     If something else than a number varies.
+    ///
+    /// Examples
+    /// --------
+    /// >>> percuss.sweep("speed.toml").study.function().names
+    /// ('speed',)
     fn function<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         slf.py().import("percuss._function")?.getattr("Function")?.call1((slf,))
     }
 
+    /// The study as a file that needs no other.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     TOML, the scenario in it.
+    ///
+    /// Examples
+    /// --------
+    /// >>> study = percuss.sweep("speed.toml").study
+    /// >>> percuss.Study(study.text, "copy").fingerprint == study.fingerprint
+    /// True
     #[getter]
     fn text(&self) -> String {
         self.inner.to_toml()
     }
 
+    /// Its title.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     As the file says.
+    ///
+    /// Examples
+    /// --------
+    /// >>> percuss.sweep("speed.toml").study.title
+    /// 'The bag, from 1 to 9 m/s'
     #[getter]
     fn title(&self) -> &str {
         self.inner.title()
     }
 
+    /// What tells it from every other study, and one version of the program from the next.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     Hexadecimal digits.
+    ///
+    /// Examples
+    /// --------
+    /// >>> len(percuss.sweep("speed.toml").study.fingerprint) >= 16
+    /// True
     #[getter]
     fn fingerprint(&self) -> &str {
         self.inner.fingerprint()
     }
 
+    /// Number of its runs.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     Runs of its design.
+    ///
+    /// Examples
+    /// --------
+    /// >>> percuss.sweep("speed.toml").study.run_count
+    /// 9
     #[getter]
     fn run_count(&self) -> u64 {
         self.inner.run_count()
     }
 
+    /// Number of its shards, which depend on nothing but the study.
+    ///
+    /// Returns
+    /// -------
+    /// int
+    ///     Shards.
+    ///
+    /// Examples
+    /// --------
+    /// >>> percuss.sweep("speed.toml").study.shard_count
+    /// 1
     #[getter]
     fn shard_count(&self) -> u64 {
         self.inner.shard_count()
     }
 
-    /// Numbers of the first run of a shard and of the one behind its last.
+    /// The runs of a shard.
+    ///
+    /// Parameters
+    /// ----------
+    /// index : int
+    ///     The shard, from 0.
+    ///
+    /// Returns
+    /// -------
+    /// (int, int)
+    ///     Numbers of its first run and of the one behind its last.
+    ///
+    /// Raises
+    /// ------
+    /// IndexError
+    ///     If there is no such shard.
+    ///
+    /// Examples
+    /// --------
+    /// >>> percuss.sweep("speed.toml").study.runs_of(0)
+    /// (0, 9)
     fn runs_of(&self, index: u64) -> PyResult<(u64, u64)> {
         let runs = self.inner.runs_of(self.known(index)?);
         Ok((runs.start, runs.end))
     }
 
-    /// Does the runs of a shard: Parquet, the same bytes wherever it is done.
+    /// Does the runs of a shard.
+    ///
+    /// Parameters
+    /// ----------
+    /// index : int
+    ///     The shard, from 0.
+    ///
+    /// Returns
+    /// -------
+    /// bytes
+    ///     Parquet, the same bytes wherever it is done.
+    ///
+    /// Raises
+    /// ------
+    /// IndexError
+    ///     If there is no such shard.
+    /// KeyboardInterrupt
+    ///     On Ctrl-C.
+    ///
+    /// Examples
+    /// --------
+    /// >>> study = percuss.sweep("speed.toml").study
+    /// >>> study.run_shard(0) == study.run_shard(0)
+    /// True
     fn run_shard<'py>(&self, py: Python<'py>, index: u64) -> PyResult<Bound<'py, PyBytes>> {
         let index = self.known(index)?;
         let done = py.detach(|| {
@@ -97,11 +231,51 @@ impl Study {
     }
 
     /// Whether these are the bytes of a shard, whole and of this study.
+    ///
+    /// Parameters
+    /// ----------
+    /// bytes : bytes
+    ///     What `run_shard` gave, somewhere.
+    /// index : int
+    ///     The shard, from 0.
+    ///
+    /// Returns
+    /// -------
+    /// bool
+    ///     Whether they can be kept.
+    ///
+    /// Examples
+    /// --------
+    /// >>> study = percuss.sweep("speed.toml").study
+    /// >>> data = study.run_shard(0)
+    /// >>> study.is_shard(data, 0), study.is_shard(data[:-1], 0)
+    /// (True, False)
     fn is_shard(&self, bytes: &[u8], index: u64) -> bool {
         Shard::from_parquet(bytes, &self.inner).is_ok_and(|shard| shard.index == index)
     }
 
-    /// `results.parquet` from the shards' bytes, taken one after the other from `read(index)`.
+    /// `results.parquet` from the bytes of all shards.
+    ///
+    /// Parameters
+    /// ----------
+    /// read : callable
+    ///     Gives the bytes of a shard by its number; asked for one after the other.
+    ///
+    /// Returns
+    /// -------
+    /// bytes
+    ///     Parquet.
+    ///
+    /// Raises
+    /// ------
+    /// StudyError
+    ///     If a shard is missing or not of this study; what `read` raises comes out.
+    ///
+    /// Examples
+    /// --------
+    /// >>> study = percuss.sweep("speed.toml").study
+    /// >>> study.merge(study.run_shard)[:4]
+    /// b'PAR1'
     fn merge<'py>(
         &self,
         py: Python<'py>,
@@ -122,9 +296,30 @@ impl Study {
         Ok(PyBytes::new(py, &out))
     }
 
-    /// Does what is left of the study in a directory on `jobs` threads, 0 for one a core, and puts the results together.
+    /// Does what is left of the study in a directory, and puts the results together. Nothing is returned.
     ///
-    /// `progress` is called with runs done and runs in all.
+    /// Parameters
+    /// ----------
+    /// directory : str or path
+    ///     Where shards and results are kept.
+    /// jobs : int
+    ///     Threads, 0 for one a core.
+    /// progress : callable
+    ///     Called with runs done and runs in all; what it raises ends the sweep.
+    ///
+    /// Raises
+    /// ------
+    /// StudyError
+    ///     If the sweep ended early.
+    /// FileError, InputError
+    ///     If the directory cannot be written, or belongs to something else.
+    ///
+    /// Examples
+    /// --------
+    /// >>> study = percuss.sweep("speed.toml").study
+    /// >>> study.sweep("kept", 1, lambda done, of: None)
+    /// >>> len(study.results("kept"))
+    /// 14
     fn sweep(
         &self,
         py: Python<'_>,
@@ -174,12 +369,47 @@ impl Study {
         }
     }
 
-    /// Makes a directory that of the study, or refuses one of something else.
+    /// Makes a directory that of the study, or refuses one of something else. Nothing is returned.
+    ///
+    /// Parameters
+    /// ----------
+    /// directory : str or path
+    ///     It is made if it is not there.
+    ///
+    /// Raises
+    /// ------
+    /// FileError, InputError
+    ///     If it cannot be written, or belongs to something else.
+    ///
+    /// Examples
+    /// --------
+    /// >>> percuss.sweep("speed.toml").study.open("kept")
     fn open(&self, directory: PathBuf) -> PyResult<()> {
         self.folder(&directory).map(drop)
     }
 
-    /// `indices.parquet` of the results in a directory; none for a study without Sobol indices.
+    /// `indices.parquet` of the results in a directory.
+    ///
+    /// Parameters
+    /// ----------
+    /// directory : str or path
+    ///     Where a sweep was kept.
+    ///
+    /// Returns
+    /// -------
+    /// bytes or None
+    ///     Parquet; None for a study without Sobol indices.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     If the results are not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> table = percuss.sweep("speed.toml", out="kept")
+    /// >>> table.study.indices("kept") is None
+    /// True
     fn indices(&self, py: Python<'_>, directory: PathBuf) -> PyResult<Option<Vec<u8>>> {
         if !self.inner.has_sobol_indices() {
             return Ok(None);
@@ -194,6 +424,27 @@ impl Study {
     }
 
     /// `report.html` of the results in a directory.
+    ///
+    /// Parameters
+    /// ----------
+    /// directory : str or path
+    ///     Where a sweep was kept.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     HTML.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     If the results are not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> table = percuss.sweep("speed.toml", out="kept")
+    /// >>> "The bag, from 1 to 9 m/s" in table.study.report("kept")
+    /// True
     fn report(&self, py: Python<'_>, directory: PathBuf) -> PyResult<String> {
         let folder = self.folder(&directory)?;
         py.detach(|| {
@@ -202,7 +453,28 @@ impl Study {
         .map_err(|error| study_error(&error))
     }
 
-    /// Columns of `results.parquet` in a directory: (name, unit, role, what it is, values).
+    /// Columns of `results.parquet` in a directory.
+    ///
+    /// Parameters
+    /// ----------
+    /// directory : str or path
+    ///     Where a sweep was kept.
+    ///
+    /// Returns
+    /// -------
+    /// list of tuple
+    ///     Name, unit, role, what it is, and values of shape (n_run,), each in its SI unit.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     If the results are not there.
+    ///
+    /// Examples
+    /// --------
+    /// >>> table = percuss.sweep("speed.toml", out="kept")
+    /// >>> [column[0] for column in table.study.results("kept")][:3]
+    /// ['run', 'speed', 'peak_force']
     fn results<'py>(&self, py: Python<'py>, directory: PathBuf) -> PyResult<Bound<'py, PyList>> {
         let folder = self.folder(&directory)?;
         let table =

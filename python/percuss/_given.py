@@ -1,0 +1,83 @@
+"""What stands in scenarios for functions of Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from . import _percuss
+
+_OF_OTHER_LAWS = ("stiffness", "hertz_stiffness", "hertz", "penetrations", "forces", "file")
+"""Keys whose place a potential takes."""
+
+
+class Potential:
+    """A contact potential of your own: energy and force at a penetration of zero or above.
+
+    The force is the derivative of the energy, zero at no penetration and never a pull; both are checked. The work over a step is
+    the difference of energies, so the balances close as with any other law. It takes the place of the law's other keys, such as
+    ``stiffness``.
+
+    Parameters
+    ----------
+    energy : callable
+        Energy [J] at a penetration [m].
+    force : callable
+        Force [N] at a penetration [m].
+
+    Attributes
+    ----------
+    energy : callable
+        The same.
+    force : callable
+        The same.
+
+    Examples
+    --------
+    >>> scenario = percuss.load("plank.toml")
+    >>> scenario["projectile.bag.law"] = percuss.Potential(lambda p: 2e4 * p**2, lambda p: 4e4 * p)
+    >>> round(percuss.run(scenario)["contact.bag.force"].max())  # N, as with a stiffness of 40 kN/m
+    2561
+    """
+
+    def __init__(self, energy: Callable[[float], float], force: Callable[[float], float]) -> None:
+        self.energy = energy
+        self.force = force
+
+
+def without_laws(text: str, path: str) -> str:
+    """The text without what other laws than the one at ``path`` are made of."""
+    table = path.removesuffix(".law")
+    for key in _OF_OTHER_LAWS:
+        try:
+            text = _percuss.remove(text, f"{table}.{key}")
+        except KeyError:
+            pass
+    return text
+
+
+def word(value: Any) -> Any:
+    """What stands in the text for a value."""
+    return "given" if isinstance(value, Potential) or callable(value) else value
+
+
+def holds_tables(path: str, value: Mapping[str, Any]) -> bool:
+    """Whether it is a collection: ``{"left": {...}, "right": {...}}`` of supports."""
+    return "." not in path and bool(value) and all(isinstance(inner, Mapping) for inner in value.values())
+
+
+def split(table: Mapping[str, Any], path: str) -> tuple[dict[str, Any], dict[str, list[Callable[[float], float]]]]:
+    """A table with words in the place of functions, and the functions by path."""
+    plain: dict[str, Any] = {}
+    functions: dict[str, list[Callable[[float], float]]] = {}
+    for key, value in table.items():
+        if isinstance(value, Mapping):
+            plain[key], inner = split(value, f"{path}.{key}")
+            functions.update(inner)
+            continue
+        plain[key] = word(value)
+        if isinstance(value, Potential):
+            functions[f"{path}.{key}"] = [value.energy, value.force]
+        elif callable(value):
+            functions[f"{path}.{key}"] = [value]
+    return plain, functions
