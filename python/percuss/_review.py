@@ -61,7 +61,7 @@ class Review(list[Advice]):
         >>> percuss.check("plank.toml").warnings
         []
         >>> [one.code for one in percuss.check("plank.toml", time__step="50 ms").warnings]
-        ['W002', ...]
+        ['W002']
         """
         return [one for one in self if one.verdict == "warning"]
 

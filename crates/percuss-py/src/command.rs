@@ -18,7 +18,7 @@ use pyo3::prelude::*;
 ///
 /// Examples
 /// --------
-/// >>> percuss._percuss.command(["percuss", "check", "plank.toml", "--quiet"])
+/// >>> percuss._percuss.command(["percuss", "check", "plank.toml"])
 /// 0
 #[pyfunction]
 pub fn command(py: Python<'_>, line: Vec<OsString>) -> u8 {

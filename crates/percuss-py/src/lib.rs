@@ -17,6 +17,7 @@ mod sensitivity;
 mod shock;
 mod structure;
 mod study;
+mod work;
 
 /// `percuss._percuss`.
 #[pyo3::pymodule]

@@ -86,8 +86,9 @@ pub fn sensitivity<'py>(
 ///
 /// Examples
 /// --------
-/// >>> percuss._percuss.extrapolated([1.16, 1.04, 1.01])[0]
-/// 2.0
+/// >>> order, limit, uncertainty = percuss._percuss.extrapolated([1.16, 1.04, 1.01])
+/// >>> round(order, 3), round(limit, 3)
+/// (2.0, 1.0)
 #[pyfunction]
 pub fn extrapolated(values: Vec<f64>) -> (Option<f64>, f64, f64) {
     let found = percuss_study::extrapolate(&values);

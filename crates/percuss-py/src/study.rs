@@ -1,22 +1,15 @@
 //! Studies for Python: their shards, wherever they are run, and the table at the end.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::Duration;
 
-use numpy::IntoPyArray;
-use percuss::AnalysisCode;
 use percuss_scenario::FileAccess;
-use percuss_study::{Done, Folder, Progress, Shard, Values, merge, sweep};
+use percuss_study::{Folder, Shard};
 use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
 
-use crate::error::{analysis_error, incomplete, scenario_error, study_error};
-use crate::structure::array;
-
-/// Python is asked this often during a sweep.
-const LOOK: Duration = Duration::from_millis(50);
+use crate::error::{scenario_error, study_error};
+use crate::work;
 
 /// A study that has been read; it needs no file any more.
 ///
@@ -161,7 +154,7 @@ impl Study {
     /// Examples
     /// --------
     /// >>> percuss.sweep("speed.toml").study.shard_count
-    /// 1
+    /// 2
     #[getter]
     fn shard_count(&self) -> u64 {
         self.inner.shard_count()
@@ -187,7 +180,7 @@ impl Study {
     /// Examples
     /// --------
     /// >>> percuss.sweep("speed.toml").study.runs_of(0)
-    /// (0, 9)
+    /// (0, 8)
     fn runs_of(&self, index: u64) -> PyResult<(u64, u64)> {
         let runs = self.inner.runs_of(self.known(index)?);
         Ok((runs.start, runs.end))
@@ -219,15 +212,7 @@ impl Study {
     /// True
     fn run_shard<'py>(&self, py: Python<'py>, index: u64) -> PyResult<Bound<'py, PyBytes>> {
         let index = self.known(index)?;
-        let done = py.detach(|| {
-            let goes_on = || Python::attach(|py| py.check_signals()).is_ok();
-            let shard = self.inner.run_shard_while(index, &goes_on)?;
-            Some(shard.to_parquet(&self.inner))
-        });
-        match done {
-            Some(bytes) => Ok(PyBytes::new(py, &bytes.map_err(|error| study_error(&error))?)),
-            None => Err(pyo3::exceptions::PyKeyboardInterrupt::new_err(())),
-        }
+        work::shard(py, &self.inner, index)
     }
 
     /// Whether these are the bytes of a shard, whole and of this study.
@@ -281,19 +266,7 @@ impl Study {
         py: Python<'py>,
         read: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        let raised = std::cell::RefCell::new(None);
-        let shards = (0..self.inner.shard_count()).map_while(|index| {
-            let bytes = read.call1((index,)).and_then(|bytes| bytes.extract::<Vec<u8>>());
-            bytes
-                .map(|bytes| Shard::from_parquet(&bytes, &self.inner))
-                .map_err(|error| raised.borrow_mut().replace(error))
-                .ok()
-        });
-        let mut out = Vec::new();
-        let merged = merge(&self.inner, shards, &mut out);
-        raised.take().map_or(Ok(()), Err)?;
-        merged.map_err(|error| study_error(&error))?;
-        Ok(PyBytes::new(py, &out))
+        work::merged(py, &self.inner, read)
     }
 
     /// Does what is left of the study in a directory, and puts the results together. Nothing is returned.
@@ -327,46 +300,7 @@ impl Study {
         jobs: usize,
         progress: Py<PyAny>,
     ) -> PyResult<()> {
-        let folder = self.folder(&directory)?;
-        let wanted: Vec<u64> = (0..self.inner.shard_count()).collect();
-        let (stop, seen) = (AtomicBool::new(false), AtomicU64::new(0));
-        let tell = |at: Progress| {
-            seen.store(at.done, Ordering::Relaxed);
-            !stop.load(Ordering::Relaxed)
-        };
-        // Python hears signals on its main thread only, so the work is done on another one.
-        let (done, raised) = py.detach(|| {
-            std::thread::scope(|scope| {
-                let work = scope.spawn(|| sweep(&self.inner, &folder, &wanted, jobs, &tell));
-                let mut raised = None;
-                while !work.is_finished() {
-                    std::thread::sleep(LOOK);
-                    let runs = (seen.load(Ordering::Relaxed), self.inner.run_count());
-                    let look = |py: Python<'_>| {
-                        py.check_signals()?;
-                        progress.call1(py, runs).map(drop)
-                    };
-                    if raised.is_none()
-                        && let Err(error) = Python::attach(look)
-                    {
-                        raised = Some(error);
-                        stop.store(true, Ordering::Relaxed);
-                    }
-                }
-                (work.join(), raised)
-            })
-        });
-        if let Some(error) = raised {
-            return Err(error);
-        }
-        match done {
-            Ok(Ok(Done::All)) => {
-                py.detach(|| folder.finish(&self.inner)).map_err(|error| study_error(&error))
-            }
-            Ok(Ok(_)) => Err(incomplete("the study is not complete")),
-            Ok(Err(error)) => Err(study_error(&error)),
-            Err(_) => Err(analysis_error(AnalysisCode::Broken, "a thread of the sweep broke down")),
-        }
+        work::sweep(py, &self.inner, &self.folder(&directory)?, jobs, &progress)
     }
 
     /// Makes a directory that of the study, or refuses one of something else. Nothing is returned.
@@ -411,16 +345,7 @@ impl Study {
     /// >>> table.study.indices("kept") is None
     /// True
     fn indices(&self, py: Python<'_>, directory: PathBuf) -> PyResult<Option<Vec<u8>>> {
-        if !self.inner.has_sobol_indices() {
-            return Ok(None);
-        }
-        let folder = self.folder(&directory)?;
-        let bytes = py.detach(|| {
-            let table = folder.results(&self.inner)?;
-            let indices = percuss_study::indices(&self.inner, &table);
-            percuss_study::indices_parquet(&self.inner, &indices)
-        });
-        bytes.map(Some).map_err(|error| study_error(&error))
+        work::indices(py, &self.inner, || self.folder(&directory))
     }
 
     /// `report.html` of the results in a directory.
@@ -477,18 +402,7 @@ impl Study {
     /// ['run', 'speed', 'peak_force']
     fn results<'py>(&self, py: Python<'py>, directory: PathBuf) -> PyResult<Bound<'py, PyList>> {
         let folder = self.folder(&directory)?;
-        let table =
-            py.detach(|| folder.results(&self.inner)).map_err(|error| study_error(&error))?;
-        let out = PyList::empty(py);
-        for (column, values) in table.columns.into_iter().zip(table.values) {
-            let values = match values {
-                Values::Whole(values) => values.into_pyarray(py).into_any(),
-                Values::Number(values) => array(py, values).into_any(),
-                Values::Text(values) => PyList::new(py, values)?.into_any(),
-            };
-            out.append((column.name, column.unit, column.role.name(), column.about, values))?;
-        }
-        Ok(out)
+        work::columns(py, &self.inner, &folder)
     }
 }
 
