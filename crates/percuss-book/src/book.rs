@@ -39,6 +39,7 @@ pub fn authored(repository: &Path) -> io::Result<Vec<(String, String)>> {
         ("book/src", ""),
         ("book/src/tasks", "tasks/"),
         ("book/src/theory", "theory/"),
+        ("book/src/verification", "verification/"),
         ("", "guides/"),
     ] {
         for path in files(&docs.join(from), "md")? {

@@ -2,6 +2,7 @@
 
 mod fragments;
 mod gallery;
+mod mutations;
 mod paper;
 mod release;
 mod scenario;

@@ -1,0 +1,71 @@
+//! Mistakes that scripts/sensitivity makes: each still has its place in the sources, and its row on the page.
+
+use std::collections::BTreeSet;
+
+use toml_edit::{DocumentMut, Item};
+
+use crate::repository;
+
+struct Mutation {
+    id: String,
+    what: String,
+    /// File below the sources of the mechanics, what stands there, what takes its place.
+    edits: Vec<[String; 3]>,
+}
+
+fn read(name: &str) -> String {
+    let path = repository().join(name);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn mutations() -> Vec<Mutation> {
+    let file: DocumentMut = read("docs/book/mutations.toml").parse().unwrap();
+    let text = |item: &Item| item.as_str().expect("a text").to_string();
+    let tables = file["mutation"].as_array_of_tables().unwrap();
+    let mutation = |table: &toml_edit::Table| Mutation {
+        id: text(&table["id"]),
+        what: text(&table["what"]),
+        edits: table["edits"].as_array().unwrap().iter().map(edit).collect(),
+    };
+    tables.iter().map(mutation).collect()
+}
+
+fn edit(value: &toml_edit::Value) -> [String; 3] {
+    let parts = value.as_array().expect("a file and two texts");
+    let texts: Vec<String> = parts.iter().map(|p| p.as_str().unwrap().to_string()).collect();
+    texts.try_into().expect("a file and two texts")
+}
+
+#[test]
+fn each_mistake_has_exactly_one_place_in_the_sources() {
+    let mutations = mutations();
+    let ids: BTreeSet<&str> = mutations.iter().map(|mutation| mutation.id.as_str()).collect();
+    assert!(mutations.len() == ids.len() && ids.len() >= 8);
+    for Mutation { id, edits, .. } in &mutations {
+        for [file, search, replace] in edits {
+            let source = read(&format!("crates/percuss/src/{file}"));
+            assert_eq!(source.matches(search.as_str()).count(), 1, "{id}: {search}");
+            assert_ne!(search, replace, "{id}");
+        }
+    }
+}
+
+#[test]
+fn the_page_has_a_row_for_each_mistake_and_says_which_none_notices() {
+    let page = read("docs/book/src/verification/sensitivity.md");
+    let rows: Vec<Vec<&str>> = page
+        .lines()
+        .filter(|line| line.starts_with("| ") && !line.starts_with("| Mistake"))
+        .map(|line| line.trim_matches('|').split(" | ").map(str::trim).collect())
+        .collect();
+    let told: Vec<&str> = rows.iter().map(|row| row[0]).collect();
+    let mutations = mutations();
+    let known: Vec<&str> = mutations.iter().map(|mutation| mutation.what.as_str()).collect();
+    assert_eq!(told, known);
+    for row in &rows {
+        let names = row[2].matches('`').count() / 2;
+        assert_eq!(row[1], names.to_string(), "{}", row[0]);
+        let blind = page.lines().any(|l| l.starts_with("Noticed by none: ") && l.contains(row[0]));
+        assert_eq!(names == 0, blind, "{}", row[0]);
+    }
+}
