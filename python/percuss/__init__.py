@@ -1,15 +1,18 @@
 """Percuss: impact on geometrically exact beams, with balances that close.
 
-    import percuss
+Names and units are those of the scenario file; a bare number is SI. Examples speak of ``plank.toml`` and ``speed.toml``, the
+scenario and the study of the book's first hour, and of ``scenarios/studies/speed-and-mass.toml``.
 
-    scenario = percuss.load("plank.toml")
-    scenario["projectile.mass.velocity"] = [0, "30 m/s"]
-    result = percuss.run(scenario)
-    result["contact.mass.force"].max()
-    result.plot()
-    percuss.open("runs/plank").plot.energy()
-
-Names and units are those of the scenario file; a bare number is SI.
+Examples
+--------
+>>> import percuss
+>>> scenario = percuss.load("plank.toml")
+>>> scenario["projectile.bag.velocity"] = [0, "-7 m/s"]
+>>> result = percuss.run(scenario, out="runs/plank")
+>>> round(result["contact.bag.force"].max())  # N
+3585
+>>> ax = result.plot()
+>>> ax = percuss.open("runs/plank").plot.energy()
 """
 
 from ._analyses import Equilibrium, Modes, modes, static

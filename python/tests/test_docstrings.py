@@ -139,14 +139,14 @@ def test_a_public_item_says_what_it_takes_gives_and_raises(name):
     assert not faults(ITEMS[name]), f"{name}: {faults(ITEMS[name])}"
 
 
-@pytest.mark.parametrize("name", ITEMS)
+@pytest.mark.parametrize("name", ["percuss", *ITEMS])
 def test_examples_run(name, tmp_path, monkeypatch):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     if name == "openturns":
         pytest.importorskip("openturns")
     desk.lay(tmp_path)
     monkeypatch.chdir(tmp_path)
-    test = doctest.DocTestParser().get_doctest(said_of(ITEMS[name]), {"percuss": percuss, "np": np}, name, name, 0)
+    test = doctest.DocTestParser().get_doctest(said_of(ITEMS.get(name, percuss)), {"percuss": percuss, "np": np}, name, name, 0)
     said: list[str] = []
     flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
     ran = doctest.DocTestRunner(optionflags=flags).run(test, out=said.append)
