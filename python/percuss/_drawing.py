@@ -177,6 +177,10 @@ class Drawing:
         from matplotlib.colors import Normalize
 
         name, unit = _LEGENDS[self.colour]
+        if self.colour == "stress" and not any(np.isfinite(beam.half_depth * beam.inertia).any() for beam in self.fields.beams):
+            text = "no stress known: sections without depth, or that yield"
+            self.ax.text(0.01, 0.02, text, transform=self.ax.transAxes, fontsize="small", color=COLOURS["symbol"])
+            return
         if self.colour == "stress" and any(np.isnan(beam.inertia).any() for beam in self.fields.beams):
             name = "stress, elastic beams"
         shown = ScalarMappable(Normalize(0.0, self._top or 1.0), "cividis")

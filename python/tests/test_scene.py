@@ -164,3 +164,10 @@ def test_beams_that_can_yield_have_no_colour_of_stress():
             assert np.isnan(fields.stress(len(fields) - 1, beam, curve)).all()
     ax = result.plot(colour="stress")
     assert "stress, elastic beams [Pa]" in [other.get_ylabel() for other in ax.figure.axes]
+
+
+def test_stress_that_is_not_known_has_no_scale():
+    """A section given by area and inertia has no extreme fibre; nor is a bar of colours from 0 to 1 Pa drawn."""
+    ax = percuss.run(SCENARIOS / "paper" / "elastic-clamped.toml", shapes=20).plot(colour="stress")
+    assert [text.get_text() for text in ax.texts] == ["no stress known: sections without depth, or that yield"]
+    assert len(ax.figure.axes) == 1
