@@ -15,6 +15,10 @@ from matplotlib.patches import Circle
 from conftest import SCENARIOS
 
 
+UNKNOWN = "no stress known: sections without depth, or that yield"
+"""What stands in place of a scale of stresses where no beam has any."""
+
+
 def page_of(result):
     """The page inside the frame."""
     return html.unescape(re.search(r'srcdoc="([^"]*)"', result._repr_html_()).group(1))
@@ -163,11 +167,11 @@ def test_beams_that_can_yield_have_no_colour_of_stress():
         for curve in beam.curves(fields.displacement[-1]):
             assert np.isnan(fields.stress(len(fields) - 1, beam, curve)).all()
     ax = result.plot(colour="stress")
-    assert "stress, elastic beams [Pa]" in [other.get_ylabel() for other in ax.figure.axes]
+    assert UNKNOWN in [text.get_text() for text in ax.texts] and len(ax.figure.axes) == 1
 
 
 def test_stress_that_is_not_known_has_no_scale():
     """A section given by area and inertia has no extreme fibre; nor is a bar of colours from 0 to 1 Pa drawn."""
     ax = percuss.run(SCENARIOS / "paper" / "elastic-clamped.toml", shapes=20).plot(colour="stress")
-    assert [text.get_text() for text in ax.texts] == ["no stress known: sections without depth, or that yield"]
+    assert UNKNOWN in [text.get_text() for text in ax.texts]
     assert len(ax.figure.axes) == 1
