@@ -13,7 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 WORK = ROOT / "target" / "sensitivity"
 TREE = WORK / "tree"
-KEPT = WORK / "found.json"
+KEPT = ROOT / "docs" / "book" / "noticed.json"
+"""Cases that hold without a mistake, and those that notice each."""
 PAGE = ROOT / "docs" / "book" / "src" / "verification" / "sensitivity.md"
 LIST = ROOT / "docs" / "book" / "mutations.toml"
 CORE = Path("crates") / "percuss" / "src"
@@ -58,29 +59,31 @@ def outcomes() -> dict[str, list[str]]:
     return {line[0]: line[1:] for line in lines if len(line) >= 4}
 
 
-def noticed(found: dict[str, list[str]], sound: dict[str, list[str]]) -> list[str]:
+def noticed(found: dict[str, list[str]], sound: list[str]) -> list[str]:
     """Cases that do not hold any more, or do not end."""
     return [case for case in sound if found.get(case, ["endless"])[0] != "holds"]
 
 
 def table(mutations: list[dict], kept: dict) -> str:
-    sound = kept["sound"]
-    rows, blind = [], []
-    for mutation in mutations:
-        cases = noticed(kept[mutation["id"]], sound)
-        if not cases:
-            blind.append(mutation["what"])
+    measured = [m for m in mutations if m["id"] in kept]
+    rows = []
+    for mutation in measured:
+        cases = kept[mutation["id"]]
         names = ", ".join(f"`{case}`" for case in cases) or "none"
         rows.append(f"| {mutation['what']} | {len(cases)} | {names} |")
-    never = [case for case in sound if not any(case in noticed(kept[m["id"]], sound) for m in mutations)]
+    blind = [m["what"] for m in measured if not kept[m["id"]]]
+    never = [case for case in kept["sound"] if not any(case in kept[m["id"]] for m in measured)]
+    later = [m["what"] for m in mutations if m not in measured]
     head = [
-        f"Measured: {len(mutations)} mistakes, {len(sound)} cases; {len(mutations) - len(blind)} of the mistakes are noticed.",
+        f"Measured: {len(measured)} mistakes, {len(kept['sound'])} cases; {len(measured) - len(blind)} of the mistakes are noticed.",
         "",
         "| Mistake | Cases | Which |",
         "|---|---:|---|",
     ]
-    tail = ["", "Noticed by none: " + ("; ".join(blind) + "." if blind else "no mistake of the list.")]
+    tail = ["", "Noticed by none: " + ("; ".join(blind) if blind else "no mistake of the list") + "."]
     tail += ["", f"Cases that notice none of these mistakes ({len(never)}): " + ", ".join(f"`{case}`" for case in never) + "."]
+    if later:
+        tail += ["", "Not measured yet: " + "; ".join(later) + "."]
     return "\n".join(head + rows + tail)
 
 
@@ -101,8 +104,9 @@ def main(arguments: list[str]) -> None:
     if unknown:
         sys.exit(f"no such mistake: {', '.join(sorted(unknown))}")
     copied()
-    kept["sound"] = outcomes()
-    broken = [case for case, (word, *_) in kept["sound"].items() if word != "holds"]
+    sound = outcomes()
+    kept["sound"] = sorted(sound)
+    broken = [case for case, (word, *_) in sound.items() if word != "holds"]
     if broken:
         sys.exit(f"without any mistake these do not hold: {', '.join(broken)}")
     print(f"sound: {len(kept['sound'])} cases hold", flush=True)
@@ -110,13 +114,11 @@ def main(arguments: list[str]) -> None:
         if arguments and mutation["id"] not in arguments:
             continue
         mutated(mutation)
-        kept[mutation["id"]] = outcomes()
+        cases = kept[mutation["id"]] = noticed(outcomes(), kept["sound"])
         copied()
-        KEPT.write_text(json.dumps(kept, indent=1))
-        cases = noticed(kept[mutation["id"]], kept["sound"])
+        KEPT.write_text(json.dumps(kept, indent=1) + "\n")
         print(f"{mutation['id']}: {len(cases)} cases: {' '.join(cases)}", flush=True)
-    if not arguments:
-        written(mutations, kept)
+    written(mutations, kept)
 
 
 main(sys.argv[1:])
