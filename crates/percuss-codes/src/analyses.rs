@@ -52,8 +52,8 @@ catalogue! {
              is written. Allow more points or longer arcs, or ask for an end that the structure reaches.";
         /// A result that has no derivatives.
         NoDerivative = "E112", "a result without derivatives",
-            "Derivatives through a run are known of beams on fixed supports that guided projectiles strike, up to the first event that \
-             is not followed. The message names what stands against them. `percuss sweep` shows how the result depends on the parameter \
+            "Derivatives through a run are known of beams, joined or not, on supports that stay where they are, that guided projectiles \
+             strike, up to the first event that is not followed. The message names what stands against them. `percuss sweep` shows how the result depends on the parameter \
              all the same.";
         /// A balance that is asked for and does not close.
         Balance = "E113", "a balance that does not close (--strict)",

@@ -32,8 +32,8 @@ Examples:
 
 pub(super) const SENSITIVITY: &str = "\
 Every operation of the run is differentiated, the instants of impacts included (forward mode): the derivatives are those of \
-the computed run, not differences of runs. Beams on fixed supports struck by guided projectiles can be differentiated, with the \
-energy-momentum scheme, damping of the material and dead loads that do not change in time.";
+the computed run, not differences of runs. Beams and frames struck by guided projectiles can be differentiated, on fixed supports, \
+springs to the ground and before stops, with rigid joints and hinges, by the energy-momentum scheme, with damping of the material and dead loads that do not change in time.";
 
 pub(super) const CONVERGE: &str = "\
 The run is repeated with halved steps on the given mesh, and with doubled elements under the given step. The limit is Richardson's

@@ -27,6 +27,23 @@ impl<S: Number> Band<S> {
         Self { diag: zero.clone(), upper: zero.clone(), lower: zero }
     }
 
+    /// Adds `k` times the square of a form on the nodes `a` and `a + 1`.
+    #[inline(always)]
+    pub fn add_square(&mut self, a: usize, row: &[S; 8], k: S) {
+        for i in 0..8 {
+            for j in 0..8 {
+                let block = match (i / 4, j / 4) {
+                    (0, 0) => &mut self.diag[a],
+                    (0, _) => &mut self.upper[a],
+                    (_, 0) => &mut self.lower[a],
+                    _ => &mut self.diag[a + 1],
+                };
+                let entry = &mut block[i % 4][j % 4];
+                *entry = entry.add_product(k * row[i], row[j]);
+            }
+        }
+    }
+
     /// Factors in place.
     #[inline(always)]
     pub fn factor(&mut self) {

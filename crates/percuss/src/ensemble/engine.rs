@@ -3,6 +3,8 @@
 mod guide;
 
 use super::band::{Band, LaneBlock};
+use super::constraints::Constraints;
+use super::ground_springs::GroundSpringState;
 use super::impact::Press;
 use super::numbers::{Numbers, PrescribedNumbers};
 use crate::element::beam::ElementValues;
@@ -11,7 +13,7 @@ use crate::element::energy_momentum::End;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{dot, dot4};
 use crate::model::StrainMeasure;
-use crate::scalar::{Number, array};
+use crate::scalar::{Number, Real, array};
 
 pub use guide::GuideState;
 
@@ -29,6 +31,10 @@ pub struct Engine<S: Number> {
     pub start: Vec<[End<S>; GAUSS]>,
     /// Angular rates of their tangents, shape (elements, Gauss points) \[rad/s\].
     pub spin: Vec<[S; GAUSS]>,
+    /// Joints, and supports between nodes.
+    pub constraints: Constraints<S>,
+    /// Elastic supports and stops, shape (springs to the ground).
+    pub springs: Vec<GroundSpringState<S>>,
     /// Guided projectiles, shape (guided projectiles).
     pub guides: Vec<GuideState<S>>,
     /// Reactions of the supports in the directions held, shape (nodes held, 4) \[N, N m\].
@@ -84,6 +90,8 @@ impl<S: Number> Engine<S> {
             velocity: still.clone(),
             spin: vec![[zero; GAUSS]; start.len()],
             start,
+            constraints: Constraints::new(&numbers.constraints, nodes, zero),
+            springs: vec![GroundSpringState::at_rest(zero); numbers.springs.len()],
             guides,
             reactions: vec![[zero; 4]; numbers.prescribed.len()],
             settled: zero.less(zero),
@@ -122,6 +130,7 @@ impl<S: Number> Engine<S> {
         for (mine, other) in self.guides.iter_mut().zip(&from.guides) {
             mine.set_lane(lane, other, from_lane);
         }
+        self.constraints.set_lane(lane, &from.constraints, from_lane);
         self.h.set_lane(lane, from.h, from_lane);
         let others = from.numbers.flat();
         let mut numbers = self.numbers.flat();
@@ -139,7 +148,9 @@ impl<S: Number> Engine<S> {
         if !self.numbers.loads.is_empty() {
             self.resist_loads();
         }
+        self.push_springs::<TANGENT>();
         self.contacts::<TANGENT>();
+        self.constrain();
         for k in 0..self.numbers.prescribed.len() {
             let dofs = &self.numbers.prescribed[k];
             let free = &mut self.residual[dofs.node];
@@ -259,18 +270,7 @@ impl<S: Number> Engine<S> {
                 let inertia = guide.mass * (rate + rate) * rate;
                 state.assembled = [state.slope, inertia + state.slope];
                 let felt = state.slope * inertia / state.assembled[1];
-                for i in 0..8 {
-                    for j in 0..8 {
-                        let block = match (i / 4, j / 4) {
-                            (0, 0) => &mut self.tangent.diag[a],
-                            (0, _) => &mut self.tangent.upper[a],
-                            (_, 0) => &mut self.tangent.lower[a],
-                            _ => &mut self.tangent.diag[a + 1],
-                        };
-                        let entry = &mut block[i % 4][j % 4];
-                        *entry = entry.add_product(felt * row[i], row[j]);
-                    }
-                }
+                self.tangent.add_square(a, &row, felt);
             }
         }
     }
@@ -344,7 +344,7 @@ impl<S: Number> Engine<S> {
             }
         }
         Self::project(&self.numbers.prescribed, &mut self.correction);
-        self.factors.solve(&mut self.correction);
+        self.solve_constrained(true);
         for k in 0..self.guides.len() {
             let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
             let moved = guide.along(&self.correction);
@@ -356,7 +356,7 @@ impl<S: Number> Engine<S> {
 
 /// Interpolates nodal values with shape functions.
 #[inline(always)]
-pub fn interpolate<S: Number>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
+pub fn interpolate<S: Real>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
     let (a, b) = (&nodal[node], &nodal[node + 1]);
     [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
 }

@@ -139,6 +139,7 @@ impl<'a> Flight<'a> {
         self.solver_steps += 1;
         self.engine.h = h;
         self.engine.striking = striking;
+        self.engine.constraints.impulsive = striking.is_some();
         self.engine.solve(&self.ledger, &mut self.search);
         match self.search.failed {
             true => Err(self.horizon("there the step has to be cut".into())),

@@ -18,6 +18,8 @@ pub struct Press<S: Number> {
     nodal: Vec<[S; 4]>,
     /// How far it moves the projectiles, shape (guided projectiles) \[m/N\].
     ways: Vec<S>,
+    /// What it changes of the multipliers, shape (constraints) \[1, m\].
+    multipliers: Vec<S>,
     /// Whether these are those of the factors in use.
     pub known: bool,
 }
@@ -33,6 +35,7 @@ impl<S: Number> Press<S> {
             opening: zero,
             nodal: vec![[zero; 4]; engine.increment.len()],
             ways: vec![zero; engine.guides.len()],
+            multipliers: vec![zero; engine.numbers.constraints.len()],
             known: false,
         }
     }
@@ -50,6 +53,7 @@ impl<S: Number> Engine<S> {
     /// Newton's law asks for.
     pub fn strike(&mut self, k: usize) {
         let (correction, guides) = (self.correction.clone(), self.guides.clone());
+        let multipliers: Vec<S> = self.constraints.corrections().map(|x| *x).collect();
         let moved = self.numbers.guides[k].along(&correction) - guides[k].correction;
         let opening = self.answer(k);
         let state = &self.guides[k];
@@ -69,6 +73,9 @@ impl<S: Number> Engine<S> {
         for (state, own) in self.guides.iter_mut().zip(&guides) {
             state.correction = own.correction + state.correction * force;
         }
+        for (change, own) in self.constraints.corrections().zip(multipliers) {
+            *change = own + *change * force;
+        }
     }
 
     /// The answer of the factored tangent to a unit force that opens a gap, left in the corrections; returns how far it opens.
@@ -81,7 +88,7 @@ impl<S: Number> Engine<S> {
             self.correction[guide.node + i / 4][i % 4] = *c;
         }
         Self::project(&self.numbers.prescribed, &mut self.correction);
-        self.factors.solve(&mut self.correction);
+        self.solve_constrained(false);
         for (j, (guide, state)) in self.numbers.guides.iter().zip(&mut self.guides).enumerate() {
             let own = if j == k { zero.constant(-1.0) } else { zero };
             let moved = guide.along(&self.correction);
@@ -114,10 +121,16 @@ impl<S: Number> Engine<S> {
         for (way, state) in press.ways.iter_mut().zip(&self.guides) {
             *way = state.correction;
         }
+        for (mine, change) in press.multipliers.iter_mut().zip(self.constraints.corrections()) {
+            *mine = *change;
+        }
         press.opening = self.answer(press.guide);
         std::mem::swap(&mut self.correction, &mut press.nodal);
         for (way, state) in press.ways.iter_mut().zip(&mut self.guides) {
             std::mem::swap(way, &mut state.correction);
+        }
+        for (mine, change) in press.multipliers.iter_mut().zip(self.constraints.corrections()) {
+            std::mem::swap(mine, change);
         }
         press.known = true;
     }
@@ -140,6 +153,9 @@ impl<S: Number> Engine<S> {
         for (state, way) in self.guides.iter_mut().zip(&press.ways) {
             let own = state.correction;
             state.correction = S::choose(which, own.add_product(*way, force), own);
+        }
+        for (change, answer) in self.constraints.corrections().zip(&press.multipliers) {
+            *change = S::choose(which, change.add_product(*answer, force), *change);
         }
     }
 }

@@ -11,22 +11,7 @@ impl<S: Number> GuideNumbers<S> {
         if self.law == GuideLaw::Rigid {
             return;
         }
-        let zero = p1.constant(0.0);
-        let p0 = -state.gap;
-        let (q0, q1) = (p0.max(zero), p1.max(zero));
-        let (sum, step) = (q0 + q1, p1 - p0);
-        // Of the way over the step, the share inside.
-        let least = p0.if_less(p1, p0, p1);
-        let share = least.if_less(zero, (q1 - q0) / step, p1.constant(1.0));
-        let elastic = self.mean_force(q0, q1) * share;
-        let close = step.abs().if_less(
-            sum * 1e-6,
-            self.spring(sum * 0.5) * 0.5,
-            (self.reaction(q1) - elastic) / step,
-        );
-        let touches = |x: S| zero.if_less(sum, x, zero);
-        state.force = touches(elastic);
-        state.slope = touches(close);
+        [state.force, state.slope] = difference_quotient(self.law, self.stiffness, -state.gap, p1);
     }
 
     /// Potential at penetration `p` \[J\].
@@ -43,31 +28,56 @@ impl<S: Number> GuideNumbers<S> {
     /// Force at a penetration that is not negative \[N\].
     #[inline(always)]
     pub fn reaction(&self, p: S) -> S {
-        match self.law {
-            GuideLaw::Hertz => self.stiffness * p * p.sqrt(),
-            _ => self.stiffness * p,
-        }
+        reaction(self.law, self.stiffness, p)
     }
+}
 
-    #[inline(always)]
-    fn spring(&self, p: S) -> S {
-        match self.law {
-            GuideLaw::Hertz => self.stiffness * p.sqrt() * 1.5,
-            _ => self.stiffness,
-        }
+/// Difference quotient of the potential of a law that presses from penetration zero on, from `p0` to `p1` \[N\], and its slope by `p1`
+/// \[N/m\].
+#[inline(always)]
+pub fn difference_quotient<S: Number>(law: GuideLaw, stiffness: S, p0: S, p1: S) -> [S; 2] {
+    let zero = p1.constant(0.0);
+    let (q0, q1) = (p0.max(zero), p1.max(zero));
+    let (sum, step) = (q0 + q1, p1 - p0);
+    // Of the way over the step, the share inside.
+    let least = p0.if_less(p1, p0, p1);
+    let share = least.if_less(zero, (q1 - q0) / step, p1.constant(1.0));
+    let elastic = mean_force(law, stiffness, q0, q1) * share;
+    let close = step.abs().if_less(
+        sum * 1e-6,
+        spring(law, stiffness, sum * 0.5) * 0.5,
+        (reaction(law, stiffness, q1) - elastic) / step,
+    );
+    let touches = |x: S| zero.if_less(sum, x, zero);
+    [touches(elastic), touches(close)]
+}
+
+#[inline(always)]
+fn reaction<S: Number>(law: GuideLaw, stiffness: S, p: S) -> S {
+    match law {
+        GuideLaw::Hertz => stiffness * p * p.sqrt(),
+        _ => stiffness * p,
     }
+}
 
-    /// Difference quotient of the potential between penetrations that are not negative.
-    #[inline(always)]
-    fn mean_force(&self, q0: S, q1: S) -> S {
-        match self.law {
-            GuideLaw::Hertz => {
-                let (a, b) = (q1.sqrt(), q0.sqrt());
-                let (a2, ab, b2) = (a * a, a * b, b * b);
-                let sum = a2 * a2 + ab * (a2 + ab + b2) + b2 * b2;
-                self.stiffness * sum / (a + b) * 0.4
-            }
-            _ => self.stiffness * (q0 + q1) * 0.5,
+#[inline(always)]
+fn spring<S: Number>(law: GuideLaw, stiffness: S, p: S) -> S {
+    match law {
+        GuideLaw::Hertz => stiffness * p.sqrt() * 1.5,
+        _ => stiffness,
+    }
+}
+
+/// Difference quotient of the potential between penetrations that are not negative.
+#[inline(always)]
+fn mean_force<S: Number>(law: GuideLaw, stiffness: S, q0: S, q1: S) -> S {
+    match law {
+        GuideLaw::Hertz => {
+            let (a, b) = (q1.sqrt(), q0.sqrt());
+            let (a2, ab, b2) = (a * a, a * b, b * b);
+            let sum = a2 * a2 + ab * (a2 + ab + b2) + b2 * b2;
+            stiffness * sum / (a + b) * 0.4
         }
+        _ => stiffness * (q0 + q1) * 0.5,
     }
 }

@@ -159,6 +159,8 @@ impl<S: Number> LaneLedger<S> {
             self.impulse = array(|i| self.impulse[i] + h * reaction[i]);
             self.angular_impulse += h * (cross(x, [reaction[0], reaction[1]]) + moment);
         }
+        self.enter_constraints(engine);
+        self.enter_springs(engine);
         for (guide, state) in engine.numbers.guides.iter().zip(&engine.guides) {
             // The guide carries the couple of a force off the line of flight.
             let push = state.force + state.impulse / h;
@@ -328,6 +330,9 @@ impl<S: Number> Engine<S> {
             m.linear_size += linear_size;
             m.angular_size += angular_size;
         }
+        if !self.springs.is_empty() {
+            m.energy += self.spring_energy();
+        }
         for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
             let momentum = guide.mass * state.velocity;
             let linear = array(|i| guide.direction[i] * momentum);
@@ -351,51 +356,5 @@ impl<S: Number> Engine<S> {
             interpolate(&p.shape, p.node, &self.displacement),
             interpolate(&p.shape, p.node, &self.velocity),
         ]
-    }
-
-    /// Accepts the step at hand.
-    #[inline(always)]
-    pub fn commit(&mut self) {
-        let rate = self.h.recip();
-        let twice = rate + rate;
-        for n in 0..self.increment.len() {
-            let (u, v) = (&mut self.displacement[n], &mut self.velocity[n]);
-            let d = &self.increment[n];
-            for i in 0..4 {
-                u[i] += d[i];
-                v[i] = d[i] * twice - v[i];
-            }
-        }
-        self.arrive(twice);
-        for k in 0..self.guides.len() {
-            let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
-            state.way += state.increment;
-            state.velocity = state.increment * twice - state.velocity;
-            state.gap += state.gap_change;
-            state.rate = guide.along(&self.velocity) - state.velocity;
-        }
-    }
-}
-
-impl<S: Number> Engine<S> {
-    /// Gauss points as the displacements have them at the end of the step, and their angular rates there; `twice` is 2/h.
-    #[inline(always)]
-    fn arrive(&mut self, twice: S) {
-        let mut element = 0;
-        for span in &self.numbers.spans {
-            for k in 0..span.count {
-                let (a, table) = (span.first + k, span.table(k));
-                let (u, d) = (&self.displacement, &self.increment);
-                let values = ElementValues::new(&u[a], &u[a + 1]);
-                let step = ElementValues::new(&d[a], &d[a + 1]);
-                let (start, spin) = (&mut self.start[element], &mut self.spin[element]);
-                let (ends, angles) = End::after(span.measure, &table.rows, start, &values, &step);
-                *start = ends;
-                for j in 0..GAUSS {
-                    spin[j] = (angles[j] * twice) - spin[j];
-                }
-                element += 1;
-            }
-        }
     }
 }

@@ -1,15 +1,18 @@
 //! Ensembles: runs of one shape stepped side by side, one a lane, or one run with its derivatives.
 //!
 //! The same mechanics as [`Simulation`](crate::Simulation), with the same element kernels and the same tests of convergence,
-//! for what most studies are made of: beams on fixed supports, damped by their material or not, struck by guided projectiles
+//! for what most studies are made of: beams and frames, damped by their material or not, struck by guided projectiles
 //! and under dead loads ([`shape`] says what fits).
 //! Written once over [`Number`](crate::scalar::Number): lanes make it fast, dual numbers make it differentiate. Lanes never
 //! see each other, so a run gives the same bits alone and in company.
 
 mod band;
 mod batch;
+mod commit;
+mod constraints;
 mod engine;
 mod flight;
+mod ground_springs;
 mod horizon;
 mod impact;
 mod law;

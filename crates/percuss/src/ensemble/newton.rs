@@ -1,5 +1,9 @@
 //! Newton's iteration of the runs of an ensemble: each converges on its own, by the tests of a single run.
 
+mod increments;
+
+use self::increments::largest;
+use super::constraints::{FOLLOWING, Kept};
 use super::engine::Engine;
 use super::ledger::LaneLedger;
 use crate::scalar::{Mask, Number};
@@ -96,14 +100,6 @@ impl<S: Number> LaneNewton<S> {
     }
 }
 
-/// What an increment leaves unbalanced.
-struct Unbalanced<S> {
-    /// Work over the step, all taken with the same sign \[J\].
-    work: S,
-    /// Impulse \[N s\].
-    impulse: S,
-}
-
 impl<S: Number> Engine<S> {
     /// Finds the increments of the step at hand; lanes in which there is none are marked.
     #[inline(always)]
@@ -125,8 +121,8 @@ impl<S: Number> Engine<S> {
                 self.evaluate::<false>();
             }
             if !seen {
-                let left = self.unbalanced();
-                search.weigh(left.work, left.impulse / momentum, corrections);
+                let (left, met) = (self.unbalanced(), self.meet_constraints(reach, false));
+                search.weigh(left.work, left.impulse / momentum, met, corrections);
                 if !search.seeking.any() {
                     break;
                 }
@@ -146,7 +142,7 @@ impl<S: Number> Engine<S> {
             corrections += 1;
             let took = search.seeking;
             self.take(search, reach, ledger, corrections == 1);
-            self.end_ahead(search, took, momentum);
+            self.end_ahead(search, took, momentum, reach);
             if !search.seeking.any() {
                 break;
             }
@@ -167,72 +163,24 @@ impl<S: Number> Engine<S> {
     }
 
     /// Ends the iterations of lanes that the correction just taken foreseeably leaves nothing to do in. No forces are
-    /// evaluated for them any more but those of contacts, which may have opened or closed; reactions follow the correction to first
-    /// order, as the others do that it balances, and stay so while other lanes go on: a run knows nothing of those beside it.
+    /// evaluated for them any more but those of contacts, which may have opened or closed, and constraints are looked at; reactions follow
+    /// the correction to first order, as the others do that it balances, and stay so while other lanes go on: a run knows nothing of those beside it.
     #[inline(always)]
-    fn end_ahead(&mut self, search: &mut LaneNewton<S>, took: S::Mask, momentum: S) {
+    fn end_ahead(&mut self, search: &mut LaneNewton<S>, took: S::Mask, momentum: S, reach: S) {
         if S::DERIVES || self.striking.is_some() || !(took & search.foreseen).any() {
             return;
         }
         // Factors of the correction enter, so before the contacts are looked at.
         self.correct_reactions(took & search.foreseen);
         let (rate, small) = (self.h.recip(), momentum * UNFORESEEN);
-        let mut ends = took & search.foreseen;
+        let mut ends = took & search.foreseen & self.meet_constraints(reach, true);
+        ends = ends & self.springs_foreseen(small);
         for k in 0..self.guides.len() {
             self.push(k, rate);
             ends = ends & (self.guides[k].residual * self.h).abs().at_most(small);
         }
         search.seeking = search.seeking & !ends;
         self.settled = self.settled | ends;
-    }
-
-    /// The increments if accelerations are those of the step before, of size `before`, times `ahead` by the square of the sizes, and change
-    /// by the share `trusted` of what they changed by then.
-    #[inline(always)]
-    fn predict(&mut self, before: S, ahead: S, trusted: S) {
-        let (zero, told) = (self.h.constant(0.0), !ahead.equals(self.h.constant(0.0)));
-        for n in 0..self.increment.len() {
-            for i in 0..4 {
-                let v = self.velocity[n][i];
-                let last = (before * v - self.increment[n][i]) * ahead;
-                let change = last + (last - self.trend[n][i]) * trusted;
-                self.trend[n][i] = S::choose(told, last, zero);
-                self.increment[n][i] = self.h * v + S::choose(told, change, zero);
-            }
-        }
-        Self::project(&self.numbers.prescribed, &mut self.increment);
-        for guide in &mut self.guides {
-            let v = guide.velocity;
-            let change = (before * v - guide.increment) * ahead;
-            guide.increment = self.h * v + S::choose(told, change, zero);
-            if self.press.is_some() {
-                guide.impulse = zero; // it is found anew
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn unbalanced(&self) -> Unbalanced<S> {
-        let zero = self.h.constant(0.0);
-        let (mut work, mut sum) = (zero, [zero; 2]);
-        for n in 0..self.increment.len() {
-            let (r, d) = (&self.residual[n], &self.increment[n]);
-            for i in 0..4 {
-                work += (r[i] * d[i]).abs();
-            }
-            for i in 0..2 {
-                sum[i] += r[i];
-            }
-        }
-        for k in 0..self.guides.len() {
-            let (guide, state) = (&self.numbers.guides[k], &self.guides[k]);
-            work += (state.residual * state.increment).abs();
-            for i in 0..2 {
-                sum[i] += state.residual * guide.direction[i];
-            }
-        }
-        let impulse = self.h * (sum[0] * sum[0] + sum[1] * sum[1]).sqrt();
-        Unbalanced { work, impulse }
     }
 
     /// Factors the tangent as assembled last, for the lanes that want it renewed; in the others the factors stay.
@@ -252,58 +200,34 @@ impl<S: Number> Engine<S> {
             std::mem::swap(&mut self.factors, &mut self.tangent);
             self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
         }
+        self.factor_constraints(renew);
+        self.factor_springs(renew);
         if let Some(press) = &mut self.press {
             press.known = false;
         }
         search.renewed(self.h);
     }
 
-    /// Takes the correction into the increments of the lanes that seek.
-    #[inline(always)]
-    fn take(&mut self, search: &mut LaneNewton<S>, reach: S, ledger: &LaneLedger<S>, first: bool) {
-        let (zero, seeking) = (self.h.constant(0.0), search.seeking);
-        let (mut work, mut size, mut step) = (zero, zero, zero);
-        for n in 0..self.increment.len() {
-            let (d, c, r) = (&mut self.increment[n], &self.correction[n], &self.residual[n]);
-            for i in 0..4 {
-                work += (c[i] * r[i]).abs();
-                size = size.max(c[i].abs());
-                d[i] += S::choose(seeking, c[i], zero);
-                step = step.max(d[i].abs());
-            }
-        }
-        let mut force = zero;
-        for guide in &mut self.guides {
-            work += (guide.correction * guide.residual).abs();
-            size = size.max(guide.correction.abs());
-            guide.increment += S::choose(seeking, guide.correction, zero);
-            step = step.max(guide.increment.abs());
-            force += guide.force + guide.impulse;
-        }
-        if first {
-            let scale = ledger.energy_scale;
-            search.convergence.play(zero.if_less(scale, scale, work));
-        }
-        let places = zero.if_less(force, self.numbers.size, zero);
-        search.convergence.corrected(size, reach, step, work, places);
-        search.iterations += S::choose(seeking, zero.constant(1.0), zero);
-        search.foresee();
-    }
-
-    /// Derivatives follow the values with the tangent at the solution: one linear step.
+    /// Derivatives follow the values with the tangent at the solution: one linear step, or some where angles are kept.
     fn follow(&mut self) {
         self.evaluate::<true>();
         self.factor();
         std::mem::swap(&mut self.factors, &mut self.tangent);
         self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
-        self.correct_and_strike();
-        for (d, c) in self.increment.iter_mut().zip(&self.correction) {
-            (0..4).for_each(|i| d[i] += c[i]);
+        let all = !self.settled;
+        self.factor_constraints(all);
+        let turns = self.numbers.constraints.iter().any(|c| c.kept == Kept::Angle);
+        for _ in 0..if turns { FOLLOWING } else { 1 } {
+            self.correct_and_strike();
+            for (d, c) in self.increment.iter_mut().zip(&self.correction) {
+                (0..4).for_each(|i| d[i] += c[i]);
+            }
+            for guide in &mut self.guides {
+                guide.increment += guide.correction;
+            }
+            self.constraints.correct(all);
+            self.evaluate::<false>();
         }
-        for guide in &mut self.guides {
-            guide.increment += guide.correction;
-        }
-        self.evaluate::<false>();
     }
 }
 
@@ -355,8 +279,8 @@ impl<S: Number> LaneNewton<S> {
         self.renew = h.less(h);
     }
 
-    /// Looks ahead after a correction: without joints the work and the impulse left by one that contracted well are known from
-    /// those before it, round-off apart.
+    /// Looks ahead after a correction: the work and the impulse left by one that contracted well are known from those before it,
+    /// round-off apart.
     #[inline(always)]
     fn foresee(&mut self) {
         let small = self.impulse.constant(IMPULSE_TOLERANCE);
@@ -368,7 +292,7 @@ impl<S: Number> LaneNewton<S> {
 
     /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done.
     #[inline(always)]
-    fn weigh(&mut self, work: S, impulse: S, corrections: usize) {
+    fn weigh(&mut self, work: S, impulse: S, met: S::Mask, corrections: usize) {
         self.convergence.unbalanced(work);
         self.impulse = impulse;
         self.failed = self.failed | self.seeking & !work.finite();
@@ -377,22 +301,10 @@ impl<S: Number> LaneNewton<S> {
             let small = work.constant(IMPULSE_TOLERANCE);
             // Where nothing moves the impulse is NaN, and passes.
             let exact =
-                work.at_most(self.convergence.energy * WORK_TOLERANCE) & !small.less(impulse);
+                work.at_most(self.convergence.energy * WORK_TOLERANCE) & !small.less(impulse) & met;
             let passable = !work.constant(MOST_IMPULSE).less(impulse);
-            let done = exact | (self.foreseen | self.convergence.settled()) & passable;
+            let done = exact | (self.foreseen & met | self.convergence.settled()) & passable;
             self.seeking = self.seeking & !done;
         }
     }
-}
-
-/// The largest component.
-#[inline(always)]
-fn largest<S: Number>(nodal: &[[S; 4]]) -> S {
-    let mut most = nodal[0][0].constant(0.0);
-    for x in nodal {
-        for i in 0..4 {
-            most = most.max(x[i].abs());
-        }
-    }
-    most
 }

@@ -1,5 +1,7 @@
 //! The numbers of a run, apart from its shape: what differs between the lanes of an ensemble.
 
+use super::constraints::ConstraintNumbers;
+use super::ground_springs::GroundSpringNumbers;
 use crate::element::beam::ElementTable;
 use crate::model::StrainMeasure;
 
@@ -14,6 +16,10 @@ pub struct Numbers<S> {
     pub nodes: Vec<[S; 4]>,
     /// Components held at nodes, shape (nodes held).
     pub prescribed: Vec<PrescribedNumbers<S>>,
+    /// Joints, and supports between nodes, shape (constraints).
+    pub constraints: Vec<ConstraintNumbers<S>>,
+    /// Elastic supports and stops, one a direction, shape (springs to the ground).
+    pub springs: Vec<GroundSpringNumbers<S>>,
     /// Guided projectiles, shape (guided projectiles).
     pub guides: Vec<GuideNumbers<S>>,
     /// Dead loads, shape (loads).
@@ -123,6 +129,8 @@ impl<S: Copy> Numbers<S> {
             spans: self.spans.iter().map(|s| s.map(f)).collect(),
             nodes: self.nodes.iter().map(|x| x.map(&mut *f)).collect(),
             prescribed: self.prescribed.iter().map(|h| h.map(f)).collect(),
+            constraints: self.constraints.iter().map(|c| c.map(f)).collect(),
+            springs: self.springs.iter().map(|s| s.map(f)).collect(),
             guides: self.guides.iter().map(|g| g.map(f)).collect(),
             loads: self.loads.iter().map(|l| l.map(f)).collect(),
             points: (self.points.iter())

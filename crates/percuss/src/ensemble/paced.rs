@@ -100,7 +100,7 @@ impl<S: Number> Paced<S> {
         let mut search = LaneNewton::idle(engine.h);
         search.told = true;
         Self {
-            stand: Stand::of(&engine, &ledger),
+            stand: Stand::of(&mut engine, &ledger),
             log: Log::new(&engine),
             lanes: (0..S::LANES).map(|_| None).collect(),
             next: 0,
@@ -179,6 +179,8 @@ impl<S: Number> Paced<S> {
         self.search.ahead = h.constants(|i| of(i, &|lane| lane.ahead(), 0.0));
         self.search.trusted = h.constants(|i| of(i, &|lane| lane.trusted(), 0.0));
         self.log.time = h.constants(|i| of(i, &|lane| lane.pace.time, 0.0));
+        let strikes = |lane: &Lane| lane.pace.part == LanePart::Impact;
+        self.engine.constraints.impulsive = h.mask(|i| lanes[i].as_ref().is_some_and(strikes));
         let bound = |i: usize| lanes[i].as_ref().and_then(|lane| lane.bound(rate.lane(i)));
         if let Some(press) = &mut self.engine.press {
             press.bound = h.constants(|i| bound(i).unwrap_or(0.0));
@@ -239,7 +241,7 @@ impl<S: Number> Paced<S> {
             return;
         }
         if !all {
-            self.stand.keep(&self.engine, &self.ledger);
+            self.stand.keep(&mut self.engine, &self.ledger);
         }
         self.ledger.enter(&self.engine);
         self.engine.commit();

@@ -44,6 +44,7 @@ impl<S: Number> Engine<S> {
                     }
                 }
             }
+            self.add_constraint_change(n, &mut change);
             let mut free = change;
             dofs.project(&mut free);
             for i in 0..4 {

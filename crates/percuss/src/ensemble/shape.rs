@@ -1,5 +1,7 @@
 //! Which runs an ensemble can step, and which of them side by side.
 
+use super::constraints::{ConstraintNumbers, Kept};
+use super::ground_springs::GroundSpringNumbers;
 use super::loads::dead_load;
 use super::numbers::{
     GuideLaw, GuideNumbers, Numbers, PointNumbers, PrescribedNumbers, SpanNumbers,
@@ -18,6 +20,10 @@ pub struct BatchShape {
     spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
     prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
+    /// What each constraint keeps, and the nodes of its points, shape (constraints).
+    constraints: Vec<(Kept, Vec<usize>)>,
+    /// Node of each spring to the ground, and whether it presses on one side only, shape (springs to the ground).
+    springs: Vec<(usize, bool)>,
     /// Struck node and law of each guided projectile, shape (guided projectiles) \[index of a node\].
     pub guides: Vec<(usize, GuideLaw)>,
     /// Nodes of each load, shape (loads, nodes of one) \[index of a node\].
@@ -37,6 +43,8 @@ impl BatchShape {
             prescribed: (numbers.prescribed.iter())
                 .map(|h| (h.node, h.normals.len(), h.components))
                 .collect(),
+            constraints: numbers.constraints.iter().map(ConstraintNumbers::shape).collect(),
+            springs: numbers.springs.iter().map(|s| (s.node, s.one_sided)).collect(),
             guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
             loads: numbers.loads.iter().map(|l| l.nodes.clone()).collect(),
             points: numbers.points.iter().map(|p| p.node).collect(),
@@ -44,8 +52,8 @@ impl BatchShape {
     }
 }
 
-/// The numbers of a run, or what about it an ensemble does not know: beams on fixed supports at nodes, damped by their
-/// material or not, guided projectiles and dead loads are all it does.
+/// The numbers of a run, or what about it an ensemble does not know: beams damped by their material or not, fixed
+/// supports, elastic ones and stops, joints that keep positions and angles, guided projectiles and dead loads are all it does.
 pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
@@ -61,15 +69,10 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         (settings.accuracy.is_some(), "an accuracy in place of a step"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (!model.is_still(), "beams that move at the start"),
-        (!model.connectors.is_empty(), "springs and dampers"),
         (!model.masses.is_empty(), "point masses"),
         (!model.motions.is_empty(), "prescribed motions"),
         (!model.modal_damping.is_empty(), "modal damping"),
         (!model.obstacles.is_empty(), "obstacles"),
-        (
-            !model.constraints.is_empty(),
-            "joints, supports between nodes or for a time, or what acts along a beam between its ends",
-        ),
         (model.bodies.iter().any(|b| b.kind != BodyKind::Guided), "discs and rear masses"),
         (model.contacts.len() != model.projectiles.len(), "contacts that move along a beam"),
     ] {
@@ -77,6 +80,10 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             return Err(what);
         }
     }
+    let constraints = model.constraints.iter().map(ConstraintNumbers::of);
+    let constraints = constraints.collect::<Result<Vec<_>, _>>()?;
+    let springs = model.connectors.iter().map(GroundSpringNumbers::of);
+    let springs = springs.collect::<Result<Vec<_>, _>>()?;
     let guides = model.projectiles.iter().enumerate().map(|(i, p)| guide(model, settings, i, p));
     let guides = guides.collect::<Result<Vec<_>, _>>()?;
     let loads = model.loads.iter().map(|load| dead_load(model, &load.kind));
@@ -107,6 +114,8 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
                 normals: h.normals.clone(),
             })
             .collect(),
+        constraints,
+        springs,
         guides,
         loads,
         points: (model.points.iter())

@@ -19,12 +19,15 @@ pub struct Stand<S: Number> {
     spin: Vec<[S; GAUSS]>,
     /// Ways, velocities, gaps and their rates of the projectiles, shape (guided projectiles, 4) \[m, m/s, m, m/s\].
     guides: Vec<[S; 4]>,
+    /// Multipliers that the next steps start from, shape (constraints) \[N, N m\].
+    multipliers: Vec<S>,
     ledger: LaneLedger<S>,
 }
 
 impl<S: Number> Stand<S> {
     /// Of an ensemble.
-    pub fn of(engine: &Engine<S>, ledger: &LaneLedger<S>) -> Self {
+    pub fn of(engine: &mut Engine<S>, ledger: &LaneLedger<S>) -> Self {
+        let multipliers = engine.constraints.accepted().map(|x| *x).collect();
         let guides = engine.guides.iter().map(|g| [g.way, g.velocity, g.gap, g.rate]);
         Self {
             displacement: engine.displacement.clone(),
@@ -32,19 +35,23 @@ impl<S: Number> Stand<S> {
             start: engine.start.clone(),
             spin: engine.spin.clone(),
             guides: guides.collect(),
+            multipliers,
             ledger: *ledger,
         }
     }
 
     /// Keeps it.
     #[inline(always)]
-    pub fn keep(&mut self, engine: &Engine<S>, ledger: &LaneLedger<S>) {
+    pub fn keep(&mut self, engine: &mut Engine<S>, ledger: &LaneLedger<S>) {
         self.displacement.copy_from_slice(&engine.displacement);
         self.velocity.copy_from_slice(&engine.velocity);
         self.start.copy_from_slice(&engine.start);
         self.spin.copy_from_slice(&engine.spin);
         for (mine, g) in self.guides.iter_mut().zip(&engine.guides) {
             *mine = [g.way, g.velocity, g.gap, g.rate];
+        }
+        for (mine, now) in self.multipliers.iter_mut().zip(engine.constraints.accepted()) {
+            *mine = *now;
         }
         self.ledger = *ledger;
     }
@@ -78,6 +85,9 @@ impl<S: Number> Stand<S> {
             g.velocity = S::choose(go, g.velocity, *velocity);
             g.gap = S::choose(go, g.gap, *gap);
             g.rate = S::choose(go, g.rate, *rate);
+        }
+        for (now, kept) in engine.constraints.accepted().zip(&self.multipliers) {
+            *now = S::choose(go, *now, *kept);
         }
         for (now, kept) in ledger.each().into_iter().zip({ self.ledger }.each()) {
             *now = S::choose(go, *now, *kept);

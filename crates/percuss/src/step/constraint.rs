@@ -7,6 +7,7 @@ use super::forcing::Forcing;
 use crate::linalg::condensed::BorderVector;
 use crate::math::vec2::{add, cross, dot, rot90, scale};
 use crate::model::frozen::{Constraint, ConstraintKind, MaterialPoint};
+use crate::scalar::Real;
 
 /// A step as constraints see it.
 #[derive(Clone, Copy, Debug)]
@@ -22,8 +23,17 @@ pub struct ConstraintStep<'a> {
 }
 
 /// `R b` with the rotation of the given cosine and sine.
-fn turn(cosine: f64, sine: f64, b: [f64; 2]) -> [f64; 2] {
+#[inline(always)]
+pub fn turn<S: Real>([cosine, sine]: [S; 2], b: [S; 2]) -> [S; 2] {
     [cosine * b[0] - sine * b[1], sine * b[0] + cosine * b[1]]
+}
+
+/// Coefficients of dg_a and dg_b in the derivative of `g_a x R g_b` at the tangents a and b, with the rotation R of the given cosine and
+/// sine.
+#[inline(always)]
+pub fn angle_forms<S: Real>(a: [S; 2], b: [S; 2], [cosine, sine]: [S; 2]) -> [[S; 2]; 2] {
+    let ([b1, b2], along) = (rot90(turn([cosine, sine], b)), rot90(a));
+    [[-b1, -b2], turn([cosine, -sine], along)]
 }
 
 impl<'a> ConstraintStep<'a> {
@@ -46,7 +56,7 @@ impl ConstraintStep<'_> {
     /// Direction across the tangent that a support turns, after `share` of the step.
     fn across(&self, c: &Constraint, point: &MaterialPoint, share: f64) -> [f64; 2] {
         let angle = self.forcing.start(&c.drive) + share * self.forcing.increment(&c.drive);
-        rot90(turn(angle.cos(), angle.sin(), point.tangent))
+        rot90(turn([angle.cos(), angle.sin()], point.tangent))
     }
 
     /// Tangent to which a support turns a point at the start of the step, and the direction across that at its end.
@@ -68,7 +78,7 @@ impl ConstraintStep<'_> {
                 dot(*direction, points[0].value(u)) - dot(*direction, points[1].value(u))
             }
             ConstraintKind::Angle { points, cosine, sine } => {
-                cross(g(&points[0]), turn(*cosine, *sine, g(&points[1])))
+                cross(g(&points[0]), turn([*cosine, *sine], g(&points[1])))
             }
         }
     }
@@ -89,7 +99,7 @@ impl ConstraintStep<'_> {
             }
             ConstraintKind::Shared { .. } => self.derivative(c, d),
             ConstraintKind::Angle { points, cosine, sine } => {
-                let [on_a, on_b] = self.angle_forms(points, *cosine, *sine, 0.5);
+                let [on_a, on_b] = self.angle_forms(points, [*cosine, *sine], 0.5);
                 dot(on_a, points[0].gradient(d)) + dot(on_b, points[1].gradient(d))
             }
         }
@@ -105,7 +115,7 @@ impl ConstraintStep<'_> {
                 [(*direction, false), (scale(-1.0, *direction), false)]
             }
             ConstraintKind::Angle { points, cosine, sine } => {
-                let [on_a, on_b] = self.angle_forms(points, *cosine, *sine, share);
+                let [on_a, on_b] = self.angle_forms(points, [*cosine, *sine], share);
                 [(on_a, true), (on_b, true)]
             }
         }
@@ -170,17 +180,15 @@ impl ConstraintStep<'_> {
         Some([[f * sine, f * cosine], [-f * cosine, f * sine]])
     }
 
-    /// Coefficients of dg_a and dg_b in the derivative of `g_a x R g_b`.
+    /// The same of the angle between the tangents at two points, after `share` of the step.
     fn angle_forms(
         &self,
         points: &[MaterialPoint; 2],
-        cosine: f64,
-        sine: f64,
+        rotation: [f64; 2],
         share: f64,
     ) -> [[f64; 2]; 2] {
-        let a = self.tangent(&points[0], share);
-        let b = turn(cosine, sine, self.tangent(&points[1], share));
-        [scale(-1.0, rot90(b)), turn(cosine, -sine, rot90(a))]
+        let [a, b] = points.each_ref().map(|p| self.tangent(p, share));
+        angle_forms(a, b, rotation)
     }
 }
 

@@ -16,6 +16,7 @@ mod hard_impacts;
 mod impact_log;
 mod impacts;
 mod initial_motions;
+mod joined_ensembles;
 mod joints;
 mod layered;
 mod layers;

@@ -1,6 +1,7 @@
 //! Guided projectiles of the runs in mid-flight.
 
 use super::interpolate;
+use crate::ensemble::ground_springs::row;
 use crate::ensemble::numbers::GuideNumbers;
 use crate::math::vec2::dot;
 use crate::scalar::Number;
@@ -37,8 +38,7 @@ impl<S: Number> GuideNumbers<S> {
     /// Nodal values of the struck point along the line of flight, as a form on its two nodes.
     #[inline(always)]
     pub fn row(&self) -> [S; 8] {
-        let ([n0, n1, n2, n3], [e1, e2]) = (self.shape, self.direction);
-        [n0 * e1, n0 * e2, n1 * e1, n1 * e2, n2 * e1, n2 * e2, n3 * e1, n3 * e2]
+        row(&self.shape, &self.direction)
     }
 
     /// The same on given nodal values.
