@@ -85,6 +85,18 @@ const OWN: &[Case] = &[
         run: cradle::cradle_of_five,
     },
     Case {
+        id: "sliding-disc",
+        title: "Friction: a disc slides, then rolls; a block slides until it stops",
+        source: "closed form",
+        run: sliding::sliding_disc,
+    },
+    Case {
+        id: "skew-thrust",
+        title: "Follower force: a free rod pushed across at its end",
+        source: "rigid rod, Fresnel's integrals",
+        run: thrust::skew_thrust,
+    },
+    Case {
         id: "rigid-rod",
         title: "F4: free rigid rod struck off its middle",
         source: "closed form",

@@ -36,6 +36,8 @@ cases! {
     rigid_linear = "rigid-linear",
     bouncing_ball = "bouncing-ball",
     cradle = "cradle",
+    sliding_disc = "sliding-disc",
+    skew_thrust = "skew-thrust",
     rigid_rod = "rigid-rod",
     effective_mass = "effective-mass",
     frequencies = "frequencies",
