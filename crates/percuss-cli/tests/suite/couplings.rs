@@ -156,7 +156,7 @@ fn checks_say_whether_runs_go_side_by_side() {
         + "\n[spring.stay]\nbetween = [\"girder.mid\", [0, 1]]\nstiffness = 1e3\n";
     desk.put("stayed.toml", stayed);
     let springs = STUDY.replace("elastic.toml", "stayed.toml");
-    assert_eq!(told(springs), "runs go one by one: springs and dampers");
+    assert_eq!(told(springs), "runs go one by one: springs between points, and rotational springs");
 }
 
 /// A request over HTTP: status and answer.

@@ -12,14 +12,14 @@ use crate::math::vec2::cross;
 use crate::scalar::{Number, array};
 use crate::step::convergence::ROUND_OFF;
 
-pub use numbers::{ConstraintNumbers, Kept};
+pub use numbers::{Constrained, ConstraintNumbers};
 
 /// Corrections by which derivatives follow the values where angles are kept: the tangent lacks what the forces of such a joint change
 /// by when they turn, of the order of the strain of an element, so that each of them leaves a small share of what it finds.
 pub const FOLLOWING: usize = 12;
 
 /// Gradient of a constraint on the nodes of its points: two nodes of the first, two of the second, shape (4, 4) \[1, m, 1/m\].
-type Gradient<S> = [[S; 4]; 4];
+type NodalForm<S> = [[S; 4]; 4];
 
 /// The constraints of the runs in mid-flight.
 #[derive(Clone, Debug)]
@@ -44,10 +44,10 @@ struct ConstraintState<S> {
     taken_back: S,
     /// By how much the increment as it stands misses the constraint \[m, 1\].
     miss: S,
-    /// Gradient in the middle of the step, as it was evaluated last.
-    gradient: Gradient<S>,
-    /// Gradient at the end of the step, in the free directions, of the factors in use.
-    row: Gradient<S>,
+    /// Gradient in the middle of the step, as it was evaluated last, shape (4, 4) \[1, m, 1/m\].
+    gradient: NodalForm<S>,
+    /// Gradient at the end of the step, in the free directions, of the factors in use, shape (4, 4) \[1, m, 1/m\].
+    row: NodalForm<S>,
     /// What the factors in use answer to its gradient, shape (beam nodes, 4) \[m/N, 1/N\].
     column: Vec<[S; 4]>,
 }
@@ -138,7 +138,7 @@ impl<S: Number> Engine<S> {
 
     /// Gradient of a constraint after `share` of the increment as it stands.
     #[inline(always)]
-    fn gradient(&self, c: &ConstraintNumbers<S>, share: f64) -> Gradient<S> {
+    fn gradient(&self, c: &ConstraintNumbers<S>, share: f64) -> NodalForm<S> {
         let zero = self.h.constant(0.0);
         let forms = c.forms(&self.displacement, &self.increment, zero.constant(share));
         let mut gradient = [[zero; 4]; 4];
@@ -270,7 +270,7 @@ impl<S: Number> LaneLedger<S> {
         let h = engine.h;
         let (u, d) = (&engine.displacement, &engine.increment);
         for (c, state) in engine.numbers.constraints.iter().zip(&engine.constraints.each) {
-            let Kept::Held { gradient } = c.kept else { continue };
+            let Constrained::Held { gradient } = c.kept else { continue };
             let (point, along) = (&c.points[0], -state.multiplier * h);
             let impulse: [S; 2] = array(|i| c.direction[i] * along);
             let functions = c.functions(point);
@@ -294,7 +294,7 @@ fn nodes<S>(c: &ConstraintNumbers<S>) -> impl Iterator<Item = usize> {
 
 /// A gradient applied to nodal values.
 #[inline(always)]
-fn applied<S: Number>(c: &ConstraintNumbers<S>, gradient: &Gradient<S>, nodal: &[[S; 4]]) -> S {
+fn applied<S: Number>(c: &ConstraintNumbers<S>, gradient: &NodalForm<S>, nodal: &[[S; 4]]) -> S {
     let mut sum = gradient[0][0].constant(0.0);
     for (node, on) in nodes(c).zip(gradient) {
         for i in 0..4 {
@@ -309,7 +309,7 @@ fn applied<S: Number>(c: &ConstraintNumbers<S>, gradient: &Gradient<S>, nodal: &
 fn add_to<S: Number>(
     nodal: &mut [[S; 4]],
     c: &ConstraintNumbers<S>,
-    gradient: &Gradient<S>,
+    gradient: &NodalForm<S>,
     factor: S,
 ) {
     for (node, on) in nodes(c).zip(gradient) {

@@ -3,7 +3,7 @@
 mod increments;
 
 use self::increments::largest;
-use super::constraints::{FOLLOWING, Kept};
+use super::constraints::{Constrained, FOLLOWING};
 use super::engine::Engine;
 use super::ledger::LaneLedger;
 use crate::scalar::{Mask, Number};
@@ -216,7 +216,7 @@ impl<S: Number> Engine<S> {
         self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
         let all = !self.settled;
         self.factor_constraints(all);
-        let turns = self.numbers.constraints.iter().any(|c| c.kept == Kept::Angle);
+        let turns = self.numbers.constraints.iter().any(|c| c.kept == Constrained::Angle);
         for _ in 0..if turns { FOLLOWING } else { 1 } {
             self.correct_and_strike();
             for (d, c) in self.increment.iter_mut().zip(&self.correction) {

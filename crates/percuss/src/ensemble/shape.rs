@@ -1,6 +1,6 @@
 //! Which runs an ensemble can step, and which of them side by side.
 
-use super::constraints::{ConstraintNumbers, Kept};
+use super::constraints::{Constrained, ConstraintNumbers};
 use super::ground_springs::GroundSpringNumbers;
 use super::loads::dead_load;
 use super::numbers::{
@@ -20,9 +20,10 @@ pub struct BatchShape {
     spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
     prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
-    /// What each constraint keeps, and the nodes of its points, shape (constraints).
-    constraints: Vec<(Kept, Vec<usize>)>,
-    /// Node of each spring to the ground, and whether it presses on one side only, shape (springs to the ground).
+    /// What each constraint keeps, and the nodes of its points, shape (constraints, points) \[index of a node\].
+    constraints: Vec<(Constrained, Vec<usize>)>,
+    /// Node of each spring to the ground, and whether it presses on one side only, shape (springs to the ground)
+    /// \[index of a node\].
     springs: Vec<(usize, bool)>,
     /// Struck node and law of each guided projectile, shape (guided projectiles) \[index of a node\].
     pub guides: Vec<(usize, GuideLaw)>,

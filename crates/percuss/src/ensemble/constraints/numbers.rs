@@ -8,7 +8,7 @@ use crate::step::constraint::{angle_forms, turn};
 
 /// What a constraint keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kept {
+pub enum Constrained {
     /// A component of the displacement of a point of a support, or of its gradient.
     Held { gradient: bool },
     /// A component of the position of two points, which they share.
@@ -21,7 +21,7 @@ pub enum Kept {
 #[derive(Clone, Debug)]
 pub struct ConstraintNumbers<S> {
     /// What it keeps.
-    pub kept: Kept,
+    pub kept: Constrained,
     /// Its points a and b, or the one, shape (1 or 2).
     pub points: Vec<TiedPoint<S>>,
     /// The direction, of unit length, or the cosine and the sine of the rotation from the tangent at b to that at a, shape (2) \[-\].
@@ -53,10 +53,10 @@ impl ConstraintNumbers<f64> {
             _ if !c.drive.is_empty() => return Err("supports that move"),
             ConstraintKind::Turned { .. } => return Err("supports that turn"),
             ConstraintKind::Held { direction, gradient, .. } => {
-                (Kept::Held { gradient: *gradient }, *direction)
+                (Constrained::Held { gradient: *gradient }, *direction)
             }
-            ConstraintKind::Shared { direction, .. } => (Kept::Shared, *direction),
-            ConstraintKind::Angle { cosine, sine, .. } => (Kept::Angle, [*cosine, *sine]),
+            ConstraintKind::Shared { direction, .. } => (Constrained::Shared, *direction),
+            ConstraintKind::Angle { cosine, sine, .. } => (Constrained::Angle, [*cosine, *sine]),
         };
         Ok(Self { kept, points: c.points().iter().map(TiedPoint::of).collect(), direction })
     }
@@ -84,7 +84,7 @@ impl<S: Copy> ConstraintNumbers<S> {
     }
 
     /// What it is apart from its numbers: what it keeps, and the first node of the element of each of its points.
-    pub fn shape(&self) -> (Kept, Vec<usize>) {
+    pub fn shape(&self) -> (Constrained, Vec<usize>) {
         (self.kept, self.points.iter().map(|p| p.node).collect())
     }
 }
@@ -102,7 +102,7 @@ impl<S: Real> ConstraintNumbers<S> {
     /// Whether it is a form on gradients, not on displacements.
     #[inline(always)]
     fn on_gradients(&self) -> bool {
-        matches!(self.kept, Kept::Angle | Kept::Held { gradient: true })
+        matches!(self.kept, Constrained::Angle | Constrained::Held { gradient: true })
     }
 
     /// Shape functions of one of its points, or their derivatives: those it is a form on.
@@ -115,7 +115,7 @@ impl<S: Real> ConstraintNumbers<S> {
     #[inline(always)]
     pub fn forms(&self, start: &[[S; 4]], increment: &[[S; 4]], share: S) -> [[S; 2]; 2] {
         let direction = self.direction;
-        if self.kept != Kept::Angle {
+        if self.kept != Constrained::Angle {
             return [direction, [-direction[0], -direction[1]]];
         }
         let at = |p: &TiedPoint<S>| p.tangent_at(start, increment, share);
@@ -135,7 +135,7 @@ impl<S: Real> ConstraintNumbers<S> {
     /// Value at displacements: round-off of the steps before \[m, 1\].
     #[inline(always)]
     pub fn value(&self, u: &[[S; 4]]) -> S {
-        if self.kept != Kept::Angle {
+        if self.kept != Constrained::Angle {
             let zero = self.direction[0].constant(0.0);
             return self.along(&self.forms(u, u, zero), u);
         }
