@@ -70,7 +70,7 @@ class Drawing:
         symbols.supports()
         symbols.springs()
         for beam in self.fields.beams:
-            for curve in beam.curves(self.u, self.scale):
+            for curve in beam.curves(self.u, self.scale, t=t):
                 self._beam(beam, curve)
         symbols.joints_and_masses()
         symbols.bodies()

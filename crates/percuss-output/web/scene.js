@@ -147,12 +147,22 @@ class Motion {
     return { ...out, half_depth: depth };
   }
 
-  // A beam as parts without corner: rows of points with normal, half depth and the interval they belong to.
-  curve(beam, u, exaggeration = 1) {
+  // Whether a beam has parted between stations k and k + 1 by time t.
+  isParted(beam, k, t) {
+    const { s } = this.scene.beams[beam];
+    return (this.scene.parted ?? []).some(({ beam: own, stretch: [from, to], time }) => {
+      const overlap = Math.min(to, s[k + 1]) - Math.max(from, s[k]);
+      return own === beam && time <= t && overlap > 1e-9 * (to - from);
+    });
+  }
+
+  // A beam as parts without corner, nor what has parted by time t: rows of points with normal, half depth and the interval they belong to.
+  curve(beam, u, exaggeration = 1, t = -Infinity) {
     const b = this.scene.beams[beam];
     const parts = [];
     let last = -2;
     for (const { k, interval } of this.beams[beam].spans) {
+      if (this.isParted(beam, k, t)) continue;
       if (k !== last + 1) parts.push([]);
       last = k;
       const part = parts[parts.length - 1];

@@ -46,7 +46,7 @@ pub struct PlasticSummary {
     /// Energy that hardening has stored \[J\].
     pub hardening: f64,
     /// Largest displacement of a node once the structure is unloaded and at rest; none where it has not yielded, is not held by
-    /// supports, or has no such equilibrium near its last configuration.
+    /// supports, or has no such equilibrium near its last configuration, and where any beam has parted.
     pub permanent_set: Option<PermanentSet>,
     /// Fibres that have failed.
     pub failed: usize,
