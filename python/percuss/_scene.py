@@ -202,6 +202,33 @@ class SceneBeam:
             time <= t and min(to, self.s[k + 1]) - max(start, self.s[k]) > 1e-9 * (to - start) for start, to, time in self.gaps
         )
 
+    def loose(self, times: Floats) -> NDArray[np.bool_]:
+        """Stations that belong to no piece of the beam, all that they bound having parted.
+
+        Parameters
+        ----------
+        times : ndarray of shape (n_time,)
+            Instants [s].
+
+        Returns
+        -------
+        ndarray of bool, shape (n_time, n_station)
+            Whether each station stands alone [-].
+
+        Examples
+        --------
+        >>> beam = percuss.run("plank.toml").fields.beams[0]
+        >>> beam.loose([0.0, 0.02]).any()
+        np.False_
+        """
+        out = np.zeros((len(times), len(self.s)), bool)
+        if self.gaps:
+            begins = {int(k) for k in self.begins}
+            for i, t in enumerate(times):
+                for k in range(len(self.s)):
+                    out[i, k] = all(self._is_parted(j, float(t)) for j in (k - 1, k) if j in begins)
+        return out
+
     def at(self, s: float, u: Floats, scale: float = 1.0) -> tuple[Floats, Floats, float]:
         """Place, unit tangent and half depth at an arc length.
 

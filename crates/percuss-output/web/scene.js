@@ -156,6 +156,13 @@ class Motion {
     });
   }
 
+  // Whether a station belongs to no piece of its beam at time t: all that it bounds has parted.
+  isLoose(beam, k, t) {
+    if (!this.scene.parted?.length) return false;
+    const beside = this.beams[beam].spans.filter((span) => span.k === k || span.k === k - 1);
+    return beside.every((span) => this.isParted(beam, span.k, t));
+  }
+
   // A beam as parts without corner, nor what has parted by time t: rows of points with normal, half depth and the interval they belong to.
   curve(beam, u, exaggeration = 1, t = -Infinity) {
     const b = this.scene.beams[beam];
@@ -247,6 +254,7 @@ class Motion {
         const moved = none();
         grow(moved, [0, 0]);
         for (let f = 0; f < this.count; f += f + stride < this.count || f === this.count - 1 ? stride : this.count - 1 - f) {
+          if (this.isLoose(i, k, this.frames.time[f])) continue;
           const [u1, u2] = [this.frames.displacement[f * n + node], this.frames.displacement[f * n + node + 1]];
           displacement = Math.max(displacement, Math.hypot(u1, u2));
           grow(moved, [u1, u2]);
