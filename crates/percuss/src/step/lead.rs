@@ -25,7 +25,7 @@ pub struct Lead {
     nodes: Vec<usize>,
     /// First nodes of the elements next to them, shape (such elements) \[index of a node\].
     elements: Vec<usize>,
-    /// Where beams have parted, as the state says.
+    /// Whether no element spans from a node to the next one, as the state says, shape (beam nodes), or empty \[-\].
     parted: Vec<bool>,
     /// Lead in velocity, shape (nodes, 4), empty if nothing is driven \[m/s, 1/s\].
     pub velocity: Vec<[f64; 4]>,

@@ -14,7 +14,7 @@ pub(super) struct Middle<'a> {
     /// Their increments over the step, shape (nodes, 4) \[m, 1, rad\].
     pub increment: &'a [[f64; 4]],
     pub share: f64,
-    /// Where beams have parted, as the state says.
+    /// Whether no element spans from a node to the next one, as the state says, shape (beam nodes), or empty \[-\].
     pub parted: &'a [bool],
 }
 
