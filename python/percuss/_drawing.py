@@ -70,7 +70,7 @@ class Drawing:
         symbols.supports()
         symbols.springs()
         for beam in self.fields.beams:
-            for curve in beam.curves(self.u, self.scale):
+            for curve in beam.curves(self.u, self.scale, t=t):
                 self._beam(beam, curve)
         symbols.joints_and_masses()
         symbols.bodies()
@@ -199,9 +199,11 @@ def bounds(fields: Fields, scale: float = 1.0) -> tuple[Floats, Floats]:
     """Corners of what is shown: everything the beams pass through, and bodies as far as they stay near."""
     low, high = np.full(2, np.inf), np.full(2, -np.inf)
     shown = fields.displacement[:: max(1, len(fields) // 300), :, :2] if len(fields) else np.zeros((1, fields.nodes, 2))
+    times = np.append(fields.time[:: max(1, len(fields) // 300)] if len(fields) else [0.0], 0.0)
     shown = np.concatenate([shown, np.zeros((1, fields.nodes, 2))])
     for beam in fields.beams:
         places = beam.rest[:, :2] + scale * shown[:, beam.first : beam.first + len(beam.s)]
+        places = np.where(beam.loose(times)[:, :, None], beam.rest[:, :2], places)
         depth = float(np.nanmax(beam.half_depth)) if np.isfinite(beam.half_depth).any() else 0.0
         low, high = np.minimum(low, places.min(axis=(0, 1)) - depth), np.maximum(high, places.max(axis=(0, 1)) + depth)
     reach = 0.35 * float(max(high - low)) if fields.beams else np.inf

@@ -86,6 +86,8 @@ class Fields:
             first = out[-1].first + len(out[-1].s) if out else 0
             interval = int(out[-1].numbers[-1]) + 1 if out else 0
             out.append(SceneBeam(value, first, interval))
+        for gap in self.scene.get("parted", []):
+            out[gap["beam"]].gaps.append((*gap["stretch"], gap["time"]))
         return out
 
     @property

@@ -97,6 +97,8 @@ class SceneBeam:
         Stations at which an interval begins [-].
     numbers : ndarray of int
         Numbers of the intervals among those of all beams [-].
+    gaps : list of tuple
+        Where it has parted, from and to an arc length [m], and when [s].
 
     Examples
     --------
@@ -114,6 +116,7 @@ class SceneBeam:
         self.rest = np.stack([column["x"], column["y"], column["tx"], column["ty"]], axis=1)
         self.begins = np.flatnonzero(np.diff(self.s) > 0)
         self.numbers = interval + np.arange(len(self.begins))
+        self.gaps: list[tuple[float, float, float]] = []
 
     def evaluate(self, k: Any, share: Any, u: Floats, scale: float = 1.0) -> tuple[Floats, Floats]:
         """Places and unit tangents between stations ``k`` and ``k + 1``.
@@ -152,8 +155,8 @@ class SceneBeam:
         tangent = sum(n[..., None] * part for n, part in zip(map(np.asarray, slope), parts))
         return np.asarray(place), np.asarray(tangent / np.maximum(np.linalg.norm(tangent, axis=-1, keepdims=True), 1e-300))
 
-    def curves(self, u: Floats, scale: float = 1.0, pieces: int = 8) -> list[Curve]:
-        """The beam as parts without corner.
+    def curves(self, u: Floats, scale: float = 1.0, pieces: int = 8, t: float = -np.inf) -> list[Curve]:
+        """The beam as parts without corner, nor what has parted.
 
         Parameters
         ----------
@@ -163,6 +166,8 @@ class SceneBeam:
             Displacements are taken so many times as large.
         pieces : int
             Pieces an interval.
+        t : float
+            Time by which it may have parted [s].
 
         Returns
         -------
@@ -176,8 +181,12 @@ class SceneBeam:
         1
         """
         out = []
-        breaks = np.flatnonzero(np.diff(self.begins) > 1) + 1
-        for begins, numbers in zip(np.split(self.begins, breaks), np.split(self.numbers, breaks)):
+        whole = np.array([not self._is_parted(int(k), t) for k in self.begins], bool)
+        kept, numbers_kept = self.begins[whole], self.numbers[whole]
+        breaks = np.flatnonzero(np.diff(kept) > 1) + 1
+        for begins, numbers in zip(np.split(kept, breaks), np.split(numbers_kept, breaks)):
+            if not len(begins):
+                continue
             k = np.append(np.repeat(begins, pieces), begins[-1])
             share = np.append(np.tile(np.arange(pieces) / pieces, len(begins)), 1.0)
             intervals = np.append(np.repeat(numbers, pieces), numbers[-1])
@@ -185,6 +194,39 @@ class SceneBeam:
             normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
             depth = (1 - share) * self.half_depth[k] + share * self.half_depth[k + 1]
             out.append(Curve(place, normal, tangent, depth, intervals, share, k))
+        return out
+
+    def _is_parted(self, k: int, t: float) -> bool:
+        """Whether it has parted between stations ``k`` and ``k + 1`` by a time."""
+        return any(
+            time <= t and min(to, self.s[k + 1]) - max(start, self.s[k]) > 1e-9 * (to - start) for start, to, time in self.gaps
+        )
+
+    def loose(self, times: Floats) -> NDArray[np.bool_]:
+        """Stations that belong to no piece of the beam, all that they bound having parted.
+
+        Parameters
+        ----------
+        times : ndarray of shape (n_time,)
+            Instants [s].
+
+        Returns
+        -------
+        ndarray of bool, shape (n_time, n_station)
+            Whether each station stands alone [-].
+
+        Examples
+        --------
+        >>> beam = percuss.run("plank.toml").fields.beams[0]
+        >>> beam.loose([0.0, 0.02]).any()
+        np.False_
+        """
+        out = np.zeros((len(times), len(self.s)), bool)
+        if self.gaps:
+            begins = {int(k) for k in self.begins}
+            for i, t in enumerate(times):
+                for k in range(len(self.s)):
+                    out[i, k] = all(self._is_parted(j, float(t)) for j in (k - 1, k) if j in begins)
         return out
 
     def at(self, s: float, u: Floats, scale: float = 1.0) -> tuple[Floats, Floats, float]:

@@ -26,7 +26,7 @@ class Clearance {
   beams(u) {
     return this.motion.scene.beams.map((_, i) => {
       const out = [];
-      for (const part of this.motion.curve(i, u)) {
+      for (const part of this.motion.curve(i, u, 1, Infinity)) {
         const kept = part.filter((_, k) => k % this.every === 0 || k === part.length - 1);
         for (let k = 0; k + 1 < kept.length; k++) {
           out.push([kept[k].place, kept[k + 1].place, Math.max(kept[k].half_depth ?? 0, kept[k + 1].half_depth ?? 0)]);

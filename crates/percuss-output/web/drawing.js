@@ -133,7 +133,7 @@ class Drawing {
   beam(i) {
     const { pen, view, palette, options } = this;
     const by = options.colour ?? "none";
-    for (const part of this.motion.curve(i, this.state.u, this.e)) {
+    for (const part of this.motion.curve(i, this.state.u, this.e, this.state.time)) {
       const thick = part.every((p) => p.half_depth != null && p.half_depth * view.scale >= 1.2);
       const side = (p, sign) => view.to([0, 1].map((k) => p.place[k] + sign * (p.half_depth ?? 0) * p.normal[k]));
       if (by !== "none") {
@@ -182,7 +182,7 @@ class Drawing {
     const top = this.motion.size.sections[k];
     if (!(top > 0)) return;
     this.motion.scene.beams.forEach((_, i) => {
-      for (const part of this.motion.curve(i, this.state.u, this.e)) {
+      for (const part of this.motion.curve(i, this.state.u, this.e, this.state.time)) {
         const base = part.map((p) => view.to(p.place));
         const ends = part.map((p, j) => {
           // A moment stands on the side in tension: below, where it sags.

@@ -147,12 +147,29 @@ class Motion {
     return { ...out, half_depth: depth };
   }
 
-  // A beam as parts without corner: rows of points with normal, half depth and the interval they belong to.
-  curve(beam, u, exaggeration = 1) {
+  // Whether a beam has parted between stations k and k + 1 by time t.
+  isParted(beam, k, t) {
+    const { s } = this.scene.beams[beam];
+    return (this.scene.parted ?? []).some(({ beam: own, stretch: [from, to], time }) => {
+      const overlap = Math.min(to, s[k + 1]) - Math.max(from, s[k]);
+      return own === beam && time <= t && overlap > 1e-9 * (to - from);
+    });
+  }
+
+  // Whether a station belongs to no piece of its beam at time t: all that it bounds has parted.
+  isLoose(beam, k, t) {
+    if (!this.scene.parted?.length) return false;
+    const beside = this.beams[beam].spans.filter((span) => span.k === k || span.k === k - 1);
+    return beside.every((span) => this.isParted(beam, span.k, t));
+  }
+
+  // A beam as parts without corner, nor what has parted by time t: rows of points with normal, half depth and the interval they belong to.
+  curve(beam, u, exaggeration = 1, t = -Infinity) {
     const b = this.scene.beams[beam];
     const parts = [];
     let last = -2;
     for (const { k, interval } of this.beams[beam].spans) {
+      if (this.isParted(beam, k, t)) continue;
       if (k !== last + 1) parts.push([]);
       last = k;
       const part = parts[parts.length - 1];
@@ -237,6 +254,7 @@ class Motion {
         const moved = none();
         grow(moved, [0, 0]);
         for (let f = 0; f < this.count; f += f + stride < this.count || f === this.count - 1 ? stride : this.count - 1 - f) {
+          if (this.isLoose(i, k, this.frames.time[f])) continue;
           const [u1, u2] = [this.frames.displacement[f * n + node], this.frames.displacement[f * n + node + 1]];
           displacement = Math.max(displacement, Math.hypot(u1, u2));
           grow(moved, [u1, u2]);

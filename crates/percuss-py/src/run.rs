@@ -83,7 +83,8 @@ pub fn run<'py>(
     {
         return Err(recorder_error(error));
     }
-    let fields = frames.finish();
+    let mut fields = frames.finish();
+    fields.part(&ended.summary);
     if let Some((directory, history)) = directory.zip(history) {
         let left = Left { run: &ended.summary, summary: &ended.value, fields: &fields };
         let finished = py.detach(|| directory.finish(history, left));

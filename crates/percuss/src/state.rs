@@ -122,6 +122,9 @@ pub struct State {
     pub strain: Vec<[[f64; 2]; GAUSS]>,
     /// What fibres remember, shape (fibres).
     pub fibres: Vec<FibreState>,
+    /// Whether no element spans from a node to the next one any more, since it has parted or none ever did, shape (beam nodes); empty
+    /// while no beam has parted.
+    pub(crate) parted: Vec<bool>,
     /// What springs and hinges that yield remember, extensions \[m\] or rotations \[rad\] in place of strains, shape (connectors that
     /// yield).
     pub memories: Vec<FibreState>,
@@ -159,11 +162,13 @@ impl State {
             (nodes, elements, others, forces, s.pairs.len())
         };
         let supports = self.reactions.len();
+        let parted = [0, model.beam_node_count()].contains(&self.parted.len());
         let on_axis = |(pair, state): (&Pair, &PairState)| match &pair.target {
             Target::Axis { beam, .. } => state.memory.near.element < model.beams[*beam].axis.len(),
             _ => true,
         };
         shape(self) == shape(other)
+            && parted
             && self.located.is_none_or(|pair| pair < self.pairs.len())
             && instant(self).is_none_or(|n| n == supports)
             && self.reacting.list.iter().all(|(support, _)| *support < supports)
@@ -185,6 +190,7 @@ impl State {
             spin: vec![[0.0; GAUSS]; elements],
             strain: if stores_strain { vec![[[0.0; 2]; GAUSS]; elements] } else { Vec::new() },
             fibres: vec![FibreState::default(); model.fibre_count()],
+            parted: Vec::new(),
             memories: vec![FibreState::default(); model.memory_count()],
             followed: followed(model),
             coordinates: Vec::new(),
@@ -199,6 +205,22 @@ impl State {
         }
         .with_coordinates(model)
         .with_bodies(model)
+    }
+
+    /// Whether the element that starts at a node has parted.
+    #[inline]
+    pub(crate) fn has_parted(&self, node: usize) -> bool {
+        self.parted.get(node).is_some_and(|parted| *parted)
+    }
+
+    /// Parts the element that starts at a node.
+    pub(crate) fn part(&mut self, model: &Model, node: usize) {
+        if self.parted.is_empty() {
+            self.parted = vec![false; model.beam_node_count()];
+            // No element starts where a span ends.
+            model.spans.iter().for_each(|span| self.parted[span.nodes.end - 1] = true);
+        }
+        self.parted[node] = true;
     }
 
     /// The reaction of a support, to be changed.
@@ -265,7 +287,7 @@ impl State {
 
     /// Looks at pair `i` where it stands; returns how far apart the two are, negative also where one has gone through \[m\].
     pub(crate) fn see(&mut self, model: &Model, i: usize, reach: Reach) -> f64 {
-        let (pair, at) = (&model.pairs[i], Configuration::of(&self.displacement));
+        let (pair, at) = (&model.pairs[i], Configuration::of(&self.displacement).without(&self.parted));
         let seen = &mut self.pairs[i];
         match pair.touch(model, &at, &seen.memory, reach) {
             Some(touch) => {

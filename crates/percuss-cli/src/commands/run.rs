@@ -262,7 +262,9 @@ fn simulate(
     write_envelopes(dir, &summary.section_forces)?;
     write_impacts(dir, &summary.contacts, &summary.supports)?;
     if ready.scenario.content().record.shapes > 0.0 {
-        fields::write(dir, &frames.finish())?;
+        let mut shapes = frames.finish();
+        shapes.part(&summary);
+        fields::write(dir, &shapes)?;
     }
     Ok(Ended {
         summary,

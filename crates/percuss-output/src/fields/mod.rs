@@ -14,8 +14,9 @@ pub(crate) use places::Places;
 pub use scene::scene_value;
 pub use store::{FrameStore, KeptFrames};
 
+use percuss::RunSummary;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Directory within that of the run.
 pub(crate) const DIRECTORY: &str = "fields";
@@ -27,6 +28,29 @@ pub struct Fields {
     pub scene: Value,
     /// Frames in the order of time.
     pub frames: Vec<StoredFrame>,
+}
+
+impl Fields {
+    /// Notes in the scene what parted in a run, so that gaps are drawn from then on.
+    pub fn part(&mut self, run: &RunSummary) {
+        let number = |name: &str| {
+            let beams = self.scene["beams"].as_array()?;
+            beams.iter().position(|beam| beam["name"] == name)
+        };
+        let gaps: Vec<Value> = run
+            .plastic
+            .iter()
+            .filter_map(|beam| Some((number(&beam.name)?, &beam.parted)))
+            .flat_map(|(beam, parted)| {
+                parted.iter().map(move |one| {
+                    json!({ "beam": beam, "stretch": one.stretch, "time": one.time })
+                })
+            })
+            .collect();
+        if let Value::Object(entries) = &mut self.scene {
+            entries.insert("parted".to_owned(), Value::Array(gaps));
+        }
+    }
 }
 
 /// A frame as it is kept: floats of single precision, of displacements and not of positions.

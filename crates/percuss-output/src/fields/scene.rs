@@ -21,6 +21,7 @@ pub fn scene_value(scene: &Scene) -> Value {
         "masses": scene.masses.iter().map(|m| json!({ "name": m.name, "at": on(m.at), "mass": m.mass }))
             .collect::<Vec<_>>(),
         "loads": scene.loads.iter().map(load_value).collect::<Vec<_>>(),
+        "parted": [],
         "contacts": scene.contacts.iter().map(|c| json!({
             "name": c.name, "between": c.between, "rigid": c.rigid,
         })).collect::<Vec<_>>(),

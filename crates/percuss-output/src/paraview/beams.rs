@@ -17,10 +17,12 @@ pub(super) fn series(placed: &Placed<'_>) -> Option<PolySeries> {
     let (mut points, mut counts) = (Vec::new(), Vec::new());
     for frame in placed.frames {
         let before = points.len();
-        for beam in &placed.beams {
+        for (number, beam) in placed.beams.iter().enumerate() {
             for &(k, interval) in &beam.intervals {
+                // A gap has cells of no area, since all frames have the same.
+                let gap = placed.is_parted(number, k, frame);
                 for part in 0..=parts {
-                    let share = part as f64 / parts as f64;
+                    let share = if gap { 0.0 } else { part as f64 / parts as f64 };
                     let at = placed.point(beam, k, share, frame);
                     let section = Section::of(beam, (k, interval, share), frame);
                     for y in section.fibres() {

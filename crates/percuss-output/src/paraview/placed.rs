@@ -111,6 +111,19 @@ impl<'a> Placed<'a> {
             .map(|rows| std::array::from_fn(|i| rows.get(at + i).map_or(0.0, |v| f64::from(*v))))
     }
 
+    /// Whether a beam of this number has parted between two stations by the time of a frame.
+    pub fn is_parted(&self, beam: usize, k: usize, frame: &StoredFrame) -> bool {
+        let s = &self.beams[beam].s;
+        list(self.scene, "parted").iter().any(|gap| {
+            let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+            let (from, to) = (number(&gap["stretch"][0]), number(&gap["stretch"][1]));
+            let overlap = to.min(s[k + 1]) - from.max(s[k]);
+            gap["beam"].as_u64() == u64::try_from(beam).ok()
+                && number(&gap["time"]) <= frame.time
+                && overlap > 1e-9 * (to - from)
+        })
+    }
+
     /// A point of a beam between two stations at a share of the way.
     pub fn point(&self, beam: &Beam, k: usize, share: f64, frame: &StoredFrame) -> OnAxis {
         let (x, y) = (share, 1.0 - share);

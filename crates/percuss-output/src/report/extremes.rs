@@ -13,7 +13,33 @@ const ROUND_OFF: f64 = 1e-12;
 /// All tables.
 pub(super) fn render(summary: &Value) -> String {
     let (supports, impulses) = (reactions(summary), impulses(summary));
-    format!("{supports}{impulses}{}", section_forces(summary))
+    format!("{}{supports}{impulses}{}", partings(summary), section_forces(summary))
+}
+
+/// Where beams have parted, in the order of time.
+fn partings(summary: &Value) -> String {
+    let empty = Map::new();
+    let beams = summary["plastic"].as_object().unwrap_or(&empty);
+    let mut all: Vec<(f64, Vec<String>)> = Vec::new();
+    for (name, beam) in beams {
+        for one in beam["parted"].as_array().into_iter().flatten() {
+            let told = |key: &str, unit: &str| quantity(one[key].as_f64(), unit);
+            let row = vec![name.clone(), metres(&one["s"]), told("time", "s"), told("energy", "J")];
+            all.push((one["time"].as_f64().unwrap_or(0.0), row));
+        }
+    }
+    if all.is_empty() {
+        return String::new();
+    }
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let more = all.len().saturating_sub(LISTED);
+    let rows: Vec<Vec<String>> = all.into_iter().take(LISTED).map(|(_, row)| row).collect();
+    let header = ["beam", "at arc length", "at time", "energy released"];
+    let mut out = table("Where beams parted", &header, &rows);
+    if more > 0 {
+        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
+    }
+    out
 }
 
 /// Impulses that supports and obstacles gave beyond their forces, where impacts or jumps of prescribed velocities asked for any.

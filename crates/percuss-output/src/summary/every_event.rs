@@ -2,7 +2,7 @@
 
 use percuss::{
     ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, FirstYield, Impact,
-    Peak, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
+    Parting, Peak, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
 };
 
 /// The contact with an interval and an impact.
@@ -59,6 +59,7 @@ pub(super) fn plastic_with_every_event(beam: &PlasticSummary) -> PlasticSummary 
             rotation: 0.0,
             dissipated: 0.0,
         }],
+        parted: vec![Parting { s: 0.0, stretch: [0.0; 2], time: 0.0, energy: 0.0 }],
         permanent_set: Some(PermanentSet { s: 0.0, displacement: [0.0; 2] }),
         ..beam.clone()
     }

@@ -1,6 +1,6 @@
 //! Beams, springs and hinges that can yield.
 
-use percuss::{PlasticHinge, PlasticSummary, SectionPeak, YieldingSummary};
+use percuss::{Parting, PlasticHinge, PlasticSummary, SectionPeak, YieldingSummary};
 use serde_json::{Map, Value, json};
 
 use super::peak;
@@ -18,6 +18,7 @@ pub(super) fn value(beam: &PlasticSummary) -> Value {
         "dissipated": beam.dissipated,
         "hardening": beam.hardening,
         "failed_fibres": beam.failed,
+        "parted": beam.parted.iter().map(parting).collect::<Vec<_>>(),
         "hinges": beam.hinges.iter().map(hinge).collect::<Vec<_>>(),
     })
 }
@@ -41,6 +42,15 @@ pub(super) fn yielding(connector: &YieldingSummary) -> Value {
 
 fn place(peak: &SectionPeak) -> Value {
     if peak.s.is_nan() { Value::Null } else { json!({ "s": peak.s, "time": peak.time }) }
+}
+
+fn parting(parting: &Parting) -> Value {
+    json!({
+        "s": parting.s,
+        "stretch": parting.stretch,
+        "time": parting.time,
+        "energy": parting.energy,
+    })
 }
 
 fn hinge(hinge: &PlasticHinge) -> Value {

@@ -222,7 +222,7 @@ impl Search {
         self.loose = 0.0;
         self.arcs.clear();
         if wanted {
-            let at = Configuration::of(&state.displacement);
+            let at = Configuration::of(&state.displacement).without(&state.parted);
             let arc = |b: &BeamData| longest_arc(&b.axis, &model.nodes, &at);
             self.arcs.extend(model.beams.iter().map(arc));
         }

@@ -113,7 +113,7 @@ impl ElementFibres<'_> {
         self.sum(j, |law, fibre, state| {
             let [e0, e1] = [from, to].map(|s| s[0] + fibre.height * s[1]);
             let found = law.step(state, e0, e1, step.h);
-            if step.lag == 0.0 {
+            if step.lag == 0.0 || state.failed {
                 return [found.mean, found.slope];
             }
             let viscous = law.young() * step.lag;

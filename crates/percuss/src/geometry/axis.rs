@@ -193,6 +193,8 @@ pub struct Axis<'a> {
     pub ends: &'a [AxisEnd; 2],
     /// Length that none of the elements exceeds \[m\].
     pub arc: f64,
+    /// Whether the beam has parted from a node to the next one, shape (beam nodes); empty while none has.
+    pub parted: &'a [bool],
 }
 
 /// A bound of the length of a beam's longest element.
@@ -202,10 +204,22 @@ pub fn longest_arc(elements: &[AxisElement], nodes: &[NodeFrame], at: &Configura
 }
 
 impl Axis<'_> {
-    fn left_out(&self, k: usize) -> bool {
+    /// Whether an element has parted: the outline has a gap there.
+    pub fn is_parted(&self, k: usize) -> bool {
+        self.parted.get(self.elements[k].node).is_some_and(|parted| *parted)
+    }
+
+    fn is_skipped(&self, k: usize) -> bool {
+        self.skip[0] <= k && k < self.skip[1]
+    }
+
+    fn is_beyond_ends(&self, k: usize) -> bool {
         let [first, last] = self.ends;
-        let skipped = self.skip[0] <= k && k < self.skip[1];
-        skipped || k < first.point.element || k > last.point.element
+        k < first.point.element || k > last.point.element
+    }
+
+    fn left_out(&self, k: usize) -> bool {
+        self.is_skipped(k) || self.is_beyond_ends(k) || self.is_parted(k)
     }
 
     /// Shares of an element between which it is part of the axis.
@@ -245,7 +259,7 @@ impl Axis<'_> {
             let k = next;
             next += 1;
             if self.left_out(k) {
-                next = self.skip[1];
+                next = if self.is_skipped(k) { self.skip[1] } else { next };
                 continue;
             }
             let element = &self.elements[k];
@@ -330,8 +344,9 @@ impl Axis<'_> {
     /// Whether a point is where the elements left out begin, which is no end.
     pub fn is_border(&self, point: AxisPoint) -> bool {
         let k = point.element;
-        (point.xi == 1.0 && k + 1 < self.elements.len() && self.left_out(k + 1))
-            || (point.xi == 0.0 && k > 0 && self.left_out(k - 1))
+        let hidden = |k: usize| self.is_skipped(k) || self.is_beyond_ends(k);
+        (point.xi == 1.0 && k + 1 < self.elements.len() && hidden(k + 1))
+            || (point.xi == 0.0 && k > 0 && hidden(k - 1))
     }
 
     /// The end of the axis that the place at arc length `s` is no farther from than half its width.

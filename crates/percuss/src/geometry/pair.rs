@@ -99,6 +99,18 @@ impl Centre {
         }
     }
 
+    /// Whether it belongs to no piece of a beam any more: the element that it is on has parted, and at a node the one beside it too.
+    pub fn is_parted(&self, at: &Configuration) -> bool {
+        let Carrier::Beam { shape, .. } = &self.carrier else { return false };
+        if !at.is_parted(self.node) {
+            return false;
+        }
+        if shape[0] == 1.0 {
+            return self.node.checked_sub(1).is_none_or(|before| at.is_parted(before));
+        }
+        shape[2] != 1.0 || at.is_parted(self.node + 1)
+    }
+
     /// Whether it moves as the axis of its beam does, or its body; not one that turns with a section.
     pub fn is_on_axis(&self) -> bool {
         !matches!(self.carrier, Carrier::Beam { offset, .. } if offset != [0.0; 2])

@@ -80,9 +80,13 @@ impl Pair {
         memory: &Memory,
         reach: Reach,
     ) -> Option<Touch> {
+        if self.source.is_parted(at) {
+            return None;
+        }
         let moved = self.source.displacement(at);
         let y = add(self.source.position, moved);
         match &self.target {
+            Target::Guided { point, .. } if point.is_parted(at) => None,
             Target::Guided { point, normal, standoff } => {
                 let closest = point.displacement(at);
                 let gap = standoff + dot(*normal, sub(moved, closest));
@@ -97,12 +101,13 @@ impl Pair {
             Target::Segment { ends } => Some(self.segment(ends, y, at, memory)),
             Target::Axis { beam, skip, ends } => {
                 let axis = axis_of(axes, at, *beam, *skip, ends);
+                let lost = at.is_parted(axis.elements[memory.near.element].node);
                 let (closest, leapt_from) = match reach {
-                    Reach::All => {
+                    Reach::Near if !lost => (axis.near(y, at, memory.near, memory.side), None),
+                    _ => {
                         let found = axis.nearest(y, at, memory.near, memory.side)?;
                         (found.closest, found.leapt_from)
                     }
-                    Reach::Near => (axis.near(y, at, memory.near, memory.side), None),
                 };
                 let side = leapt_from.map_or(memory.side, |from| {
                     // What was outside of one arm is outside of the other, whichever way that one runs.
@@ -210,6 +215,7 @@ impl Pair {
         let s = element.s + point.xi * element.length;
         if let Some(end) = axis.end_near(s)
             && (end.point == point || distance < element.half_depth(point.xi))
+            && !axis.is_parted(end.point.element)
             && let Some(found) = edge::nearest(axis, end, closest, y, at, [memory.side, seen])
         {
             return self.on_edge(axis, end, &found, point);
@@ -323,13 +329,13 @@ fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
 /// The axis of a beam, as far as it can be touched.
 fn axis_of<'a>(
     axes: &'a impl Axes,
-    at: &Configuration,
+    at: &Configuration<'a>,
     beam: usize,
     skip: [usize; 2],
     ends: &'a [AxisEnd; 2],
 ) -> Axis<'a> {
     let arc = at.arcs.get(beam).copied().unwrap_or(f64::INFINITY);
-    Axis { nodes: axes.frames(), elements: axes.axis(beam), skip, ends, arc }
+    Axis { nodes: axes.frames(), elements: axes.axis(beam), skip, ends, arc, parted: at.parted }
 }
 
 /// The tangent that goes with a normal: turned by -90 degrees.

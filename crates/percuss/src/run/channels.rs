@@ -170,7 +170,7 @@ struct NearestPair {
 fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> NearestPair {
     let slides = slides(model, contact);
     let mut best = NearestPair { gap: f64::INFINITY, s: f64::NAN };
-    let at = Configuration::of(&state.displacement);
+    let at = Configuration::of(&state.displacement).without(&state.parted);
     for i in contact.pairs.clone() {
         let pair = &model.pairs[i];
         let least = search.least_gap(pair, i);

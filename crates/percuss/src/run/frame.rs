@@ -61,7 +61,7 @@ impl Simulation<'_> {
         let divisor = if impulsive { 1.0 } else { h };
         let rigid = (self.work.rigid_pairs.iter().zip(&self.work.rigid))
             .map(|(&pair, c)| (pair, c.impulse.map(|l| l / divisor), impulsive));
-        let at = Configuration::of(&self.state.displacement);
+        let at = Configuration::of(&self.state.displacement).without(&self.state.parted);
         for (index, [normal, tangential], impulsive) in smooth.chain(rigid) {
             if normal == 0.0 && tangential == 0.0 {
                 continue;

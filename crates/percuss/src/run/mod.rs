@@ -19,6 +19,7 @@ mod giving_up;
 mod jumps;
 pub(crate) mod locate;
 mod monitor;
+mod parting;
 mod passage;
 mod preview;
 pub(crate) mod record;

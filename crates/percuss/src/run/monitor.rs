@@ -19,6 +19,7 @@ use crate::model::Model;
 use crate::model::frozen::SupportData;
 use crate::state::State;
 use crate::step::contacts::{ActiveContact, Phase, RigidContact};
+use crate::step::fibres::PartedElement;
 use crate::step::forcing::Forcing;
 use crate::step::integration::Integration;
 use crate::step::workspace::Workspace;
@@ -33,6 +34,8 @@ pub(super) struct PartEnd<'a> {
     pub impulsive: bool,
     /// Pairs that were looked at at its end, shape (such pairs) \[index of a pair\].
     pub awake: &'a [usize],
+    /// Elements that part at its end, shape (such elements).
+    pub parted: &'a [PartedElement],
 }
 
 /// A trial that is about to be accepted.
@@ -216,6 +219,7 @@ impl Monitor {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
         yielding::note(model, state, &mut self.yielded);
+        yielding::note_parted(model, state.time, part.parted, &mut self.yielded);
         connector_log::note(model, state, &mut self.connectors);
         self.contacts.end_step(model, state, work, part);
         for (k, p) in model.points.iter().enumerate() {

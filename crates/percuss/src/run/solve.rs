@@ -189,7 +189,13 @@ impl Simulation<'_> {
     /// The end of the step solved last.
     pub(super) fn end_of_step(&self) -> Configuration<'_> {
         let Workspace { increment, arcs, .. } = &self.work;
-        Configuration { start: &self.state.displacement, increment, share: 1.0, arcs }
+        Configuration {
+            start: &self.state.displacement,
+            increment,
+            share: 1.0,
+            arcs,
+            parted: &self.state.parted,
+        }
     }
 
     /// Gap of pair `i` at the end of the step solved last, and its rate.

@@ -15,7 +15,7 @@ use crate::settings::{Settings, Start};
 use crate::state::State;
 use crate::step::effective_mass;
 use crate::step::tangent::project_node;
-use crate::step::{commit, lead};
+use crate::step::{commit, fibres, lead};
 
 /// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
 ///
@@ -232,6 +232,8 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
         state.multiplier = found.multiplier;
         state.coordinates = found.coordinates;
         state.fibres = found.fibres;
+        let parted: Vec<usize> = fibres::parted(model, &state.fibres).collect();
+        parted.into_iter().for_each(|node| state.part(model, node));
         state.memories = found.memories;
         state.pairs = found.pairs;
         // Projectiles stand off from where their points have moved to.

@@ -8,6 +8,7 @@ use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::Reach;
 use crate::model::frozen::BodyKind;
 use crate::settings::ImpactResolution;
+use crate::step::fibres::PartedElement;
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::integration::Integration;
 use crate::step::newton::StepProblem;
@@ -106,8 +107,9 @@ impl Simulation<'_> {
         self.note_step_size(trial);
         self.note_start_reactions(&rule);
         self.remember_closest_points();
-        self.commit(&rule, impulsive);
-        let end = PartEnd { trial, impulsive, awake: self.search.awake() };
+        let parted = self.commit(&rule, impulsive);
+        let opened = self.part(&parted);
+        let end = PartEnd { trial, impulsive, awake: self.search.awake(), parted: &parted };
         self.monitor.end_step(self.model, &self.state, &self.work, &end);
         let carries_impulses = impulsive && trial.carries_impulses();
         self.frames.part = (trial.h, carries_impulses);
@@ -115,13 +117,14 @@ impl Simulation<'_> {
         self.measure();
         self.weigh_struck(trial);
         self.update_contacts(trial);
+        self.open_parted(&opened);
     }
 
-    /// Writes the end of the step solved last into the state, and looks at the pairs there.
-    fn commit(&mut self, rule: &Integration, impulsive: bool) {
+    /// Writes the end of the step solved last into the state, and looks at the pairs there; tells the elements that part.
+    fn commit(&mut self, rule: &Integration, impulsive: bool) -> Vec<PartedElement> {
         let before = impulsive.then(|| self.state.multiplier.clone());
         let (state, forcing) = (&mut self.state, &self.forcing);
-        commit::commit(self.model, state, *rule, forcing, &self.damping, &self.work);
+        let parted = commit::commit(self.model, state, *rule, forcing, &self.damping, &self.work);
         self.work.beams.sweep.end();
         state.offset += rule.h;
         if let Some(before) = before {
@@ -137,6 +140,7 @@ impl Simulation<'_> {
                 pair.deepest = pair.deepest.max(-pair.gap);
             }
         }
+        parted
     }
 
     /// What approaches in an impact, or was held, has approached so fast.
@@ -184,7 +188,13 @@ impl Simulation<'_> {
         for &i in self.encounters.reached.iter().filter(|i| model.pairs[**i].target.has_sides()) {
             let seen = &mut state.pairs[i];
             let Workspace { increment, arcs, smooth, .. } = &self.work;
-            let at = Configuration { start: &state.displacement, increment, share: 1.0, arcs };
+            let at = Configuration {
+            start: &state.displacement,
+            increment,
+            share: 1.0,
+            arcs,
+            parted: &state.parted,
+        };
             let known =
                 smooth.binary_search_by_key(&i, |c| c.pair).ok().and_then(|k| smooth[k].end);
             let end = known.or_else(|| {

@@ -10,14 +10,17 @@ use crate::math::hermite;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, Span, SpanFibres};
 use crate::state::State;
-use crate::summary::{FirstYield, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
+use crate::step::fibres::PartedElement;
+use crate::summary::{FirstYield, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
 
 /// What is noted of a beam.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct YieldRecord {
     strain: SectionPeak,
     accumulated: SectionPeak,
     first: Option<FirstYield>,
+    /// Where it has parted so far, in the order of time, shape (places).
+    parted: Vec<Parting>,
 }
 
 /// A Gauss point with fibres.
@@ -94,10 +97,29 @@ pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
     }
 }
 
+/// Takes elements that part at a time into the records.
+pub fn note_parted(
+    model: &Model,
+    time: f64,
+    parted: &[PartedElement],
+    records: &mut [YieldRecord],
+) {
+    for one in parted {
+        let (span, k) = model.element_of(one.node);
+        let Some(i) = model.beams.iter().position(|beam| beam.nodes.contains(&one.node)) else {
+            continue;
+        };
+        let (from, to) = (span.stations[k], span.stations[k + 1]);
+        let s = from + hermite::gauss_points()[one.gauss] * (to - from);
+        records[i].parted.push(Parting { s, stretch: [from, to], time, energy: one.energy });
+    }
+}
+
 /// What a run came to, one entry a beam that can yield.
 pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<PlasticSummary> {
-    let unloaded =
-        if records.iter().any(|r| r.first.is_some()) { unloaded(model, state) } else { None };
+    // Pieces that have come off have no place to spring back to, and what they were joined to perhaps neither.
+    let whole = state.parted.is_empty() && records.iter().any(|r| r.first.is_some());
+    let unloaded = if whole { unloaded(model, state) } else { None };
     let can_yield = |(beam, _): &(&BeamData, &YieldRecord)| {
         let yields = |law: &StressLaw| matches!(law, StressLaw::Plastic(_));
         let mut fibres = model.spans[beam.spans.clone()].iter().filter_map(|s| s.fibres.as_ref());
@@ -120,6 +142,7 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
                 .and(unloaded.as_ref())
                 .and_then(|u| permanent_set(model, beam, u)),
             failed: 0,
+            parted: record.parted.clone(),
         };
         for point in points(model, state, beam, false) {
             for (fibre, memory) in point.fibres.iter().zip(point.states) {
@@ -162,7 +185,9 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
     let mut out: Vec<PlasticHinge> = Vec::new();
     let mut side = 0.0;
     for point in points(model, state, beam, true) {
-        let yielded = point.states.iter().any(|s| s.accumulated > 0.0);
+        let bears = |(fibre, s): (&Fibre, &FibreState)| fibre.area > 0.0 && !s.failed;
+        let whole = point.fibres.iter().zip(point.states).any(bears);
+        let yielded = whole && point.states.iter().any(|s| s.accumulated > 0.0);
         // The bending strain counts a turn counter-clockwise as negative.
         let turned = if yielded { -plastic_curvature(&point) * point.weight } else { 0.0 };
         if turned == 0.0 {

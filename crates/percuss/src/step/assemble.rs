@@ -240,7 +240,9 @@ impl StepState<'_> {
                 let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
                 let mut sums = ElementSums::zero(0.0);
                 let place = |row, gauss| GaussPlace { row, node: a, element, gauss, lag, damping };
-                if let Some(fibres) = &span.fibres {
+                if self.state.has_parted(a) {
+                    // Inertia alone, which is added below.
+                } else if let Some(fibres) = &span.fibres {
                     let ends = element_step((span, table), [&old, &step], self.integration);
                     let fibres = self.state.fibres_of(fibres, k);
                     self.add_fibres::<TANGENT>(&ends, &fibres, (element, damping), &mut sums);

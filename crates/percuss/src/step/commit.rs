@@ -1,7 +1,7 @@
 //! Accepts a solved step: the only writer of [`State`].
 
 use super::connectors;
-use super::fibres;
+use super::fibres::{self, PartedElement};
 use super::flows::enter;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
@@ -17,7 +17,8 @@ use crate::model::Model;
 use crate::model::frozen::{Connector, Coordinate, Span};
 use crate::state::State;
 
-/// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger.
+/// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger; tells the elements that have no fibre left
+/// at its end.
 pub fn commit(
     model: &Model,
     state: &mut State,
@@ -25,10 +26,10 @@ pub fn commit(
     forcing: &Forcing,
     damping: &ModalDamping,
     work: &Workspace,
-) {
+) -> Vec<PartedElement> {
     let h = integration.h;
     // Entered with the other flows, below.
-    let mut losses = fibres::advance(model, state, &integration, &work.increment);
+    let (mut losses, parted) = fibres::advance(model, state, &integration, &work.increment);
     let moved = (forcing, &work.increment[..]);
     let memories = connectors::advanced(model, state, &integration, moved, &mut losses);
     enter(model, state, &integration, (forcing, damping, &losses), work);
@@ -46,6 +47,7 @@ pub fn commit(
     forcing.follow(&mut state.followed);
     state.multiplier.copy_from_slice(&work.multiplier);
     state.time += h;
+    parted
 }
 
 /// Coordinates of the connectors after a step: those of the configuration, with prescribed motions summed up.
@@ -124,6 +126,10 @@ fn advance_spins(i: usize, span: &Span, state: &mut State, rule: &Integration, w
             continue;
         }
         let (u, d, a) = (&state.displacement, &work.increment, span.nodes.start + k);
+        if state.has_parted(a) {
+            // Nothing turns its sections any more.
+            continue;
+        }
         let old = ElementValues::new(&u[a], &u[a + 1]);
         let step = ElementValues::new(&d[a], &d[a + 1]);
         for (row, spin) in span.table(k).rows.iter().zip(&mut state.spin[element]) {

@@ -110,7 +110,13 @@ impl StepProblem<'_> {
         increment: &'b [[f64; 4]],
         arcs: &'b [f64],
     ) -> Configuration<'b> {
-        Configuration { start: &self.state.displacement, increment, share: 1.0, arcs }
+        Configuration {
+            start: &self.state.displacement,
+            increment,
+            share: 1.0,
+            arcs,
+            parted: &self.state.parted,
+        }
     }
 
     fn smooth_law(&self, pair: usize) -> Option<&SmoothLaw> {

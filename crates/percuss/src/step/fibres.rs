@@ -2,7 +2,7 @@
 
 use super::integration::Integration;
 use crate::element::beam::{ElementTable, ElementValues};
-use crate::element::fibre::FibreState;
+use crate::element::fibre::{Fibre, FibreState};
 use crate::element::yielding::{ElementFibres, ElementStep, GaussStrains, gauss_strains};
 use crate::math::hermite::GAUSS;
 use crate::model::Model;
@@ -38,24 +38,41 @@ pub fn element_step<'a>(
     ElementStep { table, measure: span.measure, start, increment, h: rule.h, lag }
 }
 
-/// Moves the fibres to the end of a step, from the displacements of `state` by the increment.
+/// An element that parts at the end of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct PartedElement {
+    /// Its node `a`.
+    pub node: usize,
+    /// The Gauss point at which no fibre is left.
+    pub gauss: usize,
+    /// What was stored in all that fails in it at that instant \[J\].
+    pub energy: f64,
+}
+
+/// Moves the fibres to the end of a step, from the displacements of `state` by the increment. An element without a fibre left at one of
+/// its Gauss points loses all others too, and is told.
 pub fn advance(
     model: &Model,
     state: &mut State,
     rule: &Integration,
     increment: &[[f64; 4]],
-) -> FibreLosses {
+) -> (FibreLosses, Vec<PartedElement>) {
     let mut losses = FibreLosses::default();
+    let mut parted = Vec::new();
     if state.fibres.is_empty() {
-        return losses;
+        return (losses, parted);
     }
     for (span, k, a, _) in model.each_element() {
         let Some(fibres) = &span.fibres else { continue };
+        if state.has_parted(a) {
+            continue;
+        }
         let (table, u) = (span.table(k), &state.displacement);
         let start = ElementValues::new(&u[a], &u[a + 1]);
         let change = ElementValues::new(&increment[a], &increment[a + 1]);
         let step = element_step((span, table), [&start, &change], rule);
         let [from, to] = step.strains();
+        let before = losses.failure;
         let mut states = state.fibres[fibres.range(k)].iter_mut();
         for (j, points) in fibres.of(k).iter().enumerate() {
             for (fibre, state) in points.iter().zip(&mut states) {
@@ -65,7 +82,9 @@ pub fn advance(
                 *state = found.state;
                 let volume = fibre.area * table.rows[j].weight;
                 losses.plastic += volume * found.dissipated;
-                losses.viscous += volume * law.young() * step.lag * (e1 - e0).powi(2);
+                if !state.failed {
+                    losses.viscous += volume * law.young() * step.lag * (e1 - e0).powi(2);
+                }
                 if law.fails(e1) && !state.failed {
                     let stored = law.elastic_energy(state, e1) + law.hardening_energy(state);
                     losses.failure += volume * stored;
@@ -73,17 +92,52 @@ pub fn advance(
                 }
             }
         }
+        let states = &mut state.fibres[fibres.range(k)];
+        if let Some(gauss) = gap(fibres.of(k), states) {
+            losses.failure += fail_all((fibres, k), table, &to, states);
+            parted.push(PartedElement { node: a, gauss, energy: losses.failure - before });
+        }
     }
-    losses
+    (losses, parted)
+}
+
+/// The first Gauss point of an element at which no fibre is left.
+fn gap(fibres: &[Vec<Fibre>; GAUSS], mut states: &[FibreState]) -> Option<usize> {
+    fibres.iter().position(|points| {
+        let (here, rest) = states.split_at(points.len());
+        states = rest;
+        let bears = |(fibre, state): (&Fibre, &FibreState)| fibre.area > 0.0 && !state.failed;
+        !points.iter().zip(here).any(bears)
+    })
+}
+
+/// Fails the fibres of an element that are left; returns what they stored \[J\].
+fn fail_all(
+    (fibres, k): (&SpanFibres, usize),
+    table: &ElementTable,
+    strains: &GaussStrains,
+    states: &mut [FibreState],
+) -> f64 {
+    let mut stored = 0.0;
+    let mut states = states.iter_mut();
+    for ((points, row), [membrane, bending]) in fibres.of(k).iter().zip(&table.rows).zip(strains) {
+        for (fibre, state) in points.iter().zip(&mut states).filter(|(_, state)| !state.failed) {
+            let (law, strain) = (&fibres.laws[fibre.law], membrane + fibre.height * bending);
+            let energy = law.elastic_energy(state, strain) + law.hardening_energy(state);
+            stored += fibre.area * row.weight * energy;
+            state.failed = true;
+        }
+    }
+    stored
 }
 
 /// Brings the fibres slowly to where displacements have led.
-pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], states: &mut [FibreState]) {
+pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreState]) {
     for (span, k, a, _) in model.each_element() {
         let Some(fibres) = &span.fibres else { continue };
         let u = ElementValues::new(&displacement[a], &displacement[a + 1]);
         let strains = gauss_strains(span.table(k), span.measure, &u);
-        let mut states = states[fibres.range(k)].iter_mut();
+        let mut states = all[fibres.range(k)].iter_mut();
         for (points, [membrane, bending]) in fibres.of(k).iter().zip(strains) {
             for (fibre, state) in points.iter().zip(&mut states) {
                 let (law, strain) = (&fibres.laws[fibre.law], membrane + fibre.height * bending);
@@ -91,7 +145,19 @@ pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], states: &mut [Fib
                 state.failed |= law.fails(strain);
             }
         }
+        let states = &mut all[fibres.range(k)];
+        if gap(fibres.of(k), states).is_some() {
+            states.iter_mut().for_each(|state| state.failed = true);
+        }
     }
+}
+
+/// The first nodes of the elements that have no fibre left.
+pub fn parted<'a>(model: &'a Model, states: &'a [FibreState]) -> impl Iterator<Item = usize> + 'a {
+    model.each_element().filter_map(|(span, k, a, _)| {
+        let fibres = span.fibres.as_ref()?;
+        gap(fibres.of(k), &states[fibres.range(k)]).map(|_| a)
+    })
 }
 
 /// Energies of an element of fibres where the state stands: stretching, bending and other stresses, hardening \[J\].

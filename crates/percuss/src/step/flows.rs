@@ -229,6 +229,9 @@ impl Entry<'_> {
         let u = &self.state.displacement;
         let (old, step) =
             (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
+        if self.state.has_parted(a) {
+            return; // its sections turn on undamped
+        }
         for row in &table.rows {
             let point = step_point(row, &old, &step);
             let g0 = add(point.tangent, point.slope_0);

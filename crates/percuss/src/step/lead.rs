@@ -25,6 +25,8 @@ pub struct Lead {
     nodes: Vec<usize>,
     /// First nodes of the elements next to them, shape (such elements) \[index of a node\].
     elements: Vec<usize>,
+    /// Whether no element spans from a node to the next one, as the state says, shape (beam nodes), or empty \[-\].
+    parted: Vec<bool>,
     /// Lead in velocity, shape (nodes, 4), empty if nothing is driven \[m/s, 1/s\].
     pub velocity: Vec<[f64; 4]>,
     /// Lead in acceleration, likewise, shape (nodes, 4) \[m/s^2, 1/s^2\].
@@ -87,7 +89,8 @@ impl Lead {
         elements.retain(|a| model.spans.iter().any(|s| s.nodes.contains(a) && a + 1 < s.nodes.end));
         let count = if nodes.is_empty() { 0 } else { model.node_count() };
         let none = vec![[0.0; 4]; count];
-        Self { nodes, elements, velocity: none.clone(), acceleration: none }
+        let parted = Vec::new();
+        Self { nodes, elements, parted, velocity: none.clone(), acceleration: none }
     }
 
     /// Whether nothing is driven.
@@ -103,6 +106,7 @@ impl Lead {
         if self.is_empty() || rule.rule == Rule::Static {
             return;
         }
+        self.parted.clone_from(&state.parted);
         let beams = model.beam_node_count();
         for dofs in model.prescribed.iter().filter(|h| h.node < beams) {
             if dofs.drives.iter().all(Vec::is_empty) {
@@ -225,7 +229,7 @@ impl Lead {
         };
         ends.sweep.set_aside();
         let theta = rule.theta();
-        let at = Middle { model, start, increment, share: theta };
+        let at = Middle { model, start, increment, share: theta, parted: &self.parted };
         for a in &self.elements {
             at.add_element_inertia(*a, field, factor, residual, ends);
         }
@@ -253,7 +257,7 @@ impl Lead {
         if self.is_empty() {
             return;
         }
-        let at = Middle { model, start, increment, share: 0.5 };
+        let at = Middle { model, start, increment, share: 0.5, parted: &self.parted };
         for a in &self.elements {
             let (span, k) = model.element_of(*a);
             for (j, own) in spin[span.elements.start + k].iter_mut().enumerate() {
@@ -277,7 +281,8 @@ impl Lead {
         if self.is_empty() || !matches!(rule.rule, Rule::Midpoint(_)) {
             return sum;
         }
-        let at = Middle { model, start: &state.displacement, increment, share: 0.5 };
+        let (start, parted) = (&state.displacement[..], &self.parted[..]);
+        let at = Middle { model, start, increment, share: 0.5, parted };
         let gain = |n: usize| -> [f64; 4] {
             let (v, c) = (&state.velocity[n], &self.velocity[n]);
             std::array::from_fn(|i| rule.velocity(increment[n][i], v[i], 0.0) + c[i] - v[i])

@@ -46,10 +46,25 @@ pub struct PlasticSummary {
     /// Energy that hardening has stored \[J\].
     pub hardening: f64,
     /// Largest displacement of a node once the structure is unloaded and at rest; none where it has not yielded, is not held by
-    /// supports, or has no such equilibrium near its last configuration.
+    /// supports, or has no such equilibrium near its last configuration, and where any beam has parted.
     pub permanent_set: Option<PermanentSet>,
     /// Fibres that have failed.
     pub failed: usize,
+    /// Where it has parted, in the order of time, shape (places).
+    pub parted: Vec<Parting>,
+}
+
+/// A place at which a beam has parted: no fibre of a section is left, and so nothing of the element that it is in.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Parting {
+    /// Arc length of the section from the start of the beam \[m\], that of a Gauss point.
+    pub s: f64,
+    /// Where the element that is gone begins and ends, shape (2) \[m\].
+    pub stretch: [f64; 2],
+    /// End of the step in which it did \[s\].
+    pub time: f64,
+    /// What was stored in it and is released at that instant \[J\].
+    pub energy: f64,
 }
 
 /// What stays of a beam's displacements where most of them stays.

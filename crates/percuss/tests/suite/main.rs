@@ -21,6 +21,7 @@ mod joints;
 mod layered;
 mod layers;
 mod multiple_impacts;
+mod parting;
 mod rigid_ensembles;
 mod schemes;
 mod section_forces;

@@ -130,6 +130,15 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
     if beam.failed > 0 {
         parts.push(format!("{} failed", count(beam.failed, "fibre")));
     }
+    if let [first, others @ ..] = &beam.parted[..] {
+        let more = if others.is_empty() {
+            String::new()
+        } else {
+            format!(" and at {}", count(others.len(), "more place"))
+        };
+        let (s, time) = (number(first.s), number(first.time));
+        parts.push(format!("parted at s = {s} m, t = {time} s{more}"));
+    }
     Some((format!("yield of {}", beam.name), parts.join(", ")))
 }
 

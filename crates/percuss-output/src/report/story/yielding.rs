@@ -46,6 +46,26 @@ fn permanent_set(beam: &Value) -> Option<String> {
     })
 }
 
+/// Where and when beams parted: each place while they are few.
+pub(super) fn partings(summary: &Value) -> Option<String> {
+    let all = summary["plastic"].as_object()?;
+    let mut places: Vec<(&String, &Value)> = all
+        .iter()
+        .flat_map(|(name, beam)| super::list(beam, "parted").iter().map(move |one| (name, one)))
+        .collect();
+    places.sort_by(|a, b| a.1["time"].as_f64().unwrap_or(0.0).total_cmp(&b.1["time"].as_f64().unwrap_or(0.0)));
+    let told = |(name, one): &(&String, &Value)| {
+        let (s, time) = (quantity(one["s"].as_f64(), "m"), quantity(one["time"].as_f64(), "s"));
+        format!("The beam {name} parted at s = {s} after {time}.")
+    };
+    let first = told(places.first()?);
+    Some(match places.len() - 1 {
+        0 => first,
+        1 => format!("{first} {}", told(&places[1])),
+        more => format!("{first} Beams parted at {more} more places."),
+    })
+}
+
 /// The spring or hinge that dissipated most.
 pub(super) fn connectors(summary: &Value) -> Option<String> {
     let lost = |one: &Value| one["dissipated"].as_f64().unwrap_or(0.0);

@@ -116,6 +116,11 @@ impl Lines {
         inner: &mut [Inner],
     ) {
         let (table, a, element) = (span.table(k), span.nodes.start + k, span.elements.start + k);
+        if acting.state.has_parted(a) {
+            // A gap bears nothing; what its mass does is no section force.
+            (0..NUMBERS).for_each(|column| self.lines.set(column, element, 0.0));
+            return;
+        }
         let share = |n: usize, i: usize| {
             acting.state.displacement[n][i] + acting.theta * acting.increment[n][i]
         };

@@ -46,6 +46,12 @@ fn stressed(search: &StaticSearch, span: &Span, k: usize, e: usize) -> Stored {
     equivalent_strains(&search.base, span, k).unwrap_or(search.base.strain[e])
 }
 
+/// Whether an element is a gap, all its fibres having failed: nothing holds its nodes together.
+fn is_gap(search: &StaticSearch, span: &Span, k: usize) -> bool {
+    let fibres = span.fibres.as_ref();
+    fibres.is_some_and(|of| search.base.fibres[of.range(k)].iter().all(|state| state.failed))
+}
+
 impl Layout<'_> {
     /// The tangent at the base of a search; beams that have yielded count as they unload, elastically.
     pub fn tangent(&self, search: &StaticSearch) -> Matrix {
@@ -93,6 +99,9 @@ impl Layout<'_> {
         weigh: impl Fn(&Span, usize, usize) -> (Wide, Stored),
     ) {
         for (span, k, a, e) in self.model.each_element() {
+            if is_gap(search, span, k) {
+                continue;
+            }
             let (factor, stored) = weigh(span, k, e);
             let sums = element(span, k, a, &search.base.displacement, &stored);
             let none = [[Wide::ZERO; 4]; 4];
@@ -112,6 +121,9 @@ impl Layout<'_> {
         mut each: impl FnMut(f64),
     ) {
         for (span, k, a, e) in self.model.each_element() {
+            if is_gap(search, span, k) {
+                continue;
+            }
             let (factor, stored) = match stress {
                 StressTerms::Taken => (1.0, stressed(search, span, k, e)),
                 StressTerms::Left(_) => (unit(span.table(k)).round(), [[0.0; 2]; 3]),

@@ -24,7 +24,7 @@ proptest! {
         let arc = longest_arc(&elements, &frames, &at);
         let ends = elements.ends([0.0; 2]);
         let bounded =
-            Axis { nodes: &frames, elements: &elements, skip: [0, 0], ends: &ends, arc };
+            Axis { nodes: &frames, elements: &elements, skip: [0, 0], ends: &ends, arc, parted: &[] };
         let y = [y.0, y.1];
         let away = |p: AxisPoint| bounded.placed(p.element, &at).away(y, p.xi);
 

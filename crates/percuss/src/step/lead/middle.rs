@@ -14,6 +14,8 @@ pub(super) struct Middle<'a> {
     /// Their increments over the step, shape (nodes, 4) \[m, 1, rad\].
     pub increment: &'a [[f64; 4]],
     pub share: f64,
+    /// Whether no element spans from a node to the next one, as the state says, shape (beam nodes), or empty \[-\].
+    pub parted: &'a [bool],
 }
 
 impl<'a> Middle<'a> {
@@ -30,8 +32,11 @@ impl<'a> Middle<'a> {
         add(row.tangent, add(at(self.start), scale(self.share, at(self.increment))))
     }
 
-    /// `(g x g_dot) / a` there, of a nodal field.
+    /// `(g x g_dot) / a` there, of a nodal field; nothing turns the sections of an element that has parted.
     pub fn turning(&self, a: usize, j: usize, field: &[[f64; 4]]) -> f64 {
+        if self.parted.get(a).is_some_and(|parted| *parted) {
+            return 0.0;
+        }
         let (g, row) = (self.tangent(a, j), &self.element(a).0.rows[j]);
         cross(g, ElementValues::new(&field[a], &field[a + 1]).at(&row.first)) / dot(g, g)
     }
@@ -58,7 +63,8 @@ impl<'a> Middle<'a> {
         for (j, row) in table.rows.iter().enumerate() {
             let g = self.tangent(a, j);
             let moment = row.weighed.rotary * self.turning(a, j, field);
-            let force_g = scale(moment / dot(g, g), [-g[1], g[0]]);
+            let force_g =
+                if moment == 0.0 { [0.0; 2] } else { scale(moment / dot(g, g), [-g[1], g[0]]) };
             let response = PointResponse { force_g, force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
             sums.add::<false>(row, &response);
         }

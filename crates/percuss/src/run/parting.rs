@@ -1,0 +1,48 @@
+//! Beams that part at the end of a step: what touched there touches no more.
+
+use super::simulation::Simulation;
+use crate::contact::search::Search;
+use crate::geometry::touch::Reach;
+use crate::model::TouchLaw;
+use crate::step::fibres::PartedElement;
+
+impl Simulation<'_> {
+    /// Takes elements that have parted out of what can be touched; returns the pairs that this has moved apart. What contact forces
+    /// stored there is lost with them.
+    pub(super) fn part(&mut self, parted: &[PartedElement]) -> Vec<usize> {
+        if parted.is_empty() {
+            return Vec::new();
+        }
+        for element in parted {
+            self.state.part(self.model, element.node);
+        }
+        let before: Vec<f64> = self.state.pairs.iter().map(|pair| pair.gap).collect();
+        let pressed = self.stored_in_contacts();
+        self.search = Search::new(self.model);
+        self.search.see(self.model, &mut self.state, Reach::All);
+        self.state.ledger.loss_failure += pressed - self.stored_in_contacts();
+        let now = self.state.pairs.iter().map(|pair| pair.gap);
+        now.zip(before).enumerate().filter(|(_, (now, was))| now != was).map(|(i, _)| i).collect()
+    }
+
+    /// Opens the pairs that a parting has moved apart.
+    pub(super) fn open_parted(&mut self, moved: &[usize]) {
+        for &i in moved {
+            self.state.pairs[i].closed = false;
+            if self.state.located == Some(i) {
+                self.state.located = None;
+            }
+        }
+    }
+
+    /// Energy of everything that is pressed together \[J\].
+    fn stored_in_contacts(&self) -> f64 {
+        let stored = self.model.pairs.iter().zip(&self.state.pairs).map(|(pair, seen)| {
+            match &self.model.contacts[pair.contact].law {
+                TouchLaw::Smooth(law) if seen.gap < 0.0 => law.stored(-seen.gap, seen.deepest),
+                _ => 0.0,
+            }
+        });
+        stored.sum()
+    }
+}
