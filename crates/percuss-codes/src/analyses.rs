@@ -63,5 +63,9 @@ catalogue! {
         Broken = "E114", "the solver broke down",
             "The program met something that it does not know of. This is a fault of Percuss, not of the scenario: the other runs of a \
              study are not touched. Please send the scenario.";
+        /// A joint that carries more than its strength in an equilibrium.
+        JointParts = "E115", "a joint that parts at rest",
+            "With all joints holding there is an equilibrium under the loads, but in it a joint carries more than its `strength`. Statics \
+             do not follow what parts: simulate it with `percuss run` and `start = \"rest\"`, take the load down, or the joint away.";
     }
 }

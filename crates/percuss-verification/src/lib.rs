@@ -25,6 +25,7 @@ mod sliding;
 mod stability;
 mod statics;
 mod stops;
+mod strength;
 mod structure;
 mod structures;
 mod surface;

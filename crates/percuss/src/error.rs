@@ -21,6 +21,7 @@ enum ErrorKind {
     MomentBeyondLaw { share: f64, beam: String, most: f64 },
     NothingHolds { body: String },
     Overlap { what: String },
+    JointParts { joint: String, force: f64, moment: f64 },
     Singular { time: f64, place: String },
     Grown { time: f64, made: f64, came: f64 },
     Recorder(RecorderError),
@@ -57,6 +58,11 @@ impl Error {
         Self { kind: ErrorKind::Overlap { what } }
     }
 
+    /// A joint carries more than its strength at rest.
+    pub(crate) fn joint_parts(joint: String, force: f64, moment: f64) -> Self {
+        Self { kind: ErrorKind::JointParts { joint, force, moment } }
+    }
+
     /// The tangent cannot be factorised.
     pub(crate) fn singular(time: f64, place: String) -> Self {
         Self { kind: ErrorKind::Singular { time, place } }
@@ -81,6 +87,7 @@ impl Error {
             ErrorKind::MomentBeyondLaw { .. } => AnalysisCode::MomentBeyondLaw,
             ErrorKind::NothingHolds { .. } => AnalysisCode::NothingHolds,
             ErrorKind::Overlap { .. } => AnalysisCode::Overlap,
+            ErrorKind::JointParts { .. } => AnalysisCode::JointParts,
             ErrorKind::Singular { .. } => AnalysisCode::Singular,
             ErrorKind::Grown { .. } => AnalysisCode::Growth,
             ErrorKind::Recorder(_) => AnalysisCode::Recorder,
@@ -144,6 +151,10 @@ impl fmt::Display for Error {
                 "no equilibrium: nothing holds `{body}`, which the loads carry away for good (in statics contacts have no friction)"
             ),
             ErrorKind::Overlap { what } => write!(f, "{what}"),
+            ErrorKind::JointParts { joint, force, moment } => write!(
+                f,
+                "no equilibrium with all joints: `{joint}` carries {force:.6e} N and {moment:.6e} N m there, more than its strength"
+            ),
             ErrorKind::Singular { time, place } => {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")
             }

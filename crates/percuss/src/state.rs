@@ -142,6 +142,8 @@ pub struct State {
     pub(crate) reacting: Reacting,
     /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     pub multiplier: Vec<f64>,
+    /// Whether each joint of a given strength has parted, shape (such joints).
+    pub(crate) joints_parted: Vec<bool>,
     /// Pairs that can touch, in the model's order, shape (pairs).
     pub pairs: Vec<PairState>,
     /// The one whose instant of contact this is, if the state stands at one.
@@ -159,7 +161,7 @@ impl State {
             let elements = [s.spin.len(), s.strain.len(), s.fibres.len(), s.memories.len()];
             let others = [s.followed.len(), s.coordinates.len(), s.mass_spin.len()];
             let forces = [s.reactions.len(), s.reacting.last.len(), s.multiplier.len()];
-            (nodes, elements, others, forces, s.pairs.len())
+            (nodes, elements, others, forces, [s.pairs.len(), s.joints_parted.len()])
         };
         let supports = self.reactions.len();
         let parted = [0, model.beam_node_count()].contains(&self.parted.len());
@@ -199,6 +201,7 @@ impl State {
             instant: None,
             reacting: Reacting::none(model.supports.len()),
             multiplier: vec![0.0; model.constraints.len()],
+            joints_parted: vec![false; model.joints.len()],
             pairs: vec![PairState::unseen(); model.pairs.len()],
             located: None,
             ledger: Ledger::default(),
@@ -287,7 +290,8 @@ impl State {
 
     /// Looks at pair `i` where it stands; returns how far apart the two are, negative also where one has gone through \[m\].
     pub(crate) fn see(&mut self, model: &Model, i: usize, reach: Reach) -> f64 {
-        let (pair, at) = (&model.pairs[i], Configuration::of(&self.displacement).without(&self.parted));
+        let (pair, at) =
+            (&model.pairs[i], Configuration::of(&self.displacement).without(&self.parted));
         let seen = &mut self.pairs[i];
         match pair.touch(model, &at, &seen.memory, reach) {
             Some(touch) => {

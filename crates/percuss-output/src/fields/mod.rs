@@ -42,11 +42,15 @@ impl Fields {
             .iter()
             .filter_map(|beam| Some((number(&beam.name)?, &beam.parted)))
             .flat_map(|(beam, parted)| {
-                parted.iter().map(move |one| {
-                    json!({ "beam": beam, "stretch": one.stretch, "time": one.time })
-                })
+                parted.iter().map(
+                    move |one| json!({ "beam": beam, "stretch": one.stretch, "time": one.time }),
+                )
             })
             .collect();
+        for joint in self.scene["joints"].as_array_mut().into_iter().flatten() {
+            let own = run.joints.iter().find(|own| joint["name"] == own.name.as_str());
+            joint["until"] = own.and_then(|own| own.parted).map(|parted| parted.time).into();
+        }
         if let Value::Object(entries) = &mut self.scene {
             entries.insert("parted".to_owned(), Value::Array(gaps));
         }

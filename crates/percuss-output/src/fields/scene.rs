@@ -13,7 +13,7 @@ pub fn scene_value(scene: &Scene) -> Value {
         "bodies": scene.bodies.iter().map(body_value).collect::<Vec<_>>(),
         "obstacles": scene.obstacles.iter().map(obstacle_value).collect::<Vec<_>>(),
         "supports": scene.supports.iter().map(support_value).collect::<Vec<_>>(),
-        "joints": scene.joints.iter().map(|j| json!({ "name": j.name, "at": on(j.at), "turns": j.turns }))
+        "joints": scene.joints.iter().map(|j| json!({ "name": j.name, "at": on(j.at), "turns": j.turns, "until": null }))
             .collect::<Vec<_>>(),
         "springs": scene.springs.iter().map(|s| json!({
             "name": s.name, "between": s.between.map(anchor), "springs": s.springs,

@@ -13,7 +13,33 @@ const ROUND_OFF: f64 = 1e-12;
 /// All tables.
 pub(super) fn render(summary: &Value) -> String {
     let (supports, impulses) = (reactions(summary), impulses(summary));
-    format!("{}{supports}{impulses}{}", partings(summary), section_forces(summary))
+    let parted = format!("{}{}", joints(summary), partings(summary));
+    format!("{parted}{supports}{impulses}{}", section_forces(summary))
+}
+
+/// What joints of a given strength carried, and when they parted.
+fn joints(summary: &Value) -> String {
+    let empty = Map::new();
+    let all = summary["joint"].as_object().unwrap_or(&empty);
+    if all.is_empty() {
+        return String::new();
+    }
+    let row = |(name, joint): (&String, &Value)| {
+        let most = |key: &str, unit: &str| quantity(joint[key]["value"].as_f64(), unit);
+        let parted = match joint["parted"]["time"].as_f64() {
+            Some(time) => quantity(Some(time), "s"),
+            None => "held".to_owned(),
+        };
+        vec![name.clone(), most("force_max", "N"), most("moment_max", "N*m"), parted]
+    };
+    let more = all.len().saturating_sub(LISTED);
+    let rows: Vec<Vec<String>> = all.iter().take(LISTED).map(row).collect();
+    let header = ["joint", "largest force", "largest moment", "parted at"];
+    let mut out = table("Joints of a given strength", &header, &rows);
+    if more > 0 {
+        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
+    }
+    out
 }
 
 /// Where beams have parted, in the order of time.

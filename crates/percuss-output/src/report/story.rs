@@ -24,6 +24,7 @@ pub fn story(summary: &Value) -> String {
     let mut out = vec![contacts(summary)];
     out.extend(deflection(summary));
     out.extend(sections(summary));
+    out.extend(yielding::joints(summary));
     out.extend(yielding::partings(summary));
     out.extend(yielding::beams(summary));
     out.extend(yielding::connectors(summary));

@@ -2,7 +2,8 @@
 
 use percuss::{
     ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, FirstYield, Impact,
-    Parting, Peak, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
+    JointParting, JointSummary, Parting, Peak, PermanentSet, PlasticHinge, PlasticSummary,
+    SectionPeak,
 };
 
 /// The contact with an interval and an impact.
@@ -63,4 +64,10 @@ pub(super) fn plastic_with_every_event(beam: &PlasticSummary) -> PlasticSummary 
         permanent_set: Some(PermanentSet { s: 0.0, displacement: [0.0; 2] }),
         ..beam.clone()
     }
+}
+
+/// The joint parted.
+pub(super) fn joint_with_every_event(joint: &JointSummary) -> JointSummary {
+    let parted = Some(JointParting { time: 0.0, force: 0.0, moment: 0.0 });
+    JointSummary { parted, ..joint.clone() }
 }

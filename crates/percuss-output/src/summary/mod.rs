@@ -72,6 +72,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "support": named(&run.supports, |s| &s.name, support),
         "plastic": named(&run.plastic, |b| &b.name, plastic::value),
         "yielding": named(&run.yielding, |c| &c.name, plastic::yielding),
+        "joint": named(&run.joints, |j| &j.name, plastic::joint),
         "section_forces": named(&run.section_forces, |b| &b.name, section_forces),
         "advice": info.advice.iter().map(advice::finding).collect::<Vec<_>>(),
         "warnings": info.warnings.iter().map(advice::warning).collect::<Vec<_>>(),

@@ -3,7 +3,9 @@
 use percuss::RunSummary;
 use serde_json::Value;
 
-use super::every_event::{contact_with_every_event, plastic_with_every_event};
+use super::every_event::{
+    contact_with_every_event, joint_with_every_event, plastic_with_every_event,
+};
 use super::{
     audit, contact, energy, momentum, plastic, point, projectile, section_forces, step_control,
     support,
@@ -24,8 +26,8 @@ const PLAIN: [&str; 9] = [
 /// Parts of a summary that are tables.
 const TABLES: [&str; 4] = ["energy", "momentum", "audit", "step_control"];
 /// Parts of a summary with one table a name.
-const NAMED: [&str; 7] =
-    ["projectile", "contact", "point", "support", "plastic", "yielding", "section_forces"];
+const NAMED: [&str; 8] =
+    ["projectile", "contact", "point", "support", "plastic", "yielding", "joint", "section_forces"];
 
 /// The path of a number in a summary: `contact.mass.peak_force.value`, `projectile.mass.velocity_final[1]`.
 ///
@@ -179,6 +181,7 @@ fn names(part: &str, run: &RunSummary) -> Vec<String> {
         "support" => run.supports.iter().map(|s| s.name.clone()).collect(),
         "plastic" => run.plastic.iter().map(|beam| beam.name.clone()).collect(),
         "yielding" => run.yielding.iter().map(|c| c.name.clone()).collect(),
+        "joint" => run.joints.iter().map(|joint| joint.name.clone()).collect(),
         "section_forces" => run.section_forces.iter().map(|s| s.name.clone()).collect(),
         _ => Vec::new(),
     }
@@ -209,6 +212,7 @@ fn part(part: &str, name: &str, run: &RunSummary) -> Value {
         "support" => one(&run.supports, |s| s.name == name, support),
         "plastic" => one(&run.plastic, |beam| beam.name == name, plastic::value),
         "yielding" => one(&run.yielding, |c| c.name == name, plastic::yielding),
+        "joint" => one(&run.joints, |joint| joint.name == name, plastic::joint),
         "section_forces" => one(&run.section_forces, |s| s.name == name, section_forces),
         _ => Value::Null,
     }
@@ -218,6 +222,10 @@ fn part(part: &str, name: &str, run: &RunSummary) -> Value {
 fn part_with_every_event(key: &str, name: &str, run: &RunSummary) -> Value {
     let contact = run.contacts.iter().find(|c| key == "contact" && c.name == name);
     let beam = run.plastic.iter().find(|beam| key == "plastic" && beam.name == name);
+    let joint = run.joints.iter().find(|joint| key == "joint" && joint.name == name);
+    if let Some(joint) = joint {
+        return plastic::joint(&joint_with_every_event(joint));
+    }
     match (contact, beam) {
         (Some(contact), _) => contact::value(&contact_with_every_event(contact)),
         (_, Some(beam)) => plastic::value(&plastic_with_every_event(beam)),
@@ -266,7 +274,7 @@ fn spelled(path: &str) -> String {
 /// The path of the first entry wherever a list grows with the run.
 fn unnumbered(path: &str) -> String {
     let mut out = path.to_string();
-    for list in [".intervals[", ".impacts[", ".hinges["] {
+    for list in [".intervals[", ".impacts[", ".hinges[", ".parted["] {
         if let Some((before, after)) = out.clone().split_once(list)
             && let Some((index, rest)) = after.split_once(']')
             && index.parse::<usize>().is_ok()
@@ -282,6 +290,10 @@ fn unit(keys: &[&str]) -> &'static str {
     let last = keys.iter().rev().find(|key| key.parse::<usize>().is_err()).copied().unwrap_or("");
     let has = |key: &str| keys.contains(&key);
     match last {
+        "force" if has("joint") => "N",
+        "moment" if has("joint") => "N*m",
+        "energy" if has("parted") => "J",
+        "stretch" => "m",
         "value" if has("displacement_max") || has("penetration") => "m",
         "value" if has("extension_max") || has("plastic_extension_max") => "m",
         "value" if has("rotation_max") || has("plastic_rotation_max") => "rad",

@@ -1,6 +1,6 @@
 //! Beams, springs and hinges that can yield.
 
-use percuss::{Parting, PlasticHinge, PlasticSummary, SectionPeak, YieldingSummary};
+use percuss::{JointSummary, Parting, PlasticHinge, PlasticSummary, SectionPeak, YieldingSummary};
 use serde_json::{Map, Value, json};
 
 use super::peak;
@@ -38,6 +38,15 @@ pub(super) fn yielding(connector: &YieldingSummary) -> Value {
         ("failure".into(), at(connector.failed)),
     ];
     Value::Object(Map::from_iter(entries))
+}
+
+/// What became of a joint of a given strength.
+pub(super) fn joint(joint: &JointSummary) -> Value {
+    json!({
+        "force_max": peak(&joint.force_max),
+        "moment_max": peak(&joint.moment_max),
+        "parted": joint.parted.map(|p| json!({ "time": p.time, "force": p.force, "moment": p.moment })),
+    })
 }
 
 fn place(peak: &SectionPeak) -> Value {

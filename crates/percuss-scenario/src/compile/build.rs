@@ -73,7 +73,11 @@ fn connections(
         let between = [0, 1].map(|i| beams.point(&table.between[i]));
         let kind = joint_kind(&table.kind);
         let yielding = yielding::of_joint(name, &table.kind, faults);
-        builder.joint(percuss::Joint { name: name.clone(), kind, between, yielding });
+        let strength = table
+            .strength
+            .as_ref()
+            .map(|given| percuss::JointStrength { force: given.force, moment: given.moment });
+        builder.joint(percuss::Joint { name: name.clone(), kind, between, yielding, strength });
     }
     for Named { name, table } in &content.spring {
         let anchor = |anchor: &Anchor| match anchor {

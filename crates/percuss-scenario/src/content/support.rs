@@ -107,10 +107,22 @@ kinds! {
 }
 
 table! {
+    /// What a joint carries at most.
+    pub struct JointStrength {
+        /// Size of the force (N); any without.
+        force: Option<f64> as Maybe<Quantity<measure::Force>> = None,
+        /// Size of the moment, of a rigid joint (N m); any without.
+        moment: Option<f64> as Maybe<Quantity<measure::Moment>> = None,
+    }
+}
+
+table! {
     /// A joint between two beams.
     pub struct Joint {
         /// The two points joined; they must lie at the same place.
         between: [Point; 2] as Pair<PointText>,
+        /// What it carries at most: after a step over which the mean force or moment was larger it holds no longer; it never parts without.
+        strength: Option<JointStrength> as Maybe<Braces<JointStrength>> = None,
     }
     with {
         /// What is shared.

@@ -1,7 +1,8 @@
 //! Cases of beams, springs and hinges that yield.
 
 use crate::{
-    Case, interaction, layered, plastic_bars, plastic_bending, rigid_plastic, yielding_joints,
+    Case, interaction, layered, plastic_bars, plastic_bending, rigid_plastic, strength,
+    yielding_joints,
 };
 
 pub(super) const YIELDING: &[Case] = &[
@@ -94,5 +95,17 @@ pub(super) const YIELDING: &[Case] = &[
         title: "A portal whose hinges yield one after the other",
         source: "slope-deflection method; plastic-hinge analysis",
         run: yielding_joints::portal_pushover,
+    },
+    Case {
+        id: "strong-joints",
+        title: "Joints that part when a growing load reaches their strength",
+        source: "closed form",
+        run: strength::strong_joints,
+    },
+    Case {
+        id: "failing-bar",
+        title: "A bar that yields until all of its fibres fail at once",
+        source: "closed form",
+        run: strength::failing_bar,
     },
 ];

@@ -96,6 +96,8 @@ cases! {
     thrown_bar = "thrown-bar",
     mass_on_a_rod = "mass-on-a-rod",
     portal_pushover = "portal-pushover",
+    strong_joints = "strong-joints",
+    failing_bar = "failing-bar",
     overhanging_beam = "overhanging-beam",
     tapered_cantilever = "tapered-cantilever",
     t_section = "t-section",

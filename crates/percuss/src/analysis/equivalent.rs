@@ -33,7 +33,8 @@ pub struct UnitResponse {
 pub fn equivalent_force(model: &Model, run: &RunSummary) -> Option<EquivalentForce> {
     let [projectile] = model.projectiles.as_slice() else { return None };
     let alone = model.contacts.len() == 1 && model.loads.is_empty() && model.motions.is_empty();
-    if !alone || !model.is_still() || model.is_inelastic() || !has_slack_springs(model) {
+    let whole = run.joints.iter().all(|joint| joint.parted.is_none());
+    if !whole || !alone || !model.is_still() || model.is_inelastic() || !has_slack_springs(model) {
         return None;
     }
     let unit = unit_response(model, projectile)?;

@@ -11,13 +11,14 @@ use crate::element::membrane::green_or_engineering;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
-use crate::model::frozen::{BodyKind, ConstraintKind};
+use crate::model::frozen::{BodyKind, ConstraintKind, JointLoad};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
 use crate::step::fibres::bring_to_rest;
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
+use crate::step::joints;
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::prescribe;
 use crate::step::tangent::{Singular, inner, project};
@@ -192,6 +193,12 @@ impl<'m> StaticSearch<'m> {
             fibres: self.base.fibres.clone(),
             memories: self.base.memories.clone(),
         }
+    }
+
+    /// A joint that carries more than its strength where the search stands.
+    pub fn joint_beyond(&self) -> Option<(&'m str, JointLoad)> {
+        let step = constraint_step(&self.base, &self.work.increment, &self.forcing);
+        joints::beyond(self.model, &step, &self.work.multiplier)
     }
 
     /// Goes back to a place.

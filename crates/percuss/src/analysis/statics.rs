@@ -127,6 +127,9 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
         }
     }
     search.forcing.set_static(model, 1.0);
+    if let Some((joint, load)) = search.joint_beyond() {
+        return Err(Error::joint_parts(joint.to_owned(), load.force, load.moment));
+    }
     let mut found = finish(&mut search, load_steps);
     found.stable = if !search.contacts.press() {
         stable || is_stable_alone(&structure, &mut search)

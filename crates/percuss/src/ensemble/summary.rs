@@ -135,6 +135,7 @@ impl<S: Number> Telling<'_, S> {
             section_forces: Vec::new(),
             plastic: Vec::new(),
             yielding: Vec::new(),
+            joints: Vec::new(),
         }
     }
 

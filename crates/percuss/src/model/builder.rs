@@ -174,6 +174,7 @@ impl ModelBuilder {
             spans: Vec::new(),
             prescribed: Vec::new(),
             constraints: Vec::new(),
+            joints: Vec::new(),
             connectors: Vec::new(),
             masses: Vec::new(),
             supports: Vec::new(),

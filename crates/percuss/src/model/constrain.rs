@@ -177,7 +177,8 @@ fn constrain_points(
                 if gradient { Vec::new() } else { drive_of(support, model, index, direction) };
             (ConstraintKind::Held { point: point.clone(), direction, gradient }, drive)
         };
-        let constraint = Constraint { kind, support: Some(index), drive, until: support.until };
+        let constraint =
+            Constraint { kind, support: Some(index), joint: None, drive, until: support.until };
         independent.keep(model, constraint, &format!("support.{}", support.name));
     }
 }
@@ -189,7 +190,7 @@ fn corners(model: &mut Model, independent: &mut Independent) {
             let end = end_point(model, beam, span - 1, true);
             let start = end_point(model, beam, span, false);
             let path = format!("beam.{}", model.beams[beam].name);
-            join(model, independent, [end, start], true, &path);
+            join(model, independent, [end, start], (true, None), &path);
         }
     }
 }
@@ -214,11 +215,24 @@ fn end_point(model: &Model, beam: usize, span: usize, last: bool) -> MaterialPoi
 /// Adds the joints; returns faults of those that join nothing.
 fn joints(builder: &ModelBuilder, model: &mut Model, independent: &mut Independent) -> Vec<Fault> {
     let mut faults = Vec::new();
+    let parts = builder.joints.iter().any(|joint| joint.strength.is_some());
     for joint in &builder.joints {
         let points = [locate(model, &joint.between[0]), locate(model, &joint.between[1])];
         let rigid = joint.kind == JointKind::Rigid;
         let path = format!("joint.{}.between", joint.name);
-        let kept = join(model, independent, points, rigid, &path);
+        let own = joint.strength.map(|strength| {
+            let most = |limit: Option<f64>| limit.unwrap_or(f64::INFINITY);
+            let strength = [most(strength.force), most(strength.moment)];
+            model.joints.push(JointData { name: joint.name.clone(), strength });
+            model.joints.len() - 1
+        });
+        let kept = join(model, independent, points, (rigid, own), &path);
+        if parts && kept != 0 && kept < 2 + usize::from(rigid) {
+            // Once one of them has parted, the others would have to carry what is left to it here.
+            let found = "a joint that follows in part from what holds and joins its points already, where a joint may part";
+            faults.push(Fault::new(path, found, "joints each of which carries all that it shares"));
+            continue;
+        }
         if kept == 0 && !matches!(joint.kind, JointKind::ElasticHinge { .. }) {
             let found = "a joint between points that are held or joined already";
             faults.push(Fault::new(path, found, "a joint that connects something"));
@@ -232,7 +246,7 @@ fn join(
     model: &mut Model,
     independent: &mut Independent,
     points: [MaterialPoint; 2],
-    rigid: bool,
+    (rigid, joint): (bool, Option<usize>),
     path: &str,
 ) -> usize {
     let (ta, tb) = (points[0].tangent, points[1].tangent);
@@ -244,7 +258,7 @@ fn join(
     }
     let keep = |kind| {
         let until = f64::INFINITY;
-        let constraint = Constraint { kind, support: None, drive: Vec::new(), until };
+        let constraint = Constraint { kind, support: None, joint, drive: Vec::new(), until };
         usize::from(independent.keep(model, constraint, path))
     };
     kinds.into_iter().map(keep).sum()

@@ -30,6 +30,8 @@ pub struct Model {
     pub(crate) prescribed: Vec<PrescribedDofs>,
     /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time, shape (constraints).
     pub(crate) constraints: Vec<Constraint>,
+    /// Joints that part beyond a strength, in the order they were defined, shape (such joints).
+    pub(crate) joints: Vec<JointData>,
     /// Springs and dampers, shape (connectors).
     pub(crate) connectors: Vec<Connector>,
     /// Masses at points, shape (point masses).

@@ -132,12 +132,38 @@ fn spread(n: &[f64; 4], node: usize, force: [f64; 2], nodal: &mut [[f64; 4]]) {
     }
 }
 
+/// What a joint carries, a mean over a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct JointLoad {
+    /// Size of the force \[N\].
+    pub force: f64,
+    /// Size of the moment \[N m\]; zero of a hinge.
+    pub moment: f64,
+}
+
+/// A joint that parts.
+#[derive(Clone, Debug)]
+pub(crate) struct JointData {
+    pub name: String,
+    /// What it carries at most, force and moment; endless if it bears any, shape (2) \[N, N m\].
+    pub strength: [f64; 2],
+}
+
+impl JointData {
+    /// Whether it parts under a load.
+    pub fn parts_under(&self, load: &JointLoad) -> bool {
+        load.force > self.strength[0] || load.moment > self.strength[1]
+    }
+}
+
 /// A scalar constraint on material points, kept by a multiplier.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint {
     pub kind: ConstraintKind,
     /// The support it belongs to; a joint's belong to none.
     pub support: Option<usize>,
+    /// The joint of a given strength that it belongs to, among [`Model::joints`].
+    pub joint: Option<usize>,
     /// Prescribed value, shape (motions that take part) \[index of a motion, m or rad\].
     pub drive: Drive,
     /// Holds until this time \[s\].

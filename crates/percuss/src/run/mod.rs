@@ -16,6 +16,7 @@ mod first_touch;
 mod frame;
 mod given;
 mod giving_up;
+mod joint_log;
 mod jumps;
 pub(crate) mod locate;
 mod monitor;

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::connector_log::{self, ConnectorRecord};
 use super::contact_log::ContactLog;
 use super::crest::Crest;
+use super::joint_log::JointRecord;
 use super::stop_log;
 use super::trial::Trial;
 use super::yielding::{self, YieldRecord};
@@ -102,6 +103,8 @@ pub struct Monitor {
     pub yielded: Vec<YieldRecord>,
     /// What is noted of springs and hinges that can yield, shape (such springs and hinges).
     pub connectors: Vec<ConnectorRecord>,
+    /// What is noted of joints of a given strength, shape (such joints).
+    pub joints: Vec<JointRecord>,
     /// Largest energy residual \[J\].
     pub energy_residual: f64,
     /// Largest sum of the energy at the start and the works so far, all by their magnitudes \[J\].
@@ -135,6 +138,7 @@ impl Monitor {
             jumps: false,
             yielded: vec![YieldRecord::default(); if inelastic { model.beams.len() } else { 0 }],
             connectors: vec![ConnectorRecord::default(); model.memory_count()],
+            joints: vec![JointRecord::default(); model.joints.len()],
             energy_residual: 0.0,
             energy_came: 0.0,
             linear_residual: 0.0,
@@ -154,7 +158,7 @@ impl Monitor {
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
         let shape = |m: &Self| {
             let points = [m.start.points.len(), m.points.len()];
-            (points, m.supports.len(), [m.yielded.len(), m.connectors.len()])
+            (points, m.supports.len(), [m.yielded.len(), m.connectors.len(), m.joints.len()])
         };
         let reacted = self.reacted.iter().flatten().all(|support| *support < self.supports.len());
         let stop = |m: &Self| m.supports.iter().map(|s| s.touches.is_some()).collect::<Vec<_>>();

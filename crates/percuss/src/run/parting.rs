@@ -37,12 +37,13 @@ impl Simulation<'_> {
 
     /// Energy of everything that is pressed together \[J\].
     fn stored_in_contacts(&self) -> f64 {
-        let stored = self.model.pairs.iter().zip(&self.state.pairs).map(|(pair, seen)| {
-            match &self.model.contacts[pair.contact].law {
-                TouchLaw::Smooth(law) if seen.gap < 0.0 => law.stored(-seen.gap, seen.deepest),
-                _ => 0.0,
-            }
-        });
+        let stored =
+            self.model.pairs.iter().zip(&self.state.pairs).map(|(pair, seen)| {
+                match &self.model.contacts[pair.contact].law {
+                    TouchLaw::Smooth(law) if seen.gap < 0.0 => law.stored(-seen.gap, seen.deepest),
+                    _ => 0.0,
+                }
+            });
         stored.sum()
     }
 }

@@ -59,6 +59,7 @@ impl Simulation<'_> {
         let h = attempt.h;
         let (time, step) = (self.state.time, self.settings.step);
         self.forcing.set(self.model, time, h, step, &self.state.followed);
+        self.forcing.part(self.model, &self.state.joints_parted);
         if attempt.jumps {
             self.forcing.set_motions(self.model, time, h, step, &self.state.followed, true);
         }

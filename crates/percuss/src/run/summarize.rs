@@ -1,6 +1,7 @@
 //! The summary of a run that has ended.
 
 use super::connector_log;
+use super::joint_log;
 use super::simulation::Simulation;
 use super::step_size::StepSizeControl;
 use super::yielding;
@@ -79,6 +80,7 @@ impl Simulation<'_> {
             supports: self.monitor.supports,
             plastic: yielding::summaries(self.model, &self.state, &self.monitor.yielded),
             yielding: connector_log::summaries(model, &self.state, &self.monitor.connectors),
+            joints: joint_log::summaries(model, &self.monitor.joints),
             section_forces: self.monitor.section_forces,
         };
         let equivalent = equivalent_force(model, &summary);

@@ -8,8 +8,8 @@ use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::Reach;
 use crate::model::frozen::BodyKind;
 use crate::settings::ImpactResolution;
-use crate::step::fibres::PartedElement;
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
+use crate::step::fibres::PartedElement;
 use crate::step::integration::Integration;
 use crate::step::newton::StepProblem;
 use crate::step::workspace::Workspace;
@@ -107,7 +107,11 @@ impl Simulation<'_> {
         self.note_step_size(trial);
         self.note_start_reactions(&rule);
         self.remember_closest_points();
+        let loads = self.joint_loads(&rule);
         let parted = self.commit(&rule, impulsive);
+        if !impulsive && !trial.carries_impulses() {
+            self.judge_joints(&loads);
+        }
         let opened = self.part(&parted);
         let end = PartEnd { trial, impulsive, awake: self.search.awake(), parted: &parted };
         self.monitor.end_step(self.model, &self.state, &self.work, &end);
@@ -189,12 +193,12 @@ impl Simulation<'_> {
             let seen = &mut state.pairs[i];
             let Workspace { increment, arcs, smooth, .. } = &self.work;
             let at = Configuration {
-            start: &state.displacement,
-            increment,
-            share: 1.0,
-            arcs,
-            parted: &state.parted,
-        };
+                start: &state.displacement,
+                increment,
+                share: 1.0,
+                arcs,
+                parted: &state.parted,
+            };
             let known =
                 smooth.binary_search_by_key(&i, |c| c.pair).ok().and_then(|k| smooth[k].end);
             let end = known.or_else(|| {

@@ -11,7 +11,9 @@ use crate::model::Model;
 use crate::model::frozen::{BeamData, Span, SpanFibres};
 use crate::state::State;
 use crate::step::fibres::PartedElement;
-use crate::summary::{FirstYield, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
+use crate::summary::{
+    FirstYield, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
+};
 
 /// What is noted of a beam.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

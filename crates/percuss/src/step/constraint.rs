@@ -126,6 +126,12 @@ impl ConstraintStep<'_> {
         self.forms(c, self.share)[0]
     }
 
+    /// Couple that the constraint of an angle has on its first point for a multiplier of one, zero of the others \[1\].
+    pub fn couple(&self, c: &Constraint) -> f64 {
+        let ConstraintKind::Angle { points, .. } = &c.kind else { return 0.0 };
+        cross(self.tangent(&points[0], self.share), self.forms(c, self.share)[0].0)
+    }
+
     /// Adds `factor` times the gradient of the constraint, where its force is directed, to nodal values.
     pub fn add_gradient(&self, c: &Constraint, factor: f64, nodal: &mut [[f64; 4]]) {
         for (point, (form, gradient)) in c.points().iter().zip(self.forms(c, self.share)) {

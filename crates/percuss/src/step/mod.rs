@@ -21,6 +21,7 @@ pub mod flows;
 pub mod forcing;
 mod impulses;
 pub mod integration;
+pub mod joints;
 pub mod lead;
 pub mod masses;
 pub mod modal_damping;

@@ -356,7 +356,7 @@ impl Tangent {
 fn condensed(model: &Model, linked: &[bool], couplings: &[(usize, usize)]) -> Condensed {
     let pattern = |c: &Constraint| BorderPattern {
         nodes: constraint::nodes(c),
-        permanent: c.until == f64::INFINITY,
+        permanent: c.until == f64::INFINITY && c.joint.is_none(),
     };
     let border: Vec<BorderPattern> = model.constraints.iter().map(pattern).collect();
     let mut matrix = Condensed::new(model.node_count(), |i| linked[i], couplings, &border);

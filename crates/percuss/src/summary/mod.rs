@@ -2,11 +2,13 @@
 
 mod contact;
 mod forces;
+mod joints;
 mod plastic;
 mod step_control;
 
 pub use contact::*;
 pub use forces::*;
+pub use joints::*;
 pub use plastic::*;
 use serde::{Deserialize, Serialize};
 pub use step_control::*;
@@ -157,4 +159,6 @@ pub struct RunSummary {
     pub plastic: Vec<PlasticSummary>,
     /// One entry a spring or hinge that can yield, shape (such springs and hinges).
     pub yielding: Vec<YieldingSummary>,
+    /// One entry a joint of a given strength, in the model's order, shape (such joints).
+    pub joints: Vec<JointSummary>,
 }

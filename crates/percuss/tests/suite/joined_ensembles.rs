@@ -62,7 +62,7 @@ fn model(kind: Portal, draw: &mut Numbers) -> Model {
         ("knee", knee, [at("a.end", a, 1.0), at("girder.start", g, 0.0)]),
         ("corner", JointKind::Rigid, [at("c.end", c, 1.0), at("girder.end", g, 1.0)]),
     ] {
-        b.joint(Joint { name: name.into(), kind, between, yielding: None });
+        b.joint(Joint::new(name, kind, between));
     }
     let law = match kind.rigid {
         Some(restitution) => ProjectileKind::Rigid { restitution },

@@ -26,6 +26,7 @@ fn corner(kind: JointKind, angle: f64) -> Model {
         kind,
         between: [at("column.end", column, 1.0), at("girder.start", girder, 0.0)],
         yielding: None,
+        strength: None,
     });
     b.projectile(elastic("mass", at("girder@0.6", girder, 0.6), [0.0, -20.0]));
     b.build().unwrap()
@@ -88,6 +89,7 @@ fn two_beams_joined_in_line_move_as_one() {
                 kind: JointKind::Rigid,
                 between: [at("left.end", left, 1.0), at("right.start", right, 0.0)],
                 yielding: None,
+                strength: None,
             });
             ends.extend([at("left.start", left, 0.0), at("right.end", right, 1.0)]);
             b.projectile(elastic("mass", at("left.end", left, 1.0), [0.0, 20.0]));
@@ -133,5 +135,75 @@ fn beams_apart_do_not_feel_each_other() {
         for i in 0..4 {
             assert!((a[i] - b[i]).abs() < 1e-11);
         }
+    }
+}
+
+/// A corner whose joint bears so much, struck so fast.
+fn brittle(kind: JointKind, strength: JointStrength, speed: f64) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 5, material, section));
+    let girder = b.beam(beam("girder", [0.0, 3.0], [2.0, 3.0], 4, material, section));
+    for (name, beam, f) in [("foot", column, 0.0), ("far", girder, 1.0)] {
+        b.support(Support::new(name, at(name, beam, f), SupportKind::Clamp));
+    }
+    let between = [at("column.end", column, 1.0), at("girder.start", girder, 0.0)];
+    b.joint(Joint { strength: Some(strength), ..Joint::new("knee", kind, between) });
+    b.projectile(elastic("mass", at("girder@0.4", girder, 0.4), [0.0, -speed]));
+    b.build().unwrap()
+}
+
+fn bears(force: f64, moment: f64) -> JointStrength {
+    let given = |x: f64| (x > 0.0).then_some(x);
+    JointStrength { force: given(force), moment: given(moment) }
+}
+
+#[test]
+fn a_joint_tears_beyond_its_strength_and_balances_stay_closed() {
+    let settings = Settings::new(0.1, 2e-4);
+    for (kind, strength) in [
+        (JointKind::Rigid, bears(1e5, 0.0)),
+        (JointKind::Rigid, bears(0.0, 2e4)),
+        (JointKind::Hinge, bears(1e5, 0.0)),
+    ] {
+        let model = brittle(kind, strength, 20.0);
+        assert_eq!(runs_alone(&model, &settings), Some("joints of a given strength"));
+        let torn = simulate(&model, &settings, &mut NoRecorder).unwrap();
+        assert!(matches!(torn.termination, Termination::Completed), "{:?}", torn.termination);
+        assert!(worst(&torn) < 1e-10, "{:e}", worst(&torn));
+        let parted = torn.joints[0].parted.expect("it tears");
+        let most = [strength.force, strength.moment].map(|limit| limit.unwrap_or(f64::INFINITY));
+        assert!(parted.force > most[0] || parted.moment > most[1], "{parted:?}");
+        assert_eq!(torn.contacts[0].equivalent_force, None);
+        // What it carried before is no more than that, and it carries nothing after.
+        assert!(torn.joints[0].force_max.time <= parted.time);
+        assert!(torn.joints[0].moment_max.time <= parted.time || kind == JointKind::Hinge);
+        // Beyond what it carries it holds, and the run is that of a joint without a strength.
+        let more = bears(strength.force.map_or(0.0, |_| 1e9), strength.moment.map_or(0.0, |_| 1e9));
+        let held = simulate(&brittle(kind, more, 20.0), &settings, &mut NoRecorder).unwrap();
+        assert_eq!(held.joints[0].parted, None);
+        assert!(held.joints[0].force_max.value > strength.force.unwrap_or(0.0));
+        assert!((held.energy.final_ - torn.energy.final_).abs() < 1e-9 * torn.energy.scale);
+        assert!(
+            held.points[0].displacement_max[1].value > torn.points[0].displacement_max[1].value
+        );
+    }
+}
+
+#[test]
+fn a_run_that_goes_on_from_a_checkpoint_remembers_what_has_torn() {
+    let model = brittle(JointKind::Rigid, bears(1e5, 0.0), 20.0);
+    let settings = Settings::new(0.1, 2e-4);
+    let whole = simulate(&model, &settings, &mut NoRecorder).unwrap();
+    let torn = whole.joints[0].parted.unwrap().time;
+    for instant in [0.5 * torn, torn + 0.02] {
+        let mut part = Simulation::new(&model, &settings).unwrap();
+        while part.state().time < instant {
+            part.advance(&mut NoRecorder).unwrap();
+        }
+        let resumed = Simulation::resume(&model, &settings, part.checkpoint()).unwrap();
+        let resumed = resumed.run(&mut NoRecorder);
+        assert_eq!(format!("{:?}", resumed.joints), format!("{:?}", whole.joints));
+        assert_eq!(resumed.energy, whole.energy);
     }
 }

@@ -60,8 +60,7 @@ fn built(p: &[f64; 13], law: Law, framed: bool) -> Model {
         let stop = SupportKind::Stop { direction, gap, stiffness: 20.0 * p[10], two_sided: false };
         b.support(Support::new("stop", at("stops", g, 0.31), stop));
         let between = [at("top", column, 1.0), at("left", g, 0.0)];
-        let name = "corner".to_owned();
-        b.joint(Joint { name, kind: JointKind::Rigid, between, yielding: None });
+        b.joint(Joint::new("corner", JointKind::Rigid, between));
         let roller = SupportKind::Roller { direction: [p[4], p[5]] };
         b.support(Support::new("roller", at("rolls", g, 0.7 * p[9] / 0.52), roller));
     } else {

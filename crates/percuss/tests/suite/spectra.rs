@@ -313,6 +313,7 @@ fn portal(density: f64) -> Model {
                 kind: JointKind::Rigid,
                 between: [at(beam, end), there],
                 yielding: None,
+                strength: None,
             });
             b.point_mass(PointMass { name, at: at(beam, end), mass: 1000.0, rotary_inertia: 0.0 });
         }

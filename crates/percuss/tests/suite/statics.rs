@@ -98,6 +98,7 @@ fn a_frame_held_by_its_joints_carries_its_load() {
             kind: JointKind::Rigid,
             between: [at("top", column, 1.0), at("girder", girder, corner)],
             yielding: None,
+            strength: None,
         });
     }
     let kind = LoadKind::Point {

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, EquivalentForce, Impact, NoRestitution,
-    PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
-    YieldingSummary,
+    ContactInterval, ContactRecord, ContactSummary, EquivalentForce, Impact, JointSummary,
+    NoRestitution, PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary,
+    Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
@@ -56,6 +56,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
     rows.extend(run.yielding.iter().filter_map(yielding));
+    rows.extend(run.joints.iter().map(joint));
     let labels = ["impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     rows.extend(labels.zip(impulses(run)));
     rows.extend(run.step_control.as_ref().map(|control| ("steps".into(), steps(control))));
@@ -140,6 +141,22 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         parts.push(format!("parted at s = {s} m, t = {time} s{more}"));
     }
     Some((format!("yield of {}", beam.name), parts.join(", ")))
+}
+
+/// What became of a joint of a given strength.
+fn joint(joint: &JointSummary) -> (String, String) {
+    let told = |force: f64, moment: f64| {
+        let moment =
+            if moment > 0.0 { format!(" and {} N m", number(moment)) } else { String::new() };
+        format!("{} N{moment}", number(force))
+    };
+    let text = match joint.parted {
+        Some(one) => {
+            format!("parted at t = {} s under {}", number(one.time), told(one.force, one.moment))
+        }
+        None => format!("held up to {}", told(joint.force_max.value, joint.moment_max.value)),
+    };
+    (format!("joint {}", joint.name), text)
 }
 
 /// What became of a spring or hinge that yielded.

@@ -46,6 +46,32 @@ fn permanent_set(beam: &Value) -> Option<String> {
     })
 }
 
+/// The joints that parted, in the order of time.
+pub(super) fn joints(summary: &Value) -> Option<String> {
+    let all = summary["joint"].as_object()?;
+    let time = |joint: &Value| joint["parted"]["time"].as_f64();
+    let mut parted: Vec<(&String, &Value)> =
+        all.iter().filter(|(_, joint)| time(joint).is_some()).collect();
+    parted.sort_by(|a, b| time(a.1).unwrap_or(0.0).total_cmp(&time(b.1).unwrap_or(0.0)));
+    let (name, first) = parted.first()?;
+    let under = |key: &str, unit: &str| {
+        let size = first["parted"][key].as_f64().filter(|size| *size > 0.0);
+        size.map(|size| quantity(Some(size), unit))
+    };
+    let under: Vec<String> =
+        [under("force", "N"), under("moment", "N*m")].into_iter().flatten().collect();
+    let told = format!(
+        "The joint {name} parted after {} under {}.",
+        quantity(time(first), "s"),
+        under.join(" and ")
+    );
+    Some(match parted.len() - 1 {
+        0 => told,
+        1 => format!("{told} So did another joint, later."),
+        more => format!("{told} So did {more} other joints, later."),
+    })
+}
+
 /// Where and when beams parted: each place while they are few.
 pub(super) fn partings(summary: &Value) -> Option<String> {
     let all = summary["plastic"].as_object()?;
@@ -53,7 +79,9 @@ pub(super) fn partings(summary: &Value) -> Option<String> {
         .iter()
         .flat_map(|(name, beam)| super::list(beam, "parted").iter().map(move |one| (name, one)))
         .collect();
-    places.sort_by(|a, b| a.1["time"].as_f64().unwrap_or(0.0).total_cmp(&b.1["time"].as_f64().unwrap_or(0.0)));
+    places.sort_by(|a, b| {
+        a.1["time"].as_f64().unwrap_or(0.0).total_cmp(&b.1["time"].as_f64().unwrap_or(0.0))
+    });
     let told = |(name, one): &(&String, &Value)| {
         let (s, time) = (quantity(one["s"].as_f64(), "m"), quantity(one["time"].as_f64(), "s"));
         format!("The beam {name} parted at s = {s} after {time}.")

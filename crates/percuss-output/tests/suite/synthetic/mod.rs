@@ -288,6 +288,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
         contact_residual_max: 2e-16,
         plastic: Vec::new(),
         yielding: Vec::new(),
+        joints: Vec::new(),
         shared_blows: percuss::SharedBlows::default(),
         points: vec![PointSummary {
             name: "girder.mid".to_owned(),

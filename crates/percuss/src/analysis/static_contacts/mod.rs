@@ -245,7 +245,13 @@ impl StaticContacts {
         if self.places.is_empty() {
             return;
         }
-        let start = Configuration { start: &base.displacement, increment, share: 1.0, arcs: &[], parted: &[] };
+        let start = Configuration {
+            start: &base.displacement,
+            increment,
+            share: 1.0,
+            arcs: &[],
+            parted: &[],
+        };
         self.arcs.clear();
         let on_axis = |p: &CandidatePair| matches!(model.pairs[p.pair].target, Target::Axis { .. });
         if self.places.iter().any(on_axis) {

@@ -49,6 +49,9 @@ impl ConstraintNumbers<f64> {
         if c.until < f64::INFINITY {
             return Err("supports for a time");
         }
+        if c.joint.is_some() {
+            return Err("joints of a given strength");
+        }
         let (kept, direction) = match &c.kind {
             _ if !c.drive.is_empty() => return Err("supports that move"),
             ConstraintKind::Turned { .. } => return Err("supports that turn"),

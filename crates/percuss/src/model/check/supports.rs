@@ -143,6 +143,7 @@ pub(super) fn check_joint(model: &ModelBuilder, joint: &Joint, out: &mut Faults)
         out.not_negative(path("damping"), damping, "damping", "N*m*s");
     }
     check_yielding_joint(joint, out);
+    check_strength(joint, out);
     if distance > 1e-9 * scale {
         let found = format!("{} and {}, {distance:.6} m apart", a.label, b.label);
         out.add(path(), found, "two points at the same place");
@@ -150,5 +151,31 @@ pub(super) fn check_joint(model: &ModelBuilder, joint: &Joint, out: &mut Faults)
         && (arc(beam_a, a.along) - arc(beam_a, b.along)).abs() <= 1e-9 * scale
     {
         out.add(path(), "twice the same point", "points of two beams, or two points of one");
+    }
+}
+
+/// What a joint carries at most.
+fn check_strength(joint: &Joint, out: &mut Faults) {
+    let Some(strength) = joint.strength else { return };
+    let path = |field: &str| format!("joint.{}.strength{field}", joint.name);
+    if matches!(joint.kind, JointKind::ElasticHinge { .. }) {
+        let found = "a strength of a hinge with a spring or a damper";
+        out.add(path(""), found, "failure_rotation, or a hinge without them");
+    }
+    let none = strength.force.is_none() && strength.moment.is_none();
+    if none {
+        out.add(path(""), "a strength without a limit", "a force, a moment or both");
+    }
+    let rigid = joint.kind == JointKind::Rigid;
+    if strength.moment.is_some() && !rigid {
+        out.add(path(".moment"), "a moment of a hinge, which bears none", "a rigid joint");
+    }
+    for (field, limit, what, unit) in [
+        (".force", strength.force, "a force", "N"),
+        (".moment", strength.moment, "a moment", "N*m"),
+    ] {
+        if let Some(limit) = limit {
+            out.positive(path(field), limit, what, unit);
+        }
     }
 }

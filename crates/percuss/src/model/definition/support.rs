@@ -108,6 +108,15 @@ pub enum JointKind {
     },
 }
 
+/// What a joint carries at most: it parts after a step in which it has carried more.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JointStrength {
+    /// Size of the force \[N\]; any if none is given.
+    pub force: Option<f64>,
+    /// Size of the moment, of a rigid joint \[N m\]; any if none is given.
+    pub moment: Option<f64>,
+}
+
 /// A joint between two points of beams, which must coincide in the reference configuration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
@@ -119,12 +128,14 @@ pub struct Joint {
     pub between: [PointRef; 2],
     /// How an elastic hinge yields, if it does: moments \[N m\] and rotations \[rad\] in place of stresses and strains.
     pub yielding: Option<Plasticity>,
+    /// What it carries at most, if it parts at all: of a rigid joint or a hinge without a spring.
+    pub strength: Option<JointStrength>,
 }
 
 impl Joint {
-    /// A joint that does not yield.
+    /// A joint that neither yields nor parts.
     pub fn new(name: impl Into<String>, kind: JointKind, between: [PointRef; 2]) -> Self {
-        Self { name: name.into(), kind, between, yielding: None }
+        Self { name: name.into(), kind, between, yielding: None, strength: None }
     }
 }
 

@@ -192,8 +192,10 @@ impl ContactLog {
         let i = seen.work.smooth[k].pair;
         // One that sleeps was looked at when the step began, not when it ended.
         let Some(touch) = super::touch(seen.model, seen.state, i, Reach::Near) else { return };
-        let row =
-            seen.model.pairs[i].normal_row(&touch, &Configuration::of(&seen.state.displacement).without(&seen.state.parted));
+        let row = seen.model.pairs[i].normal_row(
+            &touch,
+            &Configuration::of(&seen.state.displacement).without(&seen.state.parted),
+        );
         let acceleration = (row.on(&seen.state.velocity) - self.before[k].rate) / span.h;
         self.free[i] = Free { acceleration, until: span.start + span.h };
         if let Some(released) = self.take_released(|r| r.pair == i) {

@@ -1,0 +1,122 @@
+//! What parts: joints beyond their strength, and a bar whose fibres fail.
+
+use percuss::*;
+
+use crate::check::{Checks, Report};
+use crate::structure::{at, or_nan, run};
+use crate::yielding::balances;
+
+const SIDE: f64 = 0.1;
+const LENGTH: f64 = 0.5;
+const DENSITY: f64 = 7850.0;
+const YOUNG: f64 = 210e9;
+const MASS: f64 = DENSITY * SIDE * SIDE * LENGTH;
+/// Half of what the loads grow to, force \[N\] and moment \[N m\].
+const STRENGTH: f64 = 5e4;
+const TURNED: f64 = 1e3;
+/// Time over which the loads grow \[s\], long beside the periods of the bar.
+const RAMP: f64 = 0.4;
+
+/// A bar joined to a stub in a wall, under a force and a moment on its end that grow steadily.
+fn hung(kind: JointKind, strength: JointStrength, [force, moment]: [f64; 2]) -> Model {
+    let mut b = ModelBuilder::new();
+    let metal = b.material(Material::new("metal", YOUNG, DENSITY));
+    let section = b.section(Section::rectangle("square", SIDE, SIDE));
+    let stub = b.beam(Beam::new("stub", &[[-0.1, 0.0], [0.0, 0.0]], 1, metal, section));
+    let bar = b.beam(Beam::new("bar", &[[0.0, 0.0], [LENGTH, 0.0]], 3, metal, section));
+    b.support(Support::new("wall", at("wall", stub, 0.0), SupportKind::Clamp));
+    let between = [at("root", stub, 1.0), at("heel", bar, 0.0)];
+    b.joint(Joint { strength: Some(strength), ..Joint::new("weld", kind, between) });
+    let force = [force, 0.0];
+    let kind = LoadKind::Point { at: at("tip", bar, 1.0), force, moment, follower: false };
+    let function = TimeFunction::Ramp { duration: RAMP };
+    b.load(Load { function, ..Load::new("pull", kind) });
+    b.build().expect("a verification case builds")
+}
+
+/// A bar pulled from its joint, and one turned from it, by a load that grows steadily to twice the strength S over T: they part at about T / 2,
+/// and the bar moves on freely. From the time t0 to t the force does `S^2 (t^2 - t0^2)^2 / (2 m T^2)` on it, the moment the same with the bar's
+/// inertia, beside what bends or stretches bar and stub.
+pub fn strong_joints() -> Report {
+    let mut c = Checks::new();
+    let force = JointStrength { force: Some(STRENGTH), moment: None };
+    let moment = JointStrength { force: None, moment: Some(TURNED) };
+    let inertia = MASS * (LENGTH * LENGTH + SIDE * SIDE) / 12.0;
+    let (pull, turn) = ([2.0 * STRENGTH, 0.0], [0.0, 2.0 * TURNED]);
+    let end = 0.75 * RAMP;
+    for (name, kind, strength, load, mass) in [
+        ("weld pulled", JointKind::Rigid, force, pull, MASS),
+        ("hinge pulled", JointKind::Hinge, force, pull, MASS),
+        ("weld turned", JointKind::Rigid, moment, turn, inertia),
+    ] {
+        let most = if load[0] > 0.0 { STRENGTH } else { TURNED };
+        let summary = run(&hung(kind, strength, load), &Settings::new(end, 2e-5));
+        balances(&mut c, name, &summary);
+        let parted = summary.joints.first().and_then(|joint| joint.parted);
+        // Bar and stub tremble from the instant at which the load begins to grow, by its rate over their circular frequency: 0.24 % in bending.
+        let time = or_nan(parted.map(|one| one.time));
+        c.relative(format!("{name}: time (s)"), time, 0.5 * RAMP, 5e-3);
+        let carried = or_nan(parted.map(|one| if load[0] > 0.0 { one.force } else { one.moment }));
+        c.relative(format!("{name}: carried (N or N m)"), carried, most, 1e-3);
+        let impulse = most * (end * end - time * time) / RAMP;
+        let work = summary.energy.work_loads;
+        c.relative(format!("{name}: work (J)"), work, 0.5 * impulse * impulse / mass, 1e-3);
+    }
+    c.into_report()
+}
+
+/// Area of the bar that fails \[m^2\].
+const AREA: f64 = 1e-3;
+
+/// A bar of one element, perfectly plastic, that a support pulls until all of its fibres fail at once: its plastic work until then, what it
+/// had stored and releases, and that nothing holds the support any more.
+pub fn failing_bar() -> Report {
+    let mut c = Checks::new();
+    let (young, limit, fails, rate, length) = (200e9, 250e6, 0.02, 0.1, 1.0);
+    for fibres in [4, 10] {
+        let mut b = ModelBuilder::new();
+        let curve = vec![Hardening { from: 0.0, stress: limit, modulus: 0.0 }];
+        let plasticity =
+            Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: Some(fails) };
+        // Of so little mass that its forces are those of statics.
+        let metal = b.material(Material {
+            strain: StrainMeasure::Engineering,
+            inelasticity: Some(Inelasticity::Plastic(plasticity)),
+            ..Material::new("metal", young, 1.0)
+        });
+        let section = b.section(Section { fibres, ..Section::rectangle("deep", AREA, 1.0) });
+        let bar = b.beam(Beam::new("bar", &[[0.0, 0.0], [length, 0.0]], 1, metal, section));
+        b.support(Support::new("held", at("held", bar, 0.0), SupportKind::Clamp));
+        let components =
+            vec![Component::Displacement1, Component::Displacement2, Component::Rotation];
+        let function = TimeFunction::function(move |t| rate * t);
+        let motion = Motion { displacement: [1.0, 0.0], rotation: 0.0, function };
+        let end = Support::new("pulled", at("pulled", bar, 1.0), SupportKind::Fix { components });
+        b.support(Support { motion: Some(motion), ..end });
+        let model = b.build().expect("a verification case builds");
+        let step = 1e-4;
+        let settings = Settings::new(1.2 * fails * length / rate, step);
+        let mut simulation = Simulation::new(&model, &settings).expect("sound settings");
+        simulation.set_velocities(|_, x| [rate * x[0], 0.0]);
+        let mut rows = MemoryRecorder::default();
+        let summary = simulation.run(&mut rows);
+        let name = format!("{fibres} fibres");
+        balances(&mut c, &name, &summary);
+        let parted = summary.plastic.first().and_then(|beam| beam.parted.first());
+        let time = or_nan(parted.map(|one| one.time));
+        // The end of the step in which it fails.
+        c.absolute(format!("{name}: time (s)"), time, fails * length / rate, step);
+        let stored = 0.5 * limit * limit / young * AREA * length;
+        let released = or_nan(parted.map(|one| one.energy));
+        c.relative(format!("{name}: released (J)"), released, stored, 1e-6);
+        c.relative(format!("{name}: lost by failure (J)"), summary.energy.failure, stored, 1e-6);
+        let flowed = limit * (time * rate / length - limit / young) * AREA * length;
+        c.relative(format!("{name}: plastic (J)"), summary.energy.plastic, flowed, 1e-6);
+        let pull = rows.column("support.pulled.force_1").unwrap_or_default();
+        let last = or_nan(pull.last().copied());
+        c.absolute(format!("{name}: force at the end (N)"), last, 0.0, 1e-6 * limit * AREA);
+        let before = pull.iter().fold(0.0_f64, |most, force| most.max(*force));
+        c.relative(format!("{name}: force before (N)"), before, limit * AREA, 1e-6);
+    }
+    c.into_report()
+}

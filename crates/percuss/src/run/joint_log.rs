@@ -1,0 +1,76 @@
+//! Joints of a given strength: what they carried, and when they parted.
+
+use serde::{Deserialize, Serialize};
+
+use super::simulation::Simulation;
+use crate::model::Model;
+use crate::model::frozen::{JointData, JointLoad};
+use crate::step::constraint::ConstraintStep;
+use crate::step::integration::Integration;
+use crate::step::joints;
+use crate::summary::{JointParting, JointSummary, Peak};
+
+/// What is noted of a joint.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointRecord {
+    force: Peak,
+    moment: Peak,
+    parted: Option<JointParting>,
+}
+
+impl Default for JointRecord {
+    fn default() -> Self {
+        let none = Peak { value: 0.0, time: f64::NAN };
+        Self { force: none, moment: none, parted: None }
+    }
+}
+
+impl JointRecord {
+    fn take(&mut self, load: &JointLoad, time: f64) {
+        for (peak, value) in [(&mut self.force, load.force), (&mut self.moment, load.moment)] {
+            if value > peak.value {
+                *peak = Peak { value, time };
+            }
+        }
+    }
+}
+
+impl Simulation<'_> {
+    /// What joints of a strength carry in the part of a step that stands solved.
+    pub(super) fn joint_loads(&self, rule: &Integration) -> Vec<JointLoad> {
+        if self.model.joints.is_empty() {
+            return Vec::new();
+        }
+        let (start, increment) = (&self.state.displacement[..], &self.work.increment[..]);
+        let step = ConstraintStep { start, increment, forcing: &self.forcing, share: rule.theta() };
+        joints::loads(self.model, &step, &self.work.multiplier).collect()
+    }
+
+    /// Takes in what joints carried in a part of a step without impulses: those beyond their strength hold no longer.
+    pub(super) fn judge_joints(&mut self, loads: &[JointLoad]) {
+        let time = self.state.time;
+        for (i, (joint, load)) in self.model.joints.iter().zip(loads).enumerate() {
+            if self.state.joints_parted[i] {
+                continue;
+            }
+            let record = &mut self.monitor.joints[i];
+            record.take(load, time);
+            if joint.parts_under(load) {
+                let JointLoad { force, moment } = *load;
+                record.parted = Some(JointParting { time, force, moment });
+                self.state.joints_parted[i] = true;
+            }
+        }
+    }
+}
+
+/// What a run came to, one entry a joint of a strength.
+pub fn summaries(model: &Model, records: &[JointRecord]) -> Vec<JointSummary> {
+    let one = |(joint, record): (&JointData, &JointRecord)| JointSummary {
+        name: joint.name.clone(),
+        force_max: record.force,
+        moment_max: record.moment,
+        parted: record.parted,
+    };
+    model.joints.iter().zip(records).map(one).collect()
+}

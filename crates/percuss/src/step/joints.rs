@@ -1,0 +1,50 @@
+//! What joints of a given strength carry over a step.
+
+use super::constraint::ConstraintStep;
+use super::forcing::Forcing;
+use crate::math::vec2::norm;
+use crate::model::Model;
+use crate::model::frozen::{ConstraintKind, JointLoad};
+
+/// What the joints of a strength carry by the multipliers of their constraints, in the order of the model, shape (such joints).
+pub fn loads(
+    model: &Model,
+    step: &ConstraintStep,
+    multiplier: &[f64],
+) -> impl Iterator<Item = JointLoad> {
+    (0..model.joints.len()).map(move |joint| {
+        let (mut force, mut moment) = ([0.0; 2], 0.0_f64);
+        for (c, lambda) in model.constraints.iter().zip(multiplier) {
+            if c.joint != Some(joint) {
+                continue;
+            }
+            match &c.kind {
+                ConstraintKind::Shared { direction, .. } => {
+                    (0..2).for_each(|i| force[i] += lambda * direction[i]);
+                }
+                _ => moment += lambda * step.couple(c),
+            }
+        }
+        JointLoad { force: norm(force), moment: moment.abs() }
+    })
+}
+
+/// The joints of a strength that carry more than that at rest: their names and loads.
+pub fn beyond<'m>(
+    model: &'m Model,
+    step: &ConstraintStep,
+    multiplier: &[f64],
+) -> Option<(&'m str, JointLoad)> {
+    let mut all = model.joints.iter().zip(loads(model, step, multiplier));
+    all.find(|(joint, load)| joint.parts_under(load))
+        .map(|(joint, load)| (joint.name.as_str(), load))
+}
+
+impl Forcing {
+    /// Lets go the constraints of joints that have parted.
+    pub fn part(&mut self, model: &Model, parted: &[bool]) {
+        for (flag, c) in self.constrained.iter_mut().zip(&model.constraints) {
+            *flag &= !c.joint.is_some_and(|joint| parted[joint]);
+        }
+    }
+}

@@ -1,0 +1,29 @@
+//! What became of joints of a given strength.
+
+use serde::{Deserialize, Serialize};
+
+use super::Peak;
+
+/// A joint that parted.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointParting {
+    /// End of the step after which it holds no longer \[s\].
+    pub time: f64,
+    /// Size of the force that it carried over that step, the mean \[N\].
+    pub force: f64,
+    /// Size of the moment likewise; zero of a hinge \[N m\].
+    pub moment: f64,
+}
+
+/// What became of a joint of a given strength.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointSummary {
+    /// Its name.
+    pub name: String,
+    /// Largest force that it carried, the mean over a step without impulses, and the end of that step \[N\].
+    pub force_max: Peak,
+    /// Largest moment likewise; zero of a hinge \[N m\].
+    pub moment_max: Peak,
+    /// When it parted, and under what, if it did.
+    pub parted: Option<JointParting>,
+}
