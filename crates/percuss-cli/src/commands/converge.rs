@@ -112,17 +112,21 @@ fn table(found: &Convergence) -> String {
         text += &format!("  step: {}\n  mesh: {}\n", one.step.words, one.mesh.words);
     }
     if let Some(cheapest) = &found.cheapest {
-        text += &advice(cheapest);
+        text += &advice(cheapest, found.results.len());
     }
     text
 }
 
-fn advice(cheapest: &Cheapest) -> String {
+fn advice(cheapest: &Cheapest, results: usize) -> String {
     let percent = number(100.0 * cheapest.accuracy);
+    let of = match cheapest.out_of_reach.len() {
+        0 => String::new(),
+        more => format!(" of {} of {results} results", results.saturating_sub(more)),
+    };
     let mut text = match cheapest.step.is_nan() {
         true => format!("no settings are known to give {percent} %\n"),
         false => format!(
-            "cheapest for {percent} %: time.step = {}, {} times the elements ({}), {} times the work\n",
+            "cheapest for {percent} %{of}: time.step = {}, {} times the elements ({}), {} times the work\n",
             number(cheapest.step),
             number(cheapest.mesh_factor),
             number(cheapest.elements),

@@ -108,7 +108,7 @@ fn what_a_hinge_cannot_yield_by_is_one_fault() {
     joint(
         "kind = \"rigid\"\nyield_moment = 1\n",
         "20:1: joint.j.yield_moment: found `yield_moment`, which belongs to kind = \"hinge\", \
-         expected one of `between`, `kind` for kind = \"rigid\"",
+         expected one of `between`, `strength`, `kind` for kind = \"rigid\"",
     );
     joint(
         "kind = \"hinge\"\nstiffness = 10\nyield_moment = 1\nfailure_rotation = \"1 deg\"\n",

@@ -79,7 +79,8 @@ pub fn nearest(
     let height = e.abs() * cosine - d * sine - w * cosine;
     let past = d * cosine + (e.abs() - w) * sine;
     let through = side * seen < 0.0;
-    let feature = if d > 0.0 && e.abs() <= w {
+    // An end that is rounded from face to face has no edge: a place straight ahead is as near to its one corner as any other.
+    let feature = if d > 0.0 && w > 0.0 && e.abs() <= w {
         Feature::Edge
     } else if (past > 0.0 && (d > 0.0 || height > 0.0)) || seen == 0.0 {
         Feature::Corner

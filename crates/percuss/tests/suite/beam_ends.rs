@@ -468,3 +468,40 @@ fn bars_thrown_at_each_other_keep_their_balances() {
     }
     throws(6, &laws(), scene, 0.04);
 }
+
+/// A bar with round ends that meets a post head on: at a node of the post, at the height of its axis, it was once touched by the post's point there
+/// as well in the first step, by a force that no potential knew.
+#[test]
+fn a_round_end_meets_a_node_head_on_with_one_force() {
+    let force = |elements: usize, height: f64| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let post = b.section(Section::rectangle("post", 0.2, 0.2));
+        let ball = b.section(Section::circle("ball", 0.6));
+        let post = b.beam(beam("post", [0.0; 2], [0.0, 2.0], elements, material, post));
+        let bar = Beam {
+            ends: Ends::Round,
+            ..beam("ball", [-0.92, height], [-0.12, height], 2, material, ball)
+        };
+        let ball = b.beam(bar);
+        for (name, f) in [("foot", 0.0), ("head", 1.0)] {
+            b.support(Support::new(name, at(name, post, f), SupportKind::Clamp));
+        }
+        let between = [ContactPartner::Beam(ball), ContactPartner::Beam(post)];
+        b.contact(Contact::new("hit", between, smooth(2e7)));
+        b.initial_motion_of(
+            "ball",
+            InitialMotion { velocity: [4.0, 0.0], spin: 0.0, about: [0.0; 2] },
+        );
+        let summary = run(&b, 0.02, 5e-5).expect("sound");
+        assert!(summary.energy.residual_max < 1e-10, "{:e}", summary.energy.residual_max);
+        let ContactRecord::Smooth { peak_force, .. } = &summary.contacts[0].record else {
+            panic!()
+        };
+        peak_force.value
+    };
+    for elements in [9, 10, 20] {
+        let (ahead, beside) = (force(elements, 1.0), force(elements, 1.0001));
+        assert!((ahead - beside).abs() < 1e-3 * beside, "{elements} elements: {ahead} {beside}");
+    }
+}

@@ -4,28 +4,43 @@ use serde_json::Value;
 
 use super::quantity;
 
-/// The beam that yielded most, in terms of plastic strain.
+/// What the beams that can yield did: which one began, how far it went, what stays. Each is told of the beam that it is largest of.
 pub(super) fn beams(summary: &Value) -> Option<String> {
-    let strain = |beam: &Value| beam["strain_max"].as_f64().map_or(0.0, f64::abs);
     let all = summary["plastic"].as_object()?;
-    let (name, most) = all.iter().max_by(|a, b| strain(a.1).total_cmp(&strain(b.1)))?;
-    let Some(time) = most["first_yield"]["time"].as_f64() else {
-        return Some(format!("{name} did not yield."));
+    let most =
+        |size: &dyn Fn(&Value) -> f64| all.iter().max_by(|a, b| size(a.1).total_cmp(&size(b.1)));
+    let strain = |beam: &Value| beam["strain_max"].as_f64().map_or(0.0, f64::abs);
+    let began = |beam: &Value| beam["first_yield"]["time"].as_f64();
+    let (first, beam) = most(&|beam| began(beam).map_or(f64::NEG_INFINITY, |time| -time))?;
+    let Some(time) = began(beam) else {
+        return Some(match all.len() {
+            1 => format!("{first} did not yield."),
+            n => format!("None of {n} beams that can yield did."),
+        });
     };
-    let metres = |value: &Value| quantity(value.as_f64(), "m");
-    let mut out = format!(
-        "{name} began to yield at {}, {} from its start, and reached a plastic strain of {}.",
-        quantity(Some(time), "s"),
-        metres(&most["first_yield"]["s"]),
-        quantity(most["strain_max"].as_f64(), "").trim_end()
-    );
-    let others = all.values().filter(|beam| strain(beam) > 0.0).count() - 1;
-    if others > 0 {
-        let beams = if others == 1 { "beam" } else { "beams" };
-        out.push_str(&format!(" So did {others} other {beams}, by less."));
-    }
-    if let Some(set) = permanent_set(most) {
-        out.push_str(&format!(" Unloaded it keeps {set}."));
+    let (time, place) =
+        (quantity(Some(time), "s"), quantity(beam["first_yield"]["s"].as_f64(), "m"));
+    let (strained, strongly) = most(&strain)?;
+    let largest = quantity(strongly["strain_max"].as_f64(), "");
+    let largest = largest.trim_end();
+    let others = all.values().filter(|beam| began(beam).is_some()).count() - 1;
+    let mut out = match others {
+        0 => format!(
+            "{first} began to yield at {time}, {place} from its start, and reached a plastic strain of {largest}."
+        ),
+        n => format!(
+            "{first} began to yield at {time}, {place} from its start, {n} other {} later; the largest plastic strain is {largest}, in {strained}.",
+            if n == 1 { "beam" } else { "beams" },
+        ),
+    };
+    let set = |beam: &Value| beam["permanent_set"].as_f64().unwrap_or(f64::NEG_INFINITY);
+    if let Some((name, set)) =
+        most(&set).and_then(|(name, beam)| Some((name, permanent_set(beam)?)))
+    {
+        out.push_str(&match others {
+            0 => format!(" Unloaded it keeps {set}."),
+            _ => format!(" Unloaded {name} keeps {set}."),
+        });
     }
     Some(out)
 }
@@ -139,6 +154,31 @@ mod tests {
     /// The words, without what keeps a number and its unit on one line.
     fn plain(beam: &Value) -> Option<String> {
         permanent_set(beam).map(|text| text.replace('\u{a0}', " "))
+    }
+
+    /// Of several beams each figure is that of the beam that it is largest of.
+    #[test]
+    fn what_several_beams_did_is_told_of_the_right_one() {
+        let beam = |time: f64, strain: f64, set: f64| {
+            json!({
+                "first_yield": { "time": time, "s": 0.5 },
+                "strain_max": strain,
+                "permanent_set": set,
+                "permanent_set_at": { "s": 1.0, "displacement": [set, 0.0] },
+            })
+        };
+        let untouched = json!({ "first_yield": null, "strain_max": 0.0, "permanent_set": null });
+        let summary = json!({ "plastic": {
+            "girder": beam(0.024, -0.02, 15.6e-3), "left": beam(0.008, 0.01, 24.6e-3), "right": untouched,
+        } });
+        let told = beams(&summary).unwrap().replace('\u{a0}', " ");
+        assert_eq!(
+            told,
+            "left began to yield at 8 ms, 500 mm from its start, 1 other beam later; the largest plastic strain is -0.02, in girder. \
+             Unloaded left keeps a set of 24.6 mm along e1."
+        );
+        let none = json!({ "plastic": { "a": untouched, "b": untouched } });
+        assert_eq!(beams(&none).as_deref(), Some("None of 2 beams that can yield did."));
     }
 
     #[test]
