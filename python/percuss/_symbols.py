@@ -122,7 +122,8 @@ class Symbols:
     def joints_and_masses(self) -> None:
         """Hinges, and masses fixed to beams."""
         for joint in self.scene["joints"]:
-            if joint["turns"]:
+            until = joint.get("until")
+            if joint["turns"] and (until is None or self.drawing.t < until):
                 self.drawing.circle(self.drawing.on(joint["at"])[0], 0.35 * self.unit, "page", "outline", 1.4)
         for mass in self.scene["masses"]:
             self.drawing.circle(self.drawing.on(mass["at"])[0], 0.5 * self.unit, "body")

@@ -48,8 +48,8 @@ catalogue! {
              the material a density, or look at supports and joints.";
         /// An equilibrium path that ends before its end.
         PathEnds = "E111", "a path that ends early",
-            "The equilibrium path was followed as far as `[path]` allows, and the end that was asked for was not reached. What was found \
-             is written. Allow more points or longer arcs, or ask for an end that the structure reaches.";
+            "The equilibrium path was followed as far as `[path]` allows, and the end that was asked for was not reached, or a joint of a given \
+             strength would tear on the way. What was found is written. Allow more points or longer arcs, or ask for an end that the structure reaches.";
         /// A result that has no derivatives.
         NoDerivative = "E112", "a result without derivatives",
             "Derivatives through a run are known of beams, joined or not, on supports that stay where they are, that guided projectiles \
@@ -66,6 +66,6 @@ catalogue! {
         /// A joint that carries more than its strength in an equilibrium.
         JointParts = "E115", "a joint that parts at rest",
             "With all joints holding there is an equilibrium under the loads, but in it a joint carries more than its `strength`. Statics \
-             do not follow what parts: simulate it with `percuss run` and `start = \"rest\"`, take the load down, or the joint away.";
+             do not follow what parts: simulate it with `percuss run` and `start = \"reference\"`, take the load down, or the joint away.";
     }
 }

@@ -280,7 +280,8 @@ class Drawing {
   }
 
   joints() {
-    for (const joint of this.motion.scene.joints.filter((j) => j.turns && !(j.until <= this.state.time && j.until != null))) {
+    for (const joint of this.motion.scene.joints.filter((j) => j.turns)) {
+      if (joint.until != null && joint.until <= this.state.time) continue;
       const { place } = this.motion.on(joint.at, this.state.u, this.e);
       this.pen.circle(this.view.to(place), 4, { fill: this.palette.page, stroke: this.palette.outline, width: 1.5 });
     }

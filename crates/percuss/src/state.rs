@@ -210,6 +210,20 @@ impl State {
         .with_bodies(model)
     }
 
+    /// The configuration of beams and bodies, without what has parted.
+    pub(crate) fn configuration(&self) -> Configuration<'_> {
+        Configuration { parted: &self.parted, ..Configuration::of(&self.displacement) }
+    }
+
+    /// The one after a step by an increment, in which no element of a beam is longer than its arc.
+    pub(crate) fn configuration_after<'a>(
+        &'a self,
+        increment: &'a [[f64; 4]],
+        arcs: &'a [f64],
+    ) -> Configuration<'a> {
+        Configuration { increment, share: 1.0, arcs, ..self.configuration() }
+    }
+
     /// Whether the element that starts at a node has parted.
     #[inline]
     pub(crate) fn has_parted(&self, node: usize) -> bool {
@@ -290,8 +304,8 @@ impl State {
 
     /// Looks at pair `i` where it stands; returns how far apart the two are, negative also where one has gone through \[m\].
     pub(crate) fn see(&mut self, model: &Model, i: usize, reach: Reach) -> f64 {
-        let (pair, at) =
-            (&model.pairs[i], Configuration::of(&self.displacement).without(&self.parted));
+        let start = Configuration::of(&self.displacement);
+        let (pair, at) = (&model.pairs[i], Configuration { parted: &self.parted, ..start });
         let seen = &mut self.pairs[i];
         match pair.touch(model, &at, &seen.memory, reach) {
             Some(touch) => {

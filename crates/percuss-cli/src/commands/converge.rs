@@ -138,3 +138,26 @@ fn advice(cheapest: &Cheapest, results: usize) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is cheapest for one result is not told as if it were for all.
+    #[test]
+    fn settings_are_told_of_the_results_they_serve() {
+        let cheapest = |out_of_reach: Vec<String>| Cheapest {
+            accuracy: 0.02,
+            step: 1e-4,
+            mesh_factor: 1.0,
+            elements: 20.0,
+            cost: 1.0,
+            out_of_reach,
+        };
+        let all = advice(&cheapest(Vec::new()), 3);
+        assert!(all.starts_with("cheapest for 2 %: time.step = "), "{all}");
+        let some = advice(&cheapest(vec!["a: no order".into(), "b: no order".into()]), 3);
+        assert!(some.starts_with("cheapest for 2 % of 1 of 3 results: time.step = "), "{some}");
+        assert!(some.ends_with("  not a: no order\n  not b: no order\n"), "{some}");
+    }
+}

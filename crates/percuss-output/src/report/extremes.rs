@@ -35,7 +35,12 @@ fn joints(summary: &Value) -> String {
     let more = all.len().saturating_sub(LISTED);
     let rows: Vec<Vec<String>> = all.iter().take(LISTED).map(row).collect();
     let header = ["joint", "largest force", "largest moment", "parted at"];
-    let mut out = table("Joints of a given strength", &header, &rows);
+    first_rows("Joints of a given strength", &header, &rows, more)
+}
+
+/// A table of the first rows, and how many more there are.
+fn first_rows(title: &str, header: &[&str], rows: &[Vec<String>], more: usize) -> String {
+    let mut out = table(title, header, rows);
     if more > 0 {
         out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
     }
@@ -61,11 +66,7 @@ fn partings(summary: &Value) -> String {
     let more = all.len().saturating_sub(LISTED);
     let rows: Vec<Vec<String>> = all.into_iter().take(LISTED).map(|(_, row)| row).collect();
     let header = ["beam", "at arc length", "at time", "energy released"];
-    let mut out = table("Where beams parted", &header, &rows);
-    if more > 0 {
-        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
-    }
-    out
+    first_rows("Where beams parted", &header, &rows, more)
 }
 
 /// Impulses that supports and obstacles gave beyond their forces, where impacts or jumps of prescribed velocities asked for any.
@@ -101,11 +102,7 @@ fn impulses(summary: &Value) -> String {
     let caption =
         "Impulses of supports and obstacles in impacts, on the structure, apart from their forces";
     let header = ["support", "impulse 1", "impulse 2", "impulse of moment"];
-    let mut out = table(caption, &header, &rows);
-    if more > 0 {
-        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
-    }
-    out
+    first_rows(caption, &header, &rows, more)
 }
 
 fn reactions(summary: &Value) -> String {
@@ -173,11 +170,7 @@ fn listing(
     }
     let more = rows.len().saturating_sub(LISTED);
     rows.truncate(LISTED);
-    let mut out = table(caption, header, &rows);
-    if more > 0 {
-        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
-    }
-    out
+    first_rows(caption, header, &rows, more)
 }
 
 /// Size beside which a value is round-off: the largest force, or moment, or else the largest of its kind.

@@ -7,7 +7,6 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::axis::{AxisElements, longest_arc};
-use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Pair, Target};
 use crate::geometry::touch::Reach;
 use crate::math::vec2::norm;
@@ -222,7 +221,7 @@ impl Search {
         self.loose = 0.0;
         self.arcs.clear();
         if wanted {
-            let at = Configuration::of(&state.displacement).without(&state.parted);
+            let at = state.configuration();
             let arc = |b: &BeamData| longest_arc(&b.axis, &model.nodes, &at);
             self.arcs.extend(model.beams.iter().map(arc));
         }

@@ -21,11 +21,6 @@ impl<'a> Configuration<'a> {
         Self { start: displacement, increment: &[], share: 0.0, arcs: &[], parted: &[] }
     }
 
-    /// The same where beams have parted between nodes.
-    pub fn without(self, parted: &'a [bool]) -> Self {
-        Self { parted, ..self }
-    }
-
     /// Whether nothing that can be touched spans from a node to the next one.
     #[inline]
     pub fn is_parted(&self, node: usize) -> bool {

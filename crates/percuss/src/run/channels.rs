@@ -4,7 +4,6 @@ use super::connector_log;
 use super::record::Channel;
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
-use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Memory;
 use crate::geometry::pair::Target;
 use crate::geometry::touch::Reach;
@@ -170,7 +169,7 @@ struct NearestPair {
 fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> NearestPair {
     let slides = slides(model, contact);
     let mut best = NearestPair { gap: f64::INFINITY, s: f64::NAN };
-    let at = Configuration::of(&state.displacement).without(&state.parted);
+    let at = state.configuration();
     for i in contact.pairs.clone() {
         let pair = &model.pairs[i];
         let least = search.least_gap(pair, i);

@@ -188,7 +188,7 @@ impl StepViews<'_> {
     /// Where pair `i` is nearest, a share of the step back from its end.
     fn place(&self, i: usize, back: f64) -> ContactPlace {
         let (model, state) = (self.model, self.state);
-        let now = Configuration::of(&state.displacement).without(&state.parted);
+        let now = state.configuration();
         let at = Configuration { increment: &self.work.increment, share: -back, ..now };
         let pair = &model.pairs[i];
         let Some(touch) = pair.touch(model, &at, &state.pairs[i].memory, Reach::Near) else {
@@ -231,6 +231,6 @@ pub(crate) fn opened(start: f64, approach_velocity: f64, place: ContactPlace) ->
 
 /// Pair `i` where the state stands.
 pub fn touch(model: &Model, state: &State, i: usize, reach: Reach) -> Option<Touch> {
-    let at = Configuration::of(&state.displacement).without(&state.parted);
+    let at = state.configuration();
     model.pairs[i].touch(model, &at, &state.pairs[i].memory, reach)
 }

@@ -3,7 +3,6 @@
 use super::record::Recorder;
 use super::simulation::Simulation;
 use crate::frame::{Frame, FrameForce};
-use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};
 use crate::step::forcing::INSTANT;
@@ -61,7 +60,7 @@ impl Simulation<'_> {
         let divisor = if impulsive { 1.0 } else { h };
         let rigid = (self.work.rigid_pairs.iter().zip(&self.work.rigid))
             .map(|(&pair, c)| (pair, c.impulse.map(|l| l / divisor), impulsive));
-        let at = Configuration::of(&self.state.displacement).without(&self.state.parted);
+        let at = self.state.configuration();
         for (index, [normal, tangential], impulsive) in smooth.chain(rigid) {
             if normal == 0.0 && tangential == 0.0 {
                 continue;

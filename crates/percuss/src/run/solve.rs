@@ -190,13 +190,7 @@ impl Simulation<'_> {
     /// The end of the step solved last.
     pub(super) fn end_of_step(&self) -> Configuration<'_> {
         let Workspace { increment, arcs, .. } = &self.work;
-        Configuration {
-            start: &self.state.displacement,
-            increment,
-            share: 1.0,
-            arcs,
-            parted: &self.state.parted,
-        }
+        self.state.configuration_after(increment, arcs)
     }
 
     /// Gap of pair `i` at the end of the step solved last, and its rate.

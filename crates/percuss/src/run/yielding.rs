@@ -120,8 +120,9 @@ pub fn note_parted(
 /// What a run came to, one entry a beam that can yield.
 pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<PlasticSummary> {
     // Pieces that have come off have no place to spring back to, and what they were joined to perhaps neither.
-    let whole = state.parted.is_empty() && records.iter().any(|r| r.first.is_some());
-    let unloaded = if whole { unloaded(model, state) } else { None };
+    let whole = state.parted.is_empty() && !state.joints_parted.contains(&true);
+    let yielded = records.iter().any(|r| r.first.is_some());
+    let unloaded = if whole && yielded { unloaded(model, state) } else { None };
     let can_yield = |(beam, _): &(&BeamData, &YieldRecord)| {
         let yields = |law: &StressLaw| matches!(law, StressLaw::Plastic(_));
         let mut fibres = model.spans[beam.spans.clone()].iter().filter_map(|s| s.fibres.as_ref());

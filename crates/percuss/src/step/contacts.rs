@@ -110,13 +110,7 @@ impl StepProblem<'_> {
         increment: &'b [[f64; 4]],
         arcs: &'b [f64],
     ) -> Configuration<'b> {
-        Configuration {
-            start: &self.state.displacement,
-            increment,
-            share: 1.0,
-            arcs,
-            parted: &self.state.parted,
-        }
+        self.state.configuration_after(increment, arcs)
     }
 
     fn smooth_law(&self, pair: usize) -> Option<&SmoothLaw> {

@@ -207,3 +207,71 @@ fn a_run_that_goes_on_from_a_checkpoint_remembers_what_has_torn() {
         assert_eq!(resumed.energy, whole.energy);
     }
 }
+
+/// A path ends just before a joint would tear, at the load factor at which it carries its strength in an equilibrium.
+#[test]
+fn a_path_ends_where_a_joint_would_tear() {
+    let built = |strength: JointStrength, factor: f64| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 5, material, section));
+        let girder = b.beam(beam("girder", [0.0, 3.0], [2.0, 3.0], 4, material, section));
+        for (name, beam, f) in [("foot", column, 0.0), ("far", girder, 1.0)] {
+            b.support(Support::new(name, at(name, beam, f), SupportKind::Clamp));
+        }
+        let between = [at("column.end", column, 1.0), at("girder.start", girder, 0.0)];
+        let strength = Some(strength);
+        b.joint(Joint { strength, ..Joint::new("knee", JointKind::Rigid, between) });
+        let (at, force) = (at("middle", girder, 0.5), [0.0, -1e4 * factor]);
+        let kind = LoadKind::Point { at, force, moment: 0.0, follower: false };
+        b.load(Load::new("weight", kind));
+        b.build().unwrap()
+    };
+    let strength = bears(0.0, 200.0);
+    let settings = PathSettings { end: PathEnd::Factor(1.0), ..PathSettings::default() };
+    let path = equilibrium_path(&built(strength, 1.0), &settings).unwrap();
+    assert!(!path.reached);
+    let last = path.points.last().unwrap().factor;
+    assert!(last > 0.05 && last < 0.9, "{last}");
+    // There it holds, a thousandth further it tears.
+    assert!(equilibrium(&built(strength, 0.999 * last)).is_ok());
+    let torn = equilibrium(&built(strength, 1.001 * last)).unwrap_err();
+    assert!(torn.to_string().contains("`knee` carries"), "{torn}");
+    let strong = equilibrium_path(&built(bears(0.0, 1e6), 1.0), &settings).unwrap();
+    assert!(strong.reached);
+}
+
+/// What a beam keeps is told of a structure that is whole: once a joint has torn there is no place to unload to by the joints there were.
+#[test]
+fn no_set_is_told_where_a_joint_has_torn() {
+    let run = |limit: f64| {
+        let mut b = ModelBuilder::new();
+        let curve = vec![Hardening { from: 0.0, stress: 2e6, modulus: 1e8 }];
+        let law = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None };
+        let material = b.material(Material {
+            strain: StrainMeasure::Engineering,
+            inelasticity: Some(Inelasticity::Plastic(law)),
+            ..Material::new("soft", 2e9, 3e3)
+        });
+        let section = b.section(Section::rectangle("plank", 1.0, 0.1));
+        let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 4, material, section));
+        let girder = b.beam(beam("girder", [0.0, 3.0], [2.0, 3.0], 4, material, section));
+        for (name, beam, f) in [("foot", column, 0.0), ("far", girder, 1.0)] {
+            b.support(Support::new(name, at(name, beam, f), SupportKind::Clamp));
+        }
+        let between = [at("column.end", column, 1.0), at("girder.start", girder, 0.0)];
+        let strength = Some(bears(limit, 0.0));
+        b.joint(Joint { strength, ..Joint::new("knee", JointKind::Rigid, between) });
+        b.projectile(elastic("mass", at("girder@0.4", girder, 0.4), [0.0, -10.0]));
+        simulate(&b.build().unwrap(), &Settings::new(0.1, 2e-4), &mut NoRecorder).unwrap()
+    };
+    let (whole, torn) = (run(1e9), run(1e4));
+    assert!(whole.joints[0].parted.is_none() && torn.joints[0].parted.is_some());
+    for (summary, told) in [(&whole, true), (&torn, false)] {
+        let yielded = summary.plastic.iter().filter(|beam| beam.first_yield.is_some());
+        assert!(yielded.clone().count() > 0);
+        let sets = yielded.filter(|beam| beam.permanent_set.is_some()).count();
+        assert_eq!(sets > 0, told);
+        assert!(worst(summary) < 1e-10, "{:e}", worst(summary));
+    }
+}

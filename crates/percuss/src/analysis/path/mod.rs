@@ -73,7 +73,7 @@ impl PathRecorder for Nothing {
 /// Follows the equilibrium path of `model` under its loads, all growing with one factor, from rest.
 ///
 /// Prescribed motions take no part. A path of [`PathEnd::Displacement`] ends exactly there, one of [`PathEnd::Factor`] where the
-/// factor is first met.
+/// factor is first met. Where a joint of a given strength would carry more than that, the path ends before.
 ///
 /// # Errors
 /// No point beyond the first found, or an end that names no recorded point.
@@ -101,7 +101,9 @@ pub fn equilibrium_path_recorded(
     let mut whole = None;
     while path.points.len() <= settings.points {
         let before = tracer.mark();
-        let Some(iterations) = tracer.advance(arc) else {
+        // Where a joint would tear the path ends: it comes as near as arcs become short.
+        let holds = |tracer: &Tracer| tracer.search.joint_beyond().is_none();
+        let Some(iterations) = tracer.advance(arc).filter(|_| holds(&tracer)) else {
             tracer.back_to(&before);
             arc *= 0.5;
             if arc < SMALLEST_ARC * first {

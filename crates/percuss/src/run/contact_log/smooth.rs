@@ -6,7 +6,6 @@ use std::ops::Range;
 use super::gap_over_step::{GapOverStep, highest};
 use super::{ContactLog, StepTime, StepViews, opened};
 use crate::contact::free_gap::FreeGap;
-use crate::geometry::configuration::Configuration;
 use crate::geometry::touch::Reach;
 use crate::model::{SmoothLaw, TouchLaw};
 use crate::settings::SAME_INSTANT;
@@ -192,10 +191,7 @@ impl ContactLog {
         let i = seen.work.smooth[k].pair;
         // One that sleeps was looked at when the step began, not when it ended.
         let Some(touch) = super::touch(seen.model, seen.state, i, Reach::Near) else { return };
-        let row = seen.model.pairs[i].normal_row(
-            &touch,
-            &Configuration::of(&seen.state.displacement).without(&seen.state.parted),
-        );
+        let row = seen.model.pairs[i].normal_row(&touch, &seen.state.configuration());
         let acceleration = (row.on(&seen.state.velocity) - self.before[k].rate) / span.h;
         self.free[i] = Free { acceleration, until: span.start + span.h };
         if let Some(released) = self.take_released(|r| r.pair == i) {
