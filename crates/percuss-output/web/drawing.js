@@ -135,7 +135,7 @@ class Drawing {
     const by = options.colour ?? "none";
     for (const part of this.motion.curve(i, this.state.u, this.e, this.state.time)) {
       const thick = part.every((p) => p.half_depth != null && p.half_depth * view.scale >= 1.2);
-      const side = (p, sign) => view.to([0, 1].map((k) => p.place[k] + sign * (p.half_depth ?? 0) * p.normal[k]));
+      const side = (p, sign) => view.to([0, 1].map((k) => p.place[k] + sign * (p.reach ?? 0) * p.normal[k]));
       if (by !== "none") {
         for (let k = 0; k + 1 < part.length; k++) {
           const [a, b] = [part[k], part[k + 1]];
@@ -330,19 +330,29 @@ class Drawing {
     const notes = [this.motion.label(t)].filter((note) => note);
     if (this.e !== 1) notes.push(`displacements \u00d7 ${this.e}`);
     else if (this.motion.rests && this.motion.size.displacement > 0 && !this.motion.swing) notes.push("displacements to scale");
-    if (options.diagram in FORCES) notes.push(`${DIAGRAMS[options.diagram]} up to ${engineering(this.colourTop(options.diagram), UNITS[options.diagram])}`);
-    pen.text([10, 14], notes.join(",  "), { fill: palette.text, size: 13, halo: palette.page });
-    if (this.others.length) {
-      [this.motion, ...this.others].forEach((run, k) => {
-        pen.text([10, 32 + 16 * k], run.name, { fill: runColour(palette, k), size: 12, halo: palette.page });
-      });
-    }
+    const lines = [[notes.join(",  "), palette.text]];
+    // A line of its own: beside the time it would run into the legend of narrow pictures.
+    if (options.diagram in FORCES) lines.push([this.largest(options.diagram), palette.text]);
+    if (this.others.length) lines.push(...[this.motion, ...this.others].map((run, k) => [run.name, runColour(palette, k)]));
+    lines.filter(([text]) => text).forEach(([text, fill], k) => {
+      pen.text([10, k ? 16 + 16 * k : 14], text, { fill, size: k ? 12 : 13, halo: palette.page });
+    });
     if (options.colour && options.colour !== "none") this.legend(options.colour);
+  }
+
+  // The largest of a section force in the frame that is drawn, and that of all frames, which the diagram is scaled by.
+  largest(by) {
+    const [now, top] = [this.motion.sectionTop(this.state.index, FORCES[by]), this.motion.size.sections[FORCES[by]]];
+    const [told, ofAll] = [now, top].map((value) => engineering(value, UNITS[by]));
+    return `${DIAGRAMS[by]} up to ${told}` + (told === ofAll ? "" : ` (${ofAll} in all)`);
   }
 
   legend(by) {
     const { pen, view, palette } = this;
     const [x, y, width] = [view.width - 212, 10, 200];
+    // Arrows of forces may stand here; the scale has to be read all the same.
+    const plate = [[x - 8, 0], [view.width, 0], [view.width, y + 28], [x - 8, y + 28]];
+    pen.path(plate, { fill: palette.page, opacity: 0.85, closed: true });
     for (let k = 0; k < 32; k++) {
       const a = x + (k * width) / 32;
       pen.path([[a, y], [a + width / 32 + 0.5, y], [a + width / 32 + 0.5, y + 8], [a, y + 8]], { fill: mapColour(k / 31), closed: true });

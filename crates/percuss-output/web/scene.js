@@ -4,6 +4,7 @@
 // Beams are the solver's own curves: Hermite cubics through the stations.
 
 const PIECES = 400; // chords of all beams together, about
+const ARC = 12; // chords of a quarter of a round end
 const FORCES = { axial: 0, shear: 1, moment: 2 };
 
 class Motion {
@@ -163,7 +164,28 @@ class Motion {
     return beside.every((span) => this.isParted(beam, span.k, t));
   }
 
-  // A beam as parts without corner, nor what has parted by time t: rows of points with normal, half depth and the interval they belong to.
+  // By how much arcs towards round ends cut off either face at an arc length.
+  cut(b, s) {
+    const away = [s - b.s[0], b.s[b.s.length - 1] - s];
+    return Math.max(...(b.roundings ?? [0, 0]).map((r, i) => (away[i] < r ? r - Math.sqrt(away[i] * (2 * r - away[i])) : 0)));
+  }
+
+  // Shares of the interval after station k at which a beam is drawn: evenly, and at even angles of the arcs of round ends.
+  shares(b, k) {
+    const [from, to] = [b.s[k], b.s[k + 1]];
+    const out = Array.from({ length: this.pieces + 1 }, (_, p) => p / this.pieces);
+    (b.roundings ?? []).forEach((r, i) => {
+      for (let p = 1; r > 0 && p <= ARC; p++) {
+        const away = r * (1 - Math.cos((p / ARC) * (Math.PI / 2)));
+        const s = i ? b.s[b.s.length - 1] - away : b.s[0] + away;
+        if (from < s && s < to) out.push((s - from) / (to - from));
+      }
+    });
+    return out.sort((x, y) => x - y);
+  }
+
+  // A beam as parts without corner, nor what has parted by time t: rows of points with normal, half depth, how far the outline is from the
+  // axis there, and the interval they belong to.
   curve(beam, u, exaggeration = 1, t = -Infinity) {
     const b = this.scene.beams[beam];
     const parts = [];
@@ -173,11 +195,11 @@ class Motion {
       if (k !== last + 1) parts.push([]);
       last = k;
       const part = parts[parts.length - 1];
-      for (let p = part.length ? 1 : 0; p <= this.pieces; p++) {
-        const share = p / this.pieces;
+      for (const share of this.shares(b, k).slice(part.length ? 1 : 0)) {
         const point = this.point(beam, k, share, u, exaggeration);
         const depths = [b.half_depth[k], b.half_depth[k + 1]];
         point.half_depth = depths[0] == null || depths[1] == null ? null : depths[0] + share * (depths[1] - depths[0]);
+        point.reach = point.half_depth == null ? null : point.half_depth - this.cut(b, b.s[k] + share * (b.s[k + 1] - b.s[k]));
         point.interval = interval;
         point.share = share;
         point.k = k;
@@ -198,6 +220,14 @@ class Motion {
     const at = 6 * (index * this.intervals + point.interval);
     const all = this.frames.sections;
     return [0, 1, 2].map((i) => (1 - point.share) * all[at + i] + point.share * all[at + 3 + i]);
+  }
+
+  // Largest of the axial forces, shear forces or moments of all beams in a frame.
+  sectionTop(index, which) {
+    let top = 0;
+    const size = 6 * this.intervals;
+    for (let i = index * size + which; i < (index + 1) * size; i += 3) top = Math.max(top, Math.abs(this.frames.sections[i]));
+    return top;
   }
 
   // Largest stress of the fibres [Pa], by the section at the point; null without a depth, and where the section can yield.

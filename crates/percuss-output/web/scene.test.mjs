@@ -41,6 +41,26 @@ test("between stations a beam is the cubic of its displacements and slopes", () 
   assert.equal(middle.half_depth, 0.1);
 });
 
+test("a round end is drawn as half a circle from face to face", () => {
+  const m = new page.Motion({ ...motion().scene, beams: [beam({ roundings: [0, 0.1] })] }, motion().frames);
+  const [part] = m.curve(0, m.at(0).u);
+  assert.ok(Math.abs(part[0].reach - 0.1) < 1e-12, "the start is straight across");
+  const arc = part.filter((p) => p.place[0] >= 1.9 - 1e-12);
+  assert.ok(arc.length > 10);
+  for (const p of arc) assert.ok(Math.abs(Math.hypot(p.place[0] - 1.9, p.reach) - 0.1) < 1e-9, `${p.place} ${p.reach}`);
+  // Stress goes with the section, not with what is left of it in the picture.
+  assert.ok(part.every((p) => Math.abs(p.half_depth - 0.1) < 1e-12));
+  const hasCorner = (motion) => {
+    const drawing = new page.Drawing(motion, new Proxy({}, { get: () => "#000000" }));
+    const view = page.viewOf(drawing.bounds, 600, 400);
+    const pen = new page.SvgPen(600, 400);
+    drawing.draw(pen, 0, view, {});
+    const [x, y] = view.to([2, 0.1]);
+    return [...pen.finish().matchAll(/[ML](\S+?) ([^LZ"]+)/g)].some(([, a, b]) => Math.hypot(a - x, b - y) < 0.5);
+  };
+  assert.ok(hasCorner(motion()) && !hasCorner(m));
+});
+
 test("between frames displacements are straight lines in time", () => {
   const m = motion();
   assert.ok(Math.abs(m.on({ beam: 0, s: 2 }, m.at(0.25).u).place[1] - 0.25) < 1e-7);
@@ -93,6 +113,18 @@ test("axes are equal and the whole motion is in view", () => {
   assert.ok(Math.abs(back[0] - 0.3) < 1e-12 && Math.abs(back[1] - 0.7) < 1e-12);
 });
 
+test("the caption tells the largest moment of the instant, and that of all instants where it is another", () => {
+  const frames = { sections: Float32Array.of(0, 0, 2, 0, 0, -1, 3, 4, 6, 3, 4, -6) };
+  const drawing = new page.Drawing(motion({}, frames), new Proxy({}, { get: () => "#000000" }));
+  const caption = (t) => {
+    const pen = new page.SvgPen(600, 400);
+    drawing.draw(pen, t, page.viewOf(drawing.bounds, 600, 400), { diagram: "moment" });
+    return pen.finish();
+  };
+  assert.match(caption(0), /M up to 2 N m \(6 N m in all\)</);
+  assert.match(caption(1), /M up to 6 N m</);
+});
+
 test("forces are shown on the beam that a body presses on", () => {
   const scene = { bodies: [{ name: "ball", position: [1, 1], kind: "disc", radius: 0.2 }], contacts: [{ name: "c", between: ["b", "ball"] }] };
   const m = motion(scene, { contacts: Float32Array.of(0, 1, 0.1, 0, 50, 0), contact_count: Float32Array.of(0, 1) });
@@ -101,6 +133,19 @@ test("forces are shown on the beam that a body presses on", () => {
   assert.equal(m.size.peak, 1);
   assert.equal(page.canExaggerate(m), false);
   assert.equal(page.canExaggerate(motion()), true);
+});
+
+test("arrows do not cover the scale of colours", () => {
+  const scene = { bodies: [{ name: "ball", position: [2, 1], kind: "disc", radius: 0.2 }], contacts: [{ name: "c", between: ["b", "ball"] }] };
+  const m = motion(scene, { contacts: Float32Array.of(0, 2, 0.1, 0, 50, 0), contact_count: Float32Array.of(0, 1) });
+  const palette = { page: "#ffffff", contact: "#d55e00", soft: "#777777", text: "#000000", body: "#8fb8d8", outline: "#3d4955" };
+  const pen = new page.SvgPen(600, 400);
+  const drawing = new page.Drawing(m, palette);
+  drawing.draw(pen, 1, page.viewOf(drawing.bounds, 600, 400), { colour: "moment", forces: true });
+  const svg = pen.finish();
+  const plate = svg.lastIndexOf('fill="#ffffff" opacity');
+  assert.ok(svg.includes("#d55e00") && plate > svg.lastIndexOf("#d55e00"), "a plate behind the scale, before the arrows");
+  assert.ok(svg.indexOf("|moment|") > plate);
 });
 
 test("the time shown of an impact is that in which anything touches", () => {

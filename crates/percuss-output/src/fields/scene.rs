@@ -41,6 +41,7 @@ fn beam_value(beam: &SceneBeam) -> Value {
         "half_depth": column(&|s| s.half_depth),
         "area": column(&|s| s.area),
         "inertia": column(&|s| s.inertia),
+        "roundings": beam.roundings,
     })
 }
 

@@ -6,6 +6,7 @@ use super::definition::{
 };
 use super::frozen::{BodyKind, Model, Span};
 use super::material_points::locate;
+use super::outline::BeamOutline;
 use super::pairs::clearance_segments;
 use super::scene::*;
 use crate::math::vec2::{norm, scale};
@@ -14,7 +15,7 @@ impl ModelBuilder {
     /// What stands in the model that was built from these definitions.
     pub fn scene(&self, model: &Model) -> Scene {
         let mut scene = Scene::default();
-        for beam in &model.beams {
+        for (i, beam) in model.beams.iter().enumerate() {
             let stride = model.element_count().div_ceil(MOST_STATIONS).max(1);
             let mut stations = Vec::new();
             for span in &model.spans[beam.spans.clone()] {
@@ -23,7 +24,8 @@ impl ModelBuilder {
                     scene.nodes.push(span.nodes.start + k);
                 }
             }
-            scene.beams.push(SceneBeam { name: beam.name.clone(), stations });
+            let roundings = BeamOutline::exact(self, model, i).roundings();
+            scene.beams.push(SceneBeam { name: beam.name.clone(), stations, roundings });
         }
         self.scene_bodies(model, &mut scene);
         self.scene_obstacles(model, &mut scene);

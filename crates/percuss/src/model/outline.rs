@@ -68,6 +68,11 @@ impl<'a> BeamOutline<'a> {
         Self { model, beam, ends, inside }
     }
 
+    /// Radii of the arcs that close it at both ends, shape (2) \[m\].
+    pub fn roundings(&self) -> [f64; 2] {
+        self.ends.each_ref().map(|end| end.rounding)
+    }
+
     /// What of it is touched.
     pub fn target(&self, skip: [usize; 2]) -> Target {
         Target::Axis { beam: self.beam, skip, ends: self.ends }

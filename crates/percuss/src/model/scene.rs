@@ -39,6 +39,8 @@ pub struct SceneBeam {
     pub name: String,
     /// Stations, start to end, shape (stations); at a corner or a change of section two of them stand at one place.
     pub stations: Vec<DrawnStation>,
+    /// Radii of the arcs from either face to its start and its end, zero where it ends straight across, shape (2) \[m\].
+    pub roundings: [f64; 2],
 }
 
 /// A node of a beam through which it is drawn.

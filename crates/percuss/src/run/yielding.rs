@@ -15,6 +15,9 @@ use crate::summary::{
     FirstYield, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
 };
 
+/// Plastic curvature below this share of that at first yield is none: a section that is only stretched beyond yield has one of round-off.
+const LEAST_BENT: f64 = 1e-6;
+
 /// What is noted of a beam.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct YieldRecord {
@@ -183,6 +186,19 @@ fn plastic_curvature(point: &GaussFibres) -> f64 {
     bending - moment / stiffness
 }
 
+/// Curvature at which a fibre of a Gauss point first yields in pure bending \[1/m\].
+fn first_yield_curvature(point: &GaussFibres) -> f64 {
+    let curvature = |fibre: &Fibre| match &point.of.laws[fibre.law] {
+        StressLaw::Plastic(law) if fibre.area > 0.0 => {
+            let first = law.plasticity.curve.first().map_or(0.0, |part| part.stress);
+            first / (law.young * fibre.height.abs())
+        }
+        _ => f64::INFINITY,
+    };
+    let least = point.fibres.iter().map(curvature).fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
+}
+
 /// Stretches of neighbouring Gauss points that have bent plastically to the same side.
 fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
     let mut out: Vec<PlasticHinge> = Vec::new();
@@ -191,8 +207,10 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
         let bears = |(fibre, s): (&Fibre, &FibreState)| fibre.area > 0.0 && !s.failed;
         let whole = point.fibres.iter().zip(point.states).any(bears);
         let yielded = whole && point.states.iter().any(|s| s.accumulated > 0.0);
+        let curvature = if yielded { plastic_curvature(&point) } else { 0.0 };
+        let bent = curvature.abs() > LEAST_BENT * first_yield_curvature(&point);
         // The bending strain counts a turn counter-clockwise as negative.
-        let turned = if yielded { -plastic_curvature(&point) * point.weight } else { 0.0 };
+        let turned = if bent { -curvature * point.weight } else { 0.0 };
         if turned == 0.0 {
             side = 0.0;
             continue;

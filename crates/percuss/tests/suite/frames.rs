@@ -162,6 +162,18 @@ fn section_forces_of_frames_are_the_reactions_at_supports() {
 }
 
 #[test]
+fn a_scene_says_which_ends_are_round() {
+    let mut b = ModelBuilder::new();
+    let (material, _) = plank(&mut b);
+    let section = b.section(Section::rectangle("bar", 0.1, 0.1));
+    let bar = beam("bar", [0.0; 2], [3.0, 0.0], 6, material, section);
+    b.beam(Beam { ends: Ends::Round, ..bar });
+    let model = b.build().unwrap();
+    let beam = &b.scene(&model).beams[0];
+    assert_eq!(beam.roundings, [0.05; 2]);
+}
+
+#[test]
 fn a_scene_names_what_stands_there_and_the_nodes_that_place_it() {
     let mut b = ModelBuilder::new();
     let girder = clamped(&mut b);
@@ -192,6 +204,7 @@ fn a_scene_names_what_stands_there_and_the_nodes_that_place_it() {
     );
     assert!(scene.supports.iter().all(|s| s.symbol == SupportSymbol::Clamp && !s.moves));
     assert_eq!((scene.supports[1].at.beam, scene.supports[1].at.s), (0, 3.0));
+    assert_eq!(scene.beams[0].roundings, [0.0; 2]);
     let last = scene.beams[0].stations[6];
     assert!(last.ends_span && last.element == 5 && (last.inertia - 8.33e-5).abs() < 1e-15);
 }

@@ -122,6 +122,27 @@ fn a_plastic_cantilever_bends_to_the_closed_form_as_fibres_are_added() {
 }
 
 #[test]
+fn a_bar_stretched_beyond_yield_has_no_hinges() {
+    let mut b = ModelBuilder::new();
+    let material = b.material(steel(|p| p.kinematic = 1e9));
+    let section = b.section(Section::rectangle("r", 0.03, 0.01));
+    let bar = b.beam(beam("bar", [0.0, 0.0], [0.5, 0.1], 20, material, section));
+    b.support(Support::new("root", at("root", bar, 0.0), SupportKind::Clamp));
+    let kind = LoadKind::Point {
+        at: at("tip", bar, 1.0),
+        force: [100e3, 20e3],
+        moment: 0.0,
+        follower: false,
+    };
+    b.load(Load::new("pull", kind));
+    let model = b.build().unwrap();
+    let summary = simulate(&model, &Settings::new(3e-4, 2e-6), &mut NoRecorder).unwrap();
+    let bar = &summary.plastic[0];
+    assert!(bar.accumulated_max.value > 1e-4, "{bar:?}");
+    assert!(bar.hinges.is_empty(), "{:?}", bar.hinges);
+}
+
+#[test]
 fn a_beam_thrown_off_its_supports_keeps_its_momenta_and_stays_bent() {
     let mut b = ModelBuilder::new();
     let material = b.material(steel(|p| p.kinematic = 1e9));
