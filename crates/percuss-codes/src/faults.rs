@@ -76,7 +76,8 @@ catalogue! {
              names the key and what would be right.";
         /// Initial velocities or the state at the start.
         Initial = "E019", "an initial state that cannot be",
-            "A velocity is not finite, or [initial.NAME] does not name exactly one beam, or one point mass at a node of its beam.";
+            "A velocity is not finite, or [initial.NAME] does not name exactly one beam, or one point mass at a node of its \
+             beam; or a beam and a point mass on it are given motions that differ where the mass is: a place has one velocity.";
         /// Damping.
         Damping = "E020", "damping that cannot be",
             "Modal damping ratios lie from 0 to below 1; the message names what would be right of other values.";

@@ -10,7 +10,6 @@ use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
 use crate::geometry::axis::{AxisElement, AxisElements};
 use crate::math::hermite::{self, GAUSS};
-use crate::math::vec2::norm;
 
 /// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
 #[derive(Clone, Debug, Default)]
@@ -265,38 +264,6 @@ impl ModelBuilder {
         }
         model.nodes.extend(frames);
         model.spans.push(span);
-    }
-
-    /// Motions of beams, then those of point masses, which beams do not overrule.
-    fn place_motions(&self, model: &mut Model) -> Result<(), Vec<Fault>> {
-        let mut faults = Vec::new();
-        let mut of_masses = Vec::new();
-        for (name, motion) in &self.own_motions {
-            if let Some(beam) = self.beams.iter().position(|beam| beam.name == *name) {
-                model.own_motions.push((model.beams[beam].nodes.clone(), *motion));
-            }
-            let Some(mass) = self.masses.iter().position(|mass| mass.name == *name) else {
-                continue;
-            };
-            let point = &model.masses[mass].point;
-            // Nodes of its beam where it is: one, or two where spans meet.
-            let near = 1e-9 * model.beams[point.beam].length;
-            let at = |node: &usize| {
-                let place = model.nodes[*node].position;
-                norm([place[0] - point.position[0], place[1] - point.position[1]]) <= near
-            };
-            let first = point.node.saturating_sub(1);
-            let last = (point.node + 3).min(model.beams[point.beam].nodes.end);
-            let nodes: Vec<usize> = (first..last).filter(at).collect();
-            if nodes.is_empty() {
-                let path = format!("initial.{name}");
-                let found = "a point mass between nodes, whose velocity they cannot take alone";
-                faults.push(Fault::new(path, found, "a point mass at a node of its beam"));
-            }
-            of_masses.extend(nodes.into_iter().map(|node| (node..node + 1, *motion)));
-        }
-        model.own_motions.extend(of_masses);
-        if faults.is_empty() { Ok(()) } else { Err(faults) }
     }
 
     fn place_masses(&self, model: &mut Model) {

@@ -11,6 +11,7 @@ mod draw;
 mod fault;
 mod fibres;
 pub(crate) mod frozen;
+mod initial;
 mod loads;
 mod material_points;
 mod mesh;

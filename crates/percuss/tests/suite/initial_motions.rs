@@ -77,6 +77,44 @@ fn joined_beams_take_the_nearest_motions_that_their_joint_allows() {
     assert!((momentum[1] - 300.0).abs() < 1e-9, "{momentum:?}");
 }
 
+/// The velocity of a place is told once: a mass on a beam, or two masses at one place, contradict each other in no part of it.
+#[test]
+fn motions_that_contradict_each_other_at_a_mass_are_refused() {
+    let built = |of_mass: InitialMotion, beam_too: bool, masses: usize| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let g = b.beam(beam("g", [0.0, 0.0], [1.0, 0.0], 4, material, section));
+        for name in ["bob", "bib"].into_iter().take(masses) {
+            let at = at("tip", g, 1.0);
+            b.point_mass(PointMass { name: name.into(), at, mass: 50.0, rotary_inertia: 0.0 });
+        }
+        let turns = InitialMotion { spin: 2.0, ..InitialMotion::default() };
+        if beam_too {
+            b.initial_motion_of("g", turns);
+        }
+        b.initial_motion_of("bob", of_mass);
+        if masses > 1 {
+            b.initial_motion_of("bib", turns);
+        }
+        b.build()
+            .map(|_| ())
+            .map_err(|faults| faults.iter().map(ToString::to_string).collect::<Vec<_>>())
+    };
+    let along = |velocity, spin| InitialMotion { velocity, spin, about: [1.0, 0.0] };
+    // The tip of the turning beam moves at 2 m/s: the same motion about another centre is no contradiction, and one alone is none.
+    assert_eq!(built(along([0.0, 2.0], 2.0), true, 1), Ok(()));
+    assert_eq!(built(along([0.0, 1.0], 0.0), false, 1), Ok(()));
+    for other in [along([0.0, 1.0], 2.0), along([0.0, 2.0], 0.0)] {
+        let faults = built(other, true, 1).unwrap_err();
+        assert_eq!(faults.len(), 1, "{faults:?}");
+        let parts =
+            ["initial.bob", "but (0, 2) m/s at 2 rad/s by [initial.g]", "one motion of a place"];
+        assert!(parts.iter().all(|part| faults[0].contains(part)), "{faults:?}");
+    }
+    let faults = built(along([0.0, 1.0], 2.0), false, 2).unwrap_err();
+    assert!(faults.len() == 1 && faults[0].contains("[initial.bob]"), "{faults:?}");
+}
+
 #[test]
 fn names_of_nothing_and_masses_between_nodes_are_refused() {
     let mut b = ModelBuilder::new();
