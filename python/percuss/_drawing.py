@@ -123,7 +123,7 @@ class Drawing:
 
     def _beam(self, beam: SceneBeam, curve: Curve) -> None:
         thick = bool(np.isfinite(curve.half_depth).all() and curve.half_depth.max() > 0.002 * self.size)
-        depth = curve.half_depth[:, None] * curve.normals
+        depth = curve.reach[:, None] * curve.normals
         upper, lower = curve.points + depth, curve.points - depth
         if self.colour != "none":
             self._coloured(beam, curve, (upper, lower) if thick else None)

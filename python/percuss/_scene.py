@@ -10,6 +10,10 @@ from numpy.typing import NDArray
 from ._structure import Floats
 
 
+_ARC = 12
+"""Chords of a quarter of a round end."""
+
+
 class Curve(NamedTuple):
     """Points of a beam without a corner between them.
 
@@ -23,6 +27,8 @@ class Curve(NamedTuple):
         Unit tangents [1].
     half_depth : ndarray of shape (n,)
         Distances of the extreme fibres from the axis [m]; NaN where they are not known.
+    reach : ndarray of shape (n,)
+        Distances of the outline from the axis, less than the half depth towards round ends [m].
     intervals : ndarray of shape (n,)
         Interval of the scene that each point lies in [-].
     shares : ndarray of shape (n,)
@@ -41,6 +47,7 @@ class Curve(NamedTuple):
     normals: Floats
     tangents: Floats
     half_depth: Floats
+    reach: Floats
     intervals: NDArray[np.int64]
     shares: Floats
     stations: NDArray[np.int64]
@@ -93,6 +100,8 @@ class SceneBeam:
         Second moments of area [m^4].
     rest : ndarray of shape (n_station, 4)
         Places [m] and tangents [1] in the reference configuration.
+    roundings : tuple of float
+        Radii of the arcs from face to face at its start and its end, zero where it ends straight across [m].
     begins : ndarray of int
         Stations at which an interval begins [-].
     numbers : ndarray of int
@@ -114,6 +123,7 @@ class SceneBeam:
         self.s, self.half_depth = column["s"], column["half_depth"]
         self.area, self.inertia = column["area"], column["inertia"]
         self.rest = np.stack([column["x"], column["y"], column["tx"], column["ty"]], axis=1)
+        self.roundings: tuple[float, float] = tuple(value.get("roundings", (0.0, 0.0)))
         self.begins = np.flatnonzero(np.diff(self.s) > 0)
         self.numbers = interval + np.arange(len(self.begins))
         self.gaps: list[tuple[float, float, float]] = []
@@ -187,14 +197,35 @@ class SceneBeam:
         for begins, numbers in zip(np.split(kept, breaks), np.split(numbers_kept, breaks)):
             if not len(begins):
                 continue
-            k = np.append(np.repeat(begins, pieces), begins[-1])
-            share = np.append(np.tile(np.arange(pieces) / pieces, len(begins)), 1.0)
-            intervals = np.append(np.repeat(numbers, pieces), numbers[-1])
+            shares = [self._shares(int(begin), pieces) for begin in begins]
+            counts = [len(one) for one in shares]
+            k = np.append(np.repeat(begins, counts), begins[-1])
+            share = np.append(np.concatenate(shares), 1.0)
+            intervals = np.append(np.repeat(numbers, counts), numbers[-1])
             place, tangent = self.evaluate(k, share, u, scale)
             normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
             depth = (1 - share) * self.half_depth[k] + share * self.half_depth[k + 1]
-            out.append(Curve(place, normal, tangent, depth, intervals, share, k))
+            reach = depth - self._cut(self.s[k] + share * (self.s[k + 1] - self.s[k]))
+            out.append(Curve(place, normal, tangent, depth, reach, intervals, share, k))
         return out
+
+    def _cut(self, s: Floats) -> Floats:
+        """By how much the arcs of round ends cut off either face at arc lengths."""
+        out = np.zeros_like(s)
+        for r, away in zip(self.roundings, (s - self.s[0], self.s[-1] - s)):
+            inside = np.clip(away, 0.0, r)
+            out = np.maximum(out, r - np.sqrt(inside * (2 * r - inside)))
+        return out
+
+    def _shares(self, k: int, pieces: int) -> Floats:
+        """Shares of the interval after station ``k`` at which it is drawn, its end left out: evenly, and at even angles of round ends."""
+        shares = [np.arange(pieces) / pieces]
+        angles = np.arange(1, _ARC + 1) / _ARC * (np.pi / 2)
+        for r, end, way in zip(self.roundings, (self.s[0], self.s[-1]), (1.0, -1.0)):
+            s = end + way * r * (1 - np.cos(angles))
+            inside = (r > 0) & (s > self.s[k]) & (s < self.s[k + 1])
+            shares.append((s[inside] - self.s[k]) / (self.s[k + 1] - self.s[k]))
+        return np.sort(np.concatenate(shares))
 
     def _is_parted(self, k: int, t: float) -> bool:
         """Whether it has parted between stations ``k`` and ``k + 1`` by a time."""

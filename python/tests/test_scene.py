@@ -13,6 +13,7 @@ from IPython.lib.pretty import pretty
 from matplotlib.patches import Circle
 
 from conftest import SCENARIOS
+from percuss._scene import SceneBeam
 
 
 UNKNOWN = "no stress known: sections without depth, or that yield"
@@ -33,6 +34,18 @@ def test_a_notebook_shows_the_scene_by_itself(name):
     assert "class Motion" in page and "class Player" in page and result.story.split(".")[0][:20] in html.unescape(page)
     assert not re.search(r"(src|href)=\"(?!data:)", page) and "https://" not in page
     assert 'sandbox="allow-scripts allow-downloads"' in shown
+
+
+def test_round_ends_are_half_circles():
+    plain = {"name": "b", "s": [0, 2], "x": [0, 2], "y": [0, 0], "tx": [1, 1], "ty": [0, 0], "half_depth": [0.1, 0.1]}
+    plain |= {"area": [0.02, 0.02], "inertia": [2e-5, 2e-5]}
+    flat, = SceneBeam(plain, 0, 0).curves(np.zeros((2, 4)))
+    assert len(flat.points) == 9 and (flat.reach == flat.half_depth).all()
+    round_end, = SceneBeam({**plain, "roundings": [0, 0.1]}, 0, 0).curves(np.zeros((2, 4)))
+    arc = round_end.points[:, 0] > 1.9
+    radius = np.hypot(round_end.points[arc, 0] - 1.9, round_end.reach[arc])
+    assert arc.sum() > 10 and np.allclose(radius, 0.1, atol=1e-12)
+    assert (round_end.half_depth == 0.1).all() and round_end.reach[0] == 0.1
 
 
 def test_names_run_no_script(elastic):

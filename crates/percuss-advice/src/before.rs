@@ -8,7 +8,7 @@ use super::expected::{Expected, Trials};
 use super::formulas::{pulse_frequency, reduced_mass};
 use super::structure::{BeamPlace, gravity, gravity_varies};
 use super::words::{digits, quantity, round_down};
-use super::{Advice, Topic, Verdict, end_on, shear};
+use super::{Advice, Topic, Verdict, end_on, faces, shear};
 use percuss::Settings;
 use percuss::math::vec2::dot;
 use percuss::{EffectiveMass, HertzBody, Model, Potential, TouchLaw};
@@ -158,6 +158,7 @@ impl Desk<'_> {
         let lengthwise = beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > 0.1);
         let mut all = vec![
             self.transit(&beams.place, lengthwise, expected.and_then(Expected::duration)),
+            faces::finding(self, beams),
             mass.and_then(|mass| self.effective_mass(mass)),
         ];
         if beams.wall.is_some_and(|normal| dot(normal, tangent).abs() > END_ON) {

@@ -91,6 +91,8 @@ pub struct Beams<'a> {
     pub place: BeamPlace<'a>,
     /// Normal of the half-plane it meets, if it meets one.
     pub wall: Option<[f64; 2]>,
+    /// Number of the beam, and of the other one if it meets one.
+    pub numbers: (usize, Option<usize>),
     /// Velocity of the beam's middle at the start \[m/s\].
     pub velocity: [f64; 2],
 }
@@ -160,7 +162,10 @@ fn meeting<'a>(
         (Some((k, disc)), None) | (None, Some((k, disc))) if is_disc(disc) => {
             struck_by_disc(model, k, beam(a).or(beam(b))?, at)
         }
-        _ => points_of_beams(model, beam(a).or(beam(b))?, &target),
+        _ => {
+            let other = beam(a).and(beam(b)).filter(|b| beam(a) != Some(*b));
+            points_of_beams(model, beam(a).or(beam(b))?, other, &target)
+        }
     }
 }
 
@@ -252,7 +257,12 @@ fn struck_by_disc(
     }))
 }
 
-fn points_of_beams<'a>(model: &'a Model, beam: usize, target: &TargetShape) -> Option<Meeting<'a>> {
+fn points_of_beams<'a>(
+    model: &'a Model,
+    beam: usize,
+    other: Option<usize>,
+    target: &TargetShape,
+) -> Option<Meeting<'a>> {
     let place = BeamPlace::new(model, beam, 0.5 * model.beam(beam).length());
     let wall = match target {
         TargetShape::Line { normal } => Some(*normal),
@@ -261,7 +271,7 @@ fn points_of_beams<'a>(model: &'a Model, beam: usize, target: &TargetShape) -> O
     let nodes = model.beam(beam).nodes();
     let middle = model.node_position(nodes.start + nodes.len() / 2);
     let velocity = beam_velocity(model, beam, middle);
-    Some(Meeting::Beams(Beams { place, wall, velocity }))
+    Some(Meeting::Beams(Beams { place, wall, numbers: (beam, other), velocity }))
 }
 
 /// Force of a smooth law at a penetration and its rate \[N\].

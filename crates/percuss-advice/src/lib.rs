@@ -10,6 +10,7 @@ mod case;
 mod duration;
 mod end_on;
 mod expected;
+mod faces;
 pub mod formulas;
 mod resolution;
 mod review;

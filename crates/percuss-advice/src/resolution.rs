@@ -77,8 +77,7 @@ impl Desk<'_> {
         for _ in 0..40 {
             better = round_down(0.5 * better);
             let off = lasting.and_then(|lasting| lasting.off(better));
-            let enough = if lasting.is_some() { STEPS[1] } else { STEPS[0] };
-            if contact / better >= enough && off.is_none_or(|off| off < OFF[0]) {
+            if contact / better >= STEPS[0] && off.is_none_or(|off| off < OFF[0]) {
                 break;
             }
         }

@@ -1,21 +1,29 @@
 //! Whether a run starts from an equilibrium that it can leave by itself.
 
+use super::words::quantity;
 use super::{Advice, Topic, Verdict};
-use percuss::Model;
-use percuss::equilibrium;
-use percuss::{Settings, Start};
+use percuss::math::vec2::{norm, sub};
+use percuss::{Equilibrium, Model, Settings, Start, equilibrium};
 
 /// Elements beyond which the equilibrium is left to the run.
 const ELEMENTS: usize = 3000;
 
-/// An unstable equilibrium at the start. A structure without imperfection stays in it until something disturbs it, and what it
-/// does then depends on nothing that is known.
-pub fn of_the_start(model: &Model, settings: &Settings) -> Option<Advice> {
+/// Share of the structure's size beyond which the equilibrium is another configuration than the drawn one.
+const FAR: f64 = 0.1;
+
+/// What is to be known of the equilibrium that a run starts from: whether it is unstable, and how far from the drawing it lies.
+pub fn of_the_start(model: &Model, settings: &Settings) -> Vec<Advice> {
     let loaded = settings.start == Start::Static && model.loads().len() > 0;
     if !loaded || model.element_count() > ELEMENTS {
-        return None;
+        return Vec::new();
     }
-    let found = equilibrium(model).ok()?;
+    let Ok(found) = equilibrium(model) else { return Vec::new() };
+    unstable(&found).into_iter().chain(far(model, &found)).collect()
+}
+
+/// An unstable one. A structure without imperfection stays in it until something disturbs it, and what it
+/// does then depends on nothing that is known.
+fn unstable(found: &Equilibrium) -> Option<Advice> {
     if found.stable {
         return None;
     }
@@ -24,4 +32,37 @@ pub fn of_the_start(model: &Model, settings: &Settings) -> Option<Advice> {
         .to_owned();
     let (topic, verdict) = (Topic::Stability, Verdict::Warning);
     Some(Advice::new("start", topic, [f64::NAN; 2], "1", verdict, text))
+}
+
+/// An equilibrium far from what is drawn: most likely something swings freely, and nobody meant to start there.
+fn far(model: &Model, found: &Equilibrium) -> Option<Advice> {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    let (mut farthest, mut place) = (0.0, String::new());
+    for beam in (0..model.beam_count()).map(|k| model.beam(k)) {
+        let nodes = beam.spans().flat_map(|span| span.nodes().zip(span.stations()));
+        for (node, s) in nodes {
+            let at = model.node_position(node);
+            for i in 0..2 {
+                (low[i], high[i]) = (low[i].min(at[i]), high[i].max(at[i]));
+            }
+            let moved = norm([0, 1].map(|i| found.state.displacement[node][i]));
+            if moved > farthest {
+                let name = beam.name();
+                (farthest, place) = (moved, format!("`{name}` at s = {}", quantity(*s, "m")));
+            }
+        }
+    }
+    let size = norm(sub(high, low));
+    if farthest.is_nan() || farthest <= FAR * size {
+        return None;
+    }
+    let text = format!(
+        "the static equilibrium that the run starts from lies far from the drawn configuration: {place} is {} from where it is \
+         drawn, in a structure of {}; if that is not meant, set time.start to \"reference\", hold what swings, or draw it where it \
+         hangs",
+        quantity(farthest, "m"),
+        quantity(size, "m")
+    );
+    let (topic, verdict) = (Topic::StaticStart, Verdict::Warning);
+    Some(Advice::new("start", topic, [farthest, size], "m", verdict, text))
 }

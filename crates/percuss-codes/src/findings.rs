@@ -84,6 +84,17 @@ catalogue! {
              yields at 235 MPa, concrete cracks at 2.9. In the run it stays elastic all the same, so that forces come \
              out too large and deflections too small. Give the material `yield` (and `hardening`, `rate`, \
              `failure_strain`), or, where yours bears more, allow it with the strength it has.";
+        /// How far the static equilibrium that a run starts from lies from the drawn configuration, against the size of the structure \[m\].
+        StaticStart = "W019", "a start far from the drawing",
+            "With `time.start = \"static\"` the run starts from the equilibrium under the loads that act at time zero, and here that \
+             lies far from what is drawn: a pendulum has swung down, or something soft has sagged. If that is not meant, start from \
+             the reference (`start = \"reference\"`), hold what swings, or draw it where it hangs.";
+        /// A compliant contact of faces or of a flat end, which has no stiffness of its own \[N/m\].
+        FaceStiffness = "W020", "a stiffness that grows with the mesh",
+            "Where beams meet along their faces, or with a flat end on a face, every point that lies in the contact presses under the \
+             law: two an element. Finer meshes have more of them, so that the contact gets stiffer, its force larger and its \
+             duration shorter without limit. Let one of both be a disc or give it round ends; `percuss converge FILE` shows \
+             how far results depend on the mesh.";
     }
 }
 

@@ -121,6 +121,7 @@ pub fn path_value(path: &Path) -> Value {
     let first_yield = |y: &PathYield| json!({ "name": y.name, "factor": y.factor });
     json!({
         "reached": path.reached,
+        "torn": path.torn,
         "points": path.points.len(),
         "factor": path.points.last().map(|p| p.factor),
         "limit_points": path.limit_points.iter().map(at).collect::<Vec<_>>(),

@@ -161,13 +161,35 @@ function exaggerations(motion) {
   const factors = [1];
   for (let power = 1; power < 1e9; power *= 10) factors.push(2 * power, 5 * power, 10 * power);
   const wanted = factors.filter((f) => f * most <= 0.5 * clearance.size);
-  let limit = wanted.length ? wanted[wanted.length - 1] : 1;
-  const stride = Math.max(1, Math.ceil(motion.count / FRAMES_LOOKED_AT));
+  const limit = roomUpTo(motion, clearance, wanted.length ? wanted[wanted.length - 1] : 1, FRAMES_LOOKED_AT);
+  return factors.filter((f) => f === 1 || f <= limit * (1 + 1e-9));
+}
+
+// The factor up to `limit` that leaves bodies apart in so many frames.
+function roomUpTo(motion, clearance, limit, frames) {
+  const stride = Math.max(1, Math.ceil(motion.count / frames));
   for (let k = 0; k < motion.count && limit > 1; k = k + stride < motion.count || k === motion.count - 1 ? k + stride : motion.count - 1) {
     const { u } = motion.at(motion.frames.time[k]);
     limit = 1 + (limit - 1) * clearance.share(u, u.map((v) => limit * v));
   }
-  return factors.filter((f) => f === 1 || f <= limit * (1 + 1e-9));
+  return limit;
+}
+
+const FRAMES_OF_A_FILM = 60;
+
+// Why displacements may not be drawn so many times as large as they are: two bodies that touch, or how much larger they may be; null
+// if nothing is in the way.
+function hindrance(motion, factor) {
+  if (factor === 1 || canExaggerate(motion)) return null;
+  const guided = new Set(motion.scene.bodies.filter((b) => b.kind === "guided" || b.kind === "rear").map((b) => b.name));
+  for (let f = 0; f < motion.count; f++) {
+    for (const { contact } of motion.contacts(f)) {
+      const { name, between } = motion.scene.contacts[contact];
+      if (!between.some((partner) => guided.has(partner))) return { contact: name, between };
+    }
+  }
+  const most = roomUpTo(motion, new Clearance(motion), factor, FRAMES_OF_A_FILM);
+  return most < factor * (1 - 1e-9) ? { most } : null;
 }
 
 const VISIBLE = 0.1; // displacements that are seen well, as a share of the structure's size

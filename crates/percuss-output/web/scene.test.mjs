@@ -8,7 +8,7 @@ import vm from "node:vm";
 // The page runs them as one script.
 const parts = ["pens.js", "figures.js", "scene.js", "clearance.js", "view.js", "drawing.js", "symbols.js", "player.js", "shapes.js", "chart.js"];
 const text = parts.map((name) => readFileSync(new URL(name, import.meta.url), "utf8")).join("\n");
-const names = "{ SvgPen, escapeXml, Motion, engineering, Drawing, boundsOf, viewOf, canExaggerate, mapColour, contactSpan, exaggerations, visibleFactor, ShapeMotion, PathMotion, RestingMotion, roundTicks, crossings }";
+const names = "{ SvgPen, escapeXml, Motion, engineering, Drawing, boundsOf, viewOf, canExaggerate, mapColour, contactSpan, exaggerations, visibleFactor, hindrance, ShapeMotion, PathMotion, RestingMotion, roundTicks, crossings }";
 const page = vm.runInNewContext(`${text}\n;(${names})`, { Float32Array, Math, Number, Map, Set });
 
 const nothing = { bodies: [], obstacles: [], supports: [], joints: [], springs: [], masses: [], loads: [], contacts: [] };
@@ -213,6 +213,20 @@ test("displacements are enlarged only as far as beams do not come to cross", () 
   const corner = [segment([0, 0], [1, 0]), segment([1, 0], [1, 1])];
   assert.equal(page.crossings(corner, corner), 0, "neighbours meet");
   assert.equal(page.crossings(corner, [segment([0.5, -1], [0.5, 1])]), 1);
+});
+
+test("what hinders larger displacements is told: two that touch, or how much room there is", () => {
+  const contacts = [{ name: "c", between: ["b", "floor"] }];
+  const [scene, frames] = sagging({ obstacles: [floor], contacts });
+  const free = new page.Motion(scene, frames);
+  // 40 mm down and 98 mm of room: nothing touches, so twice as much may be shown, and not ten times.
+  assert.equal(page.hindrance(free, 2), null);
+  const { most } = page.hindrance(free, 10);
+  assert.ok(most > 2.3 && most < 2.5, `${most}`);
+  const touching = new page.Motion(scene, { ...frames, contacts: Float32Array.of(0, 1, 0, 0, 5, 0), contact_count: Float32Array.of(1) });
+  assert.deepEqual({ ...page.hindrance(touching, 2) }, { contact: "c", between: ["b", "floor"] });
+  assert.equal(page.hindrance(touching, 1), null);
+  assert.equal(page.hindrance(motion(), 1000), null, "nothing that could touch");
 });
 
 test("a shape swings about its configuration, no farther than there is room", () => {

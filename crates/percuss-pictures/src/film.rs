@@ -44,6 +44,24 @@ pub struct Film {
     pub seconds: f64,
 }
 
+/// Why displacements may not be drawn so many times as large, and what would be right.
+fn hindrance(found: &Value, factor: f64) -> Option<String> {
+    let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    if let Some(most) = found["most"].as_f64() {
+        let most = (100.0 * most).floor() / 100.0;
+        return Some(format!(
+            "displacements drawn {factor} times as large would let bodies overlap that do not; --exaggeration {most} is as far as \
+             they stay apart"
+        ));
+    }
+    let contact = found["contact"].as_str()?;
+    let [one, other] = [0, 1].map(|k| word(&found["between"][k]));
+    Some(format!(
+        "`{one}` and `{other}` touch in this run (contact `{contact}`), and displacements drawn larger than they are would let them \
+         overlap or part; leave --exaggeration out, and show what the beam does by --diagram moment or --colour moment"
+    ))
+}
+
 impl Film {
     /// Reads the scene and how it moved.
     ///
@@ -61,10 +79,8 @@ impl Film {
             open(&ctx, fields, look).catch(&ctx).map_err(fault)
         })?;
         let about: Value = serde_json::from_str(&about).map_err(Error::drawing)?;
-        if look.exaggeration != 1.0 && about["exaggerable"] != true {
-            return Err(Error::beyond(
-                "displacements drawn larger than they are would let bodies overlap that do not; leave --exaggeration out",
-            ));
+        if let Some(why) = hindrance(&about["hindrance"], look.exaggeration) {
+            return Err(Error::beyond(why));
         }
         let pair = |value: &Value| Some([value[0].as_f64()?, value[1].as_f64()?]);
         let read = || {

@@ -37,7 +37,7 @@ class Film {
     return {
       whole: this.whole,
       impact: this.impact,
-      exaggerable: canExaggerate(this.motion),
+      hindrance: hindrance(this.motion, this.look.exaggeration ?? 1),
       seconds: SECONDS,
       size: [even(this.scale * this.width), even(this.scale * (this.height + this.strip))],
     };

@@ -16,15 +16,15 @@ pub enum Distribution {
     Normal {
         /// Mean and standard deviation.
         law: Gauss,
-        /// Shares below which the truncation begins and ends: 0 and 1 without one.
-        within: [f64; 2],
+        /// What is left of it.
+        within: Truncation,
     },
     /// The logarithm is Gaussian.
     Lognormal {
         /// Mean and standard deviation of the logarithm.
         law: Gauss,
-        /// Shares below which the truncation begins and ends: 0 and 1 without one.
-        within: [f64; 2],
+        /// What is left of it.
+        within: Truncation,
     },
 }
 
@@ -35,6 +35,30 @@ pub struct Gauss {
     pub mean: f64,
     /// Standard deviation, above zero.
     pub deviation: f64,
+}
+
+/// The values to which a distribution is cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Truncation {
+    /// Shares of all values below the smallest and the largest one, shape (2).
+    pub shares: [f64; 2],
+    /// The smallest and the largest value, shape (2).
+    pub values: [f64; 2],
+}
+
+impl Truncation {
+    /// Nothing is cut off.
+    pub const NONE: Self = Self { shares: [0.0, 1.0], values: [f64::NEG_INFINITY, f64::INFINITY] };
+
+    fn share(&self, u: f64) -> f64 {
+        let [low, high] = self.shares;
+        low + (high - low) * u
+    }
+
+    /// A quantile is the inverse of a share to some ten digits only: what lies a little outside is the limit.
+    fn clamp(&self, value: f64) -> f64 {
+        value.max(self.values[0]).min(self.values[1])
+    }
 }
 
 impl Gauss {
@@ -57,11 +81,10 @@ impl Gauss {
 impl Distribution {
     /// The value below which the share `u` lies.
     pub fn quantile(&self, u: f64) -> f64 {
-        let inside = |[low, high]: [f64; 2]| low + (high - low) * u;
         match self {
             Self::Uniform { from, to } => from + (to - from) * u,
-            Self::Normal { law, within } => law.quantile(inside(*within)),
-            Self::Lognormal { law, within } => law.quantile(inside(*within)).exp(),
+            Self::Normal { law, within } => within.clamp(law.quantile(within.share(u))),
+            Self::Lognormal { law, within } => within.clamp(law.quantile(within.share(u)).exp()),
         }
     }
 }
@@ -83,7 +106,7 @@ mod tests {
     #[test]
     fn a_lognormal_variable_has_the_mean_and_deviation_that_were_asked_for() {
         let law = Gauss::of_logarithm(20.0, 5.0);
-        let all = Distribution::Lognormal { law, within: [0.0, 1.0] };
+        let all = Distribution::Lognormal { law, within: Truncation::NONE };
         let n = 200_000;
         let values = (0..n).map(|i| all.quantile((f64::from(i) + 0.5) / f64::from(n)));
         let values: Vec<f64> = values.collect();
@@ -97,13 +120,23 @@ mod tests {
     #[test]
     fn truncation_keeps_every_value_inside() {
         let law = Gauss { mean: 10.0, deviation: 3.0 };
-        let within = [law.share(9.0), law.share(12.0)];
+        let values = [9.0, 12.0];
+        let within = Truncation { shares: values.map(|x| law.share(x)), values };
         let cut = Distribution::Normal { law, within };
         for u in [1e-12, 0.3, 0.9, 1.0 - 1e-12] {
             let value = cut.quantile(u);
             assert!((9.0..=12.0).contains(&value), "{value} at {u}");
         }
-        assert!((cut.quantile(0.0) - 9.0).abs() < 1e-9);
-        assert!((cut.quantile(1.0) - 12.0).abs() < 1e-9);
+        for (u, limit) in [(0.0, 9.0), (1.0, 12.0)] {
+            assert!((cut.quantile(u) - limit).abs() < 1e-9);
+        }
+        // No quantile lies beyond a limit, not by a digit.
+        for most in [250.0_f64, 333.0, 1e3, 7.0, 61.0] {
+            let law = Gauss::of_logarithm(0.8 * most, 0.2 * most);
+            let values = [0.3 * most, most];
+            let within = Truncation { shares: values.map(|x| law.share(x.ln())), values };
+            let cut = Distribution::Lognormal { law, within };
+            assert!(cut.quantile(1.0) <= most && cut.quantile(0.0) >= 0.3 * most, "{most}");
+        }
     }
 }

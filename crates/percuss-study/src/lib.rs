@@ -85,7 +85,7 @@ pub use converge::{
     Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence,
     converge, extrapolate,
 };
-pub use distribution::{Distribution, Gauss};
+pub use distribution::{Distribution, Gauss, Truncation};
 pub use error::Error;
 pub use folder::{Folder, KEPT, REPORT, RESULTS};
 pub use function::{Function, Jacobian};

@@ -516,3 +516,101 @@ fn no_contact_is_foretold_on_a_beam_without_mass_that_no_run_can_move() {
         assert!(one.value.is_finite() && one.reference.is_finite(), "{one:?}");
     }
 }
+
+/// A bar on a soft hinge swings down by itself before the run starts; a stiff one stays where it is drawn.
+#[test]
+fn a_static_start_far_from_the_drawing_is_told_with_place_and_distance() {
+    for (rotational_stiffness, told) in [(1.0, Some(Verdict::Warning)), (1e7, None)] {
+        let mut b = ModelBuilder::new();
+        let arm = bar(&mut b, 1.0, 12, [0.05, 0.05]);
+        let kind = SupportKind::Elastic {
+            direction: [1.0, 0.0],
+            stiffness: [1e9, 1e9],
+            damping: [0.0; 2],
+            rotational_stiffness,
+            rotational_damping: 0.0,
+        };
+        hold(&mut b, arm, &kind, &[0.0]);
+        b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+        b.projectile(mass(at("mid", arm, 0.5), 5.0, 1e6, [0.0, -0.1]));
+        let settings = Settings { start: Start::Static, ..Settings::new(0.02, 5e-5) };
+        let advice = advise(&freeze(&b), &settings);
+        assert_eq!(verdict(&advice, Topic::StaticStart), told, "{advice:#?}");
+        if let Some(far) = advice.iter().find(|a| a.topic == Topic::StaticStart) {
+            // From level to hanging: a quarter of a turn takes the end sqrt(2) m.
+            assert!((far.value / 2.0_f64.sqrt() - 1.0).abs() < 0.01, "{far:?}");
+            assert!(far.text.contains("`beam` at s = 1 m is 1.4"), "{far:?}");
+        }
+    }
+}
+
+/// A bar that flies at a post with a flat end presses with as many points as the mesh has; a round end, or one askew, with one.
+#[test]
+fn a_contact_whose_stiffness_grows_with_the_mesh_is_told() {
+    fn built(ends: Ends, turned: f64, law: TouchLaw) -> ModelBuilder {
+        let mut b = ModelBuilder::new();
+        let post = bar(&mut b, 3.0, 12, [0.2, 0.2]);
+        hold(&mut b, post, &SupportKind::Clamp, &[0.0, 1.0]);
+        let material = b.material(Material::new("ram", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("ram", 0.2, 0.2));
+        let (sine, cosine) = turned.sin_cos();
+        // Five millimetres above the post with its lowest corner.
+        let low = 0.105 + 0.1 * sine;
+        let top = [1.5 + sine, low + cosine];
+        let ram = Beam::new("ram", &[[1.5, low], top], 8, material, section);
+        let ram = b.beam(Beam { ends, ..ram });
+        let velocity = [0.0, -1.0];
+        b.initial_motion_of("ram", InitialMotion { velocity, ..InitialMotion::default() });
+        b.contact(Contact::new(
+            "blow",
+            [ContactPartner::Beam(post), ContactPartner::Beam(ram)],
+            law,
+        ));
+        b
+    }
+    let scene = |ends: Ends, turned: f64, law: TouchLaw| {
+        let model = freeze(&built(ends, turned, law));
+        verdict(&advise(&model, &Settings::new(0.5, 1e-4)), Topic::FaceStiffness)
+    };
+    let linear = || TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+    assert_eq!(scene(Ends::Flat, 0.0, linear()), Some(Verdict::Note));
+    assert_eq!(scene(Ends::Round, 0.0, linear()), None);
+    assert_eq!(scene(Ends::Flat, 0.5, linear()), None);
+    assert_eq!(scene(Ends::Flat, 0.0, TouchLaw::Rigid(RigidLaw::frictionless(0.5))), None);
+    // Whatever presses, the duration told is that of the run, and the step advised resolves it.
+    for (ends, stiffness) in [(Ends::Flat, 1e8), (Ends::Round, 1e8), (Ends::Flat, 1e9)] {
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness }));
+        let b = built(ends, 0.0, law);
+        for step in [1e-5, 1e-3] {
+            let [told, _] = durations(&b, &Settings::new(0.015, step));
+            let [_, found] = durations(&b, &Settings::new(0.015, 1e-5));
+            println!("{ends:?} {stiffness:e} {step:e}: told {told:e}, found {found:e}");
+            assert!((told / found - 1.0).abs() < 0.1, "{ends:?} {told} {found}");
+        }
+    }
+    // Lying along each other, whatever the ends.
+    assert_eq!(scene(Ends::Round, std::f64::consts::FRAC_PI_2, linear()), Some(Verdict::Note));
+}
+
+/// Whatever else is known of a contact, the step that is advised resolves it as the book says: twenty steps and more.
+#[test]
+fn the_advised_step_takes_twenty_steps_of_the_contact() {
+    for (kg, stiffness, step) in [(5.0, 1e6, 2e-3), (0.5, 1e6, 1e-3), (50.0, 2e5, 2e-2)] {
+        let mut b = ModelBuilder::new();
+        let girder = bar(&mut b, 3.0, 24, [0.1, 0.1]);
+        hold(&mut b, girder, &SupportKind::Pin, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", girder, 0.5), kg, stiffness, [0.0, -1.0]));
+        let model = freeze(&b);
+        let advice = advise(&model, &Settings::new(0.2, step));
+        let told = advice.iter().find(|a| a.topic == Topic::ContactDuration).expect("a contact");
+        let (_, said) = told.text.split_once("set time.step to ").expect("a step");
+        let (number, unit) = said.split_once(' ').expect("a unit");
+        let scale = if unit.starts_with("ms") { 1e-3 } else { 1e-6 };
+        let better = number.parse::<f64>().expect("a number") * scale;
+        let steps = |duration: f64| duration / better;
+        assert!(steps(told.value) >= 20.0, "{told:?}");
+        // And by a run in such steps.
+        let [_, found] = durations(&b, &Settings::new(0.2, better));
+        assert!(steps(found) >= 19.0 && steps(found) < 100.0, "{found}: {told:?}");
+    }
+}

@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::Path;
 
 use percuss_codes::RequestCode;
-use percuss_study::{Function, Jacobian, Study};
+use percuss_study::{Function, Study};
 
 use crate::coupling_arguments::Eval;
 use crate::outcome::{Failure, Status};
@@ -143,12 +143,16 @@ fn evaluate(
     wanted: &[(usize, Wanted)],
     asked: &Asked,
 ) -> Result<Vec<Answered>, String> {
-    let Jacobian { values, derivatives } = if wanted.iter().any(|(_, f)| f.gradient) {
-        function.jacobian(point)?
-    } else {
-        let values = function.values(&[point.to_vec()]).pop();
-        Jacobian { values: values.unwrap_or_else(|| Ok(Vec::new()))?, derivatives: Vec::new() }
-    };
+    let mut derivatives = Vec::new();
+    if wanted.iter().any(|(_, f)| f.gradient) {
+        derivatives = function.jacobian(point)?.derivatives;
+    }
+    // Values are those of a run of their own: one that carries derivatives adds in another order, and whoever asks with and without
+    // gradients would get other last digits.
+    let mut values = Vec::new();
+    if wanted.iter().any(|(_, f)| f.value) {
+        values = function.values(&[point.to_vec()]).pop().unwrap_or_else(|| Ok(Vec::new()))?;
+    }
     let parameters = function.parameters().iter().map(|p| p.name.clone()).enumerate();
     let by: Vec<(usize, String)> = match &asked.by {
         None => parameters.collect(),

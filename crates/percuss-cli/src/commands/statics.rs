@@ -112,9 +112,14 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
         return Ok(Status::Done);
     }
     let factor = path.points.last().map_or(0.0, |p| p.factor);
+    let why = match &path.torn {
+        Some(joint) => format!(
+            "beyond it the joint `{joint}` would tear (joint.{joint}.strength says what it bears)"
+        ),
+        None => "[path] in the scenario sets first arc, end and number of points".to_owned(),
+    };
     let text = format!(
-        "the path ends at the load factor {}, after {} points, before the end asked for ([path] in the scenario \
-         sets first arc, end and number of points)",
+        "the path ends at the load factor {}, after {} points, before the end asked for: {why}",
         number(factor),
         path.points.len() - 1,
     );

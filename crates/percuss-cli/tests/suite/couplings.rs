@@ -69,6 +69,12 @@ fn a_point_is_evaluated_in_every_form() {
     let told = desk.percuss(&["eval", "study.toml", "point.json", "--gradients"]);
     assert_eq!(told.status, Some(0), "{}", told.stderr);
     let told: Value = serde_json::from_str(&told.stdout).expect("JSON alone");
+    let plain = desk.percuss(&["eval", "study.toml", "point.json"]);
+    let plain: Value = serde_json::from_str(&plain.stdout).expect("JSON alone");
+    assert_eq!(
+        plain["results"], told["results"],
+        "values do not depend on whether gradients are asked for"
+    );
     for (k, result) in ["force", "exit"].iter().enumerate() {
         assert!(close(number(&told["results"][result]), number(&expected["results"][k]["value"])));
         for (j, parameter) in ["speed", "mass"].iter().enumerate() {

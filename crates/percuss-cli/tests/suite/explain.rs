@@ -48,6 +48,36 @@ law = "linear"
 stiffness = "1e12 N/m"
 "#;
 
+/// It swings down before it starts.
+const PENDULUM: &str = r#"
+start = "static"
+[support.pivot]
+at = "rod.start"
+kind = "elastic"
+stiffness = ["1e8 N/m", "1e8 N/m"]
+rotational_stiffness = "0.1 N*m"
+[load.weight]
+kind = "gravity"
+acceleration = [0, "-9.81 m/s^2"]
+"#;
+/// It lies along another one.
+const RAM: &str = r#"
+[support.foot]
+at = "rod.start"
+kind = "clamp"
+[beam.lath]
+points = [["0.2 m", "6 mm"], ["0.7 m", "6 mm"]]
+elements = 5
+material = "steel"
+section = "rod"
+[initial.lath]
+velocity = [0, "-1 m/s"]
+[contact.clap]
+between = ["rod", "lath"]
+law = "linear"
+stiffness = "1e5 N/m"
+"#;
+
 /// A run that provokes each code: the scenario, and one change.
 fn provocations() -> Vec<(Topic, String, &'static str)> {
     let of = |name: &str| format!("{SCENARIOS}{name}.toml");
@@ -73,6 +103,8 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
                 Topic::Taper => (of("sweet-spot"), "record.every=1"),
                 Topic::Strain | Topic::Slip => (elastic.clone(), "material.composite.young=2e5"),
                 Topic::Ending => (elastic.clone(), "time.end=0.02"),
+                Topic::StaticStart => ("pendulum.toml".to_owned(), "record.every=1"),
+                Topic::FaceStiffness => ("ram.toml".to_owned(), "record.every=1"),
                 Topic::Strength => (of("disc-chain"), "material.steel.preset=\"concrete\""),
             };
             (topic, file, set)
@@ -87,6 +119,8 @@ fn desk() -> Desk {
     let rear = "stiffness = \"7.5e5 N/m\"\nrear = { mass = 100, stiffness = \"1e12 N/m\" }";
     let text = crate::common::ELASTIC.replace("stiffness = \"7.5e5 N/m\"", rear);
     desk.put("rear.toml", text);
+    desk.put("pendulum.toml", [ROD, PENDULUM].concat());
+    desk.put("ram.toml", [ROD, RAM].concat());
     desk
 }
 

@@ -74,6 +74,14 @@ fn a_result_without_indices_says_why() {
     assert_eq!(json["sobol_indices_why"]["never"], "no run has a value");
     assert!(json["sobol_indices_why"]["peak_force"].is_null(), "{json}");
     assert_eq!(json["results"]["peak_force"]["values"], 8);
+    let index = |which: &str| {
+        let value = &json["sobol_indices"]["peak_force"]["parameter"]["speed"][which]["value"];
+        format!("{:.2}", value.as_f64().expect("an index"))
+    };
+    desk.percuss(&["sweep", "study.toml", "--out", "out"])
+        .ends_with(0)
+        .tells("never: no Sobol' indices: no run has a value")
+        .tells(&format!("(first, total): speed {}, {}; mass ", index("first"), index("total")));
 }
 
 #[test]

@@ -27,6 +27,9 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
             value["peak_force"] = peak(peak_force);
+            let first =
+                intervals.first().map_or(f64::NAN, |interval| interval.end - interval.start);
+            value["duration"] = Value::from(first);
             value["intervals"] = intervals.iter().map(interval).collect();
         }
         ContactRecord::Nonsmooth {

@@ -308,7 +308,7 @@ fn unit(keys: &[&str]) -> &'static str {
         "permanent_penetration" | "permanent_set" | "displacement" => "m",
         "length" | "element_length" => "m",
         "rotation" => "rad",
-        "time" | "start" | "end" => "s",
+        "time" | "start" | "end" | "duration" => "s",
         "s" | "position" => "m",
         "approach_velocity" | "separation_velocity" | "velocity_final" => "m/s",
         "spin_final" => "rad/s",

@@ -4,7 +4,7 @@ use crate::synthetic;
 
 use std::error::Error;
 
-use percuss::{EffectiveMass, ImpactResolution, Scheme, Settings, Termination};
+use percuss::{ContactRecord, EffectiveMass, ImpactResolution, Scheme, Settings, Termination};
 use percuss_output::{RunInfo, SummaryPath, pick, read_summary, summary_value, write_summary};
 use serde_json::{Value, json};
 
@@ -102,6 +102,21 @@ fn the_documented_fields_are_there() {
     assert_eq!(rigid["settings"]["scheme"], "generalized-alpha");
     assert_eq!(rigid["settings"]["spectral_radius"], 0.8);
     assert_eq!(rigid["settings"]["closed_tolerance"], 1e-9);
+}
+
+#[test]
+fn a_contact_lasts_from_touch_to_release_or_is_not_over() {
+    let mut run = synthetic::summary("mass", synthetic::smooth());
+    assert!(value(&run)["contact"]["mass"]["duration"].is_null(), "still closed");
+    let ContactRecord::Smooth { intervals, .. } = &mut run.contacts[0].record else { panic!() };
+    intervals[0].end = 0.0725;
+    assert_eq!(value(&run)["contact"]["mass"]["duration"], 0.0725 - 0.01);
+    let paths = percuss_output::summary_paths(&run);
+    let listed = paths.iter().find(|one| one.path == "contact.mass.duration");
+    assert_eq!(listed.map(|one| one.unit), Some("s"));
+    let ContactRecord::Smooth { intervals, .. } = &mut run.contacts[0].record else { panic!() };
+    intervals.clear();
+    assert!(value(&run)["contact"]["mass"]["duration"].is_null(), "never closed");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use percuss::Fault;
 use percuss_scenario::study::{self, Given, Spacing};
 use percuss_scenario::{Field, Scenario};
 
-use crate::distribution::{Distribution, Gauss};
+use crate::distribution::{Distribution, Gauss, Truncation};
 use crate::parameter::{Parameter, Variation};
 
 /// Reads values of one parameter in the words of the scenario.
@@ -126,8 +126,7 @@ fn distribution_of(
         study::Distribution::Normal { mean, deviation, truncated } => {
             let law = gauss(values, mean, deviation)?;
             let limits = limits(values, truncated.as_ref())?;
-            let within = limits.map(|limits| limits.map(|limit| law.share(limit)));
-            Ok(Distribution::Normal { law, within: checked(within)? })
+            Ok(Distribution::Normal { law, within: truncation(limits, |limit| law.share(limit))? })
         }
         study::Distribution::Lognormal { mean, deviation, truncated } => {
             let Gauss { mean, deviation } = gauss(values, mean, deviation)?;
@@ -137,8 +136,7 @@ fn distribution_of(
             let law = Gauss::of_logarithm(mean, deviation);
             let limits = limits(values, truncated.as_ref())?;
             let share = |limit: f64| if limit > 0.0 { law.share(limit.ln()) } else { 0.0 };
-            let within = limits.map(|limits| limits.map(share));
-            Ok(Distribution::Lognormal { law, within: checked(within)? })
+            Ok(Distribution::Lognormal { law, within: truncation(limits, share)? })
         }
     }
 }
@@ -159,13 +157,14 @@ fn limits(values: &mut Values<'_>, given: Option<&[Given; 2]>) -> Result<Option<
     Ok(Some([values.number(key, low)?, values.number(key, high)?]))
 }
 
-/// Shares between which a distribution is left, all of it if it is not truncated.
-fn checked(within: Option<[f64; 2]>) -> Result<[f64; 2], Fault> {
-    let Some([low, high]) = within else { return Ok([0.0, 1.0]) };
+/// What is left of a distribution between limits, all of it without any.
+fn truncation(limits: Option<[f64; 2]>, share: impl Fn(f64) -> f64) -> Result<Truncation, Fault> {
+    let Some(values) = limits else { return Ok(Truncation::NONE) };
+    let [low, high] = values.map(share);
     if high - low < 1e-9 {
         let found = format!("limits that hold a share of {:e} of all values", high - low);
         let expected = "a smaller limit, then a larger one, near the mean";
         return Err(Fault::new("distribution.truncated", found, expected));
     }
-    Ok([low, high])
+    Ok(Truncation { shares: [low, high], values })
 }

@@ -13,8 +13,8 @@ use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 /// Distances that differ by less than this share are the same.
 const SAME: f64 = 1e-14;
 
-/// Share of its length up to which either end of a beam is rounded.
-const LONGEST_CAP: f64 = 0.45;
+/// Share of its length up to which either end of a beam is rounded: what is left between has to be an axis.
+pub const LONGEST_CAP: f64 = 0.499;
 /// Ends nearer to a node than this share of an element are at the node.
 const AT_NODE: f64 = 1e-9;
 /// Taper beyond which an end is taken to lean no more.

@@ -64,6 +64,16 @@ impl<'m> ContactView<'m> {
         let pairs = self.model.pairs[self.data.pairs.clone()].iter();
         pairs.map(move |pair| (pair.movers.map(partner), shape(&pair.target)))
     }
+    /// Whether both ends of a beam meet the other partner as half circles.
+    pub fn has_round_ends(&self, beam: usize) -> bool {
+        let round = |target: &Target| match target {
+            Target::Axis { beam: own, ends, .. } => {
+                *own == beam && ends.iter().all(|end| end.rounding > 0.0 && end.half_width == 0.0)
+            }
+            _ => false,
+        };
+        self.model.pairs[self.data.pairs.clone()].iter().any(|pair| round(&pair.target))
+    }
 }
 
 fn shape(target: &Target) -> TargetShape {

@@ -5,7 +5,9 @@ use super::definition::*;
 use super::frozen::*;
 use super::material_points::locate;
 use super::mesh::SpanPlan;
-use super::{Fault, bodies, check, connect, constrain, fibres, loads, mesh, pairs, places};
+use super::{
+    Fault, bodies, check, connect, constrain, fibres, loads, mesh, outline, pairs, places,
+};
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
 use crate::element::point::SectionLaw;
 use crate::geometry::axis::{AxisElement, AxisElements};
@@ -150,6 +152,10 @@ impl ModelBuilder {
             return Err(faults);
         }
         let mut model = self.mesh();
+        let faults = outline::too_short(self, &model);
+        if !faults.is_empty() {
+            return Err(faults);
+        }
         self.place_masses(&mut model);
         self.place_motions(&mut model)?;
         connect::supports(self, &mut model);

@@ -2,12 +2,13 @@
 //!
 //! Faces lie half a depth from the axis and end where the beam ends, with a straight edge across or a half circle from face to face.
 
+use super::Fault;
 use super::builder::ModelBuilder;
 use super::definition::Ends;
 use super::frozen::Model;
 use super::material_points::point_at;
 use super::pairs::beam_centre;
-use crate::geometry::axis::AxisEnd;
+use crate::geometry::axis::{AxisEnd, LONGEST_CAP};
 use crate::geometry::pair::{Carrier, Centre, Target, carried};
 use crate::math::vec2::add;
 
@@ -42,6 +43,26 @@ pub(super) struct Source {
     pub s: f64,
     /// Whether it belongs to an end of the beam.
     pub at_end: bool,
+}
+
+/// Beams too short for the half circles that are to end them.
+pub(super) fn too_short(builder: &ModelBuilder, model: &Model) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (given, data) in builder.beams.iter().zip(&model.beams) {
+        let depths = [
+            data.axis.first().map(|e| e.half_depths[0]),
+            data.axis.last().map(|e| e.half_depths[1]),
+        ];
+        let most = depths.into_iter().flatten().fold(0.0, f64::max);
+        let least = most / LONGEST_CAP;
+        if given.ends == Ends::Round && data.length < least {
+            let found =
+                format!("round ends of {} m depth on a beam of {} m", 2.0 * most, data.length);
+            let expected = format!("a length of {least:.4} m or more, or ends = \"flat\"");
+            faults.push(Fault::new(format!("beam.{}.ends", given.name), found, expected));
+        }
+    }
+    faults
 }
 
 impl<'a> BeamOutline<'a> {

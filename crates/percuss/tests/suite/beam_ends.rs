@@ -251,6 +251,52 @@ fn round_ends_stay_within_the_length() {
     close(first(Ends::Round, PI / 4.0, 0.1), 0.1 + 0.05 * sine - 0.05);
 }
 
+/// Half circles from face to face need a beam as long as it is deep; what is shorter is refused, what is longer ends in one arc.
+#[test]
+fn round_ends_are_whole_half_circles_or_refused() {
+    let made = |length: f64| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("soft", 2e9, 1e3));
+        let section = b.section(Section::rectangle("square", 0.1, 0.1));
+        let bar = beam("bar", [0.0, 0.0], [length, 0.0], 8, material, section);
+        b.beam(Beam { ends: Ends::Round, ..bar });
+        b.build().map(|model| b.scene(&model).beams[0].roundings)
+    };
+    for length in [0.101, 0.105, 0.111, 0.2] {
+        assert_eq!(made(length).expect("long enough"), [0.05; 2], "{length}");
+    }
+    let faults = made(0.1).unwrap_err();
+    assert_eq!(faults[0].path, "beam.bar.ends");
+    assert!(faults[0].to_string().contains("0.1002 m or more"), "{}", faults[0]);
+}
+
+/// A short bar with round ends meets a floor with one point, however it is turned.
+#[test]
+fn a_bar_hardly_longer_than_deep_touches_with_one_point() {
+    for angle in [0.5 * PI, 0.5 * PI + 0.3] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("soft", 2e9, 1e3));
+        let section = b.section(Section::rectangle("square", 0.1, 0.1));
+        let far = [0.105 * angle.cos(), 0.08 + 0.105 * angle.sin()];
+        let bar = beam("bar", [0.0, 0.08], far, 4, material, section);
+        let bar = b.beam(Beam { ends: Ends::Round, ..bar });
+        let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
+        b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], rigid(0.0)));
+        b.initial_motion(InitialMotion { velocity: [0.0, -10.0], spin: 0.0, about: [0.0; 2] });
+        let summary = run(&b, 0.02, 1e-4).expect("sound");
+        let ContactRecord::Nonsmooth { impacts, .. } = &summary.contacts[0].record else {
+            panic!()
+        };
+        // The circle of the lower end stands half a depth along the axis; its lowest point is the first to touch.
+        let low = 0.08 + 0.05 * angle.sin() - 0.05;
+        assert!(
+            (10.0 * impacts[0].time - low).abs() < 1e-8,
+            "{angle} {}",
+            10.0 * impacts[0].time - low
+        );
+    }
+}
+
 #[test]
 fn what_ends_in_points_on_either_side_is_refused_with_the_cure() {
     let law = || rigid(1.0);

@@ -231,6 +231,7 @@ fn a_path_ends_where_a_joint_would_tear() {
     let settings = PathSettings { end: PathEnd::Factor(1.0), ..PathSettings::default() };
     let path = equilibrium_path(&built(strength, 1.0), &settings).unwrap();
     assert!(!path.reached);
+    assert_eq!(path.torn.as_deref(), Some("knee"));
     let last = path.points.last().unwrap().factor;
     assert!(last > 0.05 && last < 0.9, "{last}");
     // There it holds, a thousandth further it tears.
@@ -238,7 +239,7 @@ fn a_path_ends_where_a_joint_would_tear() {
     let torn = equilibrium(&built(strength, 1.001 * last)).unwrap_err();
     assert!(torn.to_string().contains("`knee` carries"), "{torn}");
     let strong = equilibrium_path(&built(bears(0.0, 1e6), 1.0), &settings).unwrap();
-    assert!(strong.reached);
+    assert!(strong.reached && strong.torn.is_none());
 }
 
 /// What a beam keeps is told of a structure that is whole: once a joint has torn there is no place to unload to by the joints there were.

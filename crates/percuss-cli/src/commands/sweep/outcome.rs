@@ -57,6 +57,9 @@ pub fn tell(
             };
             terminal::tell(&format!("  {name}: {min} to {max} {unit}, mean {mean}{of}"));
         }
+        for line in sobol_lines(study, indices) {
+            terminal::tell(&line);
+        }
         terminal::tell(&format!("{} and report.html", out.join(RESULTS).display()));
     }
     if !arguments.quiet {
@@ -71,6 +74,30 @@ pub fn tell(
         }
     }
     Ok(())
+}
+
+/// Indices of every result as lines, or why it has none; nothing of a study that asks for none.
+fn sobol_lines(
+    study: &Study,
+    indices: &[(String, Result<SobolIndices, NoIndices>)],
+) -> Vec<String> {
+    if !study.has_sobol_indices() {
+        return Vec::new();
+    }
+    let line = |(name, found): &(String, Result<SobolIndices, NoIndices>)| match found {
+        Err(why) => format!("  {name}: no Sobol' indices: {why}"),
+        Ok(found) => {
+            let both = found.first.iter().zip(&found.total);
+            let each = study.parameters().iter().zip(both).map(|(parameter, (first, total))| {
+                format!("{} {:.2}, {:.2}", parameter.name, first.value, total.value)
+            });
+            format!(
+                "  {name}: Sobol' indices (first, total): {}",
+                each.collect::<Vec<_>>().join("; ")
+            )
+        }
+    };
+    indices.iter().map(line).collect()
 }
 
 /// Indices of every result, by parameter; null of one that has none.

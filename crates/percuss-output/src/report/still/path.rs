@@ -45,8 +45,11 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
     let status = match path.reached {
         true => format!("Equilibrium path, to the load factor {}.", number(factor)),
         false => format!(
-            "Equilibrium path; it ends at the load factor {}, before the end asked for.",
-            number(factor)
+            "Equilibrium path; it ends at the load factor {}, before the end asked for{}.",
+            number(factor),
+            path.torn.as_ref().map_or(String::new(), |joint| {
+                format!(": beyond it the joint {} would tear", joint)
+            })
         ),
     };
     let page = Page {

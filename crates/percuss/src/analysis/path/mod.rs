@@ -47,6 +47,8 @@ pub struct Path {
     pub end: Equilibrium,
     /// Whether the end asked for was reached.
     pub reached: bool,
+    /// The joint of a given strength that would tear next, where that ends the path.
+    pub torn: Option<String>,
 }
 
 /// Receives equilibria along a path, for drawings.
@@ -101,9 +103,11 @@ pub fn equilibrium_path_recorded(
     let mut whole = None;
     while path.points.len() <= settings.points {
         let before = tracer.mark();
+        let advanced = tracer.advance(arc);
         // Where a joint would tear the path ends: it comes as near as arcs become short.
-        let holds = |tracer: &Tracer| tracer.search.joint_beyond().is_none();
-        let Some(iterations) = tracer.advance(arc).filter(|_| holds(&tracer)) else {
+        let beyond = advanced.and_then(|_| tracer.search.joint_beyond());
+        path.torn = beyond.map(|(joint, _)| joint.to_owned());
+        let Some(iterations) = advanced.filter(|_| path.torn.is_none()) else {
             tracer.back_to(&before);
             arc *= 0.5;
             if arc < SMALLEST_ARC * first {
@@ -173,6 +177,7 @@ impl Path {
             yields: Vec::new(),
             end: finish(&mut StaticSearch::new(model), 0),
             reached: false,
+            torn: None,
         }
     }
 

@@ -1,0 +1,44 @@
+//! Beams that meet with faces or flat ends: how stiff their contact is depends on the mesh.
+
+use super::before::Desk;
+use super::case::Beams;
+use super::structure::BeamPlace;
+use super::{Advice, Topic, Verdict};
+use percuss::TouchLaw;
+use percuss::math::vec2::{cross, dot, sub};
+
+/// Beams whose directions are parallel or at right angles but for this sine meet with more than a corner.
+const ALIGNED: f64 = 0.1;
+
+/// Every point that lies in the contact presses under the law, and finer meshes have more of them.
+pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
+    let TouchLaw::Smooth(_) = desk.case.law else { return None };
+    let (first, second) = (beams.numbers.0, beams.numbers.1?);
+    let [one, other] = [first, second].map(|number| desk.model.beam(number));
+    let tangent = BeamPlace::new(desk.model, second, 0.5 * other.length()).tangent();
+    let own = beams.place.tangent();
+    let [middle, opposite] = [one, other].map(|beam| {
+        let nodes = beam.nodes();
+        desk.model.node_position(nodes.start + nodes.len() / 2)
+    });
+    let between = sub(opposite, middle);
+    let along = cross(own, tangent).abs() < ALIGNED;
+    let across = dot(own, tangent).abs() < ALIGNED;
+    let contact = desk.model.contacts().nth(desk.case.index)?;
+    // Whose end points at the other one; a round end meets a face with one point.
+    let ends = [(first, own, one.length()), (second, tangent, other.length())];
+    let flat = ends.into_iter().any(|(beam, tangent, length)| {
+        dot(between, tangent).abs() > 0.5 * length && !contact.has_round_ends(beam)
+    });
+    let text = format!(
+        "`{}` and `{}` {}: every point that lies in the contact presses under its law, and there are more of them the finer the \
+         mesh, so that force and duration have no limit; divide the peak force by the penetration to see the stiffness it was, \
+         let one of both be a disc{}, or divide the stiffness by the number of points",
+        one.name(),
+        other.name(),
+        if along { "meet along their faces or end on" } else { "meet with a flat end on a face" },
+        if along { "" } else { " or give it round ends" }
+    );
+    let (topic, verdict) = (Topic::FaceStiffness, Verdict::Note);
+    (along || across && flat).then(|| desk.finding(topic, [f64::NAN; 2], "N/m", verdict, text))
+}
