@@ -25,11 +25,13 @@ pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
     let along = cross(own, tangent).abs() < ALIGNED;
     let across = dot(own, tangent).abs() < ALIGNED;
     let contact = desk.model.contacts().nth(desk.case.index)?;
-    // Whose end points at the other one; a round end meets a face with one point.
+    // Ends that point at the other partner; a round one meets it with one point.
     let ends = [(first, own, one.length()), (second, tangent, other.length())];
-    let flat = ends.into_iter().any(|(beam, tangent, length)| {
-        dot(between, tangent).abs() > 0.5 * length && !contact.has_round_ends(beam)
-    });
+    let pointing = ends.into_iter().filter(|(_, t, length)| dot(between, *t).abs() > 0.5 * length);
+    let pointing: Vec<usize> = pointing.map(|(beam, ..)| beam).collect();
+    let flat = !pointing.iter().any(|beam| contact.has_round_ends(*beam));
+    let told =
+        if along { pointing.is_empty() || flat } else { across && flat && !pointing.is_empty() };
     let text = format!(
         "`{}` and `{}` {}: every point that lies in the contact presses under its law, and there are more of them the finer the \
          mesh, so that force and duration have no limit; divide the peak force by the penetration to see the stiffness it was, \
@@ -40,5 +42,5 @@ pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
         if along { "" } else { " or give it round ends" }
     );
     let (topic, verdict) = (Topic::FaceStiffness, Verdict::Note);
-    (along || across && flat).then(|| desk.finding(topic, [f64::NAN; 2], "N/m", verdict, text))
+    told.then(|| desk.finding(topic, [f64::NAN; 2], "N/m", verdict, text))
 }

@@ -206,9 +206,10 @@ fn what_cannot_be_had_is_told_with_its_cure() {
     desk.percuss(&[&["run", "rigid.toml"][..], &set].concat()).ends_with(0);
     refused(&["bare", "-o", "a.gif"], "record.shapes");
     let discs = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/disc-chain.toml");
-    let set = ["--set", "time.end=1e-4", "--no-report", "-q", "--out", "discs"];
-    desk.percuss(&[&["run", discs][..], &set].concat()).ends_with(0);
-    refused(&["discs", "-o", "a.gif", "--exaggeration", "5"], "overlap");
+    let run = ["run", discs, "--no-report", "-q", "--out", "discs"];
+    desk.percuss(&run).ends_with(0);
+    let touch = "touch in this run (contact `striker`)";
+    refused(&["discs", "-o", "a.gif", "--exaggeration", "5"], touch);
     assert!(!desk.path("a.gif").exists());
 }
 
