@@ -115,7 +115,7 @@ class Sensitivity:
 
     @property
     def one_sided(self) -> list[str]:
-        """Contacts that a change of a parameter by less than one per cent makes or ends: derivatives by it are one-sided.
+        """Contacts and yielding that a change of a parameter by less than one per cent makes or ends: derivatives by it are one-sided.
 
         Returns
         -------

@@ -45,8 +45,8 @@ catalogue! {
              those before it do.";
         /// Derivatives that hold on one side.
         OneSided = "W111", "one-sided derivatives",
-            "A contact is about to appear or to vanish: the change of the parameter that is told is enough, to first order. Beyond it the run \
-             takes another course, which derivatives do not tell of.";
+            "A contact, or the yielding of a beam, is about to appear or to vanish: the change of the parameter that is told is enough, to first \
+             order. Beyond it the run takes another course, which derivatives do not tell of.";
         /// Runs of a study that did not end well.
         FailedRuns = "W112", "runs that did not end well",
             "Runs of the study are no sound scenarios, or the solver gave up on them. Their rows have a reason, with its code, instead of \

@@ -94,7 +94,11 @@ impl Words for Bears {
     const WORDS: &'static [(&'static str, Option<Slack>, &'static str)] = &[
         ("both", None, "tension and compression"),
         ("tension", Some(Slack::Compression), "tension only: cables, thin straps"),
-        ("compression", Some(Slack::Tension), "compression only: masonry without mortar"),
+        (
+            "compression",
+            Some(Slack::Tension),
+            "compression only: masonry, concrete without reinforcement (with `yield`, its strength in compression)",
+        ),
     ];
 }
 

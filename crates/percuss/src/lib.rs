@@ -37,7 +37,7 @@ pub use analysis::{
     mechanisms, modes_about, modes_about_equilibrium, natural_frequencies,
 };
 pub use ensemble::{
-    Detail, Grazing, Horizon, Sensitivities, Undifferentiated, Variation, runs_alone,
+    Detail, Grazing, Horizon, Onset, Sensitivities, Undifferentiated, Variation, runs_alone,
     sensitivities, simulate_batch,
 };
 pub use error::{Error, RecorderError};

@@ -21,11 +21,12 @@ impl Measures {
             sweep.begin(model, state);
         }
         for (i, span) in model.spans.iter().enumerate() {
-            let sums = match swept && sweep.has(i) {
+            let (sums, hardening) = match swept && sweep.has(i) {
                 true => sweep.measure(model, i),
                 false => m.span(model, state, span),
             };
             m.add_beams(&sums);
+            m.hardening += hardening;
         }
         m.add_masses(model, state);
         m.add_bodies(model, state);
@@ -37,10 +38,10 @@ impl Measures {
         m
     }
 
-    /// Sums over a span, element by element.
-    fn span(&mut self, model: &Model, state: &State, span: &Span) -> ElementMeasures<f64> {
+    /// Sums over a span, element by element, and what hardening has stored \[J\].
+    fn span(&mut self, model: &Model, state: &State, span: &Span) -> (ElementMeasures<f64>, f64) {
         let stored = !state.strain.is_empty();
-        let mut sums = ElementMeasures::zero(0.0);
+        let (mut sums, mut hardening) = (ElementMeasures::zero(0.0), 0.0);
         for (k, e) in span.elements.clone().enumerate() {
             let (a, table) = (span.nodes.start + k, span.table(k));
             let place = |n: usize| {
@@ -56,11 +57,10 @@ impl Measures {
                 &state.spin[e],
             );
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
-            if span.fibres.is_some() {
-                let [stretching, others, hardening] = energies(state, span, k, &u);
-                own.axial = 2.0 * stretching;
-                own.bending = 2.0 * others;
-                self.hardening += hardening;
+            if let Some(fibres) = &span.fibres {
+                let stored = energies(state, (span, fibres), k, &u);
+                own.add_fibres(&stored);
+                hardening += stored.hardening;
             }
             for (j, row) in table.rows.iter().enumerate() {
                 let (slope, bend) = (u.at(&row.first), add(row.bend, u.at(&row.second)));
@@ -90,7 +90,7 @@ impl Measures {
             }
             sums.add(&own);
         }
-        sums
+        (sums, hardening)
     }
 
     fn add_beams(&mut self, sums: &ElementMeasures<f64>) {

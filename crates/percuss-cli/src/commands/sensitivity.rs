@@ -1,5 +1,6 @@
 //! `percuss sensitivity`.
 
+use percuss::Onset;
 use percuss_codes::{AnalysisCode, Caution};
 use percuss_study::{Differentiated, OneSided, SensitivityError, Without, beyond, sensitivity};
 use serde_json::{Value, json};
@@ -57,8 +58,12 @@ fn without(one: &Without) -> Value {
 }
 
 fn one_sided(one: &OneSided) -> Value {
+    let (kind, name) = match &one.onset {
+        Onset::Contact(name) => ("contact", name),
+        Onset::Yield(name) => ("beam", name),
+    };
     json!({
-        "contact": one.contact,
+        kind: name,
         "time": one.time,
         "appears": one.appears,
         "parameter": one.parameter,

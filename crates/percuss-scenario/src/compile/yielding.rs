@@ -50,24 +50,28 @@ pub(super) fn inelasticity(
     table: &Material,
     faults: &mut Vec<Fault>,
 ) -> Option<Inelasticity> {
-    if let Some(slack) = table.bears {
-        return Some(Inelasticity::OneSided(slack));
-    }
     let hardening = table.hardening.as_ref();
     let given = Given {
         path: format!("material.{name}"),
-        first: table.r#yield?,
+        first: match (table.r#yield, table.bears) {
+            (Some(first), _) => first,
+            (None, slack) => return slack.map(Inelasticity::OneSided),
+        },
         unit: "Pa",
         over: "plastic strain at the yield stress",
         isotropic: hardening.and_then(|h| h.isotropic),
         kinematic: hardening.map_or(0.0, |h| h.kinematic),
         table: hardening.and_then(|h| h.table.as_deref()),
     };
-    Some(Inelasticity::Plastic(Plasticity {
+    let plasticity = Plasticity {
         overstress: table.rate.as_ref().map(|r| Overstress { rate: r.C, exponent: r.q }),
         failure_strain: table.failure_strain,
         ..given.plasticity(faults)
-    }))
+    };
+    Some(match table.bears {
+        None => Inelasticity::Plastic(plasticity),
+        Some(slack) => Inelasticity::OneSidedPlastic(slack, plasticity),
+    })
 }
 
 /// How a spring yields, if it does.

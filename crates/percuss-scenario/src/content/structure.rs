@@ -39,7 +39,7 @@ table! {
         rate: Option<RateLaw> as Maybe<RateText> = None,
         /// Magnitude of strain at which a fibre fails for good; none does without.
         failure_strain: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
-        /// Stresses that it bears.
+        /// Stresses that it bears; with `yield` it gapes without stress on the other side and yields on this one alone (experimental).
         bears: Option<Slack> as Word<Bears> = None,
     }
     either preset | young & density
@@ -48,7 +48,7 @@ table! {
 
 /// Fills in the values of the preset.
 fn settle_material(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
-    settle_yield(material, body, reader);
+    settle_yield(body, reader);
     settle_presets(material, body, reader);
     if let Some(preset) = material.preset {
         material.young.get_or_insert(preset.young);

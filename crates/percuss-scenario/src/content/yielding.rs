@@ -163,7 +163,7 @@ pub(super) fn settle_connector_yield(keys: [&str; 3], body: &Body<'_>, reader: &
 }
 
 /// What goes with a yield stress goes nowhere without one.
-pub(super) fn settle_yield(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
+pub(super) fn settle_yield(body: &Body<'_>, reader: &mut Reader<'_>) {
     if body.get("yield").is_none() && !reader.excuses(body, "yield") {
         let with = ["hardening", "rate", "failure_strain"];
         if let Some(key) = with.into_iter().find(|key| body.get(key).is_some()) {
@@ -171,9 +171,5 @@ pub(super) fn settle_yield(material: &mut Material, body: &Body<'_>, reader: &mu
             let expected = "`yield`, such as \"275 MPa\", beside it";
             reader.missing(body, "yield", found, expected);
         }
-    } else if material.bears.is_some() {
-        let found = "a material that yields and bears stress of one sign only";
-        let expected = "one of `yield` and `bears`";
-        reader.misplaced(&body.path, body.span.clone(), found, expected);
     }
 }

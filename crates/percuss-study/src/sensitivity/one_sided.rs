@@ -1,17 +1,17 @@
-//! Contacts that a small change of a parameter makes or ends.
+//! Contacts, and yielding, that a small change of a parameter makes or ends.
 
-use percuss::Grazing;
+use percuss::{Grazing, Onset};
 
 use super::Differentiated;
 
-/// Changes below this share of a parameter are told where they make or end a contact.
+/// Changes below this share of a parameter are told where they make or end a contact, or yielding.
 const NEAR: f64 = 0.01;
 
-/// A contact that is about to appear or to vanish: derivatives by a parameter hold on the side of the run alone.
+/// A contact, or the yielding of a beam, that is about to appear or to vanish: derivatives by a parameter hold on the side of the run alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OneSided {
-    /// Name of the contact.
-    pub contact: String,
+    /// What it is.
+    pub onset: Onset,
     /// When \[s\].
     pub time: f64,
     /// Whether it would appear; else it would vanish.
@@ -32,15 +32,19 @@ impl OneSided {
             0 => String::new(),
             n => format!(" (and {n} more within 1 %)"),
         };
+        let what = match &self.onset {
+            Onset::Contact(name) => format!("a contact of `{name}` is about to {what}"),
+            Onset::Yield(name) if self.appears => format!("`{name}` is about to yield"),
+            Onset::Yield(name) => format!("`{name}` only just yields"),
+        };
         format!(
-            "a contact of `{}` is about to {what} at t = {:.6e} s{others}: a change of {} by {:+.2e} is enough, to first order; \
-             derivatives by it are one-sided",
-            self.contact, self.time, self.parameter, self.change
+            "{what} at t = {:.6e} s{others}: a change of {} by {:+.2e} is enough, to first order; derivatives by it are one-sided",
+            self.time, self.parameter, self.change
         )
     }
 }
 
-/// Contacts that a change of a parameter by less than [`NEAR`] of it makes or ends: of each the nearest one.
+/// Contacts, and yielding, that a change of a parameter by less than [`NEAR`] of it makes or ends: of each the nearest one.
 pub(super) fn one_sided(grazing: &[Grazing], parameters: &[Differentiated]) -> Vec<OneSided> {
     let mut all: Vec<OneSided> = Vec::new();
     for one in grazing {
@@ -49,15 +53,15 @@ pub(super) fn one_sided(grazing: &[Grazing], parameters: &[Differentiated]) -> V
                 continue;
             }
             let found = OneSided {
-                contact: one.contact.clone(),
+                onset: one.onset.clone(),
                 time: one.time,
-                appears: one.missed_by.is_some(),
+                appears: one.missed,
                 parameter: parameter.path.clone(),
                 change: *change,
                 others: 0,
             };
             let like = |known: &&mut OneSided| {
-                (&known.contact, &known.parameter) == (&found.contact, &found.parameter)
+                (&known.onset, &known.parameter) == (&found.onset, &found.parameter)
             };
             match all.iter_mut().find(like) {
                 Some(known) => {

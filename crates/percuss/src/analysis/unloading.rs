@@ -14,11 +14,7 @@ pub fn unloaded(model: &Model, state: &State) -> Option<Vec<[f64; 4]>> {
         return None;
     }
     for fibres in structure.spans.iter_mut().filter_map(|span| span.fibres.as_mut()) {
-        for law in &mut fibres.laws {
-            if let StressLaw::Plastic(plastic) = law {
-                *law = StressLaw::Elastic { young: plastic.young };
-            }
-        }
+        fibres.laws.iter_mut().for_each(|law| *law = law.without_flow());
     }
     for own in structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut()) {
         own.law = StressLaw::Elastic { young: own.law.young() };

@@ -6,54 +6,60 @@
 //!
 //! `s = sigma0 + De int Et (1 - t) dt`, `ds/de1 = int Et t dt`, `sigma1 = sigma0 + De int Et dt`.
 
+mod mapped;
 mod plastic;
 #[cfg(test)]
 mod tests;
 
 use serde::{Deserialize, Serialize};
 
+use crate::scalar::{Mask, Number};
+
+pub use mapped::LawShape;
+use plastic::Viscous;
+
 /// A fibre: a part of a section in which strain and stress are uniform.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fibre {
+pub struct Fibre<S = f64> {
     /// Height above the centre line, along the normal to the left of the beam's direction \[m\].
-    pub height: f64,
+    pub height: S,
     /// Area \[m^2\]; zero for one that only tells strain and stress at the surface.
-    pub area: f64,
+    pub area: S,
     /// Number of its law among those of the span.
     pub law: usize,
 }
 
 /// What a fibre remembers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FibreState {
+pub struct FibreState<S = f64> {
     /// Plastic strain \[1\].
-    pub plastic: f64,
+    pub plastic: S,
     /// Accumulated plastic strain, the sum of the magnitudes of its increments \[1\].
-    pub accumulated: f64,
+    pub accumulated: S,
     /// Energy dissipated so far, per volume \[J/m^3\].
-    pub dissipated: f64,
+    pub dissipated: S,
     /// Whether it has failed: it bears nothing any more.
     pub failed: bool,
 }
 
 /// A straight part of a hardening curve: from here on the yield stress grows by `modulus` per accumulated plastic strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hardening {
+pub struct Hardening<S = f64> {
     /// Accumulated plastic strain at which it begins \[1\].
-    pub from: f64,
+    pub from: S,
     /// Yield stress there \[Pa\].
-    pub stress: f64,
+    pub stress: S,
     /// Isotropic plastic modulus, d(yield stress)/d(accumulated plastic strain) \[Pa\].
-    pub modulus: f64,
+    pub modulus: S,
 }
 
 /// Viscous overstress after Cowper and Symonds: accumulated plastic strain grows at the rate `C (|xi|/Y - 1)^q`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Overstress {
+pub struct Overstress<S = f64> {
     /// C \[1/s\].
-    pub rate: f64,
+    pub rate: S,
     /// q.
-    pub exponent: f64,
+    pub exponent: S,
 }
 
 /// Which sign of stress a fibre cannot bear.
@@ -65,37 +71,49 @@ pub enum Slack {
     Compression,
 }
 
+impl Slack {
+    /// Whether an elastic strain is one without stress.
+    #[inline]
+    fn frees<S: Number>(self, elastic: S) -> S::Mask {
+        let none = elastic.constant(0.0);
+        match self {
+            Self::Tension => none.less(elastic),
+            Self::Compression => elastic.less(none),
+        }
+    }
+}
+
 /// How stress follows strain.
 #[derive(Clone, Debug, PartialEq)]
-pub enum StressLaw {
+pub enum StressLaw<S = f64> {
     /// In proportion.
     Elastic {
         /// Young's modulus \[Pa\].
-        young: f64,
+        young: S,
     },
     /// In proportion on one side, nothing on the other.
     OneSided {
         /// Young's modulus \[Pa\].
-        young: f64,
+        young: S,
         /// The side without stress.
         slack: Slack,
     },
     /// Elastic, then plastic.
-    Plastic(PlasticLaw),
+    Plastic(PlasticLaw<S>),
 }
 
 /// Yielding with isotropic and kinematic hardening, rate and failure.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Plasticity {
+pub struct Plasticity<S = f64> {
     /// Parts of the curve of the yield stress over accumulated plastic strain, the first from zero on, shape (parts); the last goes on for
     /// ever.
-    pub curve: Vec<Hardening>,
+    pub curve: Vec<Hardening<S>>,
     /// Kinematic plastic modulus, d(back stress)/d(plastic strain) \[Pa\].
-    pub kinematic: f64,
+    pub kinematic: S,
     /// Viscous overstress; without it stress does not depend on rates.
-    pub overstress: Option<Overstress>,
+    pub overstress: Option<Overstress<S>>,
     /// Magnitude of strain at which a fibre fails \[1\].
-    pub failure_strain: Option<f64>,
+    pub failure_strain: Option<S>,
 }
 
 /// What a material does beyond Hooke's law.
@@ -105,32 +123,36 @@ pub enum Inelasticity {
     OneSided(Slack),
     /// It yields.
     Plastic(Plasticity),
+    /// It bears no stress of one sign, and yields under the other.
+    OneSidedPlastic(Slack, Plasticity),
 }
 
 /// A linearly elastic material that yields.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PlasticLaw {
+pub struct PlasticLaw<S = f64> {
     /// Young's modulus \[Pa\].
-    pub young: f64,
+    pub young: S,
     /// How it yields.
-    pub plasticity: Plasticity,
+    pub plasticity: Plasticity<S>,
+    /// The side without stress, if there is one: beyond the plastic strain on that side a fibre gapes.
+    pub slack: Option<Slack>,
 }
 
 /// A fibre over a step.
 #[derive(Clone, Copy, Debug)]
-pub struct FibreStep {
+pub struct FibreStep<S = f64> {
     /// Mean stress over the path \[Pa\].
-    pub mean: f64,
+    pub mean: S,
     /// Its derivative with respect to the strain at the end \[Pa\].
-    pub slope: f64,
+    pub slope: S,
     /// Stress at the end \[Pa\].
-    pub stress: f64,
+    pub stress: S,
     /// Its derivative with respect to the strain at the end \[Pa\].
-    pub tangent: f64,
+    pub tangent: S,
     /// What it remembers at the end, failure apart.
-    pub state: FibreState,
+    pub state: FibreState<S>,
     /// Energy dissipated per volume \[J/m^3\].
-    pub dissipated: f64,
+    pub dissipated: S,
 }
 
 impl StressLaw {
@@ -140,34 +162,26 @@ impl StressLaw {
             None => Self::Elastic { young },
             Some(Inelasticity::OneSided(slack)) => Self::OneSided { young, slack: *slack },
             Some(Inelasticity::Plastic(plasticity)) => {
-                Self::Plastic(PlasticLaw { young, plasticity: plasticity.clone() })
+                Self::Plastic(PlasticLaw { young, plasticity: plasticity.clone(), slack: None })
+            }
+            Some(Inelasticity::OneSidedPlastic(slack, plasticity)) => {
+                let (plasticity, slack) = (plasticity.clone(), Some(*slack));
+                Self::Plastic(PlasticLaw { young, plasticity, slack })
             }
         }
     }
 
-    /// Young's modulus \[Pa\].
-    pub fn young(&self) -> f64 {
+    /// The same without plastic flow: what has yielded is strained from its plastic strains on.
+    pub fn without_flow(&self) -> Self {
         match self {
-            Self::Elastic { young } | Self::OneSided { young, .. } => *young,
-            Self::Plastic(law) => law.young,
-        }
-    }
-
-    /// The fibre over a step of size `h` from strain `from` to `to`.
-    #[inline]
-    pub fn step(&self, state: &FibreState, from: f64, to: f64, h: f64) -> FibreStep {
-        match self {
-            _ if state.failed => FibreStep::without_flow(StressPath::new(0.0, 0.0), state),
-            Self::Elastic { young } => {
-                let mut path = StressPath::new(young * (from - state.plastic), to - from);
-                path.go_on(*young, 1.0);
-                FibreStep::without_flow(path, state)
+            Self::Plastic(PlasticLaw { young, slack: None, .. }) => Self::Elastic { young: *young },
+            Self::Plastic(law) => {
+                let curve = vec![Hardening { from: 0.0, stress: f64::MAX, modulus: 0.0 }];
+                let (kinematic, overstress) = (law.plasticity.kinematic, None);
+                let plasticity = Plasticity { curve, kinematic, overstress, failure_strain: None };
+                Self::Plastic(PlasticLaw { plasticity, ..law.clone() })
             }
-            Self::OneSided { young, slack } => one_sided(*young, *slack, [from, to], state),
-            Self::Plastic(law) => match law.plasticity.overstress {
-                Some(overstress) => law.viscous(overstress, state, from, to, h),
-                None => law.path(state, from, to),
-            },
+            other => other.clone(),
         }
     }
 
@@ -190,99 +204,195 @@ impl StressLaw {
             _ => end.tangent,
         }
     }
+}
+
+impl<S> StressLaw<S> {
+    /// The side without stress, if there is one.
+    pub fn slack(&self) -> Option<Slack> {
+        match self {
+            Self::Elastic { .. } => None,
+            Self::OneSided { slack, .. } => Some(*slack),
+            Self::Plastic(law) => law.slack,
+        }
+    }
+}
+
+impl<S: Number> StressLaw<S> {
+    /// Young's modulus \[Pa\].
+    #[inline(always)]
+    pub fn young(&self) -> S {
+        match self {
+            Self::Elastic { young } | Self::OneSided { young, .. } => *young,
+            Self::Plastic(law) => law.young,
+        }
+    }
+
+    /// The fibre over a step of size `h` from strain `from` to `to`.
+    #[inline(always)]
+    pub fn step(&self, state: &FibreState<S>, from: S, to: S, h: S) -> FibreStep<S> {
+        let none = from.constant(0.0);
+        match self {
+            _ if state.failed => FibreStep::without_flow(StressPath::new(none, none), state),
+            Self::Elastic { young } => {
+                let mut path = StressPath::new(*young * (from - state.plastic), to - from);
+                path.go_on(*young, from.constant(1.0));
+                FibreStep::without_flow(path, state)
+            }
+            Self::OneSided { young, slack } => one_sided(*young, *slack, [from, to], state),
+            Self::Plastic(law) => match &law.plasticity.overstress {
+                Some(overstress) => {
+                    h.apart(Viscous { law, overstress, state, ends: [from, to], h })
+                }
+                None => law.path(state, from, to),
+            },
+        }
+    }
+
+    /// Moves a fibre to the end of a step of size `h`; returns what plastic flow and the viscosity of its material take, shape (2)
+    /// \[J/m^3\]. `lag` is the retardation time over the step size.
+    #[inline(always)]
+    pub fn advance(
+        &self,
+        state: &mut FibreState<S>,
+        [from, to]: [S; 2],
+        (h, lag): (S, S),
+    ) -> [S; 2] {
+        let found = self.step(state, from, to, h);
+        *state = found.state;
+        let change = to - from;
+        let viscous = if state.failed { h.constant(0.0) } else { self.young() * lag };
+        [found.dissipated, viscous * change * change]
+    }
+
+    /// Elastic strain of a fibre that has reached a strain: none of one that gapes \[1\].
+    #[inline(always)]
+    fn elastic_strain(&self, state: &FibreState<S>, strain: S) -> S {
+        let none = strain.constant(0.0);
+        let gapes = match self {
+            _ if state.failed => return none,
+            Self::Elastic { .. } => return strain - state.plastic,
+            Self::OneSided { slack, .. } => slack.frees(strain),
+            Self::Plastic(law) => law.gapes(state, strain),
+        };
+        S::choose(gapes, none, strain - state.plastic)
+    }
 
     /// Stress at a strain that the fibre has reached \[Pa\].
-    pub fn stress(&self, state: &FibreState, strain: f64) -> f64 {
-        match self {
-            _ if state.failed => 0.0,
-            Self::OneSided { young, slack: Slack::Tension } => young * strain.min(0.0),
-            Self::OneSided { young, slack: Slack::Compression } => young * strain.max(0.0),
-            _ => self.young() * (strain - state.plastic),
-        }
+    #[inline(always)]
+    pub fn stress(&self, state: &FibreState<S>, strain: S) -> S {
+        self.young() * self.elastic_strain(state, strain)
     }
 
     /// Elastic energy per volume \[J/m^3\].
-    pub fn elastic_energy(&self, state: &FibreState, strain: f64) -> f64 {
-        0.5 * self.stress(state, strain).powi(2) / self.young()
+    #[inline(always)]
+    pub fn elastic_energy(&self, state: &FibreState<S>, strain: S) -> S {
+        let elastic = self.elastic_strain(state, strain);
+        self.young() * elastic * elastic * 0.5
     }
 
     /// Energy per volume that hardening has stored \[J/m^3\].
-    pub fn hardening_energy(&self, state: &FibreState) -> f64 {
+    #[inline(always)]
+    pub fn hardening_energy(&self, state: &FibreState<S>) -> S {
         match self {
             Self::Plastic(law) if !state.failed => law.plasticity.stored(state),
-            _ => 0.0,
+            _ => state.plastic.constant(0.0),
         }
     }
 
+    /// Stress over that at which a fibre that has not yielded does so; none of one that never yields.
+    pub fn use_of_limit(&self, state: &FibreState<S>, strain: S) -> Option<S> {
+        let Self::Plastic(law) = self else { return None };
+        Some(self.stress(state, strain).abs() / law.plasticity.yield_stress(state.accumulated))
+    }
+
     /// Whether a fibre fails at this strain.
-    pub fn fails(&self, strain: f64) -> bool {
-        match self {
-            Self::Plastic(law) => {
-                law.plasticity.failure_strain.is_some_and(|limit| strain.abs() >= limit)
-            }
-            _ => false,
+    #[inline(always)]
+    pub fn fails(&self, strain: S) -> S::Mask {
+        let never = strain.less(strain);
+        let Self::Plastic(law) = self else { return never };
+        let Some(limit) = law.plasticity.failure_strain else { return never };
+        let beyond = limit.at_most(strain.abs());
+        match law.slack {
+            // A gap is no strain of the material.
+            Some(slack) => beyond & !slack.frees(strain),
+            None => beyond,
         }
     }
 }
 
 /// Stress along a straight path of strain, gathered from parts of constant tangent modulus.
-struct StressPath {
-    start: f64,
-    length: f64,
+struct StressPath<S> {
+    start: S,
+    length: S,
     /// How far it has been gathered, from 0 to 1.
-    at: f64,
+    at: S,
     /// `int Et dt`, `int Et (1 - t) dt`, `int Et t dt`, shape (3) \[Pa\].
-    sums: [f64; 3],
+    sums: [S; 3],
     /// Tangent modulus of the part gathered last.
-    modulus: f64,
+    modulus: S,
 }
 
-impl StressPath {
-    fn new(start: f64, length: f64) -> Self {
-        Self { start, length, at: 0.0, sums: [0.0; 3], modulus: 0.0 }
+impl<S: Number> StressPath<S> {
+    #[inline(always)]
+    fn new(start: S, length: S) -> Self {
+        let none = start.constant(0.0);
+        Self { start, length, at: none, sums: [none; 3], modulus: none }
     }
 
     /// Goes on to the share `to` of the path with a tangent modulus.
-    #[inline]
-    fn go_on(&mut self, modulus: f64, to: f64) {
-        let (share, middle) = (to - self.at, 0.5 * (self.at + to));
-        self.sums[0] += modulus * share;
-        self.sums[1] += modulus * share * (1.0 - middle);
-        self.sums[2] += modulus * share * middle;
+    #[inline(always)]
+    fn go_on(&mut self, modulus: S, to: S) {
+        let (share, middle) = (to - self.at, (self.at + to) * 0.5);
+        let rise = modulus * share;
+        self.sums[0] += rise;
+        self.sums[1] += rise * (rise.constant(1.0) - middle);
+        self.sums[2] += rise * middle;
         (self.at, self.modulus) = (to, modulus);
     }
 
+    /// Goes on to where a fibre begins or ceases to gape, if it does, `rest` of the strain away from the start.
+    #[inline(always)]
+    fn cross(&mut self, gaped: S::Mask, gapes: S::Mask, modulus: S, rest: S) {
+        let crosses = gaped & !gapes | gapes & !gaped;
+        if crosses.any() {
+            self.go_on(modulus, S::choose(crosses, rest / self.length, self.at));
+        }
+    }
+
     /// Stress where it has been gathered to.
-    fn stress(&self) -> f64 {
+    #[inline(always)]
+    fn stress(&self) -> S {
         self.start + self.length * self.sums[0]
     }
 }
 
-impl FibreStep {
+impl<S: Number> FibreStep<S> {
     /// Without plastic flow.
-    #[inline]
-    fn without_flow(path: StressPath, state: &FibreState) -> Self {
+    #[inline(always)]
+    fn without_flow(path: StressPath<S>, state: &FibreState<S>) -> Self {
         Self {
             mean: path.start + path.length * path.sums[1],
             slope: path.sums[2],
             stress: path.stress(),
             tangent: path.modulus,
             state: *state,
-            dissipated: 0.0,
+            dissipated: path.start.constant(0.0),
         }
     }
 }
 
-fn one_sided(young: f64, slack: Slack, [from, to]: [f64; 2], state: &FibreState) -> FibreStep {
-    let modulus = |strain: f64| match slack {
-        Slack::Tension if strain < 0.0 => young,
-        Slack::Compression if strain > 0.0 => young,
-        _ => 0.0,
-    };
-    let mut path = StressPath::new(modulus(from) * from, to - from);
-    if from * to < 0.0 {
-        path.go_on(modulus(from), from / (from - to));
-    }
-    path.go_on(modulus(if to == 0.0 { from } else { to }), 1.0);
+#[inline(always)]
+fn one_sided<S: Number>(
+    young: S,
+    slack: Slack,
+    [from, to]: [S; 2],
+    state: &FibreState<S>,
+) -> FibreStep<S> {
+    let none = from.constant(0.0);
+    let (gaped, gapes) = (slack.frees(from), slack.frees(to));
+    let before = S::choose(gaped, none, young);
+    let mut path = StressPath::new(before * from, to - from);
+    path.cross(gaped, gapes, before, none - from);
+    path.go_on(S::choose(gapes, none, young), from.constant(1.0));
     FibreStep::without_flow(path, state)
 }

@@ -3,6 +3,7 @@
 use super::beam::{ElementTable, ElementValues};
 use super::energy_momentum::End;
 use super::strain::StrainMeasure;
+use super::yielding::FibreEnergies;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{cross, dot4};
 use crate::scalar::Number;
@@ -91,6 +92,13 @@ impl<S: Number> ElementMeasures<S> {
         if let Some(samples) = &table.membrane {
             self.axial += samples.energy(samples.strains(measure, displacement)) * 2.0;
         }
+    }
+
+    /// Adds the elastic energies of an element of fibres.
+    #[inline(always)]
+    pub fn add_fibres(&mut self, stored: &FibreEnergies<S>) {
+        self.axial += stored.stretching * 2.0;
+        self.bending += (stored.elastic - stored.stretching) * 2.0;
     }
 
     /// Adds those of another element.

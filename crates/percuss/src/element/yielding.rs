@@ -4,255 +4,271 @@
 //! y has the strain `e = eps + y kappa`, an exact function of the configuration. With the mean stress s of each fibre over the step,
 //! `N = sum A s` and `M = sum A y s` act along the discrete gradients of both strains.
 
-use super::beam::{ElementSums, ElementTable, ElementValues, GaussRow};
+mod forms;
+
+use super::beam::{ElementSums, ElementTable, ElementValues};
 use super::collocation;
 use super::energy_momentum::{End, PointStep, Quotients, Step};
 use super::fibre::{Fibre, FibreState, StressLaw};
-use super::membrane::{MembranePoint, MembraneTable, SAMPLES};
-use super::point::{Form, PointResponse};
+use super::membrane::{MembraneTable, SAMPLES};
 use super::strain::{StrainMeasure, strains};
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::add;
-
-/// Six coefficients over (chord, slope_a, slope_b) x (1, 2).
-type ElementForm = [f64; 6];
+use crate::scalar::{Mask, Number, Real, Task};
+use forms::{SectionResponse, add_section, add_turned, interpolate, interpolated, sampled, spread};
 
 /// The fibres of an element and what they remember.
 #[derive(Clone, Copy, Debug)]
-pub struct ElementFibres<'a> {
+pub struct ElementFibres<'a, S = f64> {
     /// Their laws, shape (laws of the span).
-    pub laws: &'a [StressLaw],
+    pub laws: &'a [StressLaw<S>],
     /// Fibres at the Gauss points, shape (Gauss points, fibres at one).
-    pub fibres: &'a [Vec<Fibre>; GAUSS],
+    pub fibres: &'a [Vec<Fibre<S>>; GAUSS],
     /// What they remember at the start of the step, Gauss point after Gauss point, shape (fibres of the element).
-    pub states: &'a [FibreState],
+    pub states: &'a [FibreState<S>],
 }
 
 /// A step of an element.
 #[derive(Clone, Copy, Debug)]
-pub struct ElementStep<'a> {
+pub struct ElementStep<'a, S = f64> {
     /// The element.
-    pub table: &'a ElementTable,
+    pub table: &'a ElementTable<S>,
     /// Its strain measure.
     pub measure: StrainMeasure,
     /// Nodal values at the start and their increments.
-    pub start: &'a ElementValues<f64>,
-    pub increment: &'a ElementValues<f64>,
+    pub start: &'a ElementValues<S>,
+    pub increment: &'a ElementValues<S>,
     /// Size of the step \[s\].
-    pub h: f64,
+    pub h: S,
     /// Retardation time over the step size.
-    pub lag: f64,
+    pub lag: S,
 }
 
-/// Forces of a section and their derivatives with respect to membrane and bending strain at the end.
-#[derive(Clone, Copy, Debug, Default)]
-struct SectionResponse {
-    axial: f64,
-    moment: f64,
-    /// Derivatives of axial force and moment, row by row, with respect to membrane and bending strain, shape (2, 2) \[N, N m, N m^2\].
-    tangent: [[f64; 2]; 2],
+/// How the tangents at the Gauss points of an element turn in a step of the invariant scheme.
+#[derive(Clone, Copy, Debug)]
+pub struct ElementTurn<'a, S> {
+    /// Its Gauss points at the start, shape (Gauss points).
+    pub starts: &'a [End<S>; GAUSS],
+    /// Angular rates of their tangents at the start, shape (Gauss points) \[rad/s\].
+    pub spin: &'a [S; GAUSS],
+    /// One over the size of the step \[1/s\].
+    pub rate: S,
+    /// Mass-proportional damping \[1/s\].
+    pub damping: S,
+}
+
+/// What the fibres of an element store.
+#[derive(Clone, Copy, Debug)]
+pub struct FibreEnergies<S> {
+    /// Elastic energy that goes with the axial forces \[J\].
+    pub stretching: S,
+    /// Elastic energy of all stresses \[J\].
+    pub elastic: S,
+    /// Stored by hardening \[J\].
+    pub hardening: S,
 }
 
 /// Membrane \[1\] and bending strain \[1/m\] at the Gauss points.
-pub type GaussStrains = [[f64; 2]; GAUSS];
+pub type GaussStrains<S = f64> = [[S; 2]; GAUSS];
 
 /// Membrane table of an element with fibres: they always have one.
-fn membrane(table: &ElementTable) -> Option<&MembraneTable> {
+#[inline(always)]
+fn membrane<S>(table: &ElementTable<S>) -> Option<&MembraneTable<S>> {
     table.membrane.as_ref()
 }
 
 /// Strains of a configuration at the Gauss points.
-pub fn gauss_strains(
-    table: &ElementTable,
+#[inline(always)]
+pub fn gauss_strains<S: Real>(
+    table: &ElementTable<S>,
     measure: StrainMeasure,
-    u: &ElementValues<f64>,
-) -> GaussStrains {
-    let samples = membrane(table).map(|m| (m.strains(measure, u), &m.at_gauss));
-    std::array::from_fn(|j| {
+    u: &ElementValues<S>,
+) -> GaussStrains<S> {
+    let mut out = [[table.length; 2]; GAUSS];
+    for j in 0..GAUSS {
         let row = &table.rows[j];
         let (slope, bend) = (u.at(&row.first), add(row.bend, u.at(&row.second)));
         let here = strains(measure, row.tangent, row.curvature, slope, bend);
-        let sampled = samples.map(|(eps, at)| (0..SAMPLES).map(|i| at[j][i] * eps[i]).sum());
-        [sampled.unwrap_or(here.membrane), here.bending]
-    })
+        out[j] = [here.membrane, here.bending];
+    }
+    if let Some(samples) = membrane(table) {
+        let sampled = samples.strains(measure, u);
+        for j in 0..GAUSS {
+            out[j][0] = interpolate(&samples.at_gauss[j], &sampled);
+        }
+    }
+    out
 }
 
-impl ElementFibres<'_> {
+impl<S: Number> ElementFibres<'_, S> {
     /// Fibres at a Gauss point with what they remember.
-    #[inline]
-    pub fn at(&self, j: usize) -> impl Iterator<Item = (&Fibre, &FibreState)> {
-        let first: usize = self.fibres[..j].iter().map(Vec::len).sum();
+    #[inline(always)]
+    pub fn at(&self, j: usize) -> impl Iterator<Item = (&Fibre<S>, &FibreState<S>)> {
+        let mut first = 0;
+        for before in &self.fibres[..j] {
+            first += before.len();
+        }
         self.fibres[j].iter().zip(&self.states[first..])
     }
 
-    /// Sums over the fibres at Gauss point `j`, `value` telling stress and tangent modulus of each.
-    #[inline]
-    fn sum(
-        &self,
-        j: usize,
-        value: impl Fn(&StressLaw, &Fibre, &FibreState) -> [f64; 2],
-    ) -> SectionResponse {
-        let mut out = SectionResponse::default();
-        for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.area > 0.0) {
-            let [stress, slope] = value(&self.laws[fibre.law], fibre, state);
-            let (force, stiffness) = (fibre.area * stress, fibre.area * slope);
-            let arm = stiffness * fibre.height;
-            out.axial += force;
-            out.moment += force * fibre.height;
-            out.tangent[0][0] += stiffness;
-            out.tangent[0][1] += arm;
-            out.tangent[1][1] += arm * fibre.height;
+    /// What they store at the strains that they have reached.
+    #[inline(always)]
+    pub fn energies(&self, table: &ElementTable<S>, strains: &GaussStrains<S>) -> FibreEnergies<S> {
+        let none = table.length.constant(0.0);
+        let mut out = FibreEnergies { stretching: none, elastic: none, hardening: none };
+        for j in 0..GAUSS {
+            let (weight, [membrane, bending]) = (table.rows[j].weight, strains[j]);
+            let (mut force, mut stiffness) = (none, none);
+            for (fibre, state) in self.at(j) {
+                let law = &self.laws[fibre.law];
+                let (strain, volume) = (membrane + fibre.height * bending, fibre.area * weight);
+                let elastic = law.elastic_energy(state, strain);
+                out.elastic = out.elastic.add_product(volume, elastic);
+                out.hardening = out.hardening.add_product(volume, law.hardening_energy(state));
+                force = force.add_product(fibre.area, law.stress(state, strain));
+                stiffness = stiffness.add_product(fibre.area, law.young());
+            }
+            out.stretching += weight * force * force / stiffness * 0.5;
         }
-        out.tangent[1][0] = out.tangent[0][1];
         out
     }
 
     /// Mean forces of the section over the step.
-    #[inline]
-    fn mean(&self, j: usize, from: [f64; 2], to: [f64; 2], step: &ElementStep) -> SectionResponse {
-        self.sum(j, |law, fibre, state| {
-            let [e0, e1] = [from, to].map(|s| s[0] + fibre.height * s[1]);
-            let found = law.step(state, e0, e1, step.h);
-            if step.lag == 0.0 || state.failed {
-                return [found.mean, found.slope];
+    #[inline(always)]
+    fn mean(
+        &self,
+        j: usize,
+        from: [S; 2],
+        to: [S; 2],
+        step: &ElementStep<S>,
+    ) -> SectionResponse<S> {
+        let none = step.h.constant(0.0);
+        let viscous = none.less(step.lag).any();
+        let mut out = SectionResponse::zero(none);
+        for (fibre, state) in self.at(j) {
+            if !none.less(fibre.area).any() {
+                continue;
             }
-            let viscous = law.young() * step.lag;
-            [found.mean + viscous * (e1 - e0), found.slope + viscous]
-        })
+            let law = &self.laws[fibre.law];
+            let e0 = from[0] + fibre.height * from[1];
+            let e1 = to[0] + fibre.height * to[1];
+            let mut found = law.step(state, e0, e1, step.h);
+            if viscous && !state.failed {
+                let viscous = law.young() * step.lag;
+                found.mean += viscous * (e1 - e0);
+                found.slope += viscous;
+            }
+            out.add(fibre, found.mean, found.slope);
+        }
+        out.close()
     }
+}
 
+impl ElementFibres<'_> {
     /// Forces of the section at the end of a step that knows no time.
-    #[inline]
-    fn end(&self, j: usize, [membrane, bending]: [f64; 2]) -> SectionResponse {
-        self.sum(j, |law, fibre, state| {
-            let found = law.at_rest(state, membrane + fibre.height * bending);
-            [found.stress, found.tangent]
-        })
-    }
-}
-
-/// Adds a form at a Gauss point to an element's.
-#[inline]
-fn spread(row: &GaussRow, form: &Form<f64>) -> ElementForm {
-    std::array::from_fn(|i| row.first[i / 2] * form.g[i % 2] + row.second[i / 2] * form.p[i % 2])
-}
-
-/// Gradients of the membrane strains at the sampling points: that of the step, and that at its end.
-fn sampled(
-    table: &MembraneTable,
-    points: &[MembranePoint<f64>; SAMPLES],
-) -> [[ElementForm; SAMPLES]; 2] {
-    let form = |i: usize, v: [f64; 2]| -> ElementForm {
-        std::array::from_fn(|k| table.rows[i][k / 2] * v[k % 2])
-    };
-    let of = |f: &dyn Fn(usize) -> ElementForm| std::array::from_fn(f);
-    [
-        of(&|i| form(i, points[i].g.map(|c| c * points[i].alpha))),
-        of(&|i| form(i, points[i].d_strain)),
-    ]
-}
-
-/// Values at a Gauss point of what is known at the sampling points.
-fn interpolated(at: &[f64; SAMPLES], forms: &[ElementForm; SAMPLES]) -> ElementForm {
-    std::array::from_fn(|k| (0..SAMPLES).map(|i| at[i] * forms[i][k]).sum())
-}
-
-/// What a Gauss point adds to an element: forces along the gradients of its strains, and their tangent.
-fn add_section<const TANGENT: bool>(
-    sums: &mut ElementSums<f64>,
-    weight: f64,
-    response: &SectionResponse,
-    gradients: [&ElementForm; 2],
-    ends: [&ElementForm; 2],
-) {
-    let axial = weight * response.axial;
-    for k in 0..6 {
-        sums.force[k] += axial * gradients[0][k];
-    }
-    if !TANGENT {
-        return;
-    }
-    for l in 0..6 {
-        let [n, m] =
-            response.tangent.map(|row| weight * (row[0] * ends[0][l] + row[1] * ends[1][l]));
-        for k in 0..6 {
-            sums.tangent[k][l] += gradients[0][k] * n + gradients[1][k] * m;
+    fn end(&self, j: usize, [membrane, bending]: [f64; 2]) -> SectionResponse<f64> {
+        let mut out = SectionResponse::zero(0.0);
+        for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.area > 0.0) {
+            let strain = membrane + fibre.height * bending;
+            let found = self.laws[fibre.law].at_rest(state, strain);
+            out.add(fibre, found.stress, found.tangent);
         }
+        out.close()
     }
 }
 
-/// Tangent of the axial forces' lever arms, `force` at the sampling points.
-fn add_turned(
-    sums: &mut ElementSums<f64>,
-    table: &MembraneTable,
-    points: &[MembranePoint<f64>; SAMPLES],
-    force: [f64; SAMPLES],
-    theta: f64,
-) {
-    for (i, p) in points.iter().enumerate() {
-        let row = &table.rows[i];
-        for (k, l) in (0..6).flat_map(|k| (0..6).map(move |l| (k, l))) {
-            let (c, d) = (k % 2, l % 2);
-            let mut block = force[i] * p.d_alpha[d] * p.g[c];
-            if c == d {
-                block += force[i] * p.alpha * theta;
-            }
-            sums.tangent[k][l] += row[k / 2] * block * row[l / 2];
-        }
-    }
-}
-
-impl ElementStep<'_> {
+impl<S: Number> ElementStep<'_, S> {
     /// Strains at both ends of the step.
-    pub fn strains(&self) -> [GaussStrains; 2] {
+    #[inline(always)]
+    pub fn strains(&self) -> [GaussStrains<S>; 2] {
         let (a, d) = (self.start, self.increment);
         let end = ElementValues {
             chord: add(a.chord, d.chord),
             slope_a: add(a.slope_a, d.slope_a),
             slope_b: add(a.slope_b, d.slope_b),
         };
-        [self.start, &end].map(|u| gauss_strains(self.table, self.measure, u))
+        let start = gauss_strains(self.table, self.measure, self.start);
+        [start, gauss_strains(self.table, self.measure, &end)]
     }
 
-    /// Adds the forces of the invariant scheme and their tangent; `more` changes the response of a Gauss point.
-    pub fn add_invariant<const TANGENT: bool>(
+    /// Forces of the invariant scheme but for the inertia of translation, their tangent if `TANGENT`, and the angular rates at the end
+    /// of the step.
+    #[inline(always)]
+    pub fn sums<const TANGENT: bool>(
         &self,
-        fibres: &ElementFibres,
-        sums: &mut ElementSums<f64>,
-        more: impl Fn(&mut PointResponse<f64>, usize),
-    ) {
-        let Some(samples) = membrane(self.table) else { return };
-        let steps = samples.step(self.start, self.increment);
+        fibres: &ElementFibres<S>,
+        turn: &ElementTurn<S>,
+    ) -> (ElementSums<S>, [S; GAUSS]) {
+        self.h.apart(Invariant::<S, TANGENT> { step: self, fibres, turn })
+    }
+
+    #[inline(always)]
+    fn sums_here<const TANGENT: bool>(
+        &self,
+        fibres: &ElementFibres<S>,
+        turn: &ElementTurn<S>,
+    ) -> (ElementSums<S>, [S; GAUSS]) {
+        let (mut sums, mut spin) = (ElementSums::zero(self.h), *turn.spin);
+        let Some(samples) = membrane(self.table) else { return (sums, spin) };
+        let (measure, rows, starts) = (self.measure, &self.table.rows, turn.starts);
+        let half = self.h.constant(0.5);
+        let [s0, s1, s2] = &samples.step(self.start, self.increment);
         // All weight on the end: the strain there and its gradient.
-        let points = std::array::from_fn(|i| steps[i].invariant(self.measure, 0.5));
-        let before = samples.strains(self.measure, self.start);
+        let points =
+            [s0.invariant(measure, half), s1.invariant(measure, half), s2.invariant(measure, half)];
+        let before = samples.strains(measure, self.start);
+        let after = [points[0].strain, points[1].strain, points[2].strain];
         let [gradient, end] = sampled(samples, &points);
-        let mut force = [0.0; SAMPLES];
-        for (j, row) in self.table.rows.iter().enumerate() {
-            let at = &samples.at_gauss[j];
-            let eps0: f64 = (0..SAMPLES).map(|i| at[i] * before[i]).sum();
-            let eps1: f64 = (0..SAMPLES).map(|i| at[i] * points[i].strain).sum();
-            let slope = self.start.at(&row.first);
-            let bend = add(row.bend, self.start.at(&row.second));
-            let start = End::new(self.measure, row.tangent, slope, bend);
-            let way = PointStep::new(row, &start, self.increment);
-            let [quotients] = Quotients::of(self.measure, &[way]);
-            let step = Step::new(self.measure, &way, &quotients).bending(&row.section, &start);
+        let ways = [
+            PointStep::new(&rows[0], &starts[0], self.increment),
+            PointStep::new(&rows[1], &starts[1], self.increment),
+            PointStep::new(&rows[2], &starts[2], self.increment),
+        ];
+        let quotients = Quotients::of(measure, &ways);
+        let mut force = [self.h.constant(0.0); SAMPLES];
+        for j in 0..GAUSS {
+            let (row, at) = (&rows[j], &samples.at_gauss[j]);
+            let (eps0, eps1) = (interpolate(at, &before), interpolate(at, &after));
+            let new = Step::new(measure, &ways[j], &quotients[j]);
+            let step = new.bending(&row.section, &starts[j]);
             let [k0, k1] = step.strain;
             let found = fibres.mean(j, [eps0, k0], [eps1, k1], self);
             let mut response = step.response(row.weight * found.moment);
-            more(&mut response, j);
+            let (rotary, rate) = (row.weighed.rotary, turn.rate);
+            new.turn.add_inertia::<TANGENT>(&mut response, rotary, spin[j], rate, turn.damping);
+            let mean = new.turn.mean_spin(rate);
+            spin[j] = mean + mean - spin[j];
             sums.add::<TANGENT>(row, &response);
-            let gradients = [interpolated(at, &gradient), spread(row, &step.gradient)];
-            let ends = [interpolated(at, &end), spread(row, &step.end)];
-            add_section::<TANGENT>(sums, row.weight, &found, gradients.each_ref(), ends.each_ref());
-            (0..SAMPLES).for_each(|i| force[i] += row.weight * at[i] * found.axial);
+            let gradients = [&interpolated(at, &gradient), &spread(row, &step.gradient)];
+            let ends = [&interpolated(at, &end), &spread(row, &step.end)];
+            add_section::<S, TANGENT>(&mut sums, row.weight, &found, gradients, ends);
+            for i in 0..SAMPLES {
+                force[i] = force[i].add_product(row.weight * at[i], found.axial);
+            }
         }
         if TANGENT {
-            add_turned(sums, samples, &points, force, 0.5);
+            add_turned(&mut sums, samples, &points, force, 0.5);
         }
+        (sums, spin)
     }
+}
 
+/// See [`ElementStep::sums`].
+struct Invariant<'a, S, const TANGENT: bool> {
+    step: &'a ElementStep<'a, S>,
+    fibres: &'a ElementFibres<'a, S>,
+    turn: &'a ElementTurn<'a, S>,
+}
+
+impl<S: Number, const TANGENT: bool> Task for Invariant<'_, S, TANGENT> {
+    type Output = (ElementSums<S>, [S; GAUSS]);
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        self.step.sums_here::<TANGENT>(self.fibres, self.turn)
+    }
+}
+
+impl ElementStep<'_> {
     /// Adds the forces at the end of the step and their tangent, that of their lever arms with the stresses of the strains
     /// `foreseen`: at the Gauss points in bending, at the sampling points of the membrane.
     pub fn add_static<const TANGENT: bool>(
@@ -285,7 +301,13 @@ impl ElementStep<'_> {
             let bent = spread(row, &bending.gradient);
             let gradients = [interpolated(at, &gradient), bent];
             let ends = [interpolated(at, &end), bent];
-            add_section::<TANGENT>(sums, row.weight, &found, gradients.each_ref(), ends.each_ref());
+            add_section::<f64, TANGENT>(
+                sums,
+                row.weight,
+                &found,
+                gradients.each_ref(),
+                ends.each_ref(),
+            );
             (0..SAMPLES).for_each(|i| force[i] += row.weight * at[i] * ahead.axial);
         }
         if TANGENT {

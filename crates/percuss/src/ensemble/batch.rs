@@ -13,9 +13,9 @@ pub enum Detail {
     /// Everything.
     #[default]
     Full,
-    /// All but section forces and reactions of supports, which are left out. Beams on fixed supports, damped by
-    /// their material or not, that guided projectiles strike, at most one of them rigid, and dead loads act on then run side by side in
-    /// vector registers, many times as fast.
+    /// All but section forces and reactions of supports, which are left out. Beams and frames, elastic, damped or
+    /// yielding, that guided projectiles strike, at most one of them rigid, and dead loads act on then run side by side in vector
+    /// registers, many times as fast ([`runs_alone`](crate::runs_alone) tells what keeps a run from it).
     Motion,
 }
 

@@ -21,6 +21,7 @@ impl<S: Number> Engine<S> {
             }
         }
         self.arrive(twice);
+        self.advance_fibres();
         self.constraints.commit();
         for k in 0..self.guides.len() {
             let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);

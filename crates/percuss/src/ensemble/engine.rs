@@ -1,19 +1,18 @@
 //! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
 
+mod beams;
 mod guide;
 
 use super::band::{Band, LaneBlock};
 use super::constraints::Constraints;
+use super::fibres::FibreStates;
 use super::ground_springs::GroundSpringState;
 use super::impact::Press;
 use super::numbers::{Numbers, PrescribedNumbers};
-use crate::element::beam::ElementValues;
-use crate::element::elastic::ElasticStep;
 use crate::element::energy_momentum::End;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{dot, dot4};
-use crate::model::StrainMeasure;
-use crate::scalar::{Number, Real, array};
+use crate::scalar::{Number, Real};
 
 pub use guide::GuideState;
 
@@ -31,6 +30,8 @@ pub struct Engine<S: Number> {
     pub start: Vec<[End<S>; GAUSS]>,
     /// Angular rates of their tangents, shape (elements, Gauss points) \[rad/s\].
     pub spin: Vec<[S; GAUSS]>,
+    /// What fibres remember.
+    pub fibres: FibreStates<S>,
     /// Joints, and supports between nodes.
     pub constraints: Constraints<S>,
     /// Elastic supports and stops, shape (springs to the ground).
@@ -90,6 +91,7 @@ impl<S: Number> Engine<S> {
             velocity: still.clone(),
             spin: vec![[zero; GAUSS]; start.len()],
             start,
+            fibres: FibreStates::at_rest(&numbers),
             constraints: Constraints::new(&numbers.constraints, nodes, zero),
             springs: vec![GroundSpringState::at_rest(zero); numbers.springs.len()],
             guides,
@@ -130,6 +132,7 @@ impl<S: Number> Engine<S> {
         for (mine, other) in self.guides.iter_mut().zip(&from.guides) {
             mine.set_lane(lane, other, from_lane);
         }
+        self.fibres.set_lane(lane, &from.fibres, from_lane);
         self.constraints.set_lane(lane, &from.constraints, from_lane);
         self.h.set_lane(lane, from.h, from_lane);
         let others = from.numbers.flat();
@@ -161,96 +164,6 @@ impl<S: Number> Engine<S> {
                 *mine = S::choose(self.settled, *mine, all[i] - free[i]);
             }
         }
-    }
-
-    #[inline(always)]
-    fn beams<const TANGENT: bool>(&mut self) {
-        let mut element = 0;
-        for i in 0..self.numbers.spans.len() {
-            // What has no damping has code of its own for each measure, without a branch at every Gauss point.
-            let span = &self.numbers.spans[i];
-            match (span.measure, span.damped) {
-                (measure, true) => self.span::<TANGENT, true>(i, element, measure),
-                (StrainMeasure::Green, false) => {
-                    self.span::<TANGENT, false>(i, element, StrainMeasure::Green);
-                }
-                (StrainMeasure::Engineering, false) => {
-                    self.span::<TANGENT, false>(i, element, StrainMeasure::Engineering);
-                }
-            }
-            element += self.numbers.spans[i].count;
-        }
-    }
-
-    /// Residual and tangent of a span, whose first element is the one of the given number.
-    #[inline(always)]
-    fn span<const TANGENT: bool, const DAMPED: bool>(
-        &mut self,
-        i: usize,
-        first: usize,
-        measure: StrainMeasure,
-    ) {
-        let span = &self.numbers.spans[i];
-        let zero = self.h.constant(0.0);
-        let rate = self.h.recip();
-        let twice = rate + rate;
-        let (lag, damping) =
-            if DAMPED { (span.retardation * rate, span.mass_damping) } else { (zero, zero) };
-        let inertia_slope = (twice + damping) * rate;
-        self.residual[span.first] = [zero; 4];
-        if TANGENT {
-            self.tangent.diag[span.first] = [[zero; 4]; 4];
-        }
-        let mut start = self.inertia::<DAMPED>(span.first, rate, damping);
-        for k in 0..span.count {
-            let (a, element, table) = (span.first + k, first + k, span.table(k));
-            let end = self.inertia::<DAMPED>(a + 1, rate, damping);
-            let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-            let u = &self.displacement;
-            let (sums, _) = ElasticStep {
-                table,
-                measure,
-                starts: &self.start[element],
-                spin: &self.spin[element],
-                start: ElementValues::new(&u[a], &u[a + 1]),
-                increment: step,
-                rate,
-                lag,
-                damping,
-            }
-            .sums::<TANGENT>();
-            let [mut on_a, mut on_b] = sums.nodal_force();
-            table.add_inertia(&start, &end, &mut on_a, &mut on_b);
-            for i in 0..4 {
-                self.residual[a][i] += on_a[i];
-            }
-            self.residual[a + 1] = on_b;
-            if TANGENT {
-                let [aa, ab, ba, bb] = sums.nodal_tangent(&table.mass, inertia_slope);
-                for i in 0..4 {
-                    for j in 0..4 {
-                        self.tangent.diag[a][i][j] += aa[i][j];
-                    }
-                }
-                self.tangent.upper[a] = ab;
-                self.tangent.lower[a] = ba;
-                self.tangent.diag[a + 1] = bb;
-            }
-            start = end;
-        }
-    }
-
-    /// Acceleration of a node in the equation of motion, with what mass-proportional damping adds.
-    #[inline(always)]
-    fn inertia<const DAMPED: bool>(&self, n: usize, rate: S, damping: S) -> [S; 4] {
-        let (d, v) = (&self.increment[n], &self.velocity[n]);
-        let mut acceleration = array(|i| (d[i] * rate - v[i]) * (rate + rate));
-        if DAMPED {
-            for i in 0..4 {
-                acceleration[i] += d[i] * rate * damping;
-            }
-        }
-        acceleration
     }
 
     /// Forces of the guided projectiles, and their own balance.

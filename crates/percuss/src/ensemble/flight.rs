@@ -5,7 +5,8 @@ use super::ledger::LaneLedger;
 use super::log::{Log, Struck};
 use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
-use super::sensitivity::{Grazing, Horizon};
+use super::sensitivity::{Grazing, Horizon, Onset};
+use super::yield_log::{Noted, YieldLog};
 use crate::math::roots;
 use crate::model::Model;
 use crate::scalar::{Dual, Real};
@@ -83,28 +84,44 @@ impl<'a> Flight<'a> {
         Ok(())
     }
 
-    /// Contacts and misses with the changes of the parameters that would end or begin them.
+    /// Contacts, misses and beams that can yield with the changes of the parameters that would end or begin them.
     pub fn grazing(&self, parameters: usize) -> Vec<Grazing> {
         let mut all = Vec::new();
-        let mut add = |k: usize, time: f64, missed: bool, left: Derived, power: f64| {
+        let mut add = |onset: Onset, time: Derived, missed: bool, left: Derived, power: f64| {
             let change = |slope: f64| -left.value / (power * slope);
-            all.push(Grazing {
-                contact: self.model.contacts[k].name.clone(),
-                time,
-                missed_by: missed.then_some(left.value),
-                changes: left.slope[..parameters].iter().map(|s| change(*s)).collect(),
-            });
+            let changes = left.slope[..parameters].iter().map(|s| change(*s)).collect();
+            all.push(Grazing { onset, time: time.value, missed, changes });
         };
+        let contact = |k: usize| Onset::Contact(self.model.contacts[k].name.clone());
         for (k, log) in self.log.guides.iter().enumerate() {
             for closed in self.log.intervals(&self.engine, k, 0) {
-                add(k, closed.start.value, false, closed.deepest.value, 1.0);
+                add(contact(k), closed.start, false, closed.deepest.value, 1.0);
             }
             for struck in &log.impacts[0] {
                 // The velocity of approach falls with the root of what a parameter is away from grazing.
-                add(k, struck.time.value, false, struck.approach, 2.0);
+                add(contact(k), struck.time, false, struck.approach, 2.0);
             }
         }
-        self.misses.iter().for_each(|(k, time, gap)| add(*k, time.value, true, *gap, 1.0));
+        for (k, time, gap) in &self.misses {
+            add(contact(*k), *time, true, *gap, 1.0);
+        }
+        for (beam, logs) in self.yields(self.model) {
+            let onset = Onset::Yield(beam.name.clone());
+            let larger = |a: Noted<Derived>, b: Noted<Derived>| {
+                if a.value.value < b.value.value { b } else { a }
+            };
+            let most =
+                |of: fn(&YieldLog<Derived>) -> Noted<Derived>| logs.iter().map(of).reduce(larger);
+            let (Some(flowed), Some(near)) = (most(|l| l.accumulated), most(|l| l.near)) else {
+                continue;
+            };
+            if flowed.value.value > 0.0 {
+                add(onset, flowed.time, false, flowed.value, 1.0);
+            } else if near.value.value > 0.0 {
+                let left = near.value.constant(1.0) - near.value;
+                add(onset, near.time, true, left, 1.0);
+            }
+        }
         all
     }
 
@@ -121,6 +138,9 @@ impl<'a> Flight<'a> {
             let struck = self.first_contact(left)?;
             offset += self.engine.h;
             self.accept();
+            if self.engine.fibres.failing {
+                return Err(self.horizon("there a fibre fails".into()));
+            }
             if let Some(k) = struck {
                 offset += self.impact_interval(k)?;
                 last = struck;

@@ -76,8 +76,8 @@ pub fn withdraw(
         work_supports: nan,
         loss_impacts: nan,
         loss_damping: nan,
-        plastic: 0.0,
-        hardening: 0.0,
+        plastic: nan,
+        hardening: nan,
         failure: 0.0,
         scale: nan,
         residual_max: nan,
@@ -100,6 +100,13 @@ pub fn withdraw(
     {
         withdraw_contact(contact, run, own, until, step);
     }
+}
+
+/// Leaves nothing of what became of a beam that yields.
+pub fn withdraw_plastic(beam: &mut PlasticSummary) {
+    beam.strain_max.value = f64::NAN;
+    beam.accumulated_max.value = f64::NAN;
+    (beam.dissipated, beam.hardening) = (f64::NAN, f64::NAN);
 }
 
 /// What is largest in the whole run has a derivative if it is what was largest so far.

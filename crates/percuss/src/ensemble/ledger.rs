@@ -14,6 +14,8 @@ use crate::scalar::{Number, array};
 pub struct LaneMeasures<S> {
     /// Energy \[J\].
     pub energy: S,
+    /// What hardening has stored of it \[J\].
+    pub hardening: S,
     /// Linear momentum, shape (2) \[kg m/s\].
     pub linear: [S; 2],
     /// Sum of its components' magnitudes \[kg m/s\].
@@ -44,6 +46,8 @@ pub struct LaneLedger<S> {
     pub loss_impacts: S,
     /// Energy that damping took \[J\].
     pub loss_damping: S,
+    /// Energy that plastic flow took \[J\].
+    pub loss_plastic: S,
     /// Impulse of damping against the ground, shape (2) \[N s\].
     pub impulse_damping: [S; 2],
     /// Its angular impulse \[N m s\].
@@ -77,6 +81,7 @@ impl<S: Number> LaneLedger<S> {
             work_loads: zero,
             loss_impacts: zero,
             loss_damping: zero,
+            loss_plastic: zero,
             impulse_damping: [zero; 2],
             angular_impulse_damping: zero,
             passed: [zero; 3],
@@ -104,12 +109,14 @@ impl<S: Number> LaneLedger<S> {
             let [l1, l2] = &mut m.linear;
             let (energy, size) = (&mut m.energy, &mut m.linear_size);
             all.extend([energy, l1, l2, size, &mut m.angular, &mut m.angular_size]);
+            all.push(&mut m.hardening);
         }
         let [i1, i2] = &mut self.impulse;
         let [l1, l2] = &mut self.impulse_loads;
         all.extend([l1, l2, &mut self.angular_impulse_loads, &mut self.work_loads]);
         let [d1, d2] = &mut self.impulse_damping;
         all.extend([d1, d2, &mut self.angular_impulse_damping, &mut self.loss_damping]);
+        all.push(&mut self.loss_plastic);
         all.extend([&mut self.energy_scale, &mut self.linear_scale, &mut self.angular_scale]);
         all.extend([i1, i2, &mut self.angular_impulse, &mut self.loss_impacts]);
         all.extend([&mut self.energy_residual, &mut self.linear_residual]);
@@ -140,7 +147,7 @@ impl<S: Number> LaneLedger<S> {
     fn rescale(&mut self) {
         let m = &self.now;
         let flows = self.loss_impacts.abs().max(self.work_loads.abs());
-        let flows = flows.max(self.loss_damping.abs());
+        let flows = flows.max(self.loss_damping.abs()).max(self.loss_plastic.abs());
         self.energy_scale = self.energy_scale.max(m.energy.abs()).max(flows);
         let impulses = hypot(self.impulse).max(hypot(self.impulse_loads));
         self.linear_scale = self.linear_scale.max(m.linear_size).max(impulses);
@@ -211,14 +218,16 @@ impl<S: Number> LaneLedger<S> {
             let k0 = start.bent(row.tangent, row.curvature).strain;
             let k1 = end.bent(row.tangent, row.curvature).strain;
             let (stretched, bent, law) = (end.membrane - start.membrane, k1 - k0, &row.weighed);
-            viscous += law.axial * stretched * stretched + law.bending * bent * bent;
+            if span.fibres.is_none() {
+                viscous += law.axial * stretched * stretched + law.bending * bent * bent;
+            }
             let turn = Turn::new(add(row.tangent, start.slope), step.at(&row.first));
             let spin = turn.mean_spin(rate);
             let moment = span.mass_damping * law.rotary * spin;
             self.loss_damping += moment * spin * h;
             self.angular_impulse_damping += -(h * moment);
         }
-        if let Some(samples) = &table.membrane {
+        if let (Some(samples), None) = (&table.membrane, &span.fibres) {
             let (s0, s1) =
                 (samples.strains(span.measure, &old), samples.strains(span.measure, &new));
             viscous += samples.energy(array(|i| s1[i] - s0[i])) * 2.0;
@@ -240,12 +249,17 @@ impl<S: Number> LaneLedger<S> {
     /// Takes in the new state.
     #[inline(always)]
     pub fn close(&mut self, engine: &Engine<S>) {
+        if !engine.fibres.is_empty() {
+            let [plastic, viscous] = engine.fibres.taken;
+            self.loss_plastic += plastic;
+            self.loss_damping += viscous;
+        }
         self.now = engine.measure();
         self.rescale();
         self.pass();
         let (start, now) = (&self.start, &self.now);
         let energy = now.energy - start.energy + self.loss_impacts - self.work_loads;
-        let energy = energy + self.loss_damping;
+        let energy = energy + self.loss_damping + self.loss_plastic;
         let impulse = add(add(self.impulse, self.impulse_loads), self.impulse_damping);
         let linear = sub(sub(now.linear, start.linear), impulse);
         let angular_impulse =
@@ -278,6 +292,7 @@ impl<S: Number> Engine<S> {
         let zero = self.h.constant(0.0);
         let mut m = LaneMeasures {
             energy: zero,
+            hardening: zero,
             linear: [zero; 2],
             linear_size: zero,
             angular: zero,
@@ -308,16 +323,22 @@ impl<S: Number> Engine<S> {
                     let (row, at) = (&table.rows[j], &self.start[element][j]);
                     let spin = self.spin[element][j];
                     let law = &row.weighed;
-                    let bending = at.bent(row.tangent, row.curvature).strain;
                     let turning = law.rotary * spin;
-                    twice = twice
-                        .add_product(turning, spin)
-                        .add_product(law.axial * at.membrane, at.membrane)
-                        .add_product(law.bending * bending, bending);
+                    twice = twice.add_product(turning, spin);
+                    if span.fibres.is_none() {
+                        let bending = at.bent(row.tangent, row.curvature).strain;
+                        twice = twice
+                            .add_product(law.axial * at.membrane, at.membrane)
+                            .add_product(law.bending * bending, bending);
+                    }
                     angular += turning;
                     angular_size += turning.abs();
                 }
-                if let Some(samples) = &table.membrane {
+                if let Some(fibres) = &span.fibres {
+                    let stored = self.fibre_energies((span, fibres), k, element);
+                    twice += (stored.elastic + stored.hardening) * 2.0;
+                    m.hardening += stored.hardening;
+                } else if let Some(samples) = &table.membrane {
                     let u = &self.displacement;
                     let values = ElementValues::new(&u[a], &u[a + 1]);
                     twice += samples.energy(samples.strains(span.measure, &values)) * 2.0;

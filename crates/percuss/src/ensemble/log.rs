@@ -5,6 +5,7 @@ mod path;
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
+use super::yield_log::{self, YieldLog};
 use crate::contact::free_gap::FreeGap;
 use crate::math::interpolant::Interpolant;
 use crate::run::crest::Crest;
@@ -90,6 +91,8 @@ pub struct Log<S: Number> {
     pub points: Vec<[Crest<S>; 2]>,
     /// One entry a guided projectile, shape (guided projectiles).
     pub guides: Vec<GuideLog<S>>,
+    /// Where spans have yielded, shape (spans with fibres).
+    pub yields: Vec<YieldLog<S>>,
     /// Displacements and velocities of the recorded points at the start of the step, shape (recorded points, 2, 2) \[m, m/s\].
     point_start: Vec<[[S; 2]; 2]>,
     /// Gaps and their rates at the start of the step, shape (guided projectiles, 2) \[m, m/s\].
@@ -171,6 +174,7 @@ impl<S: Number> Log<S> {
             time: zero,
             points: vec![[Crest::new(zero, zero); 2]; points],
             guides: (0..guides).map(guide).collect(),
+            yields: vec![YieldLog::none(zero); engine.yielding_spans()],
             point_start: vec![[[zero; 2]; 2]; points],
             gap_start: vec![[zero; 2]; guides],
             taken: zero.at_most(zero),
@@ -186,6 +190,7 @@ impl<S: Number> Log<S> {
         for crest in self.points.as_flattened_mut() {
             crest.reset(lane, zero);
         }
+        self.yields.iter_mut().for_each(|log| log.reset(lane));
         for log in &mut self.guides {
             log.open.set_lane(lane, &none, 0);
             log.is_open[lane] = false;
@@ -222,6 +227,9 @@ impl<S: Number> Log<S> {
                 let path = Interpolant { h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
                 crests[c].take(&path, from, impulsive);
             }
+        }
+        if !self.yields.is_empty() {
+            yield_log::note(engine, self.time + engine.h, &mut self.yields);
         }
         for (log, state) in self.guides.iter_mut().zip(&engine.guides) {
             let push = state.force + state.impulse / engine.h;

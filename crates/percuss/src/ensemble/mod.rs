@@ -1,7 +1,7 @@
 //! Ensembles: runs of one shape stepped side by side, one a lane, or one run with its derivatives.
 //!
 //! The same mechanics as [`Simulation`](crate::Simulation), with the same element kernels and the same tests of convergence,
-//! for what most studies are made of: beams and frames, damped by their material or not, struck by guided projectiles
+//! for what most studies are made of: beams and frames, elastic, damped or yielding, struck by guided projectiles
 //! and under dead loads ([`shape`] says what fits).
 //! Written once over [`Number`](crate::scalar::Number): lanes make it fast, dual numbers make it differentiate. Lanes never
 //! see each other, so a run gives the same bits alone and in company.
@@ -11,6 +11,7 @@ mod batch;
 mod commit;
 mod constraints;
 mod engine;
+mod fibres;
 mod flight;
 mod ground_springs;
 mod horizon;
@@ -31,9 +32,10 @@ mod sensitivity;
 mod shape;
 mod stand;
 mod summary;
+mod yield_log;
 
 pub use batch::{Detail, simulate_batch};
 pub use run::runs_alone;
 pub use sensitivity::{
-    Grazing, Horizon, Sensitivities, Undifferentiated, Variation, sensitivities,
+    Grazing, Horizon, Onset, Sensitivities, Undifferentiated, Variation, sensitivities,
 };

@@ -280,7 +280,7 @@ impl<S: Number> LaneNewton<S> {
     }
 
     /// Looks ahead after a correction: the work and the impulse left by one that contracted well are known from those before it,
-    /// round-off apart.
+    /// round-off apart; not where something may begin to yield.
     #[inline(always)]
     fn foresee(&mut self) {
         let small = self.impulse.constant(IMPULSE_TOLERANCE);

@@ -4,6 +4,7 @@ use super::constraints::ConstraintNumbers;
 use super::ground_springs::GroundSpringNumbers;
 use crate::element::beam::ElementTable;
 use crate::model::StrainMeasure;
+use crate::model::frozen::SpanFibres;
 
 /// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
 #[derive(Clone, Debug)]
@@ -52,6 +53,8 @@ pub struct SpanNumbers<S> {
     pub damped: bool,
     /// One table for all elements, or one for each, shape (1 or elements).
     pub tables: Vec<ElementTable<S>>,
+    /// Its fibres, if it has any.
+    pub fibres: Option<SpanFibres<S>>,
 }
 
 /// Held directions of a node, orthonormal.
@@ -162,7 +165,8 @@ impl<S: Copy> SpanNumbers<S> {
         let tables = self.tables.iter().map(|t| t.map(f)).collect();
         let (retardation, mass_damping) = (f(self.retardation), f(self.mass_damping));
         let Self { first, count, measure, damped, .. } = *self;
-        SpanNumbers { first, count, measure, retardation, mass_damping, damped, tables }
+        let fibres = self.fibres.as_ref().map(|fibres| fibres.map(f));
+        SpanNumbers { first, count, measure, retardation, mass_damping, damped, tables, fibres }
     }
 
     /// Table of the element of number `k` in the span.

@@ -270,7 +270,10 @@ impl<S: Number> Paced<S> {
             let Some(mut lane) = self.lanes[number].take() else { continue };
             let index = runs[lane.run].index;
             let gone = go.lane(number);
-            if self.search.failed.lane(number) || gone && !self.advance(&mut lane, number, seen) {
+            // A fibre that fails is left to single runs.
+            let fails = gone && self.engine.fibres.failing.lane(number);
+            let failed = self.search.failed.lane(number) || fails;
+            if failed || gone && !self.advance(&mut lane, number, seen) {
                 keep(index, None);
                 self.fill(number, runs);
                 continue;

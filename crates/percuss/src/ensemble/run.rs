@@ -183,7 +183,9 @@ impl<S: Number> Ensemble<S> {
             let Some((run, steps)) = &mut self.lanes[lane] else { continue };
             let own = &runs[*run];
             *steps += 1;
-            let (steps, failed) = (*steps, self.search.failed.lane(lane));
+            let (steps, search) = (*steps, &self.search);
+            // A fibre that fails is left to single runs.
+            let failed = search.failed.lane(lane) || self.engine.fibres.failing.lane(lane);
             if failed {
                 keep(own.index, None);
                 self.fill(lane, runs);

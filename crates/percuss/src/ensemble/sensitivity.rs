@@ -7,7 +7,7 @@
 use percuss_codes::AnalysisCode;
 
 use super::flight::{Derived, Flight, TOGETHER};
-use super::horizon::{agreeing, withdraw};
+use super::horizon::{agreeing, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
@@ -31,18 +31,27 @@ pub struct Variation {
     pub change: f64,
 }
 
-/// A contact that is about to appear or to vanish.
+/// What begins with a kink in the results.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Onset {
+    /// A contact, by its name.
+    Contact(String),
+    /// That a beam yields, by its name.
+    Yield(String),
+}
+
+/// A contact, or the yielding of a beam, that is about to appear or to vanish.
 ///
 /// Where it does, results have a kink: derivatives hold on the side of the run alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grazing {
-    /// Name of the contact.
-    pub contact: String,
+    /// What it is.
+    pub onset: Onset,
     /// When \[s\].
     pub time: f64,
-    /// Whether the run misses the contact, by so much gap \[m\]; else it has it.
-    pub missed_by: Option<f64>,
-    /// For every parameter, the change that would just make it touch, or miss, to first order, shape (parameters) \[unit of the parameter\];
+    /// Whether the run misses it; else it has it.
+    pub missed: bool,
+    /// For every parameter, the change that would just bring or end it, to first order, shape (parameters) \[unit of the parameter\];
     /// infinite where it has no say.
     pub changes: Vec<f64>,
 }
@@ -244,6 +253,10 @@ impl Case<'_> {
             let mut derivative = telling.summary(Termination::Completed, &reading);
             if let Some(horizon) = &horizon {
                 withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);
+            }
+            derivative.plastic = flight.plastic(self.model, &read, &found.summary.plastic);
+            if horizon.is_some() {
+                derivative.plastic.iter_mut().for_each(withdraw_plastic);
             }
             found.derivatives.push(derivative);
         }

@@ -1,6 +1,7 @@
 //! Which runs an ensemble can step, and which of them side by side.
 
 use super::constraints::{Constrained, ConstraintNumbers};
+use super::fibres::FibreShape;
 use super::ground_springs::GroundSpringNumbers;
 use super::loads::dead_load;
 use super::numbers::{
@@ -8,7 +9,7 @@ use super::numbers::{
 };
 use crate::ledger::RoundOff;
 use crate::math::vec2::dot;
-use crate::model::frozen::{BodyKind, ProjectileData};
+use crate::model::frozen::{BodyKind, ProjectileData, SpanFibres};
 use crate::model::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw};
 use crate::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
 
@@ -18,6 +19,8 @@ pub struct BatchShape {
     /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains,
     /// shape (spans, tables) \[index of a node, number of elements\].
     spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
+    /// Layout of the fibres of every span that has some, shape (spans).
+    fibres: Vec<Option<FibreShape>>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
     prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
     /// What each constraint keeps, and the nodes of its points, shape (constraints, points) \[index of a node\].
@@ -41,6 +44,11 @@ impl BatchShape {
             spans: (numbers.spans.iter())
                 .map(|s| (s.first, s.count, s.measure, s.damped, slender(s)))
                 .collect(),
+            fibres: numbers
+                .spans
+                .iter()
+                .map(|s| s.fibres.as_ref().map(SpanFibres::shape))
+                .collect(),
             prescribed: (numbers.prescribed.iter())
                 .map(|h| (h.node, h.normals.len(), h.components))
                 .collect(),
@@ -62,11 +70,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
             "impacts one after another",
         ),
-        (
-            model.has_fibres(),
-            "a material that yields or bears no stress of one sign, or a section of fibres",
-        ),
-        (model.is_inelastic(), "springs or joints that yield"),
+        (model.memory_count() > 0, "springs or joints that yield"),
         (settings.accuracy.is_some(), "an accuracy in place of a step"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
         (!model.is_still(), "beams that move at the start"),
@@ -102,6 +106,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
                 mass_damping: s.mass_damping,
                 damped: s.is_damped(),
                 tables: s.tables.clone(),
+                fibres: s.fibres.clone(),
             })
             .collect(),
         nodes: (beams.iter())

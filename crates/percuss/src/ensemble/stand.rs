@@ -1,6 +1,7 @@
 //! Where the runs of an ensemble stand, kept while those go on whose part of a step is accepted.
 
 use super::engine::Engine;
+use super::fibres::FibreStates;
 use super::ledger::LaneLedger;
 use crate::element::energy_momentum::End;
 use crate::math::hermite::GAUSS;
@@ -21,6 +22,7 @@ pub struct Stand<S: Number> {
     guides: Vec<[S; 4]>,
     /// Multipliers that the next steps start from, shape (constraints) \[N, N m\].
     multipliers: Vec<S>,
+    fibres: FibreStates<S>,
     ledger: LaneLedger<S>,
 }
 
@@ -36,6 +38,7 @@ impl<S: Number> Stand<S> {
             spin: engine.spin.clone(),
             guides: guides.collect(),
             multipliers,
+            fibres: engine.fibres.clone(),
             ledger: *ledger,
         }
     }
@@ -53,6 +56,7 @@ impl<S: Number> Stand<S> {
         for (mine, now) in self.multipliers.iter_mut().zip(engine.constraints.accepted()) {
             *mine = *now;
         }
+        self.fibres.copy_from(&engine.fibres);
         self.ledger = *ledger;
     }
 
@@ -89,6 +93,7 @@ impl<S: Number> Stand<S> {
         for (now, kept) in engine.constraints.accepted().zip(&self.multipliers) {
             *now = S::choose(go, *now, *kept);
         }
+        engine.fibres.put_back(&self.fibres, go);
         for (now, kept) in ledger.each().into_iter().zip({ self.ledger }.each()) {
             *now = S::choose(go, *now, *kept);
         }

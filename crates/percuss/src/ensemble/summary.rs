@@ -6,9 +6,13 @@ use super::log::{Closed, Log, Struck, Top};
 use super::newton::LaneNewton;
 use super::numbers::GuideLaw;
 use super::rigid_log::RigidLog;
+use super::yield_log;
 use crate::model::Model;
 use crate::run::crest::{Crest, at_last};
+use crate::run::yielding;
 use crate::scalar::Number;
+use crate::settings::Scheme;
+use crate::state::State;
 use crate::step::effective_mass::EffectiveMass;
 use crate::summary::*;
 
@@ -93,8 +97,8 @@ impl<S: Number> Telling<'_, S> {
                 work_supports: 0.0,
                 loss_impacts: read(ledger.loss_impacts),
                 loss_damping: read(ledger.loss_damping),
-                plastic: 0.0,
-                hardening: 0.0,
+                plastic: read(ledger.loss_plastic),
+                hardening: read(ledger.now.hardening),
                 failure: 0.0,
                 scale: read(energy_scale),
                 residual_max: relative(ledger.energy_residual, energy_scale),
@@ -133,10 +137,30 @@ impl<S: Number> Telling<'_, S> {
                 .collect(),
             supports: Vec::new(),
             section_forces: Vec::new(),
-            plastic: Vec::new(),
+            plastic: self.plastic(reading.derivative),
             yielding: Vec::new(),
             joints: Vec::new(),
         }
+    }
+
+    /// What became of beams that can yield; of derivatives they are read elsewhere.
+    fn plastic(&self, derivative: bool) -> Vec<PlasticSummary> {
+        if derivative || self.log.yields.is_empty() {
+            return Vec::new();
+        }
+        let lane = self.lane;
+        let mut state = State::at_rest(self.model, Scheme::EnergyMomentum);
+        let value = |x: S| x.lane(lane);
+        for (to, from) in state.displacement.iter_mut().zip(&self.engine.displacement) {
+            *to = from.map(value);
+        }
+        for (to, from) in state.fibres.iter_mut().zip(&self.engine.fibres.states) {
+            to.plastic = value(from.plastic);
+            to.accumulated = value(from.accumulated);
+            to.dissipated = value(from.dissipated);
+        }
+        let records = yield_log::records(self.model, &self.log.yields, lane);
+        yielding::summaries(self.model, &state, &records)
     }
 
     fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {

@@ -133,7 +133,7 @@ fn yielding(
     plasticity: Option<&Plasticity>,
 ) -> Option<YieldingLaw> {
     let plasticity = plasticity?.clone();
-    let law = StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity });
+    let law = StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity, slack: None });
     Some(YieldingLaw { name, law, memory: model.memory_count() })
 }
 

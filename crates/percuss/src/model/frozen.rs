@@ -101,21 +101,22 @@ pub(crate) struct Span {
 
 /// The fibres of a span.
 #[derive(Clone, Debug)]
-pub(crate) struct SpanFibres {
+pub(crate) struct SpanFibres<S = f64> {
     /// Laws of its materials, shape (laws).
-    pub laws: Vec<StressLaw>,
+    pub laws: Vec<StressLaw<S>>,
     /// Fibres at the Gauss points, as many entries as the span has tables, shape (tables, Gauss points, fibres at one); those of
     /// a shape end with two of no area, at the lower and the upper surface.
-    pub at: Vec<[Vec<Fibre>; GAUSS]>,
+    pub at: Vec<[Vec<Fibre<S>>; GAUSS]>,
     /// Fibres of an element, all its Gauss points together.
     pub count: usize,
     /// Number of its first fibre in the state.
     pub first: usize,
 }
 
-impl SpanFibres {
+impl<S> SpanFibres<S> {
     /// Fibres of the element of number `k` in the span.
-    pub fn of(&self, k: usize) -> &[Vec<Fibre>; GAUSS] {
+    #[inline(always)]
+    pub fn of(&self, k: usize) -> &[Vec<Fibre<S>>; GAUSS] {
         &self.at[if self.at.len() == 1 { 0 } else { k }]
     }
 

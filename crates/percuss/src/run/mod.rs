@@ -36,7 +36,7 @@ pub(crate) mod strike;
 mod struck_mass;
 mod summarize;
 mod trial;
-mod yielding;
+pub(crate) mod yielding;
 
 pub use checkpoint::{Checkpoint, ResumeError};
 pub use first_step::first_step;

@@ -28,6 +28,25 @@ pub struct YieldRecord {
     parted: Vec<Parting>,
 }
 
+impl YieldRecord {
+    /// Takes in what is noted of a span up to the end of a run.
+    pub(crate) fn take(
+        &mut self,
+        first: FirstYield,
+        strain: SectionPeak,
+        accumulated: SectionPeak,
+    ) {
+        if self.first.is_none_or(|own| first.time < own.time) {
+            self.first = Some(first);
+        }
+        for (peak, new) in [(&mut self.strain, strain), (&mut self.accumulated, accumulated)] {
+            if new.value.abs() > peak.value.abs() || peak.value.is_nan() {
+                *peak = new;
+            }
+        }
+    }
+}
+
 /// A Gauss point with fibres.
 struct GaussFibres<'a> {
     s: f64,
@@ -91,13 +110,9 @@ pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
             if most[1] == 0.0 {
                 continue;
             }
-            record.first.get_or_insert(FirstYield { s: point.s, time: state.time });
-            for (peak, value) in [(&mut record.strain, most[0]), (&mut record.accumulated, most[1])]
-            {
-                if value.abs() > peak.value.abs() || peak.value.is_nan() {
-                    *peak = SectionPeak { value, s: point.s, time: state.time };
-                }
-            }
+            let first = FirstYield { s: point.s, time: state.time };
+            let peak = |value| SectionPeak { value, s: point.s, time: state.time };
+            record.take(first, peak(most[0]), peak(most[1]));
         }
     }
 }
@@ -206,7 +221,9 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
     for point in points(model, state, beam, true) {
         let bears = |(fibre, s): (&Fibre, &FibreState)| fibre.area > 0.0 && !s.failed;
         let whole = point.fibres.iter().zip(point.states).any(bears);
-        let yielded = whole && point.states.iter().any(|s| s.accumulated > 0.0);
+        // What gapes turns without yielding, and no moment tells one from the other.
+        let gapes = point.of.laws.iter().any(|law| law.slack().is_some());
+        let yielded = whole && !gapes && point.states.iter().any(|s| s.accumulated > 0.0);
         let curvature = if yielded { plastic_curvature(&point) } else { 0.0 };
         let bent = curvature.abs() > LEAST_BENT * first_yield_curvature(&point);
         // The bending strain counts a turn counter-clockwise as negative.

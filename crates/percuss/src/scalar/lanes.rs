@@ -4,7 +4,7 @@ use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use pulp::{Simd, WithSimd, bytemuck};
 
-use super::{Mask, Number, Real, quotient};
+use super::{Mask, Number, Real, Task, quotient};
 
 /// Does something in the widest registers that the processor has.
 pub fn in_lanes<W: WithSimd>(what: W) -> W::Output {
@@ -209,12 +209,31 @@ impl<P: Simd> Number for Lanes<P> {
         self.with(self.family.max_f64s(other.value, self.value))
     }
     #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        self.constants(|lane| self.lane(lane).powf(exponent.lane(lane)))
+    }
+    #[inline(always)]
     fn constants(self, value: impl Fn(usize) -> f64) -> Self {
         let mut out = self;
         for (lane, x) in out.values().iter_mut().enumerate() {
             *x = value(lane);
         }
         out
+    }
+    #[inline(always)]
+    fn apart<T: Task>(self, task: T) -> T::Output {
+        self.family.vectorize(Apart(task))
+    }
+}
+
+/// See [`Number::apart`].
+struct Apart<T>(T);
+
+impl<T: Task> WithSimd for Apart<T> {
+    type Output = T::Output;
+    #[inline(always)]
+    fn with_simd<P: Simd>(self, _: P) -> T::Output {
+        self.0.run()
     }
 }
 

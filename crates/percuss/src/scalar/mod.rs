@@ -164,6 +164,8 @@ pub trait Number: Real + Debug {
     fn max(self, other: Self) -> Self {
         self.if_less(other, other, self)
     }
+    /// To a power; the base is positive.
+    fn powf(self, exponent: Self) -> Self;
     /// Whether any lane is less than that of another number.
     #[inline(always)]
     fn any_less(self, other: Self) -> bool {
@@ -171,6 +173,20 @@ pub trait Number: Real + Debug {
     }
     /// Constants of given values, lane by lane.
     fn constants(self, value: impl Fn(usize) -> f64) -> Self;
+    /// Does something in a function of its own, which has the same registers: what is inlined wherever it is called takes compilers
+    /// long, and what is seldom needed crowds out of the registers what always is.
+    #[inline(never)]
+    fn apart<T: Task>(self, task: T) -> T::Output {
+        task.run()
+    }
+}
+
+/// Something to do, inlined where it is done.
+pub trait Task {
+    /// What it gives.
+    type Output;
+    /// Does it.
+    fn run(self) -> Self::Output;
 }
 
 impl Real for f64 {
@@ -217,6 +233,10 @@ impl Number for f64 {
     #[inline(always)]
     fn choose(mask: bool, a: Self, b: Self) -> Self {
         if mask { a } else { b }
+    }
+    #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        f64::powf(self, exponent)
     }
     #[inline(always)]
     fn constants(self, value: impl Fn(usize) -> f64) -> Self {

@@ -4,10 +4,11 @@ use super::fibres::element_step;
 use super::integration::{Integration, MidpointForces, Rule};
 use super::sweep::{SpanStep, Sweep};
 use crate::element::beam::{ElementSums, ElementValues, GaussRow, step_point};
+use crate::element::energy_momentum::End;
 use crate::element::membrane::{MembranePoint, MembraneStep};
 use crate::element::point::{PointResponse, StepPoint, Strains};
 use crate::element::rotary::{self, Turn};
-use crate::element::yielding::{ElementFibres, ElementStep};
+use crate::element::yielding::{ElementFibres, ElementStep, ElementTurn};
 use crate::element::{collocation, energy_momentum, strain_rate};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
@@ -311,14 +312,10 @@ impl StepState<'_> {
             let foreseen = foreseen.copied().unwrap_or_else(|| step.strains()[1]);
             return step.add_static::<TANGENT>(fibres, &foreseen, sums);
         }
-        let spin = &self.state.spin[element];
-        let rate = self.integration.h.recip();
-        step.add_invariant::<TANGENT>(fibres, sums, |response, j| {
-            let row = &step.table.rows[j];
-            let g0 = add(row.tangent, step.start.at(&row.first));
-            let turn = Turn::new(g0, step.increment.at(&row.first));
-            turn.add_inertia::<TANGENT>(response, row.weighed.rotary, spin[j], rate, damping);
-        });
+        let (spin, rate) = (&self.state.spin[element], self.integration.h.recip());
+        let starts = &End::all(step.measure, &step.table.rows, step.start);
+        let turn = ElementTurn { starts, spin, rate, damping };
+        *sums = step.sums::<TANGENT>(fibres, &turn).0;
     }
 
     /// Acceleration of a node in the equation of motion, less gravity, with what mass-proportional damping adds.

@@ -29,7 +29,8 @@ pub fn commit(
 ) -> Vec<PartedElement> {
     let h = integration.h;
     // Entered with the other flows, below.
-    let (mut losses, parted) = fibres::advance(model, state, &integration, &work.increment);
+    let (increment, sweep) = (&work.increment, &work.beams.sweep);
+    let (mut losses, parted) = fibres::advance(model, state, &integration, increment, sweep);
     let moved = (forcing, &work.increment[..]);
     let memories = connectors::advanced(model, state, &integration, moved, &mut losses);
     enter(model, state, &integration, (forcing, damping, &losses), work);

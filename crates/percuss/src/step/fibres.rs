@@ -1,9 +1,12 @@
 //! Fibres over a step: what they remember at its end, and what they dissipate.
 
 use super::integration::Integration;
+use super::sweep::{AdvanceFibres, Sweep};
 use crate::element::beam::{ElementTable, ElementValues};
-use crate::element::fibre::{Fibre, FibreState};
-use crate::element::yielding::{ElementFibres, ElementStep, GaussStrains, gauss_strains};
+use crate::element::fibre::{Fibre, FibreState, StressLaw};
+use crate::element::yielding::{
+    ElementFibres, ElementStep, FibreEnergies, GaussStrains, gauss_strains,
+};
 use crate::math::hermite::GAUSS;
 use crate::model::Model;
 use crate::model::frozen::{Span, SpanFibres};
@@ -56,49 +59,86 @@ pub fn advance(
     state: &mut State,
     rule: &Integration,
     increment: &[[f64; 4]],
+    sweep: &Sweep,
 ) -> (FibreLosses, Vec<PartedElement>) {
-    let mut losses = FibreLosses::default();
-    let mut parted = Vec::new();
+    let (mut losses, mut parted) = (FibreLosses::default(), Vec::new());
     if state.fibres.is_empty() {
         return (losses, parted);
     }
-    for (span, k, a, _) in model.each_element() {
+    for (number, span) in model.spans.iter().enumerate() {
         let Some(fibres) = &span.fibres else { continue };
-        if state.has_parted(a) {
+        let mut moved = Moved { span, fibres, rule, increment, state, losses: &mut losses };
+        if rule.sweeps() && sweep.has(number) {
+            let (state, losses) = (&mut *moved.state, &mut *moved.losses);
+            let failing = AdvanceFibres { sweep, span, number, state, rule, losses }.advance();
+            failing.into_iter().for_each(|k| parted.extend(moved.fail(k)));
             continue;
         }
-        let (table, u) = (span.table(k), &state.displacement);
+        for k in 0..span.elements.len() {
+            if !moved.state.has_parted(span.nodes.start + k) && moved.advance(k) {
+                parted.extend(moved.fail(k));
+            }
+        }
+    }
+    (losses, parted)
+}
+
+/// Fibres of a span that move to the end of a step.
+struct Moved<'a> {
+    span: &'a Span,
+    fibres: &'a SpanFibres,
+    rule: &'a Integration,
+    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, 1, rad\].
+    increment: &'a [[f64; 4]],
+    state: &'a mut State,
+    losses: &'a mut FibreLosses,
+}
+
+impl Moved<'_> {
+    /// Strains of an element at both ends of the step.
+    fn strains(&self, k: usize) -> [GaussStrains; 2] {
+        let (a, table, u) =
+            (self.span.nodes.start + k, self.span.table(k), &self.state.displacement);
         let start = ElementValues::new(&u[a], &u[a + 1]);
-        let change = ElementValues::new(&increment[a], &increment[a + 1]);
-        let step = element_step((span, table), [&start, &change], rule);
-        let [from, to] = step.strains();
-        let before = losses.failure;
-        let mut states = state.fibres[fibres.range(k)].iter_mut();
+        let change = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
+        element_step((self.span, table), [&start, &change], self.rule).strains()
+    }
+
+    /// Moves those of an element; tells whether any has come to its failure strain.
+    fn advance(&mut self, k: usize) -> bool {
+        let (fibres, table) = (self.fibres, self.span.table(k));
+        let (h, lag) = (self.rule.h, self.rule.lag(self.span.retardation));
+        let [from, to] = self.strains(k);
+        let mut fails = false;
+        let mut states = self.state.fibres[fibres.range(k)].iter_mut();
         for (j, points) in fibres.of(k).iter().enumerate() {
             for (fibre, state) in points.iter().zip(&mut states) {
                 let law = &fibres.laws[fibre.law];
                 let [e0, e1] = [from[j], to[j]].map(|s| s[0] + fibre.height * s[1]);
-                let found = law.step(state, e0, e1, step.h);
-                *state = found.state;
+                let [plastic, viscous] = law.advance(state, [e0, e1], (h, lag));
                 let volume = fibre.area * table.rows[j].weight;
-                losses.plastic += volume * found.dissipated;
-                if !state.failed {
-                    losses.viscous += volume * law.young() * step.lag * (e1 - e0).powi(2);
-                }
-                if law.fails(e1) && !state.failed {
-                    let stored = law.elastic_energy(state, e1) + law.hardening_energy(state);
-                    losses.failure += volume * stored;
-                    state.failed = true;
-                }
+                self.losses.plastic += volume * plastic;
+                self.losses.viscous += volume * viscous;
+                fails |= law.fails(e1) && !state.failed;
             }
         }
-        let states = &mut state.fibres[fibres.range(k)];
-        if let Some(gauss) = gap(fibres.of(k), states) {
-            losses.failure += fail_all((fibres, k), table, &to, states);
-            parted.push(PartedElement { node: a, gauss, energy: losses.failure - before });
-        }
+        fails
     }
-    (losses, parted)
+
+    /// Fails the fibres of an element that have come to their failure strain, and all others if none is left at a Gauss point.
+    fn fail(&mut self, k: usize) -> Option<PartedElement> {
+        let fibres = self.fibres;
+        let [_, strains] = self.strains(k);
+        let states = &mut self.state.fibres[fibres.range(k)];
+        let broken = |law: &StressLaw, strain: f64| law.fails(strain);
+        let mut energy = fail_those((fibres, k), self.span.table(k), &strains, states, broken);
+        let gap = gap(fibres.of(k), states);
+        if gap.is_some() {
+            energy += fail_those((fibres, k), self.span.table(k), &strains, states, |_, _| true);
+        }
+        self.losses.failure += energy;
+        gap.map(|gauss| PartedElement { node: self.span.nodes.start + k, gauss, energy })
+    }
 }
 
 /// The first Gauss point of an element at which no fibre is left.
@@ -111,21 +151,24 @@ fn gap(fibres: &[Vec<Fibre>; GAUSS], mut states: &[FibreState]) -> Option<usize>
     })
 }
 
-/// Fails the fibres of an element that are left; returns what they stored \[J\].
-fn fail_all(
+/// Fails those fibres of an element that do, by their law and strain; returns what they stored \[J\].
+fn fail_those(
     (fibres, k): (&SpanFibres, usize),
     table: &ElementTable,
     strains: &GaussStrains,
     states: &mut [FibreState],
+    fails: impl Fn(&StressLaw, f64) -> bool,
 ) -> f64 {
     let mut stored = 0.0;
     let mut states = states.iter_mut();
     for ((points, row), [membrane, bending]) in fibres.of(k).iter().zip(&table.rows).zip(strains) {
         for (fibre, state) in points.iter().zip(&mut states).filter(|(_, state)| !state.failed) {
             let (law, strain) = (&fibres.laws[fibre.law], membrane + fibre.height * bending);
-            let energy = law.elastic_energy(state, strain) + law.hardening_energy(state);
-            stored += fibre.area * row.weight * energy;
-            state.failed = true;
+            if fails(law, strain) {
+                let energy = law.elastic_energy(state, strain) + law.hardening_energy(state);
+                stored += fibre.area * row.weight * energy;
+                state.failed = true;
+            }
         }
     }
     stored
@@ -160,27 +203,15 @@ pub fn parted<'a>(model: &'a Model, states: &'a [FibreState]) -> impl Iterator<I
     })
 }
 
-/// Energies of an element of fibres where the state stands: stretching, bending and other stresses, hardening \[J\].
-pub fn energies(state: &State, span: &Span, k: usize, u: &ElementValues<f64>) -> [f64; 3] {
-    let Some(fibres) = &span.fibres else { return [0.0; 3] };
+/// What an element of fibres stores where the state stands.
+pub fn energies(
+    state: &State,
+    (span, fibres): (&Span, &SpanFibres),
+    k: usize,
+    u: &ElementValues<f64>,
+) -> FibreEnergies<f64> {
     let table = span.table(k);
-    let strains = gauss_strains(table, span.measure, u);
-    let of = state.fibres_of(fibres, k);
-    let (mut axial, mut all, mut hardening) = (0.0, 0.0, 0.0);
-    for (j, row) in table.rows.iter().enumerate() {
-        let (mut force, mut stiffness) = (0.0, 0.0);
-        for (fibre, memory) in of.at(j) {
-            let law = &fibres.laws[fibre.law];
-            let strain = strains[j][0] + fibre.height * strains[j][1];
-            let volume = fibre.area * row.weight;
-            all += volume * law.elastic_energy(memory, strain);
-            hardening += volume * law.hardening_energy(memory);
-            force += fibre.area * law.stress(memory, strain);
-            stiffness += fibre.area * law.young();
-        }
-        axial += 0.5 * row.weight * force * force / stiffness;
-    }
-    [axial, all - axial, hardening]
+    state.fibres_of(fibres, k).energies(table, &gauss_strains(table, span.measure, u))
 }
 
 /// Elastic strains that go with the forces of an element of fibres where the state stands: membrane strains at the sampling points,

@@ -26,7 +26,7 @@ impl<S: Real> BendingStep<S> {
     /// Force of a moment, with the tangent of its lever arms alone.
     #[inline(always)]
     pub fn response(&self, moment: S) -> PointResponse<S> {
-        let [x, y] = self.turned.map(|form| form.times(moment));
+        let (x, y) = (self.turned[0].times(moment), self.turned[1].times(moment));
         let [g, p] = self.middle;
         Stress { moment, ..self.unit }.forces_with_tangent(x, y, 0.5, g, p)
     }

@@ -5,6 +5,7 @@ use super::*;
 fn law(isotropic: f64, kinematic: f64, overstress: Option<Overstress>) -> StressLaw {
     StressLaw::Plastic(PlasticLaw {
         young: 200e9,
+        slack: None,
         plasticity: Plasticity {
             curve: vec![Hardening { from: 0.0, stress: 250e6, modulus: isotropic }],
             kinematic,
@@ -57,7 +58,47 @@ fn work_is_what_is_stored_and_what_is_dissipated_for_any_step() {
         let law = StressLaw::OneSided { young: 200e9, slack };
         let (worst, _) = walk(&law, 10_000, 1.0);
         assert!(worst < 1e-13, "{worst:e}");
+        for law in [
+            one_sided_of(slack, law_of(table())),
+            one_sided_of(slack, law_of(self::law(0.0, 0.0, None))),
+        ] {
+            let (worst, least) = walk(&law, 100_000, 1.0);
+            assert!(worst < 1e-13 && least >= 0.0, "{law:?}: {worst:e}, {least:e}");
+        }
     }
+}
+
+fn law_of(law: StressLaw) -> PlasticLaw {
+    let StressLaw::Plastic(plastic) = law else { unreachable!() };
+    plastic
+}
+
+fn one_sided_of(slack: Slack, law: PlasticLaw) -> StressLaw {
+    StressLaw::Plastic(PlasticLaw { slack: Some(slack), ..law })
+}
+
+/// It yields in compression, gapes from its plastic strain on, and bears again where the gap closes.
+#[test]
+fn what_gapes_closes_where_it_was_crushed_to() {
+    let law = one_sided_of(Slack::Tension, law_of(law(0.0, 0.0, None)));
+    let mut state = FibreState::default();
+    let mut strain = 0.0;
+    // Yield at 1.25e-3: crushed to 1e-3 of plastic strain, gaping, closed again.
+    for (to, stress, mean) in [
+        (-2.25e-3, -250e6, -250e6 * (1.0 - 0.625 / 2.25)),
+        (1e-3, 0.0, -250e6 * 0.625 / 3.25),
+        (2e-3, 0.0, 0.0),
+        (-1.5e-3, -100e6, -50e6 * 0.5 / 3.5),
+        (-3e-3, -250e6, -(100e6 * 0.75 + 75e6 * 0.75 + 250e6 * 0.75) / 1.5),
+    ] {
+        let step = law.step(&state, strain, to, 1.0);
+        assert!((step.stress - stress).abs() < 1.0, "{to}: {step:?}");
+        assert!((law.stress(&step.state, to) - stress).abs() < 1.0, "{to}: {step:?}");
+        assert!((step.mean - mean).abs() < 1.0, "{to}: {mean} {step:?}");
+        (state, strain) = (step.state, to);
+    }
+    assert!((state.plastic + 1.75e-3).abs() < 1e-12, "{state:?}");
+    assert!(!StressLaw::fails(&law, 1.0));
 }
 
 fn table() -> StressLaw {
@@ -73,7 +114,8 @@ fn table() -> StressLaw {
 #[test]
 fn slopes_are_derivatives() {
     let rate = Some(Overstress { rate: 40.4, exponent: 5.0 });
-    let laws = [law(2e9, 1e9, None), law(2e9, 1e9, rate), table()];
+    let gaping = one_sided_of(Slack::Tension, law_of(table()));
+    let laws = [law(2e9, 1e9, None), law(2e9, 1e9, rate), table(), gaping];
     for (law, strained) in laws.iter().flat_map(|l| [0.0, 2e-3, -4e-3, 0.03].map(|e| (l, e))) {
         let start = law.step(&FibreState::default(), 0.0, strained, 1e-4).state;
         for to in [strained + 1e-4, strained + 7e-3, strained - 9e-3, 0.06] {

@@ -3,6 +3,7 @@
 use super::{Closed, GuideLog, Log, Top};
 use crate::contact::free_gap::FreeGap;
 use crate::ensemble::engine::Engine;
+use crate::ensemble::yield_log::YieldLog;
 use crate::run::crest::Crest;
 use crate::scalar::{Mask, Number};
 
@@ -13,6 +14,8 @@ pub(super) struct Kept<S: Number> {
     points: Vec<[Crest<S>; 2]>,
     /// What is noted of the projectiles, shape (guided projectiles).
     guides: Vec<KeptGuide<S>>,
+    /// Where spans have yielded, shape (spans with fibres).
+    yields: Vec<YieldLog<S>>,
 }
 
 /// The same of a guided projectile, as in [`GuideLog`].
@@ -31,7 +34,7 @@ struct KeptGuide<S: Number> {
 
 impl<S: Number> Default for Kept<S> {
     fn default() -> Self {
-        Self { points: Vec::new(), guides: Vec::new() }
+        Self { points: Vec::new(), guides: Vec::new(), yields: Vec::new() }
     }
 }
 
@@ -40,6 +43,7 @@ impl<S: Number> Log<S> {
     #[inline(always)]
     pub fn end_of(&mut self, engine: &Engine<S>, go: S::Mask) {
         self.kept.points.clone_from(&self.points);
+        self.kept.yields.clone_from(&self.yields);
         self.kept.guides.clear();
         self.kept.guides.extend(self.guides.iter().map(GuideLog::kept));
         let all = std::mem::replace(&mut self.taken, go);
@@ -48,6 +52,9 @@ impl<S: Number> Log<S> {
         for (now, kept) in
             self.points.as_flattened_mut().iter_mut().zip(self.kept.points.as_flattened())
         {
+            now.put_back(kept, go);
+        }
+        for (now, kept) in self.yields.iter_mut().zip(&self.kept.yields) {
             now.put_back(kept, go);
         }
         for (now, kept) in self.guides.iter_mut().zip(&self.kept.guides) {

@@ -100,7 +100,9 @@ impl<S: Number> Engine<S> {
         let places = zero.if_less(force, self.numbers.size, zero);
         search.convergence.corrected(size, reach, step, work, places);
         search.iterations += S::choose(seeking, zero.constant(1.0), zero);
-        search.foresee();
+        if self.fibres.is_empty() {
+            search.foresee();
+        }
     }
 }
 

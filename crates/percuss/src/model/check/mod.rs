@@ -15,7 +15,7 @@ use actions::{check_load, check_projectile};
 use beams::{check_beam, check_point, check_stations};
 use contacts::{check_contact, check_disc, check_obstacle};
 use supports::{check_joint, check_spring, check_support};
-use yielding::{check_fibres, check_given_fibres, check_plasticity};
+use yielding::{check_fibres, check_given_fibres, check_one_sided, check_plasticity};
 
 pub(super) use actions::line_of_flight;
 
@@ -117,8 +117,13 @@ fn check_materials(model: &ModelBuilder, out: &mut Faults) {
         let path = |field: &str| format!("material.{}.{field}", m.name);
         out.not_negative(path("retardation"), m.retardation, "a time", "s");
         out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
-        if let Some(Inelasticity::Plastic(plasticity)) = &m.inelasticity {
-            check_plasticity(m, plasticity, out);
+        match &m.inelasticity {
+            Some(Inelasticity::Plastic(plasticity)) => check_plasticity(m, plasticity, out),
+            Some(Inelasticity::OneSidedPlastic(_, plasticity)) => {
+                check_plasticity(m, plasticity, out);
+                check_one_sided(m, plasticity, out);
+            }
+            Some(Inelasticity::OneSided(_)) | None => {}
         }
     }
 }

@@ -44,6 +44,19 @@ pub(super) fn check_plasticity(m: &Material, law: &Plasticity, out: &mut Faults)
     words.check(m.young, law, out);
 }
 
+/// What bears stress of one sign only yields under that one alone.
+pub(super) fn check_one_sided(m: &Material, law: &Plasticity, out: &mut Faults) {
+    let path = |field: &str| format!("material.{}.{field}", m.name);
+    if law.kinematic != 0.0 {
+        let found = "kinematic hardening of a material that bears stress of one sign only";
+        out.add(path("hardening.kinematic"), found, "isotropic hardening, or a table");
+    }
+    if law.overstress.is_some() {
+        let found = "a rate law of a material that bears stress of one sign only";
+        out.add(path("rate"), found, "no `rate`, or a material that bears both");
+    }
+}
+
 /// What yields of a spring.
 pub(super) fn check_yielding_spring(spring: &Spring, out: &mut Faults) {
     let Some(law) = &spring.yielding else { return };

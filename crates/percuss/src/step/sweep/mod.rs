@@ -1,14 +1,17 @@
-//! Elastic elements side by side in vector registers: energies and momenta, residual and tangent of the invariant scheme.
+//! Elements side by side in vector registers: energies and momenta, residual and tangent of the invariant scheme.
 //!
 //! Every element sees the same operations in the same order, whatever registers the processor has, and nodal sums are taken element
 //! by element: bits depend on neither.
 
+mod fibres;
 mod span;
 mod start;
 #[cfg(test)]
 mod tests;
 
 use pulp::Simd;
+
+use fibres::SweptFibres;
 
 use super::columns::Columns;
 use crate::element::beam::{ElementTable, ElementValues};
@@ -19,6 +22,7 @@ use crate::model::Model;
 use crate::model::frozen::Span;
 use crate::scalar::{Lanes, Real};
 
+pub use fibres::AdvanceFibres;
 pub use span::SpanStep;
 
 /// Numbers of an [`End`].
@@ -52,6 +56,10 @@ pub struct Sweep {
     inertia: Columns,
     /// Forces on both nodes, shape (8, elements) \[N, N m\].
     forces: Columns,
+    /// Fibres, one entry a span, shape (spans).
+    fibres: Vec<SweptFibres>,
+    /// Whether all fibres of a span bear, shape (spans); failed ones are looked at one by one.
+    bears: Vec<bool>,
 }
 
 impl Sweep {
@@ -77,12 +85,14 @@ impl Sweep {
             end_spin: Columns::zeros(GAUSS, elements),
             inertia: nodal(),
             forces: Columns::zeros(8, elements),
+            fibres: vec![SweptFibres::default(); model.spans.len()],
+            bears: vec![true; model.spans.len()],
         }
     }
 
     /// Whether the elements of a span are swept.
     pub fn has(&self, span: usize) -> bool {
-        self.tables[span].is_some()
+        self.tables[span].is_some() && self.bears[span]
     }
 
     /// Whether the elements of a span are swept, and what acts on them is what the last evaluation found.
@@ -211,7 +221,7 @@ impl<P: Simd> Replacement<f64, Lanes<P>> for Each<'_, P> {
 fn tables(span: &Span) -> Option<Columns> {
     let sampled = |t: &ElementTable| t.membrane.is_some();
     let alike = span.tables.windows(2).all(|t| sampled(&t[0]) == sampled(&t[1]));
-    if span.fibres.is_some() || !alike {
+    if !alike || !SweptFibres::can_hold(span) {
         return None;
     }
     if span.tables.len() == 1 {

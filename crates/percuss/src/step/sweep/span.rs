@@ -5,6 +5,7 @@ use pulp::{Simd, WithSimd};
 use super::{Alike, Sweep, values};
 use crate::element::beam::ElementValues;
 use crate::element::elastic::ElasticStep;
+use crate::element::yielding::{ElementStep, ElementTurn};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
@@ -88,7 +89,8 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         if TANGENT {
             self.chain.diag[span.nodes.start] = ZERO;
         }
-        let rate = like.constant(self.rule.h).recip();
+        let h = like.constant(self.rule.h);
+        let rate = h.recip();
         let lag = like.constant(self.rule.lag(span.retardation));
         let damping = like.constant(span.mass_damping);
         let slope = self.rule.inertia_slope() + span.mass_damping * self.rule.rate_slope();
@@ -105,18 +107,30 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
                 Some(_) => values(&sweep.displacement, like, a),
                 None => ElementValues { chord: [like; 2], slope_a: [like; 2], slope_b: [like; 2] },
             };
-            let step = ElasticStep {
-                table: &table,
-                measure,
-                starts: &sweep.starts(like, element),
-                spin: &sweep.spin.load_row(like, element),
-                start,
-                increment: values(&sweep.increment, like, a),
-                rate,
-                lag,
-                damping,
+            let (table, increment) = (&table, values(&sweep.increment, like, a));
+            let starts = &sweep.starts(like, element);
+            let spin = &sweep.spin.load_row(like, element);
+            let (sums, spin) = match sweep.fibres[self.span].lanes::<P>() {
+                Some(fibres) => {
+                    let (start, increment) = (&start, &increment);
+                    ElementStep { table, measure, start, increment, h, lag }.sums::<TANGENT>(
+                        &fibres.of(k),
+                        &ElementTurn { starts, spin, rate, damping },
+                    )
+                }
+                None => ElasticStep {
+                    table,
+                    measure,
+                    starts,
+                    spin,
+                    start,
+                    increment,
+                    rate,
+                    lag,
+                    damping,
+                }
+                .sums::<TANGENT>(),
             };
-            let (sums, spin) = step.sums::<TANGENT>();
             let [mut on_a, mut on_b] = sums.nodal_force();
             let acceleration =
                 [sweep.inertia.load_row(like, a), sweep.inertia.load_row(like, a + 1)];

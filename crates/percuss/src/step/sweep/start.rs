@@ -5,6 +5,7 @@ use pulp::{Simd, WithSimd};
 use super::{Alike, Sweep, values};
 use crate::element::energy_momentum::End;
 use crate::element::motion::ElementMeasures;
+use crate::element::yielding::gauss_strains;
 use crate::model::Model;
 use crate::model::frozen::Span;
 use crate::scalar::{Lanes, in_lanes};
@@ -39,8 +40,8 @@ impl Sweep {
         self.begun = false;
     }
 
-    /// Energies and momenta of a span in the state taken in.
-    pub fn measure(&mut self, model: &Model, span: usize) -> ElementMeasures<f64> {
+    /// Energies and momenta of a span in the state taken in, and what hardening has stored \[J\].
+    pub fn measure(&mut self, model: &Model, span: usize) -> (ElementMeasures<f64>, f64) {
         in_lanes(Measure { span: &model.spans[span], number: span, sweep: self })
     }
 
@@ -72,9 +73,14 @@ impl WithSimd for Begin<'_> {
         sweep.velocity.gather(0, &state.velocity[..nodes]);
         sweep.spin.gather(0, &state.spin);
         for (i, span) in model.spans.iter().enumerate() {
+            sweep.bears[i] = span.fibres.as_ref().is_none_or(|own| {
+                let mut all = state.fibres[own.first..][..span.elements.len() * own.count].iter();
+                all.all(|fibre| !fibre.failed)
+            });
             if !sweep.has(i) {
                 continue;
             }
+            sweep.fibres[i].begin(span, state, like);
             let mut table = span.tables[0].map(&mut Alike(like));
             for k in (0..span.elements.len()).step_by(P::F64_LANES) {
                 if let Some(own) = sweep.table((i, span), k, like) {
@@ -98,14 +104,14 @@ pub struct Measure<'a> {
 }
 
 impl WithSimd for Measure<'_> {
-    type Output = ElementMeasures<f64>;
+    type Output = (ElementMeasures<f64>, f64);
     #[inline(always)]
     fn with_simd<P: Simd>(self, family: P) -> Self::Output {
         let Self { sweep, span, number } = self;
         let like = Lanes::new(family, 0.0);
         let mut table = span.tables[0].map(&mut Alike(like));
         let count = span.elements.len();
-        let mut sums = ElementMeasures::zero(0.0);
+        let (mut sums, mut hardening) = (ElementMeasures::zero(0.0), 0.0);
         for k in (0..count).step_by(P::F64_LANES) {
             if let Some(own) = sweep.table((number, span), k, like) {
                 table = own;
@@ -116,7 +122,14 @@ impl WithSimd for Measure<'_> {
             let spin = sweep.spin.load_row(like, element);
             let mut own = ElementMeasures::of_motion(&table, &places, &velocity, &spin);
             let u = values(&sweep.displacement, like, a);
-            own.add_strains(&table, span.measure, &sweep.starts(like, element), &u);
+            if let Some(fibres) = sweep.fibres[number].lanes::<P>() {
+                let strains = gauss_strains(&table, span.measure, &u);
+                let stored = fibres.of(k).energies(&table, &strains);
+                own.add_fibres(&stored);
+                (0..P::F64_LANES.min(count - k)).for_each(|i| hardening += stored.hardening.at(i));
+            } else {
+                own.add_strains(&table, span.measure, &sweep.starts(like, element), &u);
+            }
             // Element by element, whatever the registers hold.
             for lane in 0..P::F64_LANES.min(count - k) {
                 sums.add(&ElementMeasures {
@@ -131,6 +144,6 @@ impl WithSimd for Measure<'_> {
                 });
             }
         }
-        sums
+        (sums, hardening)
     }
 }

@@ -1,26 +1,37 @@
 use pulp::{Simd, WithSimd};
 
+use super::AdvanceFibres;
 use super::SpanStep;
 use super::start::{Begin, Measure};
+use crate::element::fibre::{Hardening, Inelasticity, Overstress, Plasticity};
 use crate::linalg::chain::Chain;
 use crate::model::{Beam, Material, Model, ModelBuilder, Section, Station};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::assemble::EndForces;
+use crate::step::fibres::FibreLosses;
 use crate::step::integration::Integration;
 
-/// A beam whose elements differ, and a slender one whose elements do not; neither fills its registers.
+/// A beam whose elements differ, a slender one whose elements do not, and one that yields; none fills its registers.
 fn model() -> Model {
     let mut b = ModelBuilder::new();
     let material =
         Material { retardation: 1e-5, mass_damping: 0.7, ..Material::new("m", 2e9, 3e3) };
+    let overstress = Some(Overstress { rate: 40.0, exponent: 5.0 });
+    let part = |from, stress, modulus| Hardening { from, stress, modulus };
+    let curve = vec![part(0.0, 2e6, 1e8), part(0.01, 3e6, 5e7)];
+    let plasticity = Plasticity { curve, kinematic: 1e8, overstress, failure_strain: None };
+    let inelasticity = Some(Inelasticity::Plastic(plasticity));
+    let steel = b.material(Material { inelasticity, ..material.clone() });
     let material = b.material(material);
     let at = |at, area| Station { at, area, inertia: 8e-5 * area, depth: None };
     let stations = vec![at(0.0, 0.1), at(1.0, 0.05)];
     let tapered = b.section(Section { stations, ..Section::new("tapered", 0.1, 8e-6) });
     let slender = b.section(Section::new("slender", 0.1, 8e-9));
+    let layered = b.section(Section { fibres: 6, ..Section::rectangle("layered", 0.1, 0.1) });
     b.beam(Beam::new("tapered", &[[0.0, 0.0], [3.0, 0.0]], 11, material, tapered));
     b.beam(Beam::new("slender", &[[0.0, 1.0], [3.0, 2.0]], 6, material, slender));
+    b.beam(Beam::new("yielding", &[[0.0, 3.0], [3.0, 2.0]], 5, steel, layered));
     b.build().unwrap()
 }
 
@@ -50,11 +61,14 @@ impl WithSimd for Whole<'_> {
         Begin { sweep: &mut forces.sweep, model, state }.with_simd(family);
         for (number, span) in model.spans.iter().enumerate() {
             let sweep = &mut forces.sweep;
-            let m = Measure { sweep, span, number }.with_simd(family);
+            let (m, hardening) = Measure { sweep, span, number }.with_simd(family);
+            found.push(hardening);
             found.extend([m.translation, m.rotation, m.axial, m.bending, m.linear[0], m.linear[1]]);
             found.extend([m.linear_size, m.angular, m.angular_size]);
         }
         let rule = &Integration::new(Scheme::EnergyMomentum, 1e-4);
+        let mut end = state.clone();
+        let mut losses = FibreLosses::default();
         let mut residual = vec![[0.0; 4]; model.node_count()];
         for span in 0..model.spans.len() {
             assert!(forces.sweep.has(span));
@@ -69,6 +83,12 @@ impl WithSimd for Whole<'_> {
             SpanStep::<false> { model, span, rule, gravity, increment, residual, chain, forces }
                 .with_simd(family);
         }
+        let (sweep, span, number) = (&forces.sweep, &model.spans[2], 2);
+        let (state, losses_of) = (&mut end, &mut losses);
+        AdvanceFibres { sweep, span, number, state, rule, losses: losses_of }.with_simd(family);
+        assert!(losses.plastic > 0.0 && losses.viscous > 0.0);
+        found.extend([losses.plastic, losses.viscous]);
+        found.extend(end.fibres.iter().flat_map(|f| [f.plastic, f.accumulated, f.dissipated]));
         for blocks in [&chain.diag, &chain.upper, &chain.lower] {
             found.extend(blocks.as_flattened().as_flattened());
         }
@@ -88,6 +108,9 @@ fn bits_do_not_depend_on_the_registers() {
     state.velocity = noise(seed, model.node_count(), 20.0);
     state.spin = noise(seed, model.element_count(), 20.0);
     let increment = &noise(seed, model.node_count(), 2e-3);
+    for (fibre, [plastic]) in state.fibres.iter_mut().zip(noise(seed, 1000, 0.02)) {
+        (fibre.plastic, fibre.accumulated) = (plastic, plastic.abs());
+    }
     let whole = || Whole { model: &model, state: &state, increment };
     let alone = whole().with_simd(pulp::Scalar::new());
     assert!(alone.iter().all(|x| f64::from_bits(*x).is_finite()));
