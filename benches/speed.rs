@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use percuss::*;
+use percuss_batch::{Detail, simulate_batch};
 use percuss_bench::{
     Besides, above_floor, elastic_example, frame, rigid_study, sliding_discs, varied,
 };

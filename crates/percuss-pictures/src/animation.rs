@@ -12,70 +12,18 @@ use std::thread;
 
 use crate::apng::Apng;
 use crate::error::Error;
+use crate::ffmpeg::{ffmpeg, no_ffmpeg};
 use crate::film::Film;
 use crate::gif::{Gif, Palette};
 use crate::mark::Unfinished;
-use crate::mp4::{Mp4, ffmpeg};
+use crate::mp4::Mp4;
 use crate::pixels::Pixels;
+use crate::request::{Format, Plan, Told};
 
 /// Frames from which the colours of a GIF are chosen.
 const PALETTE_FRAMES: usize = 12;
 /// Impulses are shown for this share of the film's time.
 const FLASH: f64 = 0.02;
-
-/// File format of a film.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// 255 colours, shown anywhere.
-    Gif,
-    /// All colours, shown by browsers.
-    Apng,
-    /// For slides; made by ffmpeg.
-    Mp4,
-}
-
-impl Format {
-    /// By the ending of a file's name.
-    pub fn of(path: &Path) -> Option<Self> {
-        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
-            "gif" => Some(Self::Gif),
-            "apng" | "png" => Some(Self::Apng),
-            "mp4" => Some(Self::Mp4),
-            _ => None,
-        }
-    }
-}
-
-/// What is shown, and how fast.
-#[derive(Clone, Copy, Debug)]
-pub struct Plan {
-    /// File format.
-    pub format: Format,
-    /// First and last time of the run \[s\].
-    pub span: [f64; 2],
-    /// Number of frames, at least 2.
-    pub frames: usize,
-    /// Frames a second.
-    pub fps: f64,
-}
-
-impl Plan {
-    /// Times of the frames, evenly spaced.
-    fn times(&self) -> Vec<f64> {
-        let [from, to] = self.span;
-        let last = (self.frames.max(2) - 1) as f64;
-        (0..self.frames.max(2)).map(|k| from + (to - from) * (k as f64 / last)).collect()
-    }
-}
-
-/// How a film ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Told {
-    /// It is there.
-    Done,
-    /// It was not wanted any more; nothing is left.
-    Stopped,
-}
 
 /// Makes a film; `go_on` is told how many frames are done and says whether to go on.
 ///
@@ -139,11 +87,6 @@ fn record(
         recorder.finish().map_err(|e| if e.is_input() { e } else { e.at(file) })?;
     }
     Ok(told)
-}
-
-/// What is to be said where ffmpeg is wanted and not there.
-pub fn no_ffmpeg() -> Error {
-    Error::no_ffmpeg()
 }
 
 enum Recorder {

@@ -26,21 +26,25 @@ impl Error {
     }
 
     /// What makes the picture gave up on what well-formed input does not bring.
+    #[cfg(feature = "drawing")]
     pub(crate) fn drawing(reason: impl fmt::Display) -> Self {
         Self::gave_up(format!("the picture cannot be drawn: {reason}"))
     }
 
     /// The same, told by what gave up.
+    #[cfg(feature = "drawing")]
     pub(crate) fn gave_up(text: String) -> Self {
         Self { text, code: FileCode::Drawing.into(), input: false }
     }
 
     /// The shapes of the run are not what they should be.
+    #[cfg(feature = "drawing")]
     pub(crate) fn content(text: impl Into<String>) -> Self {
         Self { text: text.into(), code: FileCode::Content.into(), input: true }
     }
 
     /// What was asked for is beyond what its format can hold.
+    #[cfg(feature = "drawing")]
     pub(crate) fn beyond(text: impl Into<String>) -> Self {
         Self { text: text.into(), code: RequestCode::PictureBounds.into(), input: true }
     }
@@ -50,6 +54,13 @@ impl Error {
         let text = "MP4 is made by ffmpeg, which is not on the PATH; install it, or give a name that ends with .gif or .apng, which need \
                     nothing else";
         Self { text: text.into(), code: FileCode::Ffmpeg.into(), input: true }
+    }
+
+    /// This build does not draw.
+    #[cfg(not(feature = "drawing"))]
+    pub(crate) fn not_built() -> Self {
+        let text = "this build has no pictures (feature `drawing`): cargo install --path crates/percuss-cli builds them in";
+        Self { text: text.into(), code: FileCode::Drawing.into(), input: true }
     }
 
     /// The same fault, of something at a place.

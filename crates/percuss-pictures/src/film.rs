@@ -8,28 +8,12 @@ use serde_json::{Map, Value, json};
 use crate::apng;
 use crate::error::Error;
 use crate::pixels::Pixels;
+use crate::request::Look;
 
 /// What draws without a page.
 const FILM: &str = include_str!("../web/film.js");
 /// Bytes of the stack that scripts may use.
 const STACK: usize = 1 << 19;
-
-/// How the scene is to be drawn.
-#[derive(Clone, Debug)]
-pub struct Look {
-    /// Width \[pixels\]; the height follows from the scene.
-    pub width: u32,
-    /// A line above the scene; may be empty.
-    pub title: String,
-    /// What colours stand for, as on the page.
-    pub colour: String,
-    /// Diagram along the beams, as on the page.
-    pub diagram: String,
-    /// Displacements are drawn so many times as large.
-    pub exaggeration: f64,
-    /// Light on dark.
-    pub dark: bool,
-}
 
 /// A scene that can be drawn at any time.
 pub struct Film {

@@ -3,22 +3,43 @@
 //! The scene is drawn by the scripts of the page themselves, run by a JavaScript engine in this process, so that it looks the same
 //! everywhere and is written once. They give SVG; from there on everything is Rust: pixels, GIF, animated PNG, PDF, and raw frames
 //! for ffmpeg.
+//!
+//! Without the feature `drawing` everything that draws gives an error that says so, and the crate compiles in seconds.
 
+#[cfg(not(feature = "drawing"))]
+mod absent;
+#[cfg(feature = "drawing")]
 mod animation;
+#[cfg(feature = "drawing")]
 mod apng;
 mod error;
+mod ffmpeg;
+#[cfg(feature = "drawing")]
 mod film;
+#[cfg(feature = "drawing")]
 mod font;
+#[cfg(feature = "drawing")]
 mod gif;
 mod mark;
+#[cfg(feature = "drawing")]
 mod mp4;
+#[cfg(feature = "drawing")]
 mod pdf;
+#[cfg(feature = "drawing")]
 mod pixels;
+#[cfg(feature = "drawing")]
 mod print;
+mod request;
 
-pub use animation::{Format, Plan, Told, animate, no_ffmpeg};
+#[cfg(not(feature = "drawing"))]
+pub use absent::{Film, animate, picture};
+#[cfg(feature = "drawing")]
+pub use animation::animate;
 pub use error::Error;
-pub use film::{Film, Look};
+pub use ffmpeg::{ffmpeg, no_ffmpeg};
+#[cfg(feature = "drawing")]
+pub use film::Film;
 pub use mark::{is_ours, marked, put, unfinished};
-pub use mp4::ffmpeg;
-pub use print::{PrintFormat, picture};
+#[cfg(feature = "drawing")]
+pub use print::picture;
+pub use request::{Format, Look, Plan, PrintFormat, Told};

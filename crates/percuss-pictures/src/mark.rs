@@ -68,6 +68,7 @@ impl Unfinished {
     }
 
     /// Where it is.
+    #[cfg(feature = "drawing")]
     pub fn path(&self) -> &Path {
         &self.path
     }

@@ -1,20 +1,13 @@
 //! MP4 by ffmpeg, if it is there: raw frames go into it.
 
 use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, ChildStderr, Command, Stdio};
 use std::thread::JoinHandle;
 
 use crate::error::Error;
 use crate::mark::MARK;
 use crate::pixels::Pixels;
-
-/// Where ffmpeg is, if it is on the path.
-pub fn ffmpeg() -> Option<PathBuf> {
-    let name = format!("ffmpeg{}", std::env::consts::EXE_SUFFIX);
-    let path = std::env::var_os("PATH")?;
-    std::env::split_paths(&path).map(|dir| dir.join(&name)).find(|file| file.is_file())
-}
 
 /// A film that grows by frames.
 pub(crate) struct Mp4 {

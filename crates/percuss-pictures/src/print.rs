@@ -8,33 +8,12 @@ use crate::font;
 use crate::mark::marked;
 use crate::pdf;
 use crate::pixels::Pixels;
+use crate::request::PrintFormat;
 
 /// Millimetres of an inch.
 const INCH: f64 = 25.4;
 /// Units of SVG in an inch.
 const UNITS: f64 = 96.0;
-
-/// File format of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PrintFormat {
-    /// Letters are outlines, so that it looks the same anywhere.
-    Svg,
-    /// The same for LaTeX and word processors.
-    Pdf,
-    /// Pixels.
-    Png,
-}
-
-impl PrintFormat {
-    /// Its name, which files end with.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Pdf => "pdf",
-            Self::Png => "png",
-        }
-    }
-}
 
 /// An SVG text, one unit of which is 1/96 inch, as a file; `dots` an inch where there are pixels.
 ///

@@ -84,7 +84,7 @@ impl Study {
         let mut sound =
             (0..self.run_count().min(8)).filter_map(|run| preparer.prepare(&self.inputs(run)).ok());
         let first = sound.next()?;
-        percuss::runs_alone(&first.model, &first.settings).map(str::to_owned)
+        percuss_batch::runs_alone(&first.model, &first.settings).map(str::to_owned)
     }
 
     /// Prepares at most so many runs, evenly chosen, and tells of those that are no sound scenario; and how many were prepared.

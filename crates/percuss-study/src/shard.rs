@@ -2,7 +2,8 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use percuss::{Detail, Fault, Model, RunSummary, Settings, Termination, simulate_batch};
+use percuss::{Fault, Model, RunSummary, Settings, Termination};
+use percuss_batch::{Detail, simulate_batch};
 use percuss_codes::{AnalysisCode, Code};
 use percuss_output::{SummaryPath, pick};
 use percuss_scenario::{Compiled, in_one_line};

@@ -81,7 +81,7 @@ impl Study {
         results: Vec<ResultColumn>,
         design: Design,
     ) -> Self {
-        let fingerprint = fingerprint(&content.to_toml(), percuss::BUILD);
+        let fingerprint = fingerprint(&content.to_toml(), &build());
         Self { content, scenario, parameters, results, design, fingerprint }
     }
 
@@ -220,6 +220,12 @@ impl Study {
     }
 }
 
+/// Version and hashes of the sources that compute: those of single runs and those of runs side by side.
+fn build() -> String {
+    let hash = percuss_batch::BUILD.split_once('+').map_or("", |(_, hash)| hash);
+    format!("{}+{hash}", percuss::BUILD)
+}
+
 /// What the runs of a study follow from: its text, and the program that runs them.
 fn fingerprint(text: &str, build: &str) -> String {
     let mut hash = Sha256::new();
@@ -244,7 +250,9 @@ mod tests {
         let [one, other] = ["0.1.0+a", "0.1.0+b"].map(|build| fingerprint("seed = 1", build));
         assert_ne!(one, other);
         assert_eq!(one, fingerprint("seed = 1", "0.1.0+a"));
-        let (version, hash) = percuss::BUILD.split_once('+').expect("version and hash");
-        assert!(version == env!("CARGO_PKG_VERSION") && hash.len() == 32, "{}", percuss::BUILD);
+        let build = build();
+        let parts: Vec<&str> = build.split('+').collect();
+        assert!(parts[0] == env!("CARGO_PKG_VERSION") && parts.len() == 3, "{build}");
+        assert!(parts[1..].iter().all(|hash| hash.len() == 32), "{build}");
     }
 }

@@ -60,7 +60,7 @@ const NEGLIGIBLE_STRAIN: f64 = 1e-12;
 
 /// What is nothing: energy and momentum of strains and displacements by the last five bits.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RoundOff {
+pub struct RoundOff {
     /// Energy \[J\].
     pub energy: f64,
     /// Linear momentum \[kg m/s\].

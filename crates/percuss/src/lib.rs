@@ -7,24 +7,33 @@
 //! Conventions: primes are derivatives with respect to arc length of the reference, J turns by +90 degrees,
 //! `a x b = a1 b2 - a2 b1`, `g = x'`, `p = x''`. A node's degrees of freedom are (u1, u2, u1', u2').
 
+// Hidden modules are what `percuss-batch` steps its runs with: no part of the interface, and free to change.
 mod analysis;
-mod contact;
-mod element;
-mod ensemble;
+#[doc(hidden)]
+pub mod contact;
+#[doc(hidden)]
+pub mod element;
 mod error;
 mod frame;
-mod geometry;
+#[doc(hidden)]
+pub mod geometry;
 pub mod inspect;
-mod ledger;
+#[doc(hidden)]
+pub mod ledger;
 mod linalg;
 pub mod math;
 mod measures;
-mod model;
-mod run;
-mod scalar;
-mod settings;
+#[doc(hidden)]
+pub mod model;
+#[doc(hidden)]
+pub mod run;
+#[doc(hidden)]
+pub mod scalar;
+#[doc(hidden)]
+pub mod settings;
 mod state;
-mod step;
+#[doc(hidden)]
+pub mod step;
 mod summary;
 
 /// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
@@ -35,10 +44,6 @@ pub use analysis::{
     Path, PathPoint, PathRecorder, PathYield, StaticContact, StaticYielding, buckling,
     buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path, equilibrium_path_recorded,
     mechanisms, modes_about, modes_about_equilibrium, natural_frequencies,
-};
-pub use ensemble::{
-    Detail, Grazing, Horizon, Onset, Sensitivities, Undifferentiated, Variation, runs_alone,
-    sensitivities, simulate_batch,
 };
 pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce};

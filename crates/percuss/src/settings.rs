@@ -1,6 +1,7 @@
 //! How a transient analysis is carried out.
 
-pub(crate) use crate::model::SAME_INSTANT;
+#[doc(hidden)]
+pub use crate::model::SAME_INSTANT;
 use crate::model::{Fault, Model};
 
 /// Least and largest accuracy that steps are chosen for.

@@ -44,7 +44,7 @@ pub struct PairState {
 
 /// Supports that the part of a step accepted last gave an impulse: of many stops most are not touched.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Reacting {
+pub struct Reacting {
     /// Number of the part of a step at hand.
     part: u64,
     /// Number of the part of a step in which each support last got an impulse, shape (supports) \[number of a part\].
@@ -77,7 +77,7 @@ impl Reacting {
 
 /// How far the time function of a prescribed motion was followed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Followed {
+pub struct Followed {
     /// Its value.
     pub value: f64,
     /// The value from which displacements count: a start at rest begins where the motion is, in a static one it has moved there.
@@ -90,7 +90,7 @@ pub(crate) struct Followed {
 
 /// Reactions at an instant at which forces balance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Instant {
+pub struct Instant {
     /// Time from it to the end of its step \[s\].
     pub since: f64,
     /// Of each support, shape (supports, 3) \[N, N m\].
@@ -178,7 +178,8 @@ impl State {
     }
 
     /// The model at rest, its projectiles on their way.
-    pub(crate) fn at_rest(model: &Model, scheme: Scheme) -> Self {
+    #[doc(hidden)]
+    pub fn at_rest(model: &Model, scheme: Scheme) -> Self {
         let (nodes, elements) = (model.node_count(), model.element_count());
         let stores_strain = scheme == Scheme::StrainRate;
         let advances_accelerations = scheme.advances_accelerations();

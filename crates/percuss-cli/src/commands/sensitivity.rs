@@ -1,6 +1,6 @@
 //! `percuss sensitivity`.
 
-use percuss::Onset;
+use percuss_batch::Onset;
 use percuss_codes::{AnalysisCode, Caution};
 use percuss_study::{Differentiated, OneSided, SensitivityError, Without, beyond, sensitivity};
 use serde_json::{Value, json};

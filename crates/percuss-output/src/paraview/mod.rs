@@ -11,6 +11,8 @@ mod obstacles;
 mod placed;
 mod poly;
 mod supports;
+#[cfg(feature = "vtkhdf")]
+mod vtkhdf;
 mod vtp;
 
 use std::fs;
@@ -26,7 +28,7 @@ use poly::PolySeries;
 /// Format of the files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// One HDF5 file a kind of things: ParaView 5.12 and later.
+    /// One HDF5 file a kind of things: ParaView 5.12 and later. Needs the feature `vtkhdf`.
     Vtkhdf,
     /// A list of VTP files a kind of things, one file an instant: any ParaView.
     Pvd,
@@ -76,9 +78,16 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields, format: Format) -> Result<V
         let Some(series) = series(&placed).filter(|series| !series.is_empty()) else { continue };
         let file = dir.join(format!("{name}.{}", format.name()));
         match format {
+            #[cfg(feature = "vtkhdf")]
             Format::Vtkhdf => {
                 let bytes = series.bytes().map_err(|e| Error::io(&file, "write", e))?;
                 files::write(&file, &bytes)?;
+            }
+            #[cfg(not(feature = "vtkhdf"))]
+            Format::Vtkhdf => {
+                let what = "this build writes no HDF5 (feature `vtkhdf`); --format pvd needs none, and cargo install --path \
+                            crates/percuss-cli builds it in";
+                return Err(Error::content(dir, what));
             }
             Format::Pvd => {
                 let beside = dir.join(name);

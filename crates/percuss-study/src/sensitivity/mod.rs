@@ -2,7 +2,8 @@
 
 mod one_sided;
 
-use percuss::{Fault, Horizon, Sensitivities, Settings, Undifferentiated, sensitivities};
+use percuss::{Fault, Settings};
+use percuss_batch::{Horizon, Sensitivities, Undifferentiated, sensitivities};
 use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
@@ -155,7 +156,7 @@ pub fn sensitivity(
 pub(crate) struct DifferentiatedRun {
     compiled: Compiled,
     parameters: Vec<Differentiated>,
-    variations: Vec<percuss::Variation>,
+    variations: Vec<percuss_batch::Variation>,
     /// Of the results, shape (n_result).
     paths: Vec<SummaryPath>,
     found: Sensitivities,
@@ -309,7 +310,10 @@ fn moves(path: &str, summary: &percuss::RunSummary) -> bool {
 }
 
 /// A parameter, and the models it makes when it changes.
-fn vary(scenario: &Scenario, path: &str) -> Result<(Differentiated, percuss::Variation), Fault> {
+fn vary(
+    scenario: &Scenario,
+    path: &str,
+) -> Result<(Differentiated, percuss_batch::Variation), Fault> {
     let field = scenario.field(path)?;
     let mut scenario = scenario.clone();
     let Some((value, unit)) = scenario.number(&field) else {
@@ -337,5 +341,5 @@ fn vary(scenario: &Scenario, path: &str) -> Result<(Differentiated, percuss::Var
     }
     let models = all.map(|one| one.model);
     let parameter = Differentiated { path: path.into(), value, unit: unit.into() };
-    Ok((parameter, percuss::Variation { models, ends, change }))
+    Ok((parameter, percuss_batch::Variation { models, ends, change }))
 }

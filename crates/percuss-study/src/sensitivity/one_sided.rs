@@ -1,6 +1,6 @@
 //! Contacts, and yielding, that a small change of a parameter makes or ends.
 
-use percuss::{Grazing, Onset};
+use percuss_batch::{Grazing, Onset};
 
 use super::Differentiated;
 

@@ -53,7 +53,7 @@ fn a_grazing_contact_makes_derivatives_one_sided() {
         // The contact begins at 160.27695 to 160.2770 kg; beyond, the root of the distance makes first order a poor guide.
         let at = mass + told[0].change;
         assert!((at - 160.277).abs() < 5e-3, "{mass}: {at}");
-        let onset = percuss::Onset::Contact("mass".into());
+        let onset = percuss_batch::Onset::Contact("mass".into());
         assert_eq!((&told[0].onset, told[0].parameter.as_str()), (&onset, path));
     }
     let far = one(&scenario("paper/elastic-clamped.toml", &[stiff]), path, result);

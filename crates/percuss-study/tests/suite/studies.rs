@@ -104,8 +104,8 @@ fn a_run_of_a_study_is_the_run_of_the_changed_file() {
         [format!("projectile.p.velocity=[0, {speed:?}]"), format!("projectile.p.mass={mass:?}")];
     let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("sound");
     let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile()).expect("sound");
-    let detail = percuss::Detail::Motion;
-    let alone = percuss::simulate_batch(&[(&compiled.model, &compiled.settings)], detail);
+    let detail = percuss_batch::Detail::Motion;
+    let alone = percuss_batch::simulate_batch(&[(&compiled.model, &compiled.settings)], detail);
     let alone = alone.into_iter().next().expect("a run").expect("a summary");
     let percuss::ContactRecord::Smooth { peak_force, intervals } = &alone.contacts[0].record else {
         panic!("a smooth contact");

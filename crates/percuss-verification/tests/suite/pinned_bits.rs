@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs, hint, thread};
 
 use percuss::*;
+use percuss_batch::{Detail, simulate_batch};
 use percuss_scenario::{Compiled, apply_overrides, read};
 use sha2::{Digest, Sha256};
 

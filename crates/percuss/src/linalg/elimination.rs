@@ -5,9 +5,7 @@
 //! eliminated in an order of least degree. Pivots are exchanged within groups. For a symmetric matrix the negative eigenvalues
 //! of the pivot blocks are as many as those of the matrix (Sylvester's law of inertia).
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
+use super::ordering::{least_degree, neighbours};
 use super::wide_block::{inverse, negatives, sub_product};
 use crate::scalar::Wide;
 
@@ -35,16 +33,7 @@ impl Pattern {
     /// Groups of the given sizes, coupled in the given pairs.
     pub fn new(sizes: Vec<usize>, couplings: impl Iterator<Item = (usize, usize)>) -> Self {
         let n = sizes.len();
-        let mut known: Vec<Vec<usize>> = vec![Vec::new(); n];
-        for (a, b) in couplings.filter(|(a, b)| a != b) {
-            known[a].push(b);
-            known[b].push(a);
-        }
-        for k in &mut known {
-            k.sort_unstable();
-            k.dedup();
-        }
-        let (order, mut later) = eliminate(&sizes, known);
+        let (order, mut later) = least_degree(&sizes, neighbours(n, couplings));
         let mut rank = vec![0; n];
         order.iter().enumerate().for_each(|(i, g)| rank[*g] = i);
         let mut start = vec![0; n];
@@ -81,31 +70,6 @@ impl Pattern {
         }
         if upper { (at, size(late)) } else { (at + own * size(late), own) }
     }
-}
-
-/// An order of least degree, and whom each group knows when it goes.
-fn eliminate(sizes: &[usize], mut known: Vec<Vec<usize>>) -> (Vec<usize>, Vec<Vec<usize>>) {
-    let n = sizes.len();
-    let weight = |known: &[usize]| known.iter().map(|j| sizes[*j]).sum::<usize>();
-    let mut heap: BinaryHeap<_> = (0..n).map(|g| Reverse((weight(&known[g]), g))).collect();
-    let (mut order, mut gone) = (Vec::with_capacity(n), vec![false; n]);
-    while let Some(Reverse((w, g))) = heap.pop() {
-        if gone[g] || w != weight(&known[g]) {
-            continue;
-        }
-        gone[g] = true;
-        order.push(g);
-        let left = known[g].clone();
-        for i in &left {
-            let mut merged: Vec<usize> =
-                known[*i].iter().chain(&left).copied().filter(|j| *j != g && j != i).collect();
-            merged.sort_unstable();
-            merged.dedup();
-            known[*i] = merged;
-            heap.push(Reverse((weight(&known[*i]), *i)));
-        }
-    }
-    (order, known)
 }
 
 /// Factors of a matrix.

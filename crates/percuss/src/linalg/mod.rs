@@ -7,6 +7,7 @@ pub mod complementarity;
 pub mod condensed;
 pub mod dense;
 pub mod elimination;
+pub mod ordering;
 pub mod schur;
 pub mod sparse;
 pub mod wide_block;

@@ -24,12 +24,12 @@ pub enum SchurComplement {
 impl SchurComplement {
     /// A zero system of order `n` with entries at the given (row, column) pairs.
     pub fn new(n: usize, entries: impl FnOnce() -> Vec<(usize, usize)>) -> Self {
-        let dense = || Self::Dense { order: n, matrix: vec![0.0; n * n], lu: DenseLu::default() };
         match n {
             0 => Self::Empty,
-            _ if n <= DENSE => dense(),
-            _ => SparseLu::new(n, &entries())
-                .map_or_else(dense, |lu| Self::Sparse { lu: Box::new(lu) }),
+            _ if n <= DENSE => {
+                Self::Dense { order: n, matrix: vec![0.0; n * n], lu: DenseLu::default() }
+            }
+            _ => Self::Sparse { lu: Box::new(SparseLu::new(n, &entries())) },
         }
     }
 

@@ -1,6 +1,7 @@
 //! A cubic over a step through values and rates at its ends, in every lane.
 
 use super::hermite::Cubic;
+use super::roots;
 use crate::scalar::Number;
 
 /// Between the ends of a step of size `h`.
@@ -47,6 +48,25 @@ impl<S: Number> Interpolant<S> {
         let one = xi.constant(1.0);
         let slopes = self.start[1] * (xi * 6.0 - one * 4.0) + self.end[1] * (xi * 6.0 - one * 2.0);
         (rise * (one - xi * 2.0) * 6.0 + slopes) * rate
+    }
+
+    /// The instant at which a lane's path first changes sign, in all lanes.
+    pub fn crossing(&self, lane: usize) -> S {
+        let path = self.lane(lane);
+        let sign = if path.start[0] > 0.0 { 1.0 } else { -1.0 };
+        let f = |t: f64| sign * path.value(t);
+        let ends = [f(0.0), f(path.h)];
+        if ends[0] <= 0.0 {
+            return self.h.constant(0.0);
+        }
+        let guess = path.h * ends[0] / (ends[0] - ends[1]);
+        let search = roots::bracketed((0.0, ends[0]), (path.h, ends[1]), guess, 0.0, 0.0, |t| {
+            Ok::<f64, std::convert::Infallible>(f(t))
+        });
+        let Ok(root) = search;
+        let root = self.h.constant(root);
+        // The root moves with the ends of the path.
+        if S::DERIVES { root - self.value(root) / self.slope(root) } else { root }
     }
 
     /// An instant at which it is stationary in a lane, which moves with the ends of the path so that it stays stationary.

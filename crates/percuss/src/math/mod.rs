@@ -1,7 +1,9 @@
 //! Mathematics that knows nothing of beams.
 
 pub mod hermite;
-pub(crate) mod interpolant;
-pub(crate) mod roots;
+#[doc(hidden)]
+pub mod interpolant;
+#[doc(hidden)]
+pub mod roots;
 pub(crate) mod spline;
 pub mod vec2;

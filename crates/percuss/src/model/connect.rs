@@ -139,7 +139,8 @@ fn yielding(
 
 impl Model {
     /// Number of connectors that can yield.
-    pub(crate) fn memory_count(&self) -> usize {
+    #[doc(hidden)]
+    pub fn memory_count(&self) -> usize {
         self.yielding().count()
     }
 

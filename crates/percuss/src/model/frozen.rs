@@ -3,15 +3,14 @@
 use std::ops::Range;
 
 use super::definition::{InitialMotion, StrainMeasure, Strength};
-pub(crate) use super::striking::*;
-pub(crate) use super::ties::*;
+pub use super::span_fibres::*;
+pub use super::striking::*;
+pub use super::ties::*;
 use super::time_function::PreparedFunction;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
-use crate::element::fibre::{Fibre, StressLaw};
 use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
-use crate::math::hermite::GAUSS;
 use crate::math::vec2::norm;
 
 /// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
@@ -21,52 +20,52 @@ use crate::math::vec2::norm;
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Nodes in the reference configuration, shape (nodes).
-    pub(crate) nodes: Vec<NodeFrame>,
+    pub nodes: Vec<NodeFrame>,
     /// Beams, in the order they were defined, shape (beams).
-    pub(crate) beams: Vec<BeamData>,
+    pub beams: Vec<BeamData>,
     /// Spans of all beams, in the order of their nodes, shape (spans).
-    pub(crate) spans: Vec<Span>,
+    pub spans: Vec<Span>,
     /// Components held at nodes, in the order of the nodes, shape (nodes held).
-    pub(crate) prescribed: Vec<PrescribedDofs>,
+    pub prescribed: Vec<PrescribedDofs>,
     /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time, shape (constraints).
-    pub(crate) constraints: Vec<Constraint>,
+    pub constraints: Vec<Constraint>,
     /// Joints that part beyond a strength, in the order they were defined, shape (such joints).
-    pub(crate) joints: Vec<JointData>,
+    pub joints: Vec<JointData>,
     /// Springs and dampers, shape (connectors).
-    pub(crate) connectors: Vec<Connector>,
+    pub connectors: Vec<Connector>,
     /// Masses at points, shape (point masses).
-    pub(crate) masses: Vec<MassData>,
+    pub masses: Vec<MassData>,
     /// Supports, in the order they were defined, shape (supports).
-    pub(crate) supports: Vec<SupportData>,
+    pub supports: Vec<SupportData>,
     /// Prescribed motions, shape (motions).
-    pub(crate) motions: Vec<PreparedFunction>,
+    pub motions: Vec<PreparedFunction>,
     /// Rigid bodies: guided projectiles, discs, obstacles, in the order of their nodes, shape (bodies).
-    pub(crate) bodies: Vec<Body>,
+    pub bodies: Vec<Body>,
     /// Obstacles, in the order they were defined, shape (obstacles).
-    pub(crate) obstacles: Vec<ObstacleData>,
+    pub obstacles: Vec<ObstacleData>,
     /// Guided projectiles, in the order they were defined, shape (guided projectiles).
-    pub(crate) projectiles: Vec<ProjectileData>,
+    pub projectiles: Vec<ProjectileData>,
     /// Contacts: those of guided projectiles, then those defined, shape (contacts).
-    pub(crate) contacts: Vec<ContactData>,
+    pub contacts: Vec<ContactData>,
     /// Pairs that can touch, contact after contact, shape (pairs).
-    pub(crate) pairs: Vec<Pair>,
+    pub pairs: Vec<Pair>,
     /// Loads, in the order they were defined, shape (loads).
-    pub(crate) loads: Vec<LoadData>,
+    pub loads: Vec<LoadData>,
     /// Ratios of damping of the flexible modes, from the lowest on, shape (modes) \[-\].
-    pub(crate) modal_damping: Vec<f64>,
+    pub modal_damping: Vec<f64>,
     /// Motion at the start.
-    pub(crate) initial_motion: InitialMotion,
+    pub initial_motion: InitialMotion,
     /// Motions at the start of nodes that have one of their own, shape (such motions) \[indices of nodes\]; later ones count.
-    pub(crate) own_motions: Vec<(Range<usize>, InitialMotion)>,
+    pub own_motions: Vec<(Range<usize>, InitialMotion)>,
     /// Recorded points, each once, shape (recorded points).
-    pub(crate) points: Vec<MaterialPoint>,
+    pub points: Vec<MaterialPoint>,
     /// Mass of beams, point masses and projectiles, a scale \[kg\].
-    pub(crate) total_mass: f64,
+    pub total_mass: f64,
 }
 
 /// A beam: what its spans have in common.
 #[derive(Clone, Debug)]
-pub(crate) struct BeamData {
+pub struct BeamData {
     pub name: String,
     pub spans: Range<usize>,
     pub nodes: Range<usize>,
@@ -79,7 +78,7 @@ pub(crate) struct BeamData {
 
 /// A part of a beam without corner, of one material and one section.
 #[derive(Clone, Debug)]
-pub(crate) struct Span {
+pub struct Span {
     pub nodes: Range<usize>,
     pub elements: Range<usize>,
     /// One table for all elements, or one for each, shape (1 or elements).
@@ -97,34 +96,6 @@ pub(crate) struct Span {
     pub strength: Option<Strength>,
     /// Its fibres, if its material does more than Hooke's law says or its section is given by them.
     pub fibres: Option<SpanFibres>,
-}
-
-/// The fibres of a span.
-#[derive(Clone, Debug)]
-pub(crate) struct SpanFibres<S = f64> {
-    /// Laws of its materials, shape (laws).
-    pub laws: Vec<StressLaw<S>>,
-    /// Fibres at the Gauss points, as many entries as the span has tables, shape (tables, Gauss points, fibres at one); those of
-    /// a shape end with two of no area, at the lower and the upper surface.
-    pub at: Vec<[Vec<Fibre<S>>; GAUSS]>,
-    /// Fibres of an element, all its Gauss points together.
-    pub count: usize,
-    /// Number of its first fibre in the state.
-    pub first: usize,
-}
-
-impl<S> SpanFibres<S> {
-    /// Fibres of the element of number `k` in the span.
-    #[inline(always)]
-    pub fn of(&self, k: usize) -> &[Vec<Fibre<S>>; GAUSS] {
-        &self.at[if self.at.len() == 1 { 0 } else { k }]
-    }
-
-    /// Where the fibres of that element stand in the state.
-    pub fn range(&self, k: usize) -> Range<usize> {
-        let first = self.first + k * self.count;
-        first..first + self.count
-    }
 }
 
 impl Span {
@@ -147,7 +118,7 @@ impl Span {
 
 /// A load and its time function.
 #[derive(Clone, Debug)]
-pub(crate) struct LoadData {
+pub struct LoadData {
     pub kind: LoadAction,
     pub function: PreparedFunction,
     pub from: f64,
@@ -156,7 +127,7 @@ pub(crate) struct LoadData {
 
 /// What a load applies, for a factor of one.
 #[derive(Clone, Debug)]
-pub(crate) enum LoadAction {
+pub enum LoadAction {
     /// Acceleration of everything that has mass.
     Gravity {
         /// The acceleration, shape (2) \[m/s^2\].
@@ -186,7 +157,7 @@ pub(crate) enum LoadAction {
 
 /// A quadrature point of a follower load.
 #[derive(Clone, Debug)]
-pub(crate) struct FollowerPoint {
+pub struct FollowerPoint {
     pub point: MaterialPoint,
     /// Force per length times the weight of the point, along (tangent, normal), shape (2) \[N\].
     pub force: [f64; 2],
@@ -211,7 +182,7 @@ impl LoadData {
 }
 
 /// Share of the step `[start, start + h]` in which a load that acts in `[from, until]` acts.
-pub(crate) fn share(from: f64, until: f64, start: f64, h: f64) -> f64 {
+pub fn share(from: f64, until: f64, start: f64, h: f64) -> f64 {
     // Ends of steps are sums of steps: a difference of some ulps is the same instant.
     let slack = 1e-9 * h;
     let lo = from.max(start);
@@ -232,13 +203,13 @@ impl Axes for Model {
 
 impl Model {
     /// Number of fibres of all beams.
-    pub(crate) fn fibre_count(&self) -> usize {
+    pub fn fibre_count(&self) -> usize {
         let last = self.spans.iter().rev().find_map(|s| s.fibres.as_ref().map(|f| (s, f)));
         last.map_or(0, |(span, fibres)| fibres.first + fibres.count * span.elements.len())
     }
 
     /// Whether any beam is made of fibres: it can yield, bears no stress of one sign, or its section is given by them.
-    pub(crate) fn has_fibres(&self) -> bool {
+    pub fn has_fibres(&self) -> bool {
         self.spans.iter().any(|s| s.fibres.is_some())
     }
 
@@ -290,7 +261,7 @@ impl Model {
     }
 
     /// Elements with their spans: (span, number in the span, node a, element).
-    pub(crate) fn each_element(&self) -> impl Iterator<Item = (&Span, usize, usize, usize)> {
+    pub fn each_element(&self) -> impl Iterator<Item = (&Span, usize, usize, usize)> {
         self.spans.iter().flat_map(|span| {
             let place = move |k| (span, k, span.nodes.start + k, span.elements.start + k);
             (0..span.elements.len()).map(place)
@@ -298,19 +269,19 @@ impl Model {
     }
 
     /// The span and the number in it of the element that starts at a node.
-    pub(crate) fn element_of(&self, node: usize) -> (&Span, usize) {
+    pub fn element_of(&self, node: usize) -> (&Span, usize) {
         let span = &self.spans[self.spans.partition_point(|s| s.nodes.end <= node)];
         (span, (node - span.nodes.start).min(span.elements.len() - 1))
     }
 
     /// The element that starts at a node.
-    pub(crate) fn element_at(&self, node: usize) -> usize {
+    pub fn element_at(&self, node: usize) -> usize {
         let (span, k) = self.element_of(node);
         span.elements.start + k
     }
 
     /// What is held at a node.
-    pub(crate) fn dofs_at(&self, node: usize) -> Option<&PrescribedDofs> {
+    pub fn dofs_at(&self, node: usize) -> Option<&PrescribedDofs> {
         self.prescribed.binary_search_by_key(&node, |h| h.node).ok().map(|i| &self.prescribed[i])
     }
 
@@ -320,13 +291,13 @@ impl Model {
     }
 
     /// Length of the element at a beam's node \[m\].
-    pub(crate) fn node_length(&self, node: usize) -> f64 {
+    pub fn node_length(&self, node: usize) -> f64 {
         let (span, k) = self.element_of(node);
         span.table(k).length
     }
 
     /// Size of the structure: its longest beam, or the largest distance of a node from the first one \[m\].
-    pub(crate) fn extent(&self) -> f64 {
+    pub fn extent(&self) -> f64 {
         let from = self.nodes.first().map_or([0.0; 2], |n| n.position);
         let away = |x: [f64; 2]| norm([x[0] - from[0], x[1] - from[1]]);
         let lengths = self.beams.iter().map(|b| b.length);
@@ -334,7 +305,7 @@ impl Model {
     }
 
     /// The beams with all that holds them, without bodies and contacts: what statics and vibrations know.
-    pub(crate) fn structure(&self) -> Self {
+    pub fn structure(&self) -> Self {
         let nodes = self.beam_node_count();
         let mut structure = self.clone();
         structure.nodes.truncate(nodes);
@@ -348,7 +319,7 @@ impl Model {
     }
 
     /// Whether no part of the structure moves at the start.
-    pub(crate) fn is_still(&self) -> bool {
+    pub fn is_still(&self) -> bool {
         self.initial_motion == InitialMotion::default() && self.own_motions.is_empty()
     }
 
@@ -375,7 +346,7 @@ impl Model {
     }
 
     /// Acceleration of gravity, for factors of one \[m/s^2\].
-    pub(crate) fn gravity(&self) -> f64 {
+    pub fn gravity(&self) -> f64 {
         let each = self.loads.iter().map(|load| match load.kind {
             LoadAction::Gravity { acceleration: [x, y] } => x.hypot(y),
             _ => 0.0,
@@ -384,18 +355,18 @@ impl Model {
     }
 
     /// Times at which a support lets go \[s\].
-    pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
+    pub fn releases(&self) -> impl Iterator<Item = f64> {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
 
     /// Whether supports can give impulses: by rigid contacts, or where prescribed velocities jump.
-    pub(crate) fn has_impulses(&self) -> bool {
+    pub fn has_impulses(&self) -> bool {
         self.has_rigid_contact() || self.structural_drives().any(|drive| !drive.is_empty())
     }
 
     /// Prescribed values of the structure itself, as nodes or constraints hold it; those of obstacles and of the ground of springs
     /// are others.
-    pub(crate) fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
+    pub fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
         let beams = self.beam_node_count();
         let held = self.prescribed.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
         held.chain(self.constraints.iter().map(|c| &c.drive))

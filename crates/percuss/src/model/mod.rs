@@ -10,7 +10,8 @@ mod definition;
 mod draw;
 mod fault;
 mod fibres;
-pub(crate) mod frozen;
+#[doc(hidden)]
+pub mod frozen;
 mod initial;
 mod loads;
 mod material_points;
@@ -21,6 +22,7 @@ mod pairs;
 mod places;
 mod prescribed;
 pub mod scene;
+mod span_fibres;
 pub(crate) mod striking;
 pub(crate) mod ties;
 mod time_function;
@@ -30,4 +32,5 @@ pub use definition::*;
 pub use fault::Fault;
 pub use frozen::Model;
 pub use time_function::{Function, TimeFunction};
-pub(crate) use time_function::{PreparedFunction, SAME_INSTANT};
+#[doc(hidden)]
+pub use time_function::{PreparedFunction, SAME_INSTANT};

@@ -47,7 +47,7 @@ pub enum BodyKind {
 
 /// An obstacle: those that stand still share one body, the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ObstacleData {
+pub struct ObstacleData {
     pub body: usize,
     /// Where its reactions are kept.
     pub support: usize,
@@ -57,7 +57,7 @@ pub(crate) struct ObstacleData {
 
 /// A projectile on its line of flight.
 #[derive(Clone, Debug)]
-pub(crate) struct ProjectileData {
+pub struct ProjectileData {
     /// Its body that strikes; a rear mass is the next one.
     pub body: usize,
     pub has_rear: bool,
@@ -69,7 +69,7 @@ pub(crate) struct ProjectileData {
 
 /// What two things do to each other.
 #[derive(Clone, Debug)]
-pub(crate) struct ContactData {
+pub struct ContactData {
     pub name: String,
     /// Names of the partners, shape (2).
     pub between: [String; 2],
@@ -80,17 +80,17 @@ pub(crate) struct ContactData {
 
 impl Model {
     /// Number of nodes that belong to beams; those of bodies follow.
-    pub(crate) fn beam_node_count(&self) -> usize {
+    pub fn beam_node_count(&self) -> usize {
         self.nodes.len() - self.bodies.len()
     }
 
     /// Node of a body.
-    pub(crate) fn body_node(&self, body: usize) -> usize {
+    pub fn body_node(&self, body: usize) -> usize {
         self.beam_node_count() + body
     }
 
     /// Nodes of something that moves: beams first, then bodies.
-    pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
+    pub fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
         match self.beams.get(mover) {
             Some(beam) => beam.nodes.clone(),
             None => {
@@ -109,7 +109,7 @@ impl Model {
     }
 
     /// Bodies that strike: those of guided projectiles, then discs.
-    pub(crate) fn striking_bodies(&self) -> impl Iterator<Item = usize> {
+    pub fn striking_bodies(&self) -> impl Iterator<Item = usize> {
         let strikes = |b: &Body| matches!(b.kind, BodyKind::Guided | BodyKind::Disc { .. });
         (0..self.bodies.len()).filter(move |i| strikes(&self.bodies[*i]))
     }

@@ -5,7 +5,7 @@ use crate::linalg::block::{Block, IDENTITY};
 
 /// Components of a node's displacement that are held, or moved as prescribed.
 #[derive(Clone, Debug)]
-pub(crate) struct PrescribedDofs {
+pub struct PrescribedDofs {
     pub node: usize,
     /// The support that holds them, the first one where several do; `None` for the guide of a projectile
     /// and for obstacles, whose reactions are those of their contacts.
@@ -42,11 +42,11 @@ impl PrescribedDofs {
 }
 
 /// A prescribed value: amplitudes times time functions of [`Model::motions`].
-pub(crate) type Drive = Vec<(usize, f64)>;
+pub type Drive = Vec<(usize, f64)>;
 
 /// A support, for its reactions.
 #[derive(Clone, Debug)]
-pub(crate) struct SupportData {
+pub struct SupportData {
     pub name: String,
     /// Its point; an obstacle has none.
     pub point: Option<MaterialPoint>,
@@ -60,7 +60,7 @@ pub(crate) struct SupportData {
 
 /// A material point: where it lies in the mesh and how it follows the nodes.
 #[derive(Clone, Debug)]
-pub(crate) struct MaterialPoint {
+pub struct MaterialPoint {
     pub label: String,
     pub beam: usize,
     /// Node `a` of the element; node `b` is the next one.
@@ -134,7 +134,7 @@ fn spread(n: &[f64; 4], node: usize, force: [f64; 2], nodal: &mut [[f64; 4]]) {
 
 /// What a joint carries, a mean over a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct JointLoad {
+pub struct JointLoad {
     /// Size of the force \[N\].
     pub force: f64,
     /// Size of the moment \[N m\]; zero of a hinge.
@@ -143,7 +143,7 @@ pub(crate) struct JointLoad {
 
 /// A joint that parts.
 #[derive(Clone, Debug)]
-pub(crate) struct JointData {
+pub struct JointData {
     pub name: String,
     /// What it carries at most, force and moment; endless if it bears any, shape (2) \[N, N m\].
     pub strength: [f64; 2],
@@ -158,7 +158,7 @@ impl JointData {
 
 /// A scalar constraint on material points, kept by a multiplier.
 #[derive(Clone, Debug)]
-pub(crate) struct Constraint {
+pub struct Constraint {
     pub kind: ConstraintKind,
     /// The support it belongs to; a joint's belong to none.
     pub support: Option<usize>,
@@ -172,7 +172,7 @@ pub(crate) struct Constraint {
 
 /// What is constrained.
 #[derive(Clone, Debug)]
-pub(crate) enum ConstraintKind {
+pub enum ConstraintKind {
     /// `direction . u(point) = value`, or of its gradient: a support between nodes.
     Held {
         point: MaterialPoint,
@@ -214,7 +214,7 @@ impl Constraint {
 
 /// A spring and damper on one coordinate.
 #[derive(Clone, Debug)]
-pub(crate) struct Connector {
+pub struct Connector {
     pub coordinate: Coordinate,
     pub law: ConnectorLaw,
     /// How it yields, if it does; its linear law is the elastic part then.
@@ -229,7 +229,7 @@ pub(crate) struct Connector {
 
 /// How a spring or an elastic hinge yields.
 #[derive(Clone, Debug)]
-pub(crate) struct YieldingLaw {
+pub struct YieldingLaw {
     /// What it is and its name, `spring.brace` or `joint.knee`.
     pub name: String,
     /// Force over extension from the length without force, or moment over rotation.
@@ -240,7 +240,7 @@ pub(crate) struct YieldingLaw {
 
 /// A scalar coordinate of the configuration, zero or its natural value in the reference configuration.
 #[derive(Clone, Debug)]
-pub(crate) enum Coordinate {
+pub enum Coordinate {
     /// `direction . u(point)` less a prescribed motion.
     Displacement {
         point: MaterialPoint,
@@ -261,7 +261,7 @@ pub(crate) enum Coordinate {
 
 /// A place on a beam or in space.
 #[derive(Clone, Debug)]
-pub(crate) enum ConnectorEnd {
+pub enum ConnectorEnd {
     Point(MaterialPoint),
     /// A point fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
@@ -298,7 +298,7 @@ impl ConnectorLaw {
 
 /// A mass at a point.
 #[derive(Clone, Debug)]
-pub(crate) struct MassData {
+pub struct MassData {
     pub point: MaterialPoint,
     pub mass: f64,
     pub rotary_inertia: f64,

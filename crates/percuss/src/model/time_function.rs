@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::math::spline::Spline;
 
 /// Ends of steps closer than this share of the step are the same instant.
-pub(crate) const SAME_INSTANT: f64 = 1e-9;
+pub const SAME_INSTANT: f64 = 1e-9;
 
 /// A factor as a function of time, which counts from the start of the load or motion.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -79,7 +79,7 @@ impl TimeFunction {
 
 /// A [`TimeFunction`] ready for evaluation: it knows its kinks.
 #[derive(Clone, Debug)]
-pub(crate) struct PreparedFunction {
+pub struct PreparedFunction {
     function: TimeFunction,
     spline: Option<Spline>,
     /// Times at which the function is not smooth, increasing, shape (kinks) \[s\].

@@ -211,7 +211,7 @@ impl StepViews<'_> {
 }
 
 /// An interval that opens.
-pub(crate) fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInterval {
+pub fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> ContactInterval {
     ContactInterval {
         start,
         end: f64::NAN,

@@ -7,13 +7,13 @@ use crate::settings::{ImpactResolution, MultipleImpacts};
 use crate::step::contacts::ActiveContact;
 
 /// Length of an impact interval as a share of the step.
-pub(crate) const IMPACT_INTERVAL: f64 = 1e-6;
+pub const IMPACT_INTERVAL: f64 = 1e-6;
 /// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
-pub(crate) const STICK: f64 = 1e-6;
+pub const STICK: f64 = 1e-6;
 /// Nor does approach slower than this share of the velocity scale, which is round-off.
-pub(crate) const NO_APPROACH: f64 = 1e-12;
+pub const NO_APPROACH: f64 = 1e-12;
 /// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
-pub(crate) const CREEP: f64 = 1e-5;
+pub const CREEP: f64 = 1e-5;
 
 /// What a part of a step is solved as.
 #[derive(Clone, Debug)]

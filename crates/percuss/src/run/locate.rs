@@ -15,9 +15,9 @@ use crate::step::contacts::ActiveContact;
 use crate::step::newton::Failure;
 
 /// A contact is located to this share of an impact interval.
-pub(crate) const LOCATED: f64 = 1e-3;
+pub const LOCATED: f64 = 1e-3;
 /// Differences of gaps below this share of the size of the structure are round-off.
-pub(crate) const ROUND_OFF: f64 = 1e-15;
+pub const ROUND_OFF: f64 = 1e-15;
 
 impl Simulation<'_> {
     /// A part without impacts: of its whole size, or up to the first instant of contact.
@@ -124,7 +124,7 @@ impl Simulation<'_> {
 }
 
 /// Where the gap first falls to zero, if it does before `end`.
-pub(crate) fn descent(gap: &Cubic, end: f64) -> Option<f64> {
+pub fn descent(gap: &Cubic, end: f64) -> Option<f64> {
     let opened = || gap.stationary().find(|t| *t < end && gap.value(*t) > 0.0);
     let from = if gap.value(0.0) > 0.0 { 0.0 } else { opened()? };
     let (a, b) = (gap.value(from), gap.value(end));

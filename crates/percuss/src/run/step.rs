@@ -18,7 +18,7 @@ const SMALLEST_SHARE: f64 = 1e-4;
 /// Corrections of Newton's iteration in a step, over all its parts, impacts and cuts, before the run gives up: more would not end.
 pub(super) const MOST_CORRECTIONS: usize = 100_000;
 /// More instants located and impacts than this in one step count as accumulated: for the rest of it what touches stays together.
-pub(crate) const MOST_EVENTS: usize = 128;
+pub const MOST_EVENTS: usize = 128;
 
 impl Simulation<'_> {
     /// Advances by one step of the given size; rows before and after an impact go to `recorder`, which may stop it between

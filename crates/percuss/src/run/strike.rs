@@ -9,7 +9,7 @@ use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;
 
 /// Energy that impulses may give, relative to the work they do: round-off.
-pub(crate) const NO_GAIN: f64 = 1e-12;
+pub const NO_GAIN: f64 = 1e-12;
 
 impl Simulation<'_> {
     /// The impact interval in which all contacts that touch strike; those that rest stay closed.

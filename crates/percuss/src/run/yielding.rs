@@ -30,12 +30,8 @@ pub struct YieldRecord {
 
 impl YieldRecord {
     /// Takes in what is noted of a span up to the end of a run.
-    pub(crate) fn take(
-        &mut self,
-        first: FirstYield,
-        strain: SectionPeak,
-        accumulated: SectionPeak,
-    ) {
+    #[doc(hidden)]
+    pub fn take(&mut self, first: FirstYield, strain: SectionPeak, accumulated: SectionPeak) {
         if self.first.is_none_or(|own| first.time < own.time) {
             self.first = Some(first);
         }

@@ -104,7 +104,7 @@ struct Correction {
 
 /// Most corrections before a step counts as failed, and where they still shrink steadily: at contacts whose closest point slides fast or
 /// leaps, and in collapsing beams, the iteration comes nearer by a constant factor only.
-pub(crate) const MOST_ITERATIONS: usize = 24;
+pub const MOST_ITERATIONS: usize = 24;
 const MOST_STEADY: usize = 250;
 /// Corrections from this one on are compared with the one before.
 const SWINGS_FROM: usize = 5;
@@ -112,11 +112,11 @@ const SWINGS_FROM: usize = 5;
 /// so small that processors take a hundred times as long for them.
 const QUIET: f64 = 1e-120;
 /// Unbalanced impulse of an accepted step, relative to the momentum scale.
-pub(crate) const IMPULSE_TOLERANCE: f64 = 1e-15;
+pub const IMPULSE_TOLERANCE: f64 = 1e-15;
 /// Impulses times what their forms have turned by with the last correction, of an accepted step, relative likewise.
 const TURNED_TOLERANCE: f64 = 1e-14;
 /// Unbalanced impulse that may pass for round-off, relative to the momentum scale.
-pub(crate) const MOST_IMPULSE: f64 = 1e-10;
+pub const MOST_IMPULSE: f64 = 1e-10;
 
 impl StepProblem<'_> {
     /// Finds the increment; it and its residual stand in `work` afterwards.

@@ -37,7 +37,8 @@ pub struct EnergySplit {
 
 impl EnergySplit {
     /// Leaves to the scheme what is missing.
-    pub(crate) fn balance(&mut self) {
+    #[doc(hidden)]
+    pub fn balance(&mut self) {
         self.scheme = 0.0 - (self.given[0] + self.given[1] + self.lost + self.stored);
     }
 }

@@ -48,7 +48,8 @@ impl SectionRange {
     }
 
     /// Takes in a value.
-    pub(crate) fn take(&mut self, value: f64, s: f64, time: f64) {
+    #[doc(hidden)]
+    pub fn take(&mut self, value: f64, s: f64, time: f64) {
         if value > self.max.value || self.max.value.is_nan() {
             self.max = SectionPeak { value, s, time };
         }
@@ -109,7 +110,8 @@ pub struct Range {
 
 impl Range {
     /// Takes in a value.
-    pub(crate) fn take(&mut self, value: f64, time: f64) {
+    #[doc(hidden)]
+    pub fn take(&mut self, value: f64, time: f64) {
         if value > self.max.value || self.max.value.is_nan() {
             self.max = Peak { value, time };
         }

@@ -235,6 +235,7 @@ fn fields_of_arrays_say_shape_and_unit() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = Vec::new();
     sources(&root.join("src"), &mut files);
+    sources(&root.join("../percuss-batch/src"), &mut files);
     files.retain(|file| !file.ends_with("tests.rs"));
     files.sort();
     let texts: Vec<String> = files.iter().map(|file| fs::read_to_string(file).unwrap()).collect();

@@ -214,17 +214,17 @@ fn imports_against_the_order_are_found() {
 /// Names of the workspace's crates among the dependencies of a Cargo.toml, those for its tests included.
 fn dependencies(manifest: &Path) -> (String, BTreeSet<String>) {
     let text = fs::read_to_string(manifest).unwrap();
-    let value: toml::Table = text.parse().unwrap();
+    let value: toml_edit::DocumentMut = text.parse().unwrap();
     let name = value["package"]["name"].as_str().unwrap().to_owned();
     // Of every system, and of one alone.
-    let targets = value.get("target").and_then(toml::Value::as_table).into_iter().flatten();
-    let tables = targets.filter_map(|(_, target)| target.as_table()).chain([&value]);
+    let targets = value.get("target").and_then(toml_edit::Item::as_table).into_iter().flatten();
+    let tables = targets.filter_map(|(_, target)| target.as_table()).chain([value.as_table()]);
     let all = tables.flat_map(|table| {
         let kinds = ["dependencies", "dev-dependencies", "build-dependencies"];
         kinds.into_iter().filter_map(|kind| table.get(kind)?.as_table()).flatten()
     });
     let own = all.map(|(name, _)| name).filter(|name| name.starts_with("percuss"));
-    (name, own.cloned().collect())
+    (name, own.map(str::to_owned).collect())
 }
 
 #[test]
@@ -267,6 +267,7 @@ fn add_types(items: &[syn::Item], names: &mut Vec<String>) {
 fn a_name_means_one_type() {
     let mut files = Vec::new();
     sources(&root().join("crates/percuss/src"), &mut files);
+    sources(&root().join("crates/percuss-batch/src"), &mut files);
     let mut homes: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
     for path in files {
         let file = syn::parse_file(&fs::read_to_string(&path).unwrap()).unwrap();

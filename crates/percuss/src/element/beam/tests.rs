@@ -5,20 +5,11 @@ use crate::element::point::{SectionLaw, Strains};
 use crate::element::strain::StrainMeasure;
 use crate::element::{collocation, energy_momentum, rotary, strain, strain_rate};
 use crate::math::vec2::{add, cross, dot};
-use nalgebra::SVector;
-use num_dual::{DualNum, DualSVec64, jacobian};
+use crate::scalar::Dual;
 use proptest::prelude::*;
 
-type DualFour = DualSVec64<4>;
-
-impl Real for DualFour {
-    fn constant(self, value: f64) -> Self {
-        DualFour::from_re(value)
-    }
-    fn sqrt(self) -> Self {
-        DualNum::sqrt(&self)
-    }
-}
+/// With derivatives by the increments of slope and bend; [`Dual`] is held to difference quotients by its own test.
+type DualFour = Dual<4>;
 
 const H: f64 = 1e-3;
 /// Share of Kelvin-Voigt stresses.
@@ -90,15 +81,22 @@ fn point_from(v: [f64; 8], angle: f64) -> StepPoint<f64> {
     }
 }
 
-fn lift(p: &StepPoint<f64>, end: &SVector<DualFour, 4>) -> StepPoint<DualFour> {
-    let c = |v: [f64; 2]| [DualFour::from_re(v[0]), DualFour::from_re(v[1])];
+/// The point, with derivatives by what changes over the step.
+fn lift(p: &StepPoint<f64>) -> StepPoint<DualFour> {
+    let number = |value: f64| DualFour { value, slope: [0.0; 4] };
+    let c = |v: [f64; 2]| v.map(number);
+    let by = |v: [f64; 2], first: usize| {
+        let mut lifted = c(v);
+        (0..2).for_each(|i| lifted[i].slope[first + i] = 1.0);
+        lifted
+    };
     StepPoint {
         tangent: c(p.tangent),
-        curvature: DualFour::from_re(p.curvature),
+        curvature: number(p.curvature),
         slope_0: c(p.slope_0),
         bend_0: c(p.bend_0),
-        d_slope: [end[0], end[1]],
-        d_bend: [end[2], end[3]],
+        d_slope: by(p.d_slope, 0),
+        d_bend: by(p.d_bend, 2),
     }
 }
 
@@ -112,25 +110,23 @@ proptest! {
         let point = point_from(v, angle);
         for measure in measures() {
             for scheme in 0..4 {
-                let (force, exact) = jacobian(
-                    |end: SVector<DualFour, 4>| {
-                        let r = evaluate::<DualFour, false>(scheme, measure, &lift(&point, &end));
-                        SVector::from([
-                            r.force_g[0], r.force_g[1],
-                            r.force_p[0], r.force_p[1],
-                        ])
-                    },
-                    &SVector::from([v[4], v[5], v[6], v[7]]),
-                );
+                let lifted = evaluate::<DualFour, false>(scheme, measure, &lift(&point));
+                let ([f1, f2], [f3, f4]) = (lifted.force_g, lifted.force_p);
+                let exact = [f1, f2, f3, f4];
+                let size = |values: &mut dyn Iterator<Item = f64>| {
+                    values.map(|x| x * x).sum::<f64>().sqrt()
+                };
+                let force = size(&mut exact.iter().map(|f| f.value));
+                let scale = size(&mut exact.iter().flat_map(|f| f.slope));
                 let ours = evaluate::<f64, true>(scheme, measure, &point);
-                let scale = exact.norm();
                 for i in 0..4 {
                     let f = [ours.force_g, ours.force_p][i / 2][i % 2];
-                    prop_assert!((f - force[i]).abs() <= 1e-12 * (1.0 + force.norm()));
+                    prop_assert!((f - exact[i].value).abs() <= 1e-12 * (1.0 + force));
                     for j in 0..4 {
+                        let (found, exact) = (ours.tangent[i][j], exact[i].slope[j]);
                         prop_assert!(
-                            (ours.tangent[i][j] - exact[(i, j)]).abs() <= 1e-12 * scale,
-                            "scheme {scheme} {measure:?} ({i},{j}): {} {}", ours.tangent[i][j], exact[(i, j)]
+                            (found - exact).abs() <= 1e-12 * scale,
+                            "scheme {scheme} {measure:?} ({i},{j}): {found} {exact}"
                         );
                     }
                 }

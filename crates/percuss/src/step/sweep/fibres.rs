@@ -17,15 +17,15 @@ use crate::step::integration::Integration;
 
 /// The fibres of a span, so many elements in a register as the processor takes; of what type, is known only where its registers are.
 #[derive(Default)]
-pub struct SweptFibres(Option<Box<dyn Held>>);
+pub struct SweptFibres(Option<Box<dyn HeldFibres>>);
 
 /// What is held without its type.
-trait Held: Any + Send + Sync {
-    fn copy(&self) -> Box<dyn Held>;
+trait HeldFibres: Any + Send + Sync {
+    fn copy(&self) -> Box<dyn HeldFibres>;
 }
 
-impl<P: Simd> Held for FibresInLanes<P> {
-    fn copy(&self) -> Box<dyn Held> {
+impl<P: Simd> HeldFibres for FibresInLanes<P> {
+    fn copy(&self) -> Box<dyn HeldFibres> {
         Box::new(self.clone())
     }
 }

@@ -22,7 +22,7 @@ fn model() -> Model {
     let curve = vec![part(0.0, 2e6, 1e8), part(0.01, 3e6, 5e7)];
     let plasticity = Plasticity { curve, kinematic: 1e8, overstress, failure_strain: None };
     let inelasticity = Some(Inelasticity::Plastic(plasticity));
-    let steel = b.material(Material { inelasticity, ..material.clone() });
+    let steel = b.material(Material { name: "steel".into(), inelasticity, ..material.clone() });
     let material = b.material(material);
     let at = |at, area| Station { at, area, inertia: 8e-5 * area, depth: None };
     let stations = vec![at(0.0, 0.1), at(1.0, 0.05)];

@@ -1,0 +1,175 @@
+//! The band of an ensemble: block-tridiagonal, 4 x 4, pivots in the order of the diagonal.
+//!
+//! Lanes cannot search for pivots each on its own. In a step of a transient the blocks are dominated by masses, so there is no need;
+//! where a pivot fails all the same, the run's residual tells and it is left to the solver that searches.
+
+use percuss::math::vec2::dot4;
+use percuss::scalar::Number;
+
+/// A block of the band.
+pub type LaneBlock<S> = [[S; 4]; 4];
+
+/// A block-tridiagonal matrix, or its factors.
+#[derive(Clone, Debug)]
+pub struct Band<S> {
+    /// Diagonal blocks, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation the inverses of the pivots.
+    pub diag: Vec<LaneBlock<S>>,
+    /// Block in row i, column i + 1, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `pivot^-1 upper` \[1, m, 1/m\].
+    pub upper: Vec<LaneBlock<S>>,
+    /// Block in row i + 1, column i, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `lower pivot^-1` \[1, m, 1/m\].
+    pub lower: Vec<LaneBlock<S>>,
+}
+
+impl<S: Number> Band<S> {
+    /// A zero matrix of `n` block rows, in as many lanes as a number has.
+    pub fn zeros(n: usize, like: S) -> Self {
+        let zero = vec![[[like.constant(0.0); 4]; 4]; n];
+        Self { diag: zero.clone(), upper: zero.clone(), lower: zero }
+    }
+
+    /// Adds `k` times the square of a form on the nodes `a` and `a + 1`.
+    #[inline(always)]
+    pub fn add_square(&mut self, a: usize, row: &[S; 8], k: S) {
+        for i in 0..8 {
+            for j in 0..8 {
+                let block = match (i / 4, j / 4) {
+                    (0, 0) => &mut self.diag[a],
+                    (0, _) => &mut self.upper[a],
+                    (_, 0) => &mut self.lower[a],
+                    _ => &mut self.diag[a + 1],
+                };
+                let entry = &mut block[i % 4][j % 4];
+                *entry = entry.add_product(k * row[i], row[j]);
+            }
+        }
+    }
+
+    /// Factors in place.
+    #[inline(always)]
+    pub fn factor(&mut self) {
+        let n = self.diag.len();
+        for i in 0..n {
+            let inverse = inverse(&self.diag[i]);
+            self.diag[i] = inverse;
+            if i + 1 < n {
+                let gain = product(&self.lower[i], &inverse);
+                subtract_product(&mut self.diag[i + 1], &gain, &self.upper[i]);
+                self.lower[i] = gain;
+                self.upper[i] = product(&inverse, &self.upper[i]);
+            }
+        }
+    }
+
+    /// Solves in place with the factors.
+    #[inline(always)]
+    pub fn solve(&self, x: &mut [[S; 4]]) {
+        let Some(first) = x.first() else { return };
+        let mut carried = *first;
+        // What one row hands to the next stays in registers.
+        x[0] = apply(&self.diag[0], &carried);
+        for i in 1..x.len() {
+            carried = less_applied(x[i], &self.lower[i - 1], &carried);
+            x[i] = apply(&self.diag[i], &carried);
+        }
+        let last = x.len() - 1;
+        carried = x[last];
+        for i in (0..last).rev() {
+            carried = less_applied(x[i], &self.upper[i], &carried);
+            x[i] = carried;
+        }
+    }
+
+    /// Takes over the given lanes of another matrix.
+    #[inline(always)]
+    pub fn take(&mut self, from: &Self, which: S::Mask) {
+        for (mine, other) in [
+            (&mut self.diag, &from.diag),
+            (&mut self.upper, &from.upper),
+            (&mut self.lower, &from.lower),
+        ] {
+            let mine = mine.as_flattened_mut().as_flattened_mut();
+            for (mine, other) in mine.iter_mut().zip(other.as_flattened().as_flattened()) {
+                *mine = S::choose(which, *other, *mine);
+            }
+        }
+    }
+}
+
+/// Inverse by Gauss-Jordan elimination, pivots on the diagonal.
+#[inline(always)]
+fn inverse<S: Number>(a: &LaneBlock<S>) -> LaneBlock<S> {
+    let mut m = *a;
+    for k in 0..4 {
+        let [pivot] = S::ordinary_recips([m[k][k]]);
+        m[k][k] = pivot.constant(1.0);
+        for j in 0..4 {
+            m[k][j] = m[k][j] * pivot;
+        }
+        for i in 0..4 {
+            if i != k {
+                let factor = m[i][k];
+                m[i][k] = factor.constant(0.0);
+                for j in 0..4 {
+                    m[i][j] = m[i][j].sub_product(factor, m[k][j]);
+                }
+            }
+        }
+    }
+    m
+}
+
+#[inline(always)]
+fn product<S: Number>(a: &LaneBlock<S>, b: &LaneBlock<S>) -> LaneBlock<S> {
+    let mut c = *a;
+    for i in 0..4 {
+        for j in 0..4 {
+            c[i][j] = (a[i][0] * b[0][j])
+                .add_product(a[i][1], b[1][j])
+                .add_product(a[i][2], b[2][j])
+                .add_product(a[i][3], b[3][j]);
+        }
+    }
+    c
+}
+
+#[inline(always)]
+fn subtract_product<S: Number>(c: &mut LaneBlock<S>, a: &LaneBlock<S>, b: &LaneBlock<S>) {
+    for i in 0..4 {
+        for j in 0..4 {
+            for k in 0..4 {
+                c[i][j] = c[i][j].sub_product(a[i][k], b[k][j]);
+            }
+        }
+    }
+}
+
+/// `x + a y`.
+#[inline(always)]
+pub fn add_applied<S: Number>(mut x: [S; 4], a: &LaneBlock<S>, y: &[S; 4]) -> [S; 4] {
+    for k in 0..4 {
+        for i in 0..4 {
+            x[i] = x[i].add_product(a[i][k], y[k]);
+        }
+    }
+    x
+}
+
+/// `x - a y`.
+#[inline(always)]
+fn less_applied<S: Number>(mut x: [S; 4], a: &LaneBlock<S>, y: &[S; 4]) -> [S; 4] {
+    for k in 0..4 {
+        for i in 0..4 {
+            x[i] = x[i].sub_product(a[i][k], y[k]);
+        }
+    }
+    x
+}
+
+#[inline(always)]
+fn apply<S: Number>(a: &LaneBlock<S>, x: &[S; 4]) -> [S; 4] {
+    let mut y = *x;
+    for i in 0..4 {
+        y[i] = dot4(&a[i], x);
+    }
+    y
+}

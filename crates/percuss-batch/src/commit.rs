@@ -1,0 +1,93 @@
+//! The only writer of the state of an ensemble: the step at hand becomes the start of the next one.
+
+use super::engine::Engine;
+use super::ledger::LaneLedger;
+use super::log::Log;
+use percuss::element::beam::ElementValues;
+use percuss::element::energy_momentum::End;
+use percuss::math::hermite::GAUSS;
+use percuss::scalar::{Number, Task};
+
+/// Takes in the solved step of the lanes that `go`: ledger, state and record; of the others only the record stays, what else has to is
+/// put back by [`Stand`](super::stand::Stand).
+pub struct Accept<'a, S: Number> {
+    pub engine: &'a mut Engine<S>,
+    pub ledger: &'a mut LaneLedger<S>,
+    pub log: &'a mut Log<S>,
+    /// All lanes if `None`.
+    pub go: Option<S::Mask>,
+}
+
+impl<S: Number> Accept<'_, S> {
+    /// Takes it in.
+    #[inline(always)]
+    pub fn accept(self) {
+        self.engine.h.apart(self);
+    }
+}
+
+impl<S: Number> Task for Accept<'_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { engine, ledger, log, go } = self;
+        ledger.enter(engine);
+        engine.commit();
+        if let Some(go) = go {
+            log.keep(go);
+        }
+        log.end(engine);
+        if let Some(go) = go {
+            log.put_back(go);
+        }
+        ledger.close(engine);
+    }
+}
+
+impl<S: Number> Engine<S> {
+    /// Accepts the step at hand.
+    #[inline(always)]
+    fn commit(&mut self) {
+        let rate = self.h.recip();
+        let twice = rate + rate;
+        for n in 0..self.increment.len() {
+            let (u, v) = (&mut self.displacement[n], &mut self.velocity[n]);
+            let d = &self.increment[n];
+            for i in 0..4 {
+                u[i] += d[i];
+                v[i] = d[i] * twice - v[i];
+            }
+        }
+        self.arrive(twice);
+        self.advance_fibres();
+        self.constraints.commit();
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
+            state.way += state.increment;
+            state.velocity = state.increment * twice - state.velocity;
+            state.gap += state.gap_change;
+            state.rate = guide.along(&self.velocity) - state.velocity;
+        }
+    }
+
+    /// Gauss points as the displacements have them at the end of the step, and their angular rates there; `twice` is 2/h.
+    #[inline(always)]
+    fn arrive(&mut self, twice: S) {
+        let mut element = 0;
+        for span in &self.numbers.spans {
+            for k in 0..span.count {
+                let (a, table) = (span.first + k, span.table(k));
+                let (u, d) = (&self.displacement, &self.increment);
+                let values = ElementValues::new(&u[a], &u[a + 1]);
+                let step = ElementValues::new(&d[a], &d[a + 1]);
+                let (start, spin) = (&mut self.start[element], &mut self.spin[element]);
+                let (ends, angles) = End::after(span.measure, &table.rows, start, &values, &step);
+                *start = ends;
+                for j in 0..GAUSS {
+                    spin[j] = (angles[j] * twice) - spin[j];
+                }
+                element += 1;
+            }
+        }
+    }
+}

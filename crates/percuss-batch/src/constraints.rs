@@ -1,0 +1,346 @@
+//! Joints of beams, and supports between nodes, in an ensemble: their multipliers follow from the Schur complement of the band.
+//!
+//! The same constraints as those of single runs ([`step::constraint`](percuss::step::constraint)): forces along the gradient in the middle
+//! of a step, which do no work, and a value that vanishes at its end. Lanes cannot search for pivots; the complement is that of a
+//! tangent that masses dominate, and needs none.
+
+mod numbers;
+
+use super::engine::Engine;
+use super::ledger::LaneLedger;
+use percuss::math::vec2::cross;
+use percuss::scalar::{Number, array};
+use percuss::step::convergence::ROUND_OFF;
+
+pub use numbers::{Constrained, ConstraintNumbers};
+
+/// Corrections by which derivatives follow the values where angles are kept: the tangent lacks what the forces of such a joint change
+/// by when they turn, of the order of the strain of an element, so that each of them leaves a small share of what it finds.
+pub const FOLLOWING: usize = 12;
+
+/// Gradient of a constraint on the nodes of its points: two nodes of the first, two of the second, shape (4, 4) \[1, m, 1/m\].
+type NodalForm<S> = [[S; 4]; 4];
+
+/// The constraints of the runs in mid-flight.
+#[derive(Clone, Debug)]
+pub struct Constraints<S: Number> {
+    /// One by one, shape (constraints).
+    each: Vec<ConstraintState<S>>,
+    /// Inverse of the Schur complement, row by row, shape (constraints * constraints) \[N/m, N, N m\].
+    inverse: Vec<S>,
+    /// Lanes in whose part impulses act: multipliers of such a part are no guess for what follows, and no round-off is taken back in it.
+    pub impulsive: S::Mask,
+}
+
+/// A constraint on its way, and in the step at hand.
+#[derive(Clone, Debug)]
+struct ConstraintState<S> {
+    /// Multiplier of the step accepted last, which the next one starts from \[N, N m\].
+    accepted: S,
+    /// Multiplier in the step at hand, and its correction \[N, N m\].
+    multiplier: S,
+    correction: S,
+    /// Round-off of the steps before that this one takes back \[m, 1\].
+    taken_back: S,
+    /// By how much the increment as it stands misses the constraint \[m, 1\].
+    miss: S,
+    /// Gradient in the middle of the step, as it was evaluated last, shape (4, 4) \[1, m, 1/m\].
+    gradient: NodalForm<S>,
+    /// Gradient at the end of the step, in the free directions, of the factors in use, shape (4, 4) \[1, m, 1/m\].
+    row: NodalForm<S>,
+    /// What the factors in use answer to its gradient, shape (beam nodes, 4) \[m/N, 1/N\].
+    column: Vec<[S; 4]>,
+}
+
+impl<S: Number> Constraints<S> {
+    /// Of runs at rest in the reference configuration.
+    pub fn new(numbers: &[ConstraintNumbers<S>], nodes: usize, zero: S) -> Self {
+        let none = [[zero; 4]; 4];
+        let state = ConstraintState {
+            accepted: zero,
+            multiplier: zero,
+            correction: zero,
+            taken_back: zero,
+            miss: zero,
+            gradient: none,
+            row: none,
+            column: vec![[zero; 4]; nodes],
+        };
+        let n = numbers.len();
+        Self { each: vec![state; n], inverse: vec![zero; n * n], impulsive: zero.less(zero) }
+    }
+
+    /// Takes over a lane of other runs.
+    pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
+        for (mine, other) in self.each.iter_mut().zip(&from.each) {
+            mine.accepted.set_lane(lane, other.accepted, from_lane);
+        }
+    }
+
+    /// Multipliers that the next steps start from, shape (constraints) \[N, N m\].
+    pub fn accepted(&mut self) -> impl Iterator<Item = &mut S> {
+        self.each.iter_mut().map(|c| &mut c.accepted)
+    }
+
+    /// Corrections of the multipliers, shape (constraints) \[N, N m\].
+    pub fn corrections(&mut self) -> impl Iterator<Item = &mut S> {
+        self.each.iter_mut().map(|c| &mut c.correction)
+    }
+
+    /// Takes the corrections in the lanes of `which`.
+    #[inline(always)]
+    pub fn correct(&mut self, which: S::Mask) {
+        for c in &mut self.each {
+            c.multiplier += S::choose(which, c.correction, c.correction.constant(0.0));
+        }
+    }
+
+    /// Accepts the multipliers of the step at hand.
+    #[inline(always)]
+    pub fn commit(&mut self) {
+        for c in &mut self.each {
+            c.accepted = S::choose(self.impulsive, c.accepted, c.multiplier);
+        }
+    }
+
+    /// Lanes whose increments, as large as `step`, meet all constraints but for round-off of displacements as large as `reach`.
+    #[inline(always)]
+    fn met(&self, step: S, reach: S, taken_back: S) -> S::Mask {
+        let one = step.constant(1.0);
+        let tolerance = (step + taken_back * (one + reach)) * ROUND_OFF;
+        let all = !step.less(step);
+        self.each.iter().fold(all, |met, c| met & c.miss.abs().at_most(tolerance))
+    }
+}
+
+impl<S: Number> Engine<S> {
+    /// Share of the constraints' round-off that the step at hand takes back: its share in a whole one.
+    #[inline(always)]
+    fn taken_back(&self) -> S {
+        let one = self.h.constant(1.0);
+        let share = self.h / self.numbers.step;
+        let share = share.if_less(one, share, one);
+        S::choose(self.constraints.impulsive, one.constant(0.0), share)
+    }
+
+    /// Begins a step: multipliers as the one before left them.
+    #[inline(always)]
+    pub fn predict_multipliers(&mut self) {
+        if self.numbers.constraints.is_empty() {
+            return;
+        }
+        let share = self.taken_back();
+        for (c, state) in self.numbers.constraints.iter().zip(&mut self.constraints.each) {
+            state.multiplier = state.accepted;
+            state.taken_back = share * c.value(&self.displacement);
+        }
+    }
+
+    /// Gradient of a constraint after `share` of the increment as it stands.
+    #[inline(always)]
+    fn gradient(&self, c: &ConstraintNumbers<S>, share: f64) -> NodalForm<S> {
+        let zero = self.h.constant(0.0);
+        let forms = c.forms(&self.displacement, &self.increment, zero.constant(share));
+        let mut gradient = [[zero; 4]; 4];
+        for (k, point) in c.points.iter().enumerate() {
+            let ([n0, n1, n2, n3], [f1, f2]) = (c.functions(point), forms[k]);
+            gradient[2 * k] = [*n0 * f1, *n0 * f2, *n1 * f1, *n1 * f2];
+            gradient[2 * k + 1] = [*n2 * f1, *n2 * f2, *n3 * f1, *n3 * f2];
+        }
+        gradient
+    }
+
+    /// Forces of the constraints at the increment as it stands, and by how much it misses them.
+    #[inline(always)]
+    pub fn constrain(&mut self) {
+        for k in 0..self.numbers.constraints.len() {
+            self.see_constraint(k);
+            let (c, state) = (&self.numbers.constraints[k], &self.constraints.each[k]);
+            add_to(&mut self.residual, c, &state.gradient, state.multiplier);
+        }
+    }
+
+    /// Looks at a constraint at the increment as it stands.
+    #[inline(always)]
+    fn see_constraint(&mut self, k: usize) {
+        let c = &self.numbers.constraints[k];
+        let gradient = self.gradient(c, 0.5);
+        // Its change over the step: products differ by their middle.
+        let change = applied(c, &gradient, &self.increment);
+        let state = &mut self.constraints.each[k];
+        (state.gradient, state.miss) = (gradient, change + state.taken_back);
+    }
+
+    /// Lanes whose increments meet the constraints; `reach` is the size of the displacements, `look` says that the increments have changed
+    /// since forces were evaluated.
+    #[inline(always)]
+    pub fn meet_constraints(&mut self, reach: S, look: bool) -> S::Mask {
+        if self.numbers.constraints.is_empty() {
+            return !reach.less(reach);
+        }
+        if look {
+            (0..self.numbers.constraints.len()).for_each(|k| self.see_constraint(k));
+        }
+        let mut step = reach.constant(0.0);
+        for d in &self.increment {
+            (0..4).for_each(|i| step = step.max(d[i].abs()));
+        }
+        self.constraints.met(step, reach, self.taken_back())
+    }
+
+    /// Columns, rows and the Schur complement of the constraints for the factors in use, where they are new.
+    #[inline(always)]
+    pub fn factor_constraints(&mut self, renew: S::Mask) {
+        let n = self.numbers.constraints.len();
+        for k in 0..n {
+            let c = &self.numbers.constraints[k];
+            let mut row = self.gradient(c, 1.0);
+            let mut column = vec![[self.h.constant(0.0); 4]; self.increment.len()];
+            add_to(&mut column, c, &self.gradient(c, 0.5), self.h.constant(1.0));
+            for dofs in &self.numbers.prescribed {
+                dofs.project(&mut column[dofs.node]);
+                let own = nodes(c).zip(&mut row).filter(|(node, _)| *node == dofs.node);
+                own.for_each(|(_, value)| dofs.project(value));
+            }
+            self.factors.solve(&mut column);
+            let state = &mut self.constraints.each[k];
+            choose_all(&mut state.row, &row, renew);
+            choose_all(&mut state.column, &column, renew);
+        }
+        for i in 0..n {
+            for j in 0..n {
+                let (c, each) = (&self.numbers.constraints[i], &self.constraints.each);
+                self.constraints.inverse[i * n + j] = applied(c, &each[i].row, &each[j].column);
+            }
+        }
+        invert(&mut self.constraints.inverse, n);
+    }
+
+    /// Solves for the corrections with the factors in use and the constraints, which close what they miss or, if not `closing`, stay as
+    /// they are.
+    #[inline(always)]
+    pub fn solve_constrained(&mut self, closing: bool) {
+        self.factors.solve(&mut self.correction);
+        let n = self.numbers.constraints.len();
+        if n == 0 {
+            return;
+        }
+        let zero = self.h.constant(0.0);
+        for i in 0..n {
+            let mut change = zero;
+            for (j, c) in self.numbers.constraints.iter().enumerate() {
+                let state = &self.constraints.each[j];
+                let left = applied(c, &state.row, &self.correction);
+                let left = if closing { left + state.miss } else { left };
+                change = change.add_product(self.constraints.inverse[i * n + j], left);
+            }
+            self.constraints.each[i].correction = change;
+        }
+        for state in &self.constraints.each {
+            for (x, answer) in self.correction.iter_mut().zip(&state.column) {
+                for i in 0..4 {
+                    x[i] = x[i].sub_product(state.correction, answer[i]);
+                }
+            }
+        }
+    }
+
+    /// What the correction taken last has changed of the constraints' force on a node.
+    #[inline(always)]
+    pub fn add_constraint_change(&self, node: usize, change: &mut [S; 4]) {
+        for (c, state) in self.numbers.constraints.iter().zip(&self.constraints.each) {
+            if !nodes(c).any(|n| n == node) {
+                continue;
+            }
+            let (now, before) = (self.gradient(c, 0.5), state.multiplier - state.correction);
+            for (k, _) in nodes(c).enumerate().filter(|(_, n)| *n == node) {
+                for i in 0..4 {
+                    let force = now[k][i] * state.multiplier;
+                    change[i] += force.sub_product(state.gradient[k][i], before);
+                }
+            }
+        }
+    }
+}
+
+impl<S: Number> LaneLedger<S> {
+    /// Enters the impulses of supports between nodes over the step.
+    #[inline(always)]
+    pub fn enter_constraints(&mut self, engine: &Engine<S>) {
+        let h = engine.h;
+        let (u, d) = (&engine.displacement, &engine.increment);
+        for (c, state) in engine.numbers.constraints.iter().zip(&engine.constraints.each) {
+            let Constrained::Held { gradient } = c.kept else { continue };
+            let (point, along) = (&c.points[0], -state.multiplier * h);
+            let impulse: [S; 2] = array(|i| c.direction[i] * along);
+            let functions = c.functions(point);
+            let [start, change] =
+                [u, d].map(|nodal| super::engine::interpolate(functions, point.node, nodal));
+            let from = if gradient { point.tangent } else { point.position };
+            let arm: [S; 2] = array(|i| from[i] + start[i] + change[i] * 0.5);
+            self.angular_impulse += cross(arm, impulse);
+            if !gradient {
+                self.impulse = array(|i| self.impulse[i] + impulse[i]);
+            }
+        }
+    }
+}
+
+/// Nodes of a constraint's points, two a point.
+#[inline(always)]
+fn nodes<S>(c: &ConstraintNumbers<S>) -> impl Iterator<Item = usize> {
+    c.points.iter().flat_map(|p| [p.node, p.node + 1])
+}
+
+/// A gradient applied to nodal values.
+#[inline(always)]
+fn applied<S: Number>(c: &ConstraintNumbers<S>, gradient: &NodalForm<S>, nodal: &[[S; 4]]) -> S {
+    let mut sum = gradient[0][0].constant(0.0);
+    for (node, on) in nodes(c).zip(gradient) {
+        for i in 0..4 {
+            sum = sum.add_product(on[i], nodal[node][i]);
+        }
+    }
+    sum
+}
+
+/// Adds `factor` times a gradient to nodal values.
+#[inline(always)]
+fn add_to<S: Number>(
+    nodal: &mut [[S; 4]],
+    c: &ConstraintNumbers<S>,
+    gradient: &NodalForm<S>,
+    factor: S,
+) {
+    for (node, on) in nodes(c).zip(gradient) {
+        for i in 0..4 {
+            nodal[node][i] = nodal[node][i].add_product(on[i], factor);
+        }
+    }
+}
+
+#[inline(always)]
+fn choose_all<S: Number>(mine: &mut [[S; 4]], other: &[[S; 4]], which: S::Mask) {
+    for (mine, other) in mine.iter_mut().zip(other) {
+        *mine = array(|i| S::choose(which, other[i], mine[i]));
+    }
+}
+
+/// Inverse of a matrix of `n` rows by Gauss-Jordan elimination, pivots on the diagonal.
+#[inline(always)]
+fn invert<S: Number>(m: &mut [S], n: usize) {
+    for k in 0..n {
+        let pivot = m[k * n + k].recip();
+        m[k * n + k] = pivot.constant(1.0);
+        for j in 0..n {
+            m[k * n + j] = m[k * n + j] * pivot;
+        }
+        for i in (0..n).filter(|i| *i != k) {
+            let factor = m[i * n + k];
+            m[i * n + k] = factor.constant(0.0);
+            for j in 0..n {
+                m[i * n + j] = m[i * n + j].sub_product(factor, m[k * n + j]);
+            }
+        }
+    }
+}

@@ -1,0 +1,336 @@
+//! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
+
+mod beams;
+mod guide;
+
+use super::band::{Band, LaneBlock};
+use super::constraints::Constraints;
+use super::fibres::FibreStates;
+use super::ground_springs::GroundSpringState;
+use super::impact::Press;
+use super::numbers::{Numbers, PrescribedNumbers};
+use percuss::element::energy_momentum::End;
+use percuss::math::hermite::GAUSS;
+use percuss::math::vec2::{dot, dot4};
+use percuss::scalar::{Number, Real, Task};
+
+pub use guide::GuideState;
+
+/// Runs side by side (or one, with its derivatives), in a step of their own each.
+#[derive(Clone, Debug)]
+pub struct Engine<S: Number> {
+    pub numbers: Numbers<S>,
+    /// Size of the step at hand \[s\].
+    pub h: S,
+    /// Displacements of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
+    pub displacement: Vec<[S; 4]>,
+    /// Velocities of the same, shape (beam nodes, 4) \[m/s, 1/s\].
+    pub velocity: Vec<[S; 4]>,
+    /// Gauss points at the start of the step, shape (elements, Gauss points).
+    pub start: Vec<[End<S>; GAUSS]>,
+    /// Angular rates of their tangents, shape (elements, Gauss points) \[rad/s\].
+    pub spin: Vec<[S; GAUSS]>,
+    /// What fibres remember.
+    pub fibres: FibreStates<S>,
+    /// Joints, and supports between nodes.
+    pub constraints: Constraints<S>,
+    /// Elastic supports and stops, shape (springs to the ground).
+    pub springs: Vec<GroundSpringState<S>>,
+    /// Guided projectiles, shape (guided projectiles).
+    pub guides: Vec<GuideState<S>>,
+    /// Reactions of the supports in the directions held, shape (nodes held, 4) \[N, N m\].
+    pub reactions: Vec<[S; 4]>,
+    /// Lanes whose step is solved, reactions and all, while others go on.
+    pub settled: S::Mask,
+    /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the next
+    /// one's, shape (nodes held, 3, 4, 4) \[N/m, N, N m\].
+    pub reaction_rows: Vec<[LaneBlock<S>; 3]>,
+    /// Mean factors of the loads over the step at hand, shape (loads) \[-\].
+    pub load_factors: Vec<S>,
+    /// What loads apply to the nodes, shape (beam nodes, 4) \[N, N m\].
+    pub applied: Vec<[S; 4]>,
+    /// Increment over the step, shape (beam nodes, 4) \[m, 1\].
+    pub increment: Vec<[S; 4]>,
+    /// What accelerations added to it, as foreseen by the step before, shape (beam nodes, 4) \[m, 1\].
+    pub trend: Vec<[S; 4]>,
+    /// Residual in the free directions, shape (beam nodes, 4) \[N, N m\].
+    pub residual: Vec<[S; 4]>,
+    /// Correction of the increment, shape (beam nodes, 4) \[m, 1\].
+    pub correction: Vec<[S; 4]>,
+    /// The tangent, once assembled and then factored, and the factors in use.
+    pub tangent: Band<S>,
+    pub factors: Band<S>,
+    /// The rigid projectile that strikes in the step at hand of a run with derivatives, if one does.
+    pub striking: Option<usize>,
+    /// The rigid contact of runs side by side, if they have one.
+    pub press: Option<Press<S>>,
+}
+
+impl<S: Number> Engine<S> {
+    /// All at rest in the reference configuration, projectiles on their way.
+    pub fn new(numbers: Numbers<S>) -> Self {
+        let zero = numbers.step.constant(0.0);
+        let nodes = numbers.nodes.len();
+        let still = vec![[zero; 4]; nodes];
+        let at_rest = |engine: &Numbers<S>| {
+            let mut ends = Vec::new();
+            for span in &engine.spans {
+                ends.extend((0..span.count).map(|k| {
+                    span.table(k)
+                        .rows
+                        .map(|row| End::new(span.measure, row.tangent, [zero; 2], row.bend))
+                }));
+            }
+            ends
+        };
+        let start = at_rest(&numbers);
+        let guides = numbers.guides.iter().map(GuideState::at_start).collect();
+        Self {
+            h: numbers.step,
+            displacement: still.clone(),
+            velocity: still.clone(),
+            spin: vec![[zero; GAUSS]; start.len()],
+            start,
+            fibres: FibreStates::at_rest(&numbers),
+            constraints: Constraints::new(&numbers.constraints, nodes, zero),
+            springs: vec![GroundSpringState::at_rest(zero); numbers.springs.len()],
+            guides,
+            reactions: vec![[zero; 4]; numbers.prescribed.len()],
+            settled: zero.less(zero),
+            reaction_rows: vec![[[[zero; 4]; 4]; 3]; numbers.prescribed.len()],
+            load_factors: vec![numbers.step.constant(1.0); numbers.loads.len()],
+            applied: still.clone(),
+            increment: still.clone(),
+            trend: still.clone(),
+            residual: still.clone(),
+            correction: still,
+            tangent: Band::zeros(nodes, zero),
+            factors: Band::zeros(nodes, zero),
+            striking: None,
+            press: None,
+            numbers,
+        }
+    }
+
+    /// Puts a run of another engine into a lane.
+    pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
+        let nodal = |mine: &mut Vec<[S; 4]>, other: &Vec<[S; 4]>| {
+            for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
+                mine.set_lane(lane, *other, from_lane);
+            }
+        };
+        nodal(&mut self.displacement, &from.displacement);
+        nodal(&mut self.velocity, &from.velocity);
+        nodal(&mut self.increment, &from.increment);
+        for (mine, other) in self.spin.as_flattened_mut().iter_mut().zip(from.spin.as_flattened()) {
+            mine.set_lane(lane, *other, from_lane);
+        }
+        for (mine, other) in self.start.as_flattened_mut().iter_mut().zip(from.start.as_flattened())
+        {
+            set_end(mine, lane, other, from_lane);
+        }
+        for (mine, other) in self.guides.iter_mut().zip(&from.guides) {
+            mine.set_lane(lane, other, from_lane);
+        }
+        self.fibres.set_lane(lane, &from.fibres, from_lane);
+        self.constraints.set_lane(lane, &from.constraints, from_lane);
+        self.h.set_lane(lane, from.h, from_lane);
+        let others = from.numbers.flat();
+        let mut numbers = self.numbers.flat();
+        for (mine, other) in numbers.iter_mut().zip(others) {
+            mine.set_lane(lane, other, from_lane);
+        }
+        self.numbers = self.numbers.with(&numbers);
+    }
+
+    /// Residual and reactions at the increment as it stands (of lanes that are settled reactions stay), and the assembled tangent if `TANGENT`, which still knows held
+    /// components.
+    #[inline(always)]
+    pub fn evaluate<const TANGENT: bool>(&mut self) {
+        self.h.apart(Evaluate::<S, TANGENT>(self));
+    }
+
+    #[inline(always)]
+    fn balance<const TANGENT: bool>(&mut self) {
+        self.beams::<TANGENT>();
+        if !self.numbers.loads.is_empty() {
+            self.resist_loads();
+        }
+        self.push_springs::<TANGENT>();
+        self.contacts::<TANGENT>();
+        self.constrain();
+        for k in 0..self.numbers.prescribed.len() {
+            let dofs = &self.numbers.prescribed[k];
+            let free = &mut self.residual[dofs.node];
+            let all = *free;
+            dofs.project(free);
+            for i in 0..4 {
+                let mine = &mut self.reactions[k][i];
+                *mine = S::choose(self.settled, *mine, all[i] - free[i]);
+            }
+        }
+    }
+
+    /// Forces of the guided projectiles, and their own balance.
+    #[inline(always)]
+    fn contacts<const TANGENT: bool>(&mut self) {
+        let rate = self.h.recip();
+        for k in 0..self.guides.len() {
+            let push = self.push(k, rate);
+            let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
+            let a = guide.node;
+            let row = guide.row();
+            for (i, c) in row.iter().enumerate() {
+                let target = &mut self.residual[a + i / 4][i % 4];
+                *target = target.sub_product(push, *c);
+            }
+            if TANGENT {
+                let inertia = guide.mass * (rate + rate) * rate;
+                state.assembled = [state.slope, inertia + state.slope];
+                let felt = state.slope * inertia / state.assembled[1];
+                self.tangent.add_square(a, &row, felt);
+            }
+        }
+    }
+
+    /// Force of a guided projectile at the increment as it stands, and its own balance; with its impulse it is what it pushes with.
+    #[inline(always)]
+    pub fn push(&mut self, k: usize, rate: S) -> S {
+        let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
+        state.gap_change = guide.along(&self.increment) - state.increment;
+        let gap_1 = state.gap + state.gap_change;
+        guide.force(state, -gap_1);
+        let push = state.force + state.impulse * rate;
+        let inertia = guide.mass * (state.increment * rate - state.velocity) * (rate + rate);
+        state.residual = inertia + push - dot(guide.direction, state.applied);
+        push
+    }
+
+    /// Takes held components out of nodal forces.
+    #[inline(always)]
+    pub fn project(holds: &[PrescribedNumbers<S>], nodal: &mut [[S; 4]]) {
+        for dofs in holds {
+            dofs.project(&mut nodal[dofs.node]);
+        }
+    }
+
+    /// Holds what is held in the tangent, and factors it.
+    #[inline(always)]
+    pub fn factor(&mut self) {
+        self.h.apart(FactorBand(self));
+    }
+
+    #[inline(always)]
+    fn hold_and_factor(&mut self) {
+        let last = self.tangent.diag.len() - 1;
+        for dofs in &self.numbers.prescribed {
+            let (n, band) = (dofs.node, &mut self.tangent);
+            // Held directions weigh as much as the others, or round-off in them would move.
+            let own = &band.diag[n];
+            let weight = own[0][0] + own[1][1] + own[2][2] + own[3][3];
+            dofs.project_rows(&mut band.diag[n]);
+            dofs.project_columns(&mut band.diag[n]);
+            for normal in &dofs.normals {
+                for i in 0..4 {
+                    for j in 0..4 {
+                        let entry = &mut band.diag[n][i][j];
+                        *entry = entry.add_product(weight * normal[i], normal[j]);
+                    }
+                }
+            }
+            if n < last {
+                dofs.project_rows(&mut band.upper[n]);
+                dofs.project_columns(&mut band.lower[n]);
+            }
+            if n > 0 {
+                dofs.project_columns(&mut band.upper[n - 1]);
+                dofs.project_rows(&mut band.lower[n - 1]);
+            }
+        }
+        self.tangent.factor();
+    }
+
+    /// Correction of the increments by the factors.
+    #[inline(always)]
+    pub fn correct(&mut self) {
+        self.h.apart(Correct(self));
+    }
+
+    #[inline(always)]
+    fn solve_for_correction(&mut self) {
+        for n in 0..self.residual.len() {
+            for i in 0..4 {
+                self.correction[n][i] = -self.residual[n][i];
+            }
+        }
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &self.guides[k]);
+            let push = state.left_over();
+            for (i, c) in guide.row().iter().enumerate() {
+                let target = &mut self.correction[guide.node + i / 4][i % 4];
+                *target = target.sub_product(push, *c);
+            }
+        }
+        Self::project(&self.numbers.prescribed, &mut self.correction);
+        self.solve_constrained(true);
+        for k in 0..self.guides.len() {
+            let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
+            let moved = guide.along(&self.correction);
+            let [slope, inertia] = state.factored;
+            state.correction = (slope * moved - state.residual) / inertia;
+        }
+    }
+}
+
+/// See [`Engine::evaluate`].
+struct Evaluate<'a, S: Number, const TANGENT: bool>(&'a mut Engine<S>);
+
+impl<S: Number, const TANGENT: bool> Task for Evaluate<'_, S, TANGENT> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        self.0.balance::<TANGENT>();
+    }
+}
+
+/// See [`Engine::factor`].
+struct FactorBand<'a, S: Number>(&'a mut Engine<S>);
+
+impl<S: Number> Task for FactorBand<'_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        self.0.hold_and_factor();
+    }
+}
+
+/// See [`Engine::correct`].
+struct Correct<'a, S: Number>(&'a mut Engine<S>);
+
+impl<S: Number> Task for Correct<'_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        self.0.solve_for_correction();
+    }
+}
+
+/// Interpolates nodal values with shape functions.
+#[inline(always)]
+pub fn interpolate<S: Real>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
+    let (a, b) = (&nodal[node], &nodal[node + 1]);
+    [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
+}
+
+fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {
+    let flat = |e: &End<S>| {
+        let ([s0, s1], [b0, b1]) = (e.slope, e.bend);
+        [s0, s1, b0, b1, e.stretch, e.inverse, e.membrane]
+    };
+    let mut values = flat(mine);
+    for (value, other) in values.iter_mut().zip(flat(from)) {
+        value.set_lane(lane, other, from_lane);
+    }
+    let [s0, s1, b0, b1, stretch, inverse, membrane] = values;
+    *mine = End { slope: [s0, s1], bend: [b0, b1], stretch, inverse, membrane };
+}

@@ -1,0 +1,210 @@
+//! Elastic supports and stops of an ensemble: springs and dampers from points of the beams to the ground, along fixed directions.
+//!
+//! The same forces as those of single runs ([`step::connectors`](percuss::step::connectors)): the difference quotient of the potential.
+
+use super::engine::{Engine, interpolate};
+use super::law::difference_quotient;
+use super::ledger::LaneLedger;
+use super::numbers::GuideLaw;
+use percuss::math::vec2::{cross, dot};
+use percuss::model::frozen::{Connector, ConnectorLaw, Coordinate};
+use percuss::scalar::{Number, array};
+
+/// A spring and damper from a point of a beam to the ground.
+#[derive(Clone, Debug)]
+pub struct GroundSpringNumbers<S> {
+    /// Node `a` of the element it acts on.
+    pub node: usize,
+    /// Whether it presses only from its free length on.
+    pub one_sided: bool,
+    /// Shape functions of its point, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+    pub shape: [S; 4],
+    /// Reference position of its point, shape (2) \[m\].
+    pub position: [S; 2],
+    /// Line it acts along, unit vector, shape (2) \[1\].
+    pub direction: [S; 2],
+    /// Stiffness \[N/m\].
+    pub stiffness: S,
+    /// Force per rate \[N s/m\].
+    pub damping: S,
+    /// Displacement without force \[m\].
+    pub free: S,
+}
+
+/// A spring in the step at hand.
+#[derive(Clone, Copy, Debug)]
+pub struct GroundSpringState<S> {
+    /// Force of spring and damper \[N\], its slope by the displacement at the end of the step \[N/m\], and the change of the displacement
+    /// over the step that they go with \[m\].
+    force: S,
+    slope: S,
+    change: S,
+    /// Slope of the factors in use \[N/m\].
+    factored: S,
+}
+
+impl GroundSpringNumbers<f64> {
+    /// Those of a connector of a model, or what about it an ensemble does not know.
+    pub fn of(c: &Connector) -> Result<Self, &'static str> {
+        if c.until < f64::INFINITY {
+            return Err("supports for a time");
+        }
+        let Coordinate::Displacement { point, direction, drive } = &c.coordinate else {
+            return Err("springs between points, and rotational springs");
+        };
+        if !drive.is_empty() {
+            return Err("supports that move");
+        }
+        let (one_sided, stiffness, free) = match c.law {
+            ConnectorLaw::Linear { stiffness, rest } => (false, stiffness, rest),
+            ConnectorLaw::OneSided { stiffness, gap } => (true, stiffness, gap),
+        };
+        Ok(Self {
+            node: point.node,
+            one_sided,
+            shape: point.shape,
+            position: point.position,
+            direction: *direction,
+            stiffness,
+            damping: c.damping,
+            free,
+        })
+    }
+}
+
+impl<S: Copy> GroundSpringNumbers<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> GroundSpringNumbers<T> {
+        GroundSpringNumbers {
+            node: self.node,
+            one_sided: self.one_sided,
+            shape: self.shape.map(&mut *f),
+            position: self.position.map(&mut *f),
+            direction: self.direction.map(&mut *f),
+            stiffness: f(self.stiffness),
+            damping: f(self.damping),
+            free: f(self.free),
+        }
+    }
+}
+
+impl<S: Number> GroundSpringNumbers<S> {
+    /// Displacement of its point along its line.
+    #[inline(always)]
+    fn along(&self, nodal: &[[S; 4]]) -> S {
+        dot(self.direction, interpolate(&self.shape, self.node, nodal))
+    }
+
+    /// Potential at a displacement \[J\].
+    #[inline(always)]
+    fn energy(&self, q: S) -> S {
+        let zero = q.constant(0.0);
+        let p = q - self.free;
+        let p = if self.one_sided { p.max(zero) } else { p };
+        self.stiffness * p * p * 0.5
+    }
+
+    /// Force of the spring over a step from `q0` by `change`, and its slope by the end of the step.
+    #[inline(always)]
+    fn force(&self, q0: S, change: S) -> [S; 2] {
+        let p0 = q0 - self.free;
+        if self.one_sided {
+            return difference_quotient(GuideLaw::Linear, self.stiffness, p0, p0 + change);
+        }
+        [self.stiffness * (p0 + change * 0.5), self.stiffness * 0.5]
+    }
+}
+
+impl<S: Number> GroundSpringState<S> {
+    /// Without force.
+    pub fn at_rest(zero: S) -> Self {
+        Self { force: zero, slope: zero, change: zero, factored: zero }
+    }
+}
+
+impl<S: Number> Engine<S> {
+    /// What a spring does at the increment as it stands.
+    #[inline(always)]
+    fn see_spring(&self, k: usize) -> GroundSpringState<S> {
+        let spring = &self.numbers.springs[k];
+        let change = spring.along(&self.increment);
+        let [elastic, slope] = spring.force(spring.along(&self.displacement), change);
+        let lag = spring.damping / self.h;
+        let (force, slope) = (elastic + lag * change, slope + lag);
+        GroundSpringState { force, slope, change, factored: self.springs[k].factored }
+    }
+
+    /// Forces of the springs, and their tangent if `TANGENT`.
+    #[inline(always)]
+    pub fn push_springs<const TANGENT: bool>(&mut self) {
+        for k in 0..self.springs.len() {
+            let state = self.see_spring(k);
+            self.springs[k] = state;
+            let spring = &self.numbers.springs[k];
+            let row = row(&spring.shape, &spring.direction);
+            for (i, c) in row.iter().enumerate() {
+                let target = &mut self.residual[spring.node + i / 4][i % 4];
+                *target = target.add_product(state.force, *c);
+            }
+            if TANGENT {
+                self.tangent.add_square(spring.node, &row, state.slope);
+            }
+        }
+    }
+
+    /// Takes the slopes of the tangent assembled last for those of the factors in use, in the given lanes.
+    #[inline(always)]
+    pub fn factor_springs(&mut self, which: S::Mask) {
+        for state in &mut self.springs {
+            state.factored = S::choose(which, state.slope, state.factored);
+        }
+    }
+
+    /// Lanes in which no spring but for an impulse of `small` has another force than the factors foresaw when the correction was taken:
+    /// none has opened or closed.
+    #[inline(always)]
+    pub fn springs_foreseen(&self, small: S) -> S::Mask {
+        let mut all = !small.less(small);
+        for (k, before) in self.springs.iter().enumerate() {
+            if self.numbers.springs[k].one_sided {
+                let now = self.see_spring(k);
+                let foreseen = before.force + before.factored * (now.change - before.change);
+                all = all & ((now.force - foreseen) * self.h).abs().at_most(small);
+            }
+        }
+        all
+    }
+
+    /// Energy of the springs \[J\].
+    #[inline(always)]
+    pub fn spring_energy(&self) -> S {
+        let zero = self.h.constant(0.0);
+        let each = self.numbers.springs.iter();
+        each.fold(zero, |sum, s| sum + s.energy(s.along(&self.displacement)))
+    }
+}
+
+impl<S: Number> LaneLedger<S> {
+    /// Enters the impulses of the ground and the losses of the dampers over the step.
+    #[inline(always)]
+    pub fn enter_springs(&mut self, engine: &Engine<S>) {
+        let h = engine.h;
+        let (u, d) = (&engine.displacement, &engine.increment);
+        for (k, spring) in engine.numbers.springs.iter().enumerate() {
+            let state = engine.see_spring(k);
+            self.loss_damping += spring.damping / h * state.change * state.change;
+            let impulse: [S; 2] = array(|i| -(spring.direction[i] * state.force * h));
+            let [start, step] = [u, d].map(|nodal| interpolate(&spring.shape, spring.node, nodal));
+            let x: [S; 2] = array(|i| spring.position[i] + start[i] + step[i] * 0.5);
+            self.impulse = array(|i| self.impulse[i] + impulse[i]);
+            self.angular_impulse += cross(x, impulse);
+        }
+    }
+}
+
+/// Nodal values of a point along a direction, as a form on its two nodes.
+#[inline(always)]
+pub fn row<S: Number>([n0, n1, n2, n3]: &[S; 4], [e1, e2]: &[S; 2]) -> [S; 8] {
+    let (e1, e2) = (*e1, *e2);
+    [*n0 * e1, *n0 * e2, *n1 * e1, *n1 * e2, *n2 * e1, *n2 * e2, *n3 * e1, *n3 * e2]
+}

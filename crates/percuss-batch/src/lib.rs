@@ -1,0 +1,46 @@
+//! Many runs of Percuss, and runs with their derivatives: [`simulate_batch`] and [`sensitivities`].
+//!
+//! Ensembles: runs of one shape stepped side by side, one a lane, or one run with its derivatives.
+//!
+//! The same mechanics as [`Simulation`](percuss::Simulation), with the same element kernels and the same tests of convergence,
+//! for what most studies are made of: beams and frames, elastic, damped or yielding, struck by guided projectiles
+//! and under dead loads ([`shape`] says what fits).
+//! Written once over [`Number`](percuss::scalar::Number): lanes make it fast, dual numbers make it differentiate. Lanes never
+//! see each other, so a run gives the same bits alone and in company.
+
+mod band;
+mod batch;
+mod commit;
+mod constraints;
+mod engine;
+mod fibres;
+mod flight;
+mod ground_springs;
+mod horizon;
+mod impact;
+mod law;
+mod ledger;
+mod loads;
+mod log;
+mod newton;
+mod numbers;
+mod pace;
+mod paced;
+mod prescribed;
+mod reactions;
+mod rigid_log;
+mod run;
+mod sensitivity;
+mod shape;
+mod stand;
+mod summary;
+mod yield_log;
+
+/// Version and a hash of the sources of this crate, as [`percuss::BUILD`] is of those that it builds on.
+pub const BUILD: &str = env!("PERCUSS_BUILD");
+
+pub use batch::{Detail, simulate_batch};
+pub use run::runs_alone;
+pub use sensitivity::{
+    Grazing, Horizon, Onset, Sensitivities, Undifferentiated, Variation, sensitivities,
+};

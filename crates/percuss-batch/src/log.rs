@@ -1,0 +1,370 @@
+//! What the summaries of an ensemble tell of points and contacts: peaks and intervals, resolved within the step.
+
+mod kept;
+mod path;
+
+use super::engine::Engine;
+use super::numbers::GuideLaw;
+use super::yield_log::{self, YieldLog};
+use kept::Kept;
+use percuss::contact::free_gap::FreeGap;
+use percuss::math::interpolant::Interpolant;
+use percuss::run::crest::Crest;
+use percuss::scalar::{Mask, Number};
+use percuss::step::contacts::IMPULSIVE;
+
+/// A largest value and when it occurred.
+#[derive(Clone, Copy, Debug)]
+pub struct Top<S> {
+    pub value: S,
+    pub time: S,
+}
+
+/// A closed interval of one lane's contact.
+#[derive(Clone, Copy, Debug)]
+pub struct Closed<S> {
+    pub start: S,
+    pub end: S,
+    pub impulse: S,
+    /// Work on beam and projectile, shape (2) \[J\].
+    pub given: [S; 2],
+    /// Potential at its end, where it is still closed \[J\].
+    pub stored: S,
+    /// Deepest penetration \[m\].
+    pub deepest: Top<S>,
+    pub approach: S,
+    pub separation: S,
+    /// Steps in which it was closed.
+    pub steps: S,
+    /// What the gap's rate changed by in the step before it and in the one after it, shape (2) \[m/s\].
+    pub changes: [S; 2],
+    /// Where it closed, shape (2) \[m\].
+    pub place: [S; 2],
+    /// Where it was last, shape (2) \[m\].
+    pub place_end: [S; 2],
+}
+
+/// An impact of one lane's rigid projectile.
+#[derive(Clone, Copy, Debug)]
+pub struct Struck<S> {
+    pub time: S,
+    pub impulse: S,
+    pub approach: S,
+    pub separation: S,
+    /// Work on beam and projectile, shape (2) \[J\].
+    pub given: [S; 2],
+    /// Where it struck, shape (2) \[m\].
+    pub place: [S; 2],
+}
+
+/// The record of a guided projectile.
+#[derive(Clone, Debug)]
+pub struct GuideLog<S: Number> {
+    /// The interval that is open in each lane, as it stands.
+    open: Closed<S>,
+    /// Which lanes have one, shape (lanes).
+    is_open: Vec<bool>,
+    /// Intervals that have ended, by lane, shape (lanes, intervals of one).
+    pub closed: Vec<Vec<Closed<S>>>,
+    /// Deepest penetration of the run \[m\].
+    pub deepest: Top<S>,
+    /// Impacts, by lane, shape (lanes, impacts of one).
+    pub impacts: Vec<Vec<Struck<S>>>,
+    /// Impulse that the projectile gave, and work that it did, shape (2) \[N s, J\].
+    pub given: [S; 2],
+    /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
+    free: S,
+    /// Lanes whose last interval ended in the step before.
+    released: S::Mask,
+    /// Gap and rate at the end of that step.
+    parted: FreeGap<S>,
+    /// Its start and size, shape (2) \[s\].
+    parted_at: [S; 2],
+}
+
+/// The record of an ensemble.
+#[derive(Clone, Debug)]
+pub struct Log<S: Number> {
+    /// Time at the start of the step at hand \[s\].
+    pub time: S,
+    /// Extremes of the recorded points, by component, shape (recorded points, 2).
+    pub points: Vec<[Crest<S>; 2]>,
+    /// One entry a guided projectile, shape (guided projectiles).
+    pub guides: Vec<GuideLog<S>>,
+    /// Where spans have yielded, shape (spans with fibres).
+    pub yields: Vec<YieldLog<S>>,
+    /// Displacements and velocities of the recorded points at the start of the step, shape (recorded points, 2, 2) \[m, m/s\].
+    point_start: Vec<[[S; 2]; 2]>,
+    /// Gaps and their rates at the start of the step, shape (guided projectiles, 2) \[m, m/s\].
+    gap_start: Vec<[S; 2]>,
+    /// Lanes whose step is taken in.
+    taken: S::Mask,
+    /// What stays of the others.
+    kept: Kept<S>,
+}
+
+impl<S: Number> Closed<S> {
+    fn none(like: S) -> Self {
+        let (nan, zero) = (like.constant(f64::NAN), like.constant(0.0));
+        Self {
+            start: nan,
+            end: nan,
+            impulse: zero,
+            given: [zero; 2],
+            stored: zero,
+            deepest: Top { value: zero, time: nan },
+            approach: nan,
+            separation: nan,
+            steps: zero,
+            changes: [zero; 2],
+            place: [nan; 2],
+            place_end: [nan; 2],
+        }
+    }
+
+    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`; returns
+    /// how long that is.
+    fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) -> S {
+        let [since, rate] = back.closes(h);
+        self.end = start + (h - since);
+        self.separation = -rate;
+        self.changes[1] = back.acceleration * h;
+        since
+    }
+
+    fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
+        let set = |mine: &mut S, other: S| mine.set_lane(lane, other, from_lane);
+        set(&mut self.start, from.start);
+        set(&mut self.end, from.end);
+        set(&mut self.impulse, from.impulse);
+        set(&mut self.stored, from.stored);
+        set(&mut self.deepest.value, from.deepest.value);
+        set(&mut self.deepest.time, from.deepest.time);
+        set(&mut self.approach, from.approach);
+        set(&mut self.separation, from.separation);
+        set(&mut self.steps, from.steps);
+        for i in 0..2 {
+            set(&mut self.changes[i], from.changes[i]);
+            set(&mut self.given[i], from.given[i]);
+            set(&mut self.place[i], from.place[i]);
+            set(&mut self.place_end[i], from.place_end[i]);
+        }
+    }
+}
+
+impl<S: Number> Log<S> {
+    /// Nothing has happened yet.
+    pub fn new(engine: &Engine<S>) -> Self {
+        let zero = engine.h.constant(0.0);
+        let top = Top { value: zero, time: zero };
+        let guide = |_| GuideLog {
+            open: Closed::none(zero),
+            is_open: vec![false; S::LANES],
+            closed: vec![Vec::new(); S::LANES],
+            deepest: top,
+            impacts: vec![Vec::new(); S::LANES],
+            given: [zero; 2],
+            free: zero,
+            released: zero.less(zero),
+            parted: FreeGap { gap: zero, rate: zero, acceleration: zero },
+            parted_at: [zero; 2],
+        };
+        let (points, guides) = (engine.numbers.points.len(), engine.guides.len());
+        Self {
+            time: zero,
+            points: vec![[Crest::new(zero, zero); 2]; points],
+            guides: (0..guides).map(guide).collect(),
+            yields: vec![YieldLog::none(zero); engine.yielding_spans()],
+            point_start: vec![[[zero; 2]; 2]; points],
+            gap_start: vec![[zero; 2]; guides],
+            taken: zero.at_most(zero),
+            kept: Kept::default(),
+        }
+    }
+
+    /// Begins a new run in a lane.
+    pub fn reset(&mut self, lane: usize) {
+        let zero = self.time.constant(0.0);
+        let none = Closed::none(zero);
+        self.time.set_lane(lane, zero, 0);
+        for crest in self.points.as_flattened_mut() {
+            crest.reset(lane, zero);
+        }
+        self.yields.iter_mut().for_each(|log| log.reset(lane));
+        for log in &mut self.guides {
+            log.open.set_lane(lane, &none, 0);
+            log.is_open[lane] = false;
+            log.closed[lane].clear();
+            log.impacts[lane].clear();
+            log.given.iter_mut().for_each(|given| given.set_lane(lane, zero, 0));
+            log.free.set_lane(lane, zero, 0);
+            let before = log.released;
+            log.released = zero.mask(|i| i != lane && before.lane(i));
+            log.deepest.value.set_lane(lane, zero, 0);
+            log.deepest.time.set_lane(lane, zero, 0);
+        }
+    }
+
+    /// Notes the start of a step.
+    #[inline(always)]
+    pub fn begin(&mut self, engine: &Engine<S>) {
+        for (k, start) in self.point_start.iter_mut().enumerate() {
+            *start = engine.point(k);
+        }
+        for (start, guide) in self.gap_start.iter_mut().zip(&engine.guides) {
+            *start = [guide.gap, guide.rate];
+        }
+    }
+
+    /// Takes in the end of the step.
+    #[inline(always)]
+    pub fn end(&mut self, engine: &Engine<S>) {
+        let impulsive = engine.h.less(engine.numbers.step * IMPULSIVE);
+        for (k, crests) in self.points.iter_mut().enumerate() {
+            let ([u0, v0], [u1, v1]) = (self.point_start[k], engine.point(k));
+            for c in 0..2 {
+                let (h, from) = (engine.h, self.time);
+                let path = Interpolant { h, start: [u0[c], v0[c]], end: [u1[c], v1[c]] };
+                crests[c].take(&path, from, impulsive);
+            }
+        }
+        if !self.yields.is_empty() {
+            yield_log::note(engine, self.time + engine.h, &mut self.yields);
+        }
+        for (log, state) in self.guides.iter_mut().zip(&engine.guides) {
+            let push = state.force + state.impulse / engine.h;
+            log.given[0] += engine.h * push;
+            log.given[1] += push * state.increment;
+        }
+        for k in 0..self.guides.len() {
+            if engine.numbers.guides[k].law != GuideLaw::Rigid {
+                self.contact(engine, k, impulsive);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn contact(&mut self, engine: &Engine<S>, k: usize, impulsive: S::Mask) {
+        let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
+        let zero = engine.h.constant(0.0);
+        let (time, h) = (self.time, engine.h);
+        let [gap_0, rate_0] = self.gap_start[k];
+        let least = gap_0.if_less(state.gap, gap_0, state.gap);
+        let log = &mut self.guides[k];
+        let flight = FreeGap { gap: gap_0, rate: rate_0, acceleration: log.free };
+        log.open_throughout(self.taken, !least.less(zero), (state.rate - rate_0) / h);
+        if !least.any_less(zero) {
+            return;
+        }
+        let path = Interpolant { h, start: [-gap_0, -rate_0], end: [-state.gap, -state.rate] };
+        for lane in 0..S::LANES {
+            let (before, after) = (gap_0.lane(lane), state.gap.lane(lane));
+            if self.taken.lane(lane) && !log.is_open[lane] && (before < 0.0 || after < 0.0) {
+                log.is_open[lane] = true;
+                let [opens, approach] = path::touch_down(&path, &flight, lane);
+                let mut new = Closed::none(zero);
+                new.start = time + opens;
+                new.approach = approach;
+                new.changes[0] = flight.acceleration * h;
+                new.place = engine.struck_before(k, h - opens);
+                log.open.set_lane(lane, &new, lane);
+            }
+        }
+        let force = state.force;
+        log.open.impulse += h * force;
+        log.open.steps += zero.constant(1.0);
+        log.open.given[0] += force * guide.along(&engine.increment);
+        log.open.given[1] += -(force * state.increment);
+        log.open.deepest.take(&path, time, impulsive);
+        log.deepest.take(&path, time, impulsive);
+        for lane in 0..S::LANES {
+            if self.taken.lane(lane) && log.is_open[lane] && state.gap.lane(lane) >= 0.0 {
+                let parted = FreeGap { gap: state.gap, rate: -state.rate, acceleration: zero };
+                let mut done = log.open;
+                let since = done.part(&parted, [time, h]);
+                log.parted.gap.set_lane(lane, parted.gap, lane);
+                log.parted.rate.set_lane(lane, parted.rate, lane);
+                log.parted_at[0].set_lane(lane, time, lane);
+                log.parted_at[1].set_lane(lane, h, lane);
+                let released = log.released;
+                log.released = zero.mask(|i| i == lane || released.lane(i));
+                done.place_end = engine.struck_before(k, since);
+                log.closed[lane].push(done);
+                log.is_open[lane] = false;
+                log.open.set_lane(lane, &Closed::none(zero), lane);
+            }
+        }
+    }
+
+    /// Projectiles that in the step just solved came nearest without touching: number, time, gap. The first lane alone.
+    pub fn passes<'a>(&'a self, engine: &'a Engine<S>) -> impl Iterator<Item = (usize, S, S)> + 'a {
+        let each = self.gap_start.iter().zip(&engine.guides).enumerate();
+        each.filter_map(|(k, (&[gap, rate], state))| {
+            let open = gap.lane(0) > 0.0 && state.gap.lane(0) > 0.0;
+            if !open || rate.lane(0) >= 0.0 || state.rate.lane(0) < 0.0 {
+                return None;
+            }
+            let path =
+                Interpolant { h: engine.h, start: [gap, rate], end: [state.gap, state.rate] };
+            let own = path.lane(0);
+            let least = own.stationary().min_by(|a, b| own.value(*a).total_cmp(&own.value(*b)));
+            // The gap is stationary there: that the instant moves with the parameters does not change it to first order.
+            let t = engine.h.constant(least?);
+            Some((k, self.time + t, path.value(t)))
+        })
+    }
+
+    /// Closed intervals of a lane's contact; the last one may still be closed.
+    pub fn intervals(&self, engine: &Engine<S>, k: usize, lane: usize) -> Vec<Closed<S>> {
+        let log = &self.guides[k];
+        let mut all = log.closed[lane].clone();
+        if log.is_open[lane] {
+            let (guide, state) = (&engine.numbers.guides[k], &engine.guides[k]);
+            let (stored, place_end) = (guide.energy(-state.gap), engine.struck(k));
+            all.push(Closed { stored, place_end, ..log.open });
+        }
+        all
+    }
+}
+
+impl<S: Number> Engine<S> {
+    /// Place of the point that a projectile strikes \[m\].
+    pub fn struck(&self, k: usize) -> [S; 2] {
+        let guide = &self.numbers.guides[k];
+        let u = guide.value(&self.displacement);
+        [guide.struck[0] + u[0], guide.struck[1] + u[1]]
+    }
+
+    /// The same so long before the end of the step that has just been made.
+    pub fn struck_before(&self, k: usize, since: S) -> [S; 2] {
+        let [now, moved] = [self.struck(k), self.numbers.guides[k].value(&self.increment)];
+        let share = since / self.h;
+        [now[0] - share * moved[0], now[1] - share * moved[1]]
+    }
+}
+
+impl<S: Number> GuideLog<S> {
+    /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
+    #[inline(always)]
+    fn open_throughout(&mut self, taken: S::Mask, open: S::Mask, acceleration: S) {
+        let zero = acceleration.constant(0.0);
+        self.free = S::choose(open, acceleration, zero);
+        let (freed, released) = (self.released & open & taken, self.released & taken);
+        if !released.any() {
+            return;
+        }
+        self.released = zero.less(zero);
+        // What closes again at once has not flown freely over a step.
+        for lane in (0..S::LANES).filter(|i| released.lane(*i) && !freed.lane(*i)) {
+            if let Some(last) = self.closed[lane].last_mut() {
+                last.changes[1] = zero.constant(f64::NAN);
+            }
+        }
+        let parted = FreeGap { acceleration, ..self.parted };
+        for lane in 0..S::LANES {
+            if let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) {
+                last.part(&parted, self.parted_at);
+            }
+        }
+    }
+}

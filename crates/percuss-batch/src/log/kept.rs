@@ -1,0 +1,95 @@
+//! Logs of lanes whose part of a step is not accepted stay as they are.
+
+use super::{Closed, GuideLog, Log, Top};
+use crate::yield_log::YieldLog;
+use percuss::contact::free_gap::FreeGap;
+use percuss::run::crest::Crest;
+use percuss::scalar::{Mask, Number};
+
+/// What lanes keep whose step is not taken in.
+#[derive(Clone, Debug)]
+pub(super) struct Kept<S: Number> {
+    /// Extremes of the recorded points, shape (recorded points, 2).
+    points: Vec<[Crest<S>; 2]>,
+    /// What is noted of the projectiles, shape (guided projectiles).
+    guides: Vec<KeptGuide<S>>,
+    /// Where spans have yielded, shape (spans with fibres).
+    yields: Vec<YieldLog<S>>,
+}
+
+/// The same of a guided projectile, as in [`GuideLog`].
+#[derive(Clone, Copy, Debug)]
+struct KeptGuide<S: Number> {
+    open: Closed<S>,
+    deepest: Top<S>,
+    /// Impulse that it gave, and work that it did, shape (2) \[N s, J\].
+    given: [S; 2],
+    free: S,
+    released: S::Mask,
+    parted: FreeGap<S>,
+    /// Start and size of the step in which it parted, shape (2) \[s\].
+    parted_at: [S; 2],
+}
+
+impl<S: Number> Default for Kept<S> {
+    fn default() -> Self {
+        Self { points: Vec::new(), guides: Vec::new(), yields: Vec::new() }
+    }
+}
+
+impl<S: Number> Log<S> {
+    /// Keeps what the end of a step changes, and takes it in for the lanes that `go` alone.
+    #[inline(always)]
+    pub fn keep(&mut self, go: S::Mask) {
+        self.taken = go;
+        self.kept.points.clone_from(&self.points);
+        self.kept.yields.clone_from(&self.yields);
+        self.kept.guides.clear();
+        self.kept.guides.extend(self.guides.iter().map(GuideLog::kept));
+    }
+
+    /// Puts all lanes but those that `go` back to what was kept.
+    #[inline(always)]
+    pub fn put_back(&mut self, go: S::Mask) {
+        self.taken = go | !go;
+        for (now, kept) in
+            self.points.as_flattened_mut().iter_mut().zip(self.kept.points.as_flattened())
+        {
+            now.put_back(kept, go);
+        }
+        for (now, kept) in self.yields.iter_mut().zip(&self.kept.yields) {
+            now.put_back(kept, go);
+        }
+        for (now, kept) in self.guides.iter_mut().zip(&self.kept.guides) {
+            now.put_back(kept, go);
+        }
+    }
+}
+
+impl<S: Number> GuideLog<S> {
+    #[inline(always)]
+    fn kept(&self) -> KeptGuide<S> {
+        let Self { open, deepest, given, free, released, parted, parted_at, .. } = *self;
+        KeptGuide { open, deepest, given, free, released, parted, parted_at }
+    }
+
+    /// Puts all lanes but those that `go` back to what they were.
+    #[inline(always)]
+    fn put_back(&mut self, kept: &KeptGuide<S>, go: S::Mask) {
+        let choose = |now: &mut S, kept: S| *now = S::choose(go, *now, kept);
+        for lane in (0..S::LANES).filter(|lane| !go.lane(*lane)) {
+            self.open.set_lane(lane, &kept.open, lane);
+        }
+        choose(&mut self.deepest.value, kept.deepest.value);
+        choose(&mut self.deepest.time, kept.deepest.time);
+        choose(&mut self.free, kept.free);
+        choose(&mut self.parted.gap, kept.parted.gap);
+        choose(&mut self.parted.rate, kept.parted.rate);
+        choose(&mut self.parted.acceleration, kept.parted.acceleration);
+        for i in 0..2 {
+            choose(&mut self.given[i], kept.given[i]);
+            choose(&mut self.parted_at[i], kept.parted_at[i]);
+        }
+        self.released = self.released & go | kept.released & !go;
+    }
+}

@@ -1,0 +1,54 @@
+//! What a path over a step tells: where it closes, and its largest value.
+
+use super::Top;
+use percuss::contact::free_gap::FreeGap;
+use percuss::math::interpolant::Interpolant;
+use percuss::scalar::{Mask, Number};
+
+/// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
+pub(super) fn touch_down<S: Number>(
+    path: &Interpolant<S>,
+    flight: &FreeGap<S>,
+    lane: usize,
+) -> [S; 2] {
+    if flight.gap.lane(lane) >= 0.0 {
+        let [time, rate] = flight.closes(path.h);
+        if rate.lane(lane) < 0.0 {
+            return [time, -rate];
+        }
+    }
+    let time = path.crossing(lane);
+    [time, path.slope(time)]
+}
+
+impl<S: Number> Top<S> {
+    /// Takes in a step: the largest value stays that is positive; a lane that stands open leaves no trace.
+    #[inline(always)]
+    pub(super) fn take(&mut self, path: &Interpolant<S>, start: S, impulsive: S::Mask) {
+        let ([u0, v0], [u1, v1]) = (path.start, path.end);
+        self.time = Interpolant::at_event(start, impulsive, self.time);
+        self.time = self.value.if_less(u1, path.at_end(start, impulsive), self.time);
+        self.value = self.value.if_less(u1, u1, self.value);
+        // What lies between stays within the control points of the cubic.
+        let third = path.h * (1.0 / 3.0);
+        let (c0, c1) = (u0 + v0 * third, u1 - v1 * third);
+        let inside = self.value.less(c0.max(c1));
+        if inside.any() {
+            for lane in 0..S::LANES {
+                if inside.lane(lane) {
+                    self.look_inside(path, start, lane);
+                }
+            }
+        }
+    }
+
+    fn look_inside(&mut self, path: &Interpolant<S>, start: S, lane: usize) {
+        let own = path.lane(lane);
+        for t in own.stationary() {
+            if own.value(t) > self.value.lane(lane) {
+                self.value.set_lane(lane, path.value(start.constant(t)), lane);
+                self.time.set_lane(lane, start + path.crest(t), lane);
+            }
+        }
+    }
+}

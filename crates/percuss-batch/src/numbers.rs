@@ -1,0 +1,211 @@
+//! The numbers of a run, apart from its shape: what differs between the lanes of an ensemble.
+
+use super::constraints::ConstraintNumbers;
+use super::ground_springs::GroundSpringNumbers;
+use percuss::StrainMeasure;
+use percuss::element::beam::ElementTable;
+use percuss::model::frozen::SpanFibres;
+
+/// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
+#[derive(Clone, Debug)]
+pub struct Numbers<S> {
+    /// Step size \[s\].
+    pub step: S,
+    /// Spans of all beams, shape (spans).
+    pub spans: Vec<SpanNumbers<S>>,
+    /// Reference position and tangent of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
+    pub nodes: Vec<[S; 4]>,
+    /// Components held at nodes, shape (nodes held).
+    pub prescribed: Vec<PrescribedNumbers<S>>,
+    /// Joints, and supports between nodes, shape (constraints).
+    pub constraints: Vec<ConstraintNumbers<S>>,
+    /// Elastic supports and stops, one a direction, shape (springs to the ground).
+    pub springs: Vec<GroundSpringNumbers<S>>,
+    /// Guided projectiles, shape (guided projectiles).
+    pub guides: Vec<GuideNumbers<S>>,
+    /// Dead loads, shape (loads).
+    pub loads: Vec<LoadNumbers<S>>,
+    /// Recorded points, shape (recorded points).
+    pub points: Vec<PointNumbers<S>>,
+    /// Energy, linear and angular momentum that are round-off, shape (3) \[J, kg m/s, kg m^2/s\].
+    pub round_off: [S; 3],
+    /// The same below which no residual counts, shape (3) \[J, kg m/s, kg m^2/s\].
+    pub negligible: [S; 3],
+    /// Mass of all there is \[kg\].
+    pub total_mass: S,
+    /// Size of the structure \[m\].
+    pub size: S,
+}
+
+/// A part of a beam.
+#[derive(Clone, Debug)]
+pub struct SpanNumbers<S> {
+    /// First node.
+    pub first: usize,
+    /// Number of elements.
+    pub count: usize,
+    /// Strain measure.
+    pub measure: StrainMeasure,
+    /// Retardation time of Kelvin and Voigt's damping \[s\], coefficient of mass-proportional damping \[1/s\].
+    pub retardation: S,
+    pub mass_damping: S,
+    /// Whether there is any of either.
+    pub damped: bool,
+    /// One table for all elements, or one for each, shape (1 or elements).
+    pub tables: Vec<ElementTable<S>>,
+    /// Its fibres, if it has any.
+    pub fibres: Option<SpanFibres<S>>,
+}
+
+/// Held directions of a node, orthonormal.
+#[derive(Clone, Debug)]
+pub struct PrescribedNumbers<S> {
+    /// Node.
+    pub node: usize,
+    /// Components held, where the directions are those of components, shape (4).
+    pub components: Option<[bool; 4]>,
+    /// Directions in (u1, u2, u1', u2'), of unit length, shape (directions, 4) \[-\].
+    pub normals: Vec<[S; 4]>,
+}
+
+/// How a guided projectile touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GuideLaw {
+    /// `k p`.
+    Linear,
+    /// `k p^(3/2)`.
+    Hertz,
+    /// Impulses by Newton's law.
+    Rigid,
+}
+
+/// A guided projectile and the point it strikes.
+#[derive(Clone, Debug)]
+pub struct GuideNumbers<S> {
+    /// Node `a` of the struck element.
+    pub node: usize,
+    /// Law of its contact.
+    pub law: GuideLaw,
+    /// Shape functions of the struck point, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+    pub shape: [S; 4],
+    /// Reference position of the struck point, shape (2) \[m\].
+    pub struck: [S; 2],
+    /// Reference position of the projectile, shape (2) \[m\].
+    pub position: [S; 2],
+    /// Line of flight, unit vector towards the beam, shape (2) \[1\].
+    pub direction: [S; 2],
+    /// Gap in the reference configuration \[m\].
+    pub standoff: S,
+    /// Mass \[kg\].
+    pub mass: S,
+    /// Speed along the line of flight at the start \[m/s\].
+    pub speed: S,
+    /// Stiffness of the law, or coefficient of restitution.
+    pub stiffness: S,
+}
+
+/// A dead load, for a factor of one.
+#[derive(Clone, Debug)]
+pub struct LoadNumbers<S> {
+    /// Nodes it acts on, in increasing order, shape (nodes of the load) \[index of a node\].
+    pub nodes: Vec<usize>,
+    /// Forces on their values and slopes, shape (nodes of the load, 4) \[N, N m\].
+    pub forces: Vec<[S; 4]>,
+    /// Forces on the guided projectiles, by gravity, shape (guided projectiles, 2) \[N\].
+    pub on_guides: Vec<[S; 2]>,
+}
+
+/// A recorded point.
+#[derive(Clone, Debug)]
+pub struct PointNumbers<S> {
+    /// Node `a` of its element.
+    pub node: usize,
+    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+    pub shape: [S; 4],
+}
+
+impl<S: Copy> Numbers<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> Numbers<T> {
+        Numbers {
+            step: f(self.step),
+            spans: self.spans.iter().map(|s| s.map(f)).collect(),
+            nodes: self.nodes.iter().map(|x| x.map(&mut *f)).collect(),
+            prescribed: self.prescribed.iter().map(|h| h.map(f)).collect(),
+            constraints: self.constraints.iter().map(|c| c.map(f)).collect(),
+            springs: self.springs.iter().map(|s| s.map(f)).collect(),
+            guides: self.guides.iter().map(|g| g.map(f)).collect(),
+            loads: self.loads.iter().map(|l| l.map(f)).collect(),
+            points: (self.points.iter())
+                .map(|p| PointNumbers { node: p.node, shape: p.shape.map(&mut *f) })
+                .collect(),
+            round_off: self.round_off.map(&mut *f),
+            negligible: self.negligible.map(&mut *f),
+            total_mass: f(self.total_mass),
+            size: f(self.size),
+        }
+    }
+
+    /// All numbers in that order.
+    pub fn flat(&self) -> Vec<S> {
+        let mut flat = Vec::new();
+        self.map(&mut |x| flat.push(x));
+        flat
+    }
+
+    /// The same shape with other numbers, in that order.
+    pub fn with<T: Copy>(&self, flat: &[T]) -> Numbers<T> {
+        let mut next = flat.iter();
+        self.map(&mut |_| *next.next().expect("as many numbers as the shape has"))
+    }
+}
+
+impl<S: Copy> SpanNumbers<S> {
+    fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> SpanNumbers<T> {
+        let tables = self.tables.iter().map(|t| t.map(f)).collect();
+        let (retardation, mass_damping) = (f(self.retardation), f(self.mass_damping));
+        let Self { first, count, measure, damped, .. } = *self;
+        let fibres = self.fibres.as_ref().map(|fibres| fibres.map(f));
+        SpanNumbers { first, count, measure, retardation, mass_damping, damped, tables, fibres }
+    }
+
+    /// Table of the element of number `k` in the span.
+    #[inline(always)]
+    pub fn table(&self, k: usize) -> &ElementTable<S> {
+        &self.tables[if self.tables.len() == 1 { 0 } else { k }]
+    }
+}
+
+impl<S: Copy> PrescribedNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> PrescribedNumbers<T> {
+        let normals = self.normals.iter().map(|n| n.map(&mut *f)).collect();
+        PrescribedNumbers { node: self.node, components: self.components, normals }
+    }
+}
+
+impl<S: Copy> LoadNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> LoadNumbers<T> {
+        LoadNumbers {
+            nodes: self.nodes.clone(),
+            forces: self.forces.iter().map(|x| x.map(&mut *f)).collect(),
+            on_guides: self.on_guides.iter().map(|x| x.map(&mut *f)).collect(),
+        }
+    }
+}
+
+impl<S: Copy> GuideNumbers<S> {
+    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> GuideNumbers<T> {
+        GuideNumbers {
+            node: self.node,
+            law: self.law,
+            shape: self.shape.map(&mut *f),
+            struck: self.struck.map(&mut *f),
+            position: self.position.map(&mut *f),
+            direction: self.direction.map(&mut *f),
+            standoff: f(self.standoff),
+            mass: f(self.mass),
+            speed: f(self.speed),
+            stiffness: f(self.stiffness),
+        }
+    }
+}

@@ -1,0 +1,380 @@
+//! Steps ensembles with a rigid contact: each lane goes on by parts of steps of its own, and takes the next one when one is accepted.
+
+use super::commit::Accept;
+use super::engine::Engine;
+use super::impact::Press;
+use super::ledger::LaneLedger;
+use super::log::Log;
+use super::newton::LaneNewton;
+use super::numbers::{GuideLaw, Numbers};
+use super::pace::{LanePart, Negligible, Pace, Role, Seen};
+use super::rigid_log::{LaneDeed, RigidLog};
+use super::run::LaneRun;
+use super::stand::Stand;
+use super::summary::{Fixed, Reading, Telling};
+use percuss::run::contact_status::{CREEP, NO_APPROACH};
+use percuss::run::strike::NO_GAIN;
+use percuss::scalar::{Mask, Number};
+use percuss::step::contacts::IMPULSIVE;
+use percuss::{RunSummary, Termination};
+
+/// Accelerations are foreseen in parts up to so many times as long as the one before.
+const MOST_LONGER: f64 = 2.0;
+
+/// A run in a lane.
+struct Lane {
+    /// Its number among the runs.
+    run: usize,
+    pace: Pace,
+    rigid: RigidLog,
+    /// Approach that is none because gravity gives as much in a step \[m/s\].
+    creep: f64,
+    /// Size of the part solved last \[s\], and what it says of accelerations: 1 if it was accepted, -1 if not, 0 if it says nothing.
+    last: (f64, f64),
+    /// Parts of the same size accepted one after another.
+    even: usize,
+}
+
+impl Lane {
+    /// Share of the accelerations of the part before that those of the one at hand are taken for, by the square of the sizes.
+    fn ahead(&self) -> f64 {
+        let longer = self.pace.h / self.last.0;
+        let unknown =
+            self.last.1 == 0.0 || self.pace.part == LanePart::Impact || longer > MOST_LONGER;
+        if unknown { 0.0 } else { self.last.1 * longer * longer }
+    }
+
+    /// Share of the last change of accelerations that is expected again: all of it behind parts of the same size.
+    fn trusted(&self) -> f64 {
+        f64::from(u8::from(self.even > 0 && self.last == (self.pace.h, 1.0)))
+    }
+
+    /// Whether the contact may press in the part at hand, and the least rate of its gap if it has this one \[m/s\].
+    fn bound(&self, rate: f64) -> Option<f64> {
+        match self.pace.contacts[0].role {
+            Role::Open => None,
+            Role::Rests => Some(-rate.max(0.0)),
+            Role::Strikes(e) => Some(-e * rate.min(0.0) - rate.max(0.0)),
+        }
+    }
+}
+
+/// What is read of the rigid contact, lane by lane.
+struct Views<S> {
+    /// Gap and its rate at the start of the part, shape (2) \[m, m/s\].
+    start: [S; 2],
+    /// The same at its end, shape (2) \[m, m/s\].
+    end: [S; 2],
+    /// Impulse \[N s\], and the work it does \[J\].
+    impulse: S,
+    work: S,
+}
+
+/// An ensemble in mid-flight.
+pub struct Paced<S: Number> {
+    engine: Engine<S>,
+    ledger: LaneLedger<S>,
+    log: Log<S>,
+    search: LaneNewton<S>,
+    stand: Stand<S>,
+    /// Number of the rigid projectile \[index of a projectile\].
+    guide: usize,
+    /// The run in each lane, shape (lanes).
+    lanes: Vec<Option<Lane>>,
+    /// The first run that no lane has taken yet.
+    next: usize,
+}
+
+/// The rigid projectiles of a run, shape (rigid projectiles) \[index of a projectile\].
+pub fn rigid_guides<S>(numbers: &Numbers<S>) -> impl Iterator<Item = usize> {
+    let all = numbers.guides.iter().enumerate();
+    all.filter(|(_, guide)| guide.law == GuideLaw::Rigid).map(|(k, _)| k)
+}
+
+impl<S: Number> Paced<S> {
+    /// Of runs of one shape, whose rigid projectile is the given one.
+    #[inline(always)]
+    pub fn of(runs: &[LaneRun], guide: usize, like: S) -> Self {
+        let mut engine = Engine::new(runs[0].numbers.map(&mut |x| like.constant(x)));
+        engine.press = Some(Press::new(&engine, guide));
+        let ledger = LaneLedger::open(&engine);
+        let mut search = LaneNewton::idle(engine.h);
+        search.told = true;
+        Self {
+            stand: Stand::of(&mut engine, &ledger),
+            log: Log::new(&engine),
+            lanes: (0..S::LANES).map(|_| None).collect(),
+            next: 0,
+            ledger,
+            search,
+            guide,
+            engine,
+        }
+    }
+
+    /// Runs all to their ends, handing over their summaries.
+    #[inline(always)]
+    pub fn run(mut self, runs: &[LaneRun], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
+        (0..S::LANES).for_each(|lane| self.fill(lane, runs));
+        while self.lanes.iter().any(Option::is_some) {
+            self.set_parts(runs);
+            self.log.begin(&self.engine);
+            self.engine.solve(&self.ledger, &mut self.search);
+            let seen = self.views();
+            let go = self.judge(&seen);
+            self.go_on(go);
+            self.close_parts(runs, &seen, go, keep);
+        }
+    }
+
+    /// Puts the next run into a lane.
+    fn fill(&mut self, lane: usize, runs: &[LaneRun]) {
+        self.search.set_run(lane, self.next < runs.len());
+        self.lanes[lane] = None;
+        let Some(run) = runs.get(self.next) else { return };
+        let like = self.engine.h;
+        let fresh = Engine::new(run.numbers.map(&mut |x| like.constant(x)));
+        let ledger = LaneLedger::open(&fresh);
+        self.engine.set_lane(lane, &fresh, 0);
+        self.ledger.set_lane(lane, &ledger, 0);
+        self.log.reset(lane);
+        let (settings, size) = (run.settings, run.model.extent());
+        let guide = &run.numbers.guides[self.guide];
+        let mut new = Lane {
+            run: self.next,
+            pace: Pace::new(settings, size, &[guide.stiffness]),
+            rigid: RigidLog::new(),
+            creep: CREEP * run.model.gravity() * settings.step,
+            last: (settings.step, 0.0),
+            even: 0,
+        };
+        let at = [guide.standoff, -guide.speed];
+        let seen = [Seen { start: at, end: at }];
+        let nothing = self.nothing(&new, lane);
+        new.pace.close_at_rest(&seen, nothing);
+        new.pace.begin(&seen, nothing);
+        self.lanes[lane] = Some(new);
+        self.next += 1;
+    }
+
+    /// What is no approach and no gap in a lane, as of a single run.
+    #[inline(always)]
+    fn nothing(&self, lane: &Lane, number: usize) -> Negligible {
+        let numbers = &self.engine.numbers;
+        let (energy, mass) = (self.ledger.energy_scale, numbers.total_mass);
+        let speed = (2.0 * energy.lane(number) / mass.lane(number)).sqrt();
+        let rate = lane.creep.max(NO_APPROACH * speed);
+        let gap = (1e-12 * lane.pace.size()).max(rate * numbers.step.lane(number));
+        Negligible { rate, gap }
+    }
+
+    /// Gives every lane the part at hand: its size, the bound of its contact, the factors of its loads.
+    #[inline(always)]
+    fn set_parts(&mut self, runs: &[LaneRun]) {
+        let (lanes, h) = (&self.lanes, self.engine.h);
+        let rate = self.engine.guides[self.guide].rate;
+        let of = |lane: usize, read: &dyn Fn(&Lane) -> f64, none: f64| {
+            lanes[lane].as_ref().map_or(none, read)
+        };
+        self.engine.h = h.constants(|i| of(i, &|lane| lane.pace.h, h.lane(i)));
+        self.search.ahead = h.constants(|i| of(i, &|lane| lane.ahead(), 0.0));
+        self.search.trusted = h.constants(|i| of(i, &|lane| lane.trusted(), 0.0));
+        self.log.time = h.constants(|i| of(i, &|lane| lane.pace.time, 0.0));
+        let strikes = |lane: &Lane| lane.pace.part == LanePart::Impact;
+        self.engine.constraints.impulsive = h.mask(|i| lanes[i].as_ref().is_some_and(strikes));
+        let bound = |i: usize| lanes[i].as_ref().and_then(|lane| lane.bound(rate.lane(i)));
+        if let Some(press) = &mut self.engine.press {
+            press.bound = h.constants(|i| bound(i).unwrap_or(0.0));
+            press.which = h.mask(|i| bound(i).is_some());
+        }
+        if self.engine.load_factors.is_empty() {
+            return;
+        }
+        for (k, factor) in self.engine.load_factors.iter_mut().enumerate() {
+            *factor = h.constants(|i| {
+                let load = |lane: &Lane| &runs[lane.run].model.loads[k];
+                of(i, &|lane| load(lane).factor(lane.pace.time, lane.pace.h), 0.0)
+            });
+        }
+        self.engine.apply_loads();
+    }
+
+    #[inline(always)]
+    fn views(&self) -> Views<S> {
+        let state = &self.engine.guides[self.guide];
+        Views {
+            start: [state.gap, state.rate],
+            end: self.engine.gap_next(self.guide),
+            impulse: state.impulse,
+            work: state.impulse * state.gap_change / self.engine.h,
+        }
+    }
+
+    /// Lanes whose part is accepted.
+    #[inline(always)]
+    fn judge(&mut self, seen: &Views<S>) -> S::Mask {
+        let mut go = [false; 64];
+        for number in 0..S::LANES {
+            let Some(mut lane) = self.lanes[number].take() else { continue };
+            lane.pace.solver_steps += 1;
+            let even = lane.last == (lane.pace.h, 1.0);
+            lane.even = if even { lane.even + 1 } else { 0 };
+            lane.last = (lane.pace.h, 1.0);
+            if !self.search.failed.lane(number) {
+                let nothing = self.nothing(&lane, number);
+                go[number] = lane.pace.judge(&[seen.lane(number)], nothing);
+            }
+            if !go[number] {
+                lane.last.1 = -1.0;
+            } else if lane.pace.part == LanePart::Impact {
+                lane.last.1 = 0.0;
+            }
+            self.lanes[number] = Some(lane);
+        }
+        self.engine.h.mask(|lane| go[lane])
+    }
+
+    /// Moves the lanes that `go` to the end of their parts.
+    #[inline(always)]
+    fn go_on(&mut self, go: S::Mask) {
+        let all = !(!go).any();
+        if !go.any() {
+            return;
+        }
+        if !all {
+            self.stand.keep(&mut self.engine, &self.ledger);
+        }
+        let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
+        Accept { engine, ledger, log, go: if all { None } else { Some(go) } }.accept();
+        if !all {
+            self.stand.put_back(&mut self.engine, &mut self.ledger, go);
+        }
+    }
+
+    /// Takes in the ends of the parts of lanes that `go`: runs that have ended leave their lanes, and those in which something odd
+    /// has happened are left to the solver that knows it.
+    #[inline(always)]
+    fn close_parts(
+        &mut self,
+        runs: &[LaneRun],
+        seen: &Views<S>,
+        go: S::Mask,
+        keep: &mut dyn FnMut(usize, Option<RunSummary>),
+    ) {
+        for number in 0..S::LANES {
+            let Some(mut lane) = self.lanes[number].take() else { continue };
+            let index = runs[lane.run].index;
+            let gone = go.lane(number);
+            // A fibre that fails is left to single runs.
+            let fails = gone && self.engine.fibres.failing.lane(number);
+            let failed = self.search.failed.lane(number) || fails;
+            if failed || gone && !self.advance(&mut lane, number, seen) {
+                keep(index, None);
+                self.fill(number, runs);
+                continue;
+            }
+            if gone && lane.pace.is_over() {
+                keep(index, Some(self.summary(&lane, number, runs)));
+                self.fill(number, runs);
+                continue;
+            }
+            self.lanes[number] = Some(lane);
+        }
+    }
+
+    /// Takes the part of a lane in and begins the next one; not if single runs go on otherwise than lanes.
+    #[inline(always)]
+    fn advance(&mut self, lane: &mut Lane, number: usize, seen: &Views<S>) -> bool {
+        let own = seen.lane(number);
+        let impulse = seen.impulse.lane(number);
+        let rests = lane.pace.contacts[0].role == Role::Rests;
+        if lane.pace.part == LanePart::Impact {
+            let most = NO_GAIN * (impulse * own.start[1]).abs();
+            if seen.work.lane(number) > most {
+                return false; // another law stands in for the contact's own
+            }
+        }
+        let state = &self.engine.guides[self.guide];
+        let end = [state.gap.lane(number), state.rate.lane(number)];
+        if lane.pace.contacts[0].role != Role::Open && (impulse > 0.0 || rests) {
+            let deed = self.deed(lane, number, &own, end);
+            lane.rigid.take(&deed);
+            self.weigh(lane, number, &deed);
+        }
+        let nothing = self.nothing(lane, number);
+        let now = [Seen { start: own.start, end }];
+        lane.pace.accept(&now, &[impulse], nothing);
+        lane.rigid.see(end[0], lane.pace.time);
+        if lane.pace.accumulates() {
+            return false;
+        }
+        lane.pace.begin(&now, nothing);
+        true
+    }
+
+    /// What the contact of a lane did in the part just accepted.
+    fn deed(&self, lane: &Lane, number: usize, own: &Seen, end: [f64; 2]) -> LaneDeed {
+        let (k, h) = (self.guide, self.engine.h);
+        let (guide, state) = (&self.engine.numbers.guides[k], &self.engine.guides[k]);
+        let force = state.impulse / h;
+        let given = [force * guide.along(&self.engine.increment), -(force * state.increment)];
+        let [start, middle] = [h, h * 0.5].map(|back| self.engine.struck_before(k, back));
+        LaneDeed {
+            rests: lane.pace.contacts[0].role == Role::Rests,
+            impulsive: lane.pace.h < IMPULSIVE * self.engine.numbers.step.lane(number),
+            start: lane.pace.time,
+            h: lane.pace.h,
+            impulse: state.impulse.lane(number),
+            before: own.start[1],
+            after: end[1],
+            given: given.map(|x| x.lane(number)),
+            places: [start, middle, self.engine.struck(k)].map(|x| x.map(|x| x.lane(number))),
+        }
+    }
+
+    /// How well the impulse meets its conditions, beside the fastest approach of the run so far: slow ones are known to its round-off.
+    fn weigh(&self, lane: &mut Lane, number: usize, deed: &LaneDeed) {
+        let Some(press) = &self.engine.press else { return };
+        let mobility = 2.0 * press.opening.lane(number) / (deed.h * deed.h);
+        let bound = press.bound.lane(number);
+        let miss = deed.after - bound;
+        let miss = if deed.impulse > 0.0 { miss.abs() } else { (-miss).max(0.0) };
+        let free = deed.after - mobility * deed.impulse;
+        let fastest = lane.pace.contacts[0].approach_max;
+        let scale = free.abs().max(bound.abs()).max(fastest);
+        if scale > 0.0 {
+            lane.rigid.residual = lane.rigid.residual.max(miss / scale);
+        }
+    }
+
+    fn summary(&mut self, lane: &Lane, number: usize, runs: &[LaneRun]) -> RunSummary {
+        let end = self.engine.h.constant(lane.pace.time);
+        self.log.time.set_lane(number, end, number);
+        let own = &runs[lane.run];
+        let telling = Telling {
+            model: own.model,
+            engine: &self.engine,
+            ledger: &self.ledger,
+            log: &self.log,
+            search: &self.search,
+            lane: number,
+            steps: lane.pace.steps,
+            solver_steps: lane.pace.solver_steps,
+            rows: lane.pace.rows,
+            rigid: Some(&lane.rigid),
+        };
+        let fixed = Fixed::all(own.model);
+        let read = |x: S| x.lane(number);
+        let reading = Reading { read: &read, fixed: &fixed, derivative: false };
+        telling.summary(Termination::Completed, &reading)
+    }
+}
+
+impl<S: Number> Views<S> {
+    /// Those of a lane.
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> Seen {
+        let both = |x: [S; 2]| [x[0].lane(lane), x[1].lane(lane)];
+        Seen { start: both(self.start), end: both(self.end) }
+    }
+}

@@ -1,0 +1,273 @@
+//! Derivatives of a run's results with respect to its parameters: forward differentiation of every operation of the run.
+//!
+//! The numbers of the frozen model enter with their derivatives; these follow through each step by the linearised step
+//! itself. Where an impact is located, the instant moves with the parameters, too: it is a number with derivatives like any
+//! other, which gives the jump of the derivatives across the impact (the saltation).
+
+use percuss_codes::AnalysisCode;
+
+use super::flight::{Derived, Flight, TOGETHER};
+use super::horizon::{agreeing, withdraw, withdraw_plastic};
+use super::numbers::Numbers;
+use super::shape::{BatchShape, numbers};
+use super::summary::{Fixed, Reading, Telling};
+use percuss::Model;
+use percuss::NoRecorder;
+use percuss::Settings;
+use percuss::scalar::Dual;
+use percuss::simulate;
+use percuss::{RunSummary, Termination};
+
+/// A parameter, by the models that it makes.
+#[derive(Clone, Debug)]
+pub struct Variation {
+    /// The model with the parameter less twice, less once, plus once, plus twice its change, shape (4). What a model is made of is a smooth
+    /// function of its parameters: its derivative is the fourth-order difference.
+    pub models: [Model; 4],
+    /// Time at which the run ends with each of them, shape (4) \[s\]. No other setting may change with a parameter: what the step does to a
+    /// result is its error.
+    pub ends: [f64; 4],
+    /// Change of the parameter.
+    pub change: f64,
+}
+
+/// What begins with a kink in the results.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Onset {
+    /// A contact, by its name.
+    Contact(String),
+    /// That a beam yields, by its name.
+    Yield(String),
+}
+
+/// A contact, or the yielding of a beam, that is about to appear or to vanish.
+///
+/// Where it does, results have a kink: derivatives hold on the side of the run alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grazing {
+    /// What it is.
+    pub onset: Onset,
+    /// When \[s\].
+    pub time: f64,
+    /// Whether the run misses it; else it has it.
+    pub missed: bool,
+    /// For every parameter, the change that would just bring or end it, to first order, shape (parameters) \[unit of the parameter\];
+    /// infinite where it has no say.
+    pub changes: Vec<f64>,
+}
+
+/// How far the derivatives of a run reach.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Horizon {
+    /// Until when \[s\].
+    pub time: f64,
+    /// What stands against more.
+    pub why: String,
+}
+
+/// Why a run has no derivatives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Undifferentiated {
+    /// Something of model, settings or parameters, or something that happens in the run, has no derivatives here.
+    Refused(String),
+    /// The run itself fails: as what, and why.
+    Failed(AnalysisCode, String),
+}
+
+impl Undifferentiated {
+    /// Its code in the catalogue.
+    pub fn code(&self) -> AnalysisCode {
+        match self {
+            Self::Refused(_) => AnalysisCode::NoDerivative,
+            Self::Failed(code, _) => *code,
+        }
+    }
+}
+
+impl std::fmt::Display for Undifferentiated {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Refused(why) | Self::Failed(_, why) => f.write_str(why),
+        }
+    }
+}
+
+impl std::error::Error for Undifferentiated {}
+
+impl From<String> for Undifferentiated {
+    fn from(why: String) -> Self {
+        Self::Refused(why)
+    }
+}
+
+/// A run and its derivatives.
+#[derive(Debug)]
+pub struct Sensitivities {
+    /// The run.
+    pub summary: RunSummary,
+    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`, shape (parameters); NaN where there is none:
+    /// of section forces and reactions, of measures of error, of the time of a peak that steps do not resolve, of what is later than
+    /// `horizon`. Counts have none either and are those of the run.
+    pub derivatives: Vec<RunSummary>,
+    /// How far derivatives reach, if not to the end of the run.
+    pub horizon: Option<Horizon>,
+    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it,
+    /// shape (such contacts).
+    pub grazing: Vec<Grazing>,
+}
+
+/// Runs a model and differentiates its results.
+///
+/// # Errors
+/// In words, what stands against it: a part of the model or the settings that ensembles do not know, a parameter that changes
+/// more than numbers, a run that fails.
+pub fn sensitivities(
+    model: &Model,
+    settings: &Settings,
+    variations: &[Variation],
+) -> Result<Sensitivities, Undifferentiated> {
+    if let Some(fault) = settings.validate(model).first() {
+        return Err(fault.to_string().into());
+    }
+    let base = known(model, settings)?;
+    let parameters = slopes(settings, &base, variations)?;
+    let summary = match simulate(model, settings, &mut NoRecorder) {
+        Ok(summary) => summary,
+        Err(faults) => return Err(faults[0].to_string().into()),
+    };
+    if let Termination::Failed(error) = &summary.termination {
+        return Err(Undifferentiated::Failed(error.code(), error.to_string()));
+    }
+    let case = Case { model, settings, base, fixed: Fixed::all(model) };
+    let mut found =
+        Sensitivities { summary, derivatives: Vec::new(), horizon: None, grazing: Vec::new() };
+    let none: &[ParameterSlopes] = &[];
+    // Without parameters it still tells what grazes.
+    let chunks: Vec<_> =
+        if parameters.is_empty() { vec![none] } else { parameters.chunks(TOGETHER).collect() };
+    for chunk in chunks {
+        case.differentiate(chunk, &mut found);
+    }
+    Ok(found)
+}
+
+/// The numbers of a model, or why they have no derivatives.
+fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferentiated> {
+    if model.loads.iter().any(|load| !load.is_steady()) {
+        let why = "derivatives are not known for loads that change in time".to_owned();
+        return Err(why.into());
+    }
+    numbers(model, settings).map_err(|what| format!("derivatives are not known for {what}").into())
+}
+
+/// What a parameter changes, by unit of it.
+struct ParameterSlopes {
+    /// Numbers of the model, in the order of [`Numbers::flat`], shape (numbers) \[unit of the number by that of the parameter\].
+    numbers: Vec<f64>,
+    /// End of the run.
+    end: f64,
+    /// What the model tells by itself, shape (guided projectiles).
+    fixed: Vec<Fixed>,
+}
+
+fn slopes(
+    settings: &Settings,
+    base: &Numbers<f64>,
+    variations: &[Variation],
+) -> Result<Vec<ParameterSlopes>, Undifferentiated> {
+    let shape = BatchShape::of(base);
+    let mut all = Vec::new();
+    for (i, variation) in variations.iter().enumerate() {
+        let mut flat = Vec::new();
+        for varied in &variation.models {
+            let numbers = known(varied, settings)?;
+            if BatchShape::of(&numbers) != shape {
+                let why = format!("parameter {} changes the mesh, not numbers alone", i + 1);
+                return Err(why.into());
+            }
+            flat.push(numbers.flat());
+        }
+        let size = flat[0].len();
+        let change = variation.change;
+        // What is unset stays so.
+        let plain = |x: f64| if x.is_nan() { 0.0 } else { x };
+        let numbers =
+            (0..size).map(|k| plain(difference([0, 1, 2, 3].map(|m| flat[m][k]), change)));
+        let fixed = variation.models.each_ref().map(Fixed::all);
+        let fixed = (0..fixed[0].len()).map(|k| {
+            let each = fixed.each_ref().map(|all| all[k].numbers());
+            Fixed::from([0, 1, 2].map(|n| difference(each.map(|numbers| numbers[n]), change)))
+        });
+        let end = difference(variation.ends, change);
+        all.push(ParameterSlopes { numbers: numbers.collect(), end, fixed: fixed.collect() });
+    }
+    Ok(all)
+}
+
+/// Fourth-order central difference.
+fn difference([far_below, below, above, far_above]: [f64; 4], change: f64) -> f64 {
+    (8.0 * (above - below) - (far_above - far_below)) / (12.0 * change)
+}
+
+/// What is differentiated.
+struct Case<'a> {
+    model: &'a Model,
+    settings: &'a Settings,
+    base: Numbers<f64>,
+    /// What the model tells by itself, shape (guided projectiles).
+    fixed: Vec<Fixed>,
+}
+
+impl Case<'_> {
+    /// Adds the derivatives by up to [`TOGETHER`] parameters.
+    fn differentiate(&self, parameters: &[ParameterSlopes], found: &mut Sensitivities) {
+        let derived = |value: f64, of: &dyn Fn(&ParameterSlopes) -> f64| {
+            let mut slope = [0.0; TOGETHER + 1];
+            parameters.iter().zip(&mut slope).for_each(|(from, to)| *to = of(from));
+            Dual { value, slope }
+        };
+        let numbers = self.base.flat().into_iter().enumerate();
+        let numbers: Vec<Derived> = numbers.map(|(i, x)| derived(x, &|p| p.numbers[i])).collect();
+        let end = derived(self.settings.end, &|p| p.end);
+        let mut flight = Flight::new(self.model, self.settings, self.base.with(&numbers), end);
+        let reached = flight.run().err();
+        let telling = Telling {
+            model: self.model,
+            engine: &flight.engine,
+            ledger: &flight.ledger,
+            log: &flight.log,
+            search: &flight.search,
+            lane: 0,
+            steps: self.settings.step_count(),
+            solver_steps: flight.solver_steps,
+            rows: found.summary.rows,
+            rigid: None,
+        };
+        let read = |x: Derived| x.value;
+        let reading = Reading { read: &read, fixed: &self.fixed, derivative: false };
+        let own = telling.summary(Termination::Completed, &reading);
+        let horizon = agreeing(&own, &found.summary, self.settings.step, reached);
+        for (j, parameter) in parameters.iter().enumerate() {
+            let read = |x: Derived| x.slope[j];
+            let reading = Reading { read: &read, fixed: &parameter.fixed, derivative: true };
+            let mut derivative = telling.summary(Termination::Completed, &reading);
+            if let Some(horizon) = &horizon {
+                withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);
+            }
+            derivative.plastic = flight.plastic(self.model, &read, &found.summary.plastic);
+            if horizon.is_some() {
+                derivative.plastic.iter_mut().for_each(withdraw_plastic);
+            }
+            found.derivatives.push(derivative);
+        }
+        let grazing = flight.grazing(parameters.len());
+        if found.grazing.is_empty() {
+            found.grazing = grazing;
+        } else {
+            for (all, more) in found.grazing.iter_mut().zip(grazing) {
+                all.changes.extend(more.changes);
+            }
+        }
+        found.horizon = horizon;
+    }
+}

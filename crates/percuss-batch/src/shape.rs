@@ -1,0 +1,197 @@
+//! Which runs an ensemble can step, and which of them side by side.
+
+use super::constraints::{Constrained, ConstraintNumbers};
+
+use super::ground_springs::GroundSpringNumbers;
+use super::loads::dead_load;
+use super::numbers::{
+    GuideLaw, GuideNumbers, Numbers, PointNumbers, PrescribedNumbers, SpanNumbers,
+};
+use percuss::ledger::RoundOff;
+use percuss::math::vec2::dot;
+use percuss::model::frozen::{BodyKind, FibreShape, ProjectileData, SpanFibres};
+use percuss::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
+use percuss::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw};
+
+/// What runs side by side have in common: all that is no number.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BatchShape {
+    /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains,
+    /// shape (spans, tables) \[index of a node, number of elements\].
+    spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
+    /// Layout of the fibres of every span that has some, shape (spans).
+    fibres: Vec<Option<FibreShape>>,
+    /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
+    prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
+    /// What each constraint keeps, and the nodes of its points, shape (constraints, points) \[index of a node\].
+    constraints: Vec<(Constrained, Vec<usize>)>,
+    /// Node of each spring to the ground, and whether it presses on one side only, shape (springs to the ground)
+    /// \[index of a node\].
+    springs: Vec<(usize, bool)>,
+    /// Struck node and law of each guided projectile, shape (guided projectiles) \[index of a node\].
+    pub guides: Vec<(usize, GuideLaw)>,
+    /// Nodes of each load, shape (loads, nodes of one) \[index of a node\].
+    loads: Vec<Vec<usize>>,
+    /// Node of each recorded point, shape (recorded points) \[index of a node\].
+    points: Vec<usize>,
+}
+
+impl BatchShape {
+    /// The shape of a set of numbers.
+    pub fn of<S: Copy>(numbers: &Numbers<S>) -> Self {
+        let slender = |s: &SpanNumbers<S>| s.tables.iter().map(|t| t.membrane.is_some()).collect();
+        Self {
+            spans: (numbers.spans.iter())
+                .map(|s| (s.first, s.count, s.measure, s.damped, slender(s)))
+                .collect(),
+            fibres: numbers
+                .spans
+                .iter()
+                .map(|s| s.fibres.as_ref().map(SpanFibres::shape))
+                .collect(),
+            prescribed: (numbers.prescribed.iter())
+                .map(|h| (h.node, h.normals.len(), h.components))
+                .collect(),
+            constraints: numbers.constraints.iter().map(ConstraintNumbers::shape).collect(),
+            springs: numbers.springs.iter().map(|s| (s.node, s.one_sided)).collect(),
+            guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
+            loads: numbers.loads.iter().map(|l| l.nodes.clone()).collect(),
+            points: numbers.points.iter().map(|p| p.node).collect(),
+        }
+    }
+}
+
+/// The numbers of a run, or what about it an ensemble does not know: beams damped by their material or not, fixed
+/// supports, elastic ones and stops, joints that keep positions and angles, guided projectiles and dead loads are all it does.
+pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
+    for (found, what) in [
+        (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),
+        (
+            settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
+            "impacts one after another",
+        ),
+        (model.memory_count() > 0, "springs or joints that yield"),
+        (settings.accuracy.is_some(), "an accuracy in place of a step"),
+        (settings.start != Start::Reference, "a start in static equilibrium"),
+        (!model.is_still(), "beams that move at the start"),
+        (!model.masses.is_empty(), "point masses"),
+        (!model.motions.is_empty(), "prescribed motions"),
+        (!model.modal_damping.is_empty(), "modal damping"),
+        (!model.obstacles.is_empty(), "obstacles"),
+        (model.bodies.iter().any(|b| b.kind != BodyKind::Guided), "discs and rear masses"),
+        (model.contacts.len() != model.projectiles.len(), "contacts that move along a beam"),
+    ] {
+        if found {
+            return Err(what);
+        }
+    }
+    let constraints = model.constraints.iter().map(ConstraintNumbers::of);
+    let constraints = constraints.collect::<Result<Vec<_>, _>>()?;
+    let springs = model.connectors.iter().map(GroundSpringNumbers::of);
+    let springs = springs.collect::<Result<Vec<_>, _>>()?;
+    let guides = model.projectiles.iter().enumerate().map(|(i, p)| guide(model, settings, i, p));
+    let guides = guides.collect::<Result<Vec<_>, _>>()?;
+    let loads = model.loads.iter().map(|load| dead_load(model, &load.kind));
+    let loads = loads.collect::<Result<Vec<_>, _>>()?;
+    let round_off = RoundOff::new(model, settings.step);
+    let beams = &model.nodes[..model.beam_node_count()];
+    Ok(Numbers {
+        step: settings.step,
+        spans: (model.spans.iter())
+            .map(|s| SpanNumbers {
+                first: s.nodes.start,
+                count: s.elements.len(),
+                measure: s.measure,
+                retardation: s.retardation,
+                mass_damping: s.mass_damping,
+                damped: s.is_damped(),
+                tables: s.tables.clone(),
+                fibres: s.fibres.clone(),
+            })
+            .collect(),
+        nodes: (beams.iter())
+            .map(|n| [n.position[0], n.position[1], n.tangent[0], n.tangent[1]])
+            .collect(),
+        prescribed: (model.prescribed.iter())
+            .filter(|h| h.node < beams.len())
+            .map(|h| PrescribedNumbers {
+                node: h.node,
+                components: components(&h.normals),
+                normals: h.normals.clone(),
+            })
+            .collect(),
+        constraints,
+        springs,
+        guides,
+        loads,
+        points: (model.points.iter())
+            .map(|p| PointNumbers { node: p.node, shape: p.shape })
+            .collect(),
+        round_off: [round_off.energy, round_off.momentum, round_off.momentum * round_off.size],
+        total_mass: model.total_mass,
+        negligible: round_off.negligible,
+        size: round_off.size,
+    })
+}
+
+fn guide(
+    model: &Model,
+    settings: &Settings,
+    i: usize,
+    projectile: &ProjectileData,
+) -> Result<GuideNumbers<f64>, &'static str> {
+    let (law, stiffness) = match &model.contacts[i].law {
+        TouchLaw::Smooth(law) => {
+            if law.force != ContactForce::Conserving {
+                return Err("a contact force other than the conserving one");
+            }
+            if law.unloading.is_some() {
+                return Err("a contact that crushes");
+            }
+            if law.dissipation != 0.0 {
+                return Err("a contact force that dissipates");
+            }
+            match law.potential {
+                Potential::Linear { stiffness } => (GuideLaw::Linear, stiffness),
+                Potential::Hertz { stiffness } => (GuideLaw::Hertz, stiffness),
+                _ => return Err("a contact law given by a table or a function"),
+            }
+        }
+        TouchLaw::Rigid(law) => {
+            if settings.impacts != ImpactResolution::Event {
+                return Err("impacts by time-stepping");
+            }
+            if law.impact != ImpactLaw::Newton {
+                return Err("an impact law other than Newton's");
+            }
+            (GuideLaw::Rigid, law.restitution)
+        }
+    };
+    let (body, point) = (&model.bodies[projectile.body], &projectile.point);
+    let contact = &model.pairs[model.contacts[i].pairs.start];
+    let percuss::geometry::pair::Target::Guided { standoff, .. } = contact.target else {
+        return Err("contacts that move along a beam");
+    };
+    Ok(GuideNumbers {
+        node: point.node,
+        law,
+        shape: point.shape,
+        struck: point.position,
+        position: model.nodes[model.body_node(projectile.body)].position,
+        direction: projectile.direction,
+        standoff,
+        mass: body.mass,
+        speed: dot(projectile.direction, body.velocity),
+        stiffness,
+    })
+}
+
+/// The components that directions are, if all are components.
+fn components(normals: &[[f64; 4]]) -> Option<[bool; 4]> {
+    let mut held = [false; 4];
+    for normal in normals {
+        let k = normal.iter().position(|x| x.abs() == 1.0)?;
+        held[k] = true;
+    }
+    Some(held)
+}

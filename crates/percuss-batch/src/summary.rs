@@ -1,0 +1,288 @@
+//! The summary of a run of an ensemble.
+
+use super::engine::Engine;
+use super::ledger::LaneLedger;
+use super::log::{Closed, Log, Struck, Top};
+use super::newton::LaneNewton;
+use super::numbers::GuideLaw;
+use super::rigid_log::RigidLog;
+use super::yield_log;
+use percuss::Model;
+use percuss::Scheme;
+use percuss::State;
+use percuss::run::crest::{Crest, at_last};
+use percuss::run::yielding;
+use percuss::scalar::Number;
+use percuss::step::effective_mass::EffectiveMass;
+use percuss::*;
+
+/// All there is to tell of one lane.
+pub struct Telling<'a, S: Number> {
+    pub model: &'a Model,
+    pub engine: &'a Engine<S>,
+    pub ledger: &'a LaneLedger<S>,
+    pub log: &'a Log<S>,
+    pub search: &'a LaneNewton<S>,
+    pub lane: usize,
+    /// Steps of the given size, steps of the solver, rows that a recorder would be given.
+    pub steps: usize,
+    pub solver_steps: usize,
+    pub rows: usize,
+    /// What its rigid contact did, of runs side by side.
+    pub rigid: Option<&'a RigidLog>,
+}
+
+/// How the numbers of a summary are read.
+pub struct Reading<'a, S> {
+    /// What is read of a number: its value in a lane, or one of its derivatives.
+    pub read: &'a dyn Fn(S) -> f64,
+    /// What is read of the numbers that the model tells by itself, shape (guided projectiles).
+    pub fixed: &'a [Fixed],
+    /// Whether derivatives are read. What measures errors of the computation has none: it is NaN.
+    pub derivative: bool,
+}
+
+/// What a model tells of a guided projectile by itself.
+#[derive(Clone, Copy, Debug)]
+pub struct Fixed {
+    pub mass: EffectiveMass,
+    /// Arc length of the struck point \[m\].
+    pub s: f64,
+}
+
+impl Fixed {
+    /// Of every projectile.
+    pub fn all(model: &Model) -> Vec<Self> {
+        let both = model.effective_masses().into_iter().zip(&model.projectiles);
+        both.map(|(mass, projectile)| Self { mass, s: projectile.point.s }).collect()
+    }
+
+    /// Its numbers.
+    pub fn numbers(&self) -> [f64; 3] {
+        [self.mass.on_mesh, self.mass.limit, self.s]
+    }
+
+    /// The same of given numbers.
+    pub fn from([on_mesh, limit, s]: [f64; 3]) -> Self {
+        Self { mass: EffectiveMass { on_mesh, limit }, s }
+    }
+}
+
+impl<S: Number> Telling<'_, S> {
+    /// The summary; section forces and reactions are unset.
+    pub fn summary(&self, termination: Termination, reading: &Reading<S>) -> RunSummary {
+        let (ledger, model, read) = (self.ledger, self.model, reading.read);
+        let error = |value: f64| if reading.derivative { f64::NAN } else { value };
+        let relative = |value: S, scale: S| {
+            let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
+            error(if value == 0.0 { 0.0 } else { value / scale })
+        };
+        let [energy_scale, linear_scale, angular_scale] =
+            ledger.audit_scales(&self.engine.numbers.negligible);
+        RunSummary {
+            termination,
+            time: read(self.log.time),
+            steps: self.steps,
+            solver_steps: self.solver_steps,
+            step_cuts: 0,
+            accumulated_steps: 0,
+            step_control: None,
+            newton_iterations: self.search.iterations.lane(self.lane) as usize,
+            factorizations: self.search.factorizations.lane(self.lane) as usize,
+            rows: self.rows,
+            energy: EnergySummary {
+                initial: read(ledger.start.energy),
+                final_: read(ledger.now.energy),
+                work_loads: read(ledger.work_loads),
+                work_supports: 0.0,
+                loss_impacts: read(ledger.loss_impacts),
+                loss_damping: read(ledger.loss_damping),
+                plastic: read(ledger.loss_plastic),
+                hardening: read(ledger.now.hardening),
+                failure: 0.0,
+                scale: read(energy_scale),
+                residual_max: relative(ledger.energy_residual, energy_scale),
+            },
+            momentum: MomentumSummary {
+                linear_scale: read(linear_scale),
+                linear_residual_max: relative(ledger.linear_residual, linear_scale),
+                angular_scale: read(angular_scale),
+                angular_residual_max: relative(ledger.angular_residual, angular_scale),
+            },
+            audit: AuditSummary { curvature_drift_max: error(0.0), membrane_drift_max: error(0.0) },
+            projectiles: self.projectiles(read),
+            contacts: (model.contacts.iter().enumerate())
+                .map(|(k, contact)| ContactSummary {
+                    name: contact.name.clone(),
+                    between: contact.between.clone(),
+                    effective_mass: reading.fixed.get(k).map(|fixed| fixed.mass),
+                    permanent_penetration: None,
+                    equivalent_force: None,
+                    record: self.record(k, reading),
+                })
+                .collect(),
+            contact_residual_max: error(self.rigid.map_or(0.0, |rigid| rigid.residual)),
+            shared_blows: SharedBlows::default(),
+            points: (model.points.iter().zip(&self.log.points))
+                .map(|(p, crests)| {
+                    let mut crests = *crests;
+                    crests.iter_mut().for_each(|crest| crest.close(self.lane, self.log.time));
+                    let peak = |c: &Crest<S>| Peak { value: read(c.value), time: read(c.time) };
+                    PointSummary {
+                        name: p.label.clone(),
+                        displacement_max: crests.map(|c| peak(&c)),
+                        resolved: crests.map(|c| c.is_resolved(self.lane)),
+                    }
+                })
+                .collect(),
+            supports: Vec::new(),
+            section_forces: Vec::new(),
+            plastic: self.plastic(reading.derivative),
+            yielding: Vec::new(),
+            joints: Vec::new(),
+        }
+    }
+
+    /// What became of beams that can yield; of derivatives they are read elsewhere.
+    fn plastic(&self, derivative: bool) -> Vec<PlasticSummary> {
+        if derivative || self.log.yields.is_empty() {
+            return Vec::new();
+        }
+        let lane = self.lane;
+        let mut state = State::at_rest(self.model, Scheme::EnergyMomentum);
+        let value = |x: S| x.lane(lane);
+        for (to, from) in state.displacement.iter_mut().zip(&self.engine.displacement) {
+            *to = from.map(value);
+        }
+        for (to, from) in state.fibres.iter_mut().zip(&self.engine.fibres.states) {
+            to.plastic = value(from.plastic);
+            to.accumulated = value(from.accumulated);
+            to.dissipated = value(from.dissipated);
+        }
+        let records = yield_log::records(self.model, &self.log.yields, lane);
+        yielding::summaries(self.model, &state, &records)
+    }
+
+    fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {
+        let guides = self.engine.numbers.guides.iter().zip(&self.engine.guides);
+        let each = guides.zip(&self.model.projectiles).zip(&self.log.guides);
+        let each = each.map(|(((guide, state), data), log)| ProjectileSummary {
+            name: self.model.bodies[data.body].name.clone(),
+            velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
+            spin_final: 0.0,
+            momentum_transferred: read(log.given[0]) + 0.0,
+            energy_transferred: read(log.given[1]) + 0.0,
+        });
+        each.collect()
+    }
+
+    fn record(&self, k: usize, reading: &Reading<S>) -> ContactRecord {
+        let read = reading.read;
+        let (guide, log) = (&self.engine.numbers.guides[k], &self.log.guides[k]);
+        if let (GuideLaw::Rigid, Some(rigid)) = (guide.law, self.rigid) {
+            return rigid.record(reading.fixed[k].s);
+        }
+        if guide.law == GuideLaw::Rigid {
+            let struck = &log.impacts[self.lane];
+            let total = struck.iter().fold(self.engine.h.constant(0.0), |sum, i| sum + i.impulse);
+            return ContactRecord::Nonsmooth {
+                impacts: struck.iter().map(|i| self.impact(k, i, reading)).collect(),
+                impact_count: struck.len(),
+                fallback_count: 0,
+                impulse_total: read(total),
+                intervals: Vec::new(),
+                // What is inside something is so by errors of the instant.
+                penetration: Peak::default(),
+            };
+        }
+        let force = |top: &Top<S>| Top {
+            value: guide.reaction(top.value),
+            time: at_last(top.time, self.log.time),
+        };
+        let closed = self.log.intervals(self.engine, k, self.lane);
+        let touched = !closed.is_empty();
+        ContactRecord::Smooth {
+            peak_force: if touched { peak(&force(&log.deepest), read) } else { Peak::default() },
+            intervals: closed
+                .iter()
+                .take(ContactRecord::IMPACTS_KEPT)
+                .map(|c| self.interval(k, c, peak(&force(&c.deepest), read), reading))
+                .collect(),
+        }
+    }
+
+    fn interval(
+        &self,
+        k: usize,
+        closed: &Closed<S>,
+        peak_force: Peak,
+        reading: &Reading<S>,
+    ) -> ContactInterval {
+        let read = reading.read;
+        let mut interval = ContactInterval {
+            start: read(closed.start),
+            end: read(closed.end),
+            impulse: read(closed.impulse),
+            tangential_impulse: f64::NAN,
+            peak_force,
+            approach_velocity: read(closed.approach),
+            // What has left cannot do so with a velocity of approach.
+            separation_velocity: if closed.separation.lane(self.lane) < 0.0 {
+                f64::NAN
+            } else {
+                read(closed.separation)
+            },
+            steps: closed.steps.lane(self.lane) as usize,
+            steady: self.is_steady(closed),
+            one_point: true,
+            place: reading.place(k, closed.place),
+            place_end: reading.place(k, closed.place_end),
+            energy: EnergySplit {
+                given: closed.given.map(read),
+                lost: 0.0,
+                stored: read(closed.stored),
+                scheme: 0.0,
+            },
+        };
+        interval.energy.balance();
+        interval
+    }
+
+    /// Whether the gap's rate changed by less than itself in the steps before and after an interval.
+    fn is_steady(&self, closed: &Closed<S>) -> bool {
+        let rates = [closed.approach, closed.separation].map(|v| v.lane(self.lane));
+        let changes = closed.changes.map(|v| v.lane(self.lane).abs());
+        let parted = rates[1].is_nan() || changes[1] <= rates[1];
+        changes[0] <= rates[0].abs() && parted
+    }
+
+    fn impact(&self, k: usize, struck: &Struck<S>, reading: &Reading<S>) -> Impact {
+        let read = reading.read;
+        Impact {
+            time: read(struck.time),
+            impulse: read(struck.impulse),
+            tangential_impulse: 0.0,
+            points: 1,
+            approach_velocity: read(struck.approach),
+            separation_velocity: read(struck.separation),
+            place: reading.place(k, struck.place),
+            energy: EnergySplit {
+                given: struck.given.map(read),
+                lost: read(-(struck.given[0] + struck.given[1])),
+                stored: 0.0,
+                scheme: 0.0,
+            },
+            fallback_law: false,
+        }
+    }
+}
+
+impl<S: Number> Reading<'_, S> {
+    fn place(&self, k: usize, position: [S; 2]) -> ContactPlace {
+        ContactPlace { s: self.fixed[k].s, position: position.map(self.read) }
+    }
+}
+
+fn peak<S: Number>(top: &Top<S>, read: &dyn Fn(S) -> f64) -> Peak {
+    Peak { value: read(top.value), time: read(top.time) }
+}

@@ -1,0 +1,267 @@
+//! Where and when the spans of the runs of an ensemble have yielded, lane by lane.
+
+use super::engine::Engine;
+use super::flight::{Derived, Flight};
+use percuss::Model;
+use percuss::math::hermite::GAUSS;
+use percuss::model::frozen::{BeamData, Span, SpanFibres};
+use percuss::run::yielding::YieldRecord;
+use percuss::scalar::{Mask, Number, Real, Task};
+use percuss::{FirstYield, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
+
+/// A largest value, the Gauss point at which it occurred, and when.
+#[derive(Clone, Copy, Debug)]
+pub struct Noted<S> {
+    pub value: S,
+    /// Number of the Gauss point along the span.
+    pub point: S,
+    /// \[s\].
+    pub time: S,
+}
+
+/// What is noted of a span.
+#[derive(Clone, Copy, Debug)]
+pub struct YieldLog<S> {
+    /// Plastic strain of largest magnitude, signed \[1\].
+    pub strain: Noted<S>,
+    /// Largest accumulated plastic strain \[1\].
+    pub accumulated: Noted<S>,
+    /// Number of the Gauss point at which it first yielded, and when, shape (2); nothing if no plastic strain has accumulated \[-, s\].
+    pub first: [S; 2],
+    /// Largest stress before that over the limit at which a fibre yields; noted for derivatives alone \[1\].
+    pub near: Noted<S>,
+}
+
+impl<S: Number> Noted<S> {
+    fn none(like: S) -> Self {
+        let zero = like.constant(0.0);
+        Self { value: zero, point: zero, time: zero }
+    }
+
+    /// Takes in a value of given magnitude.
+    #[inline(always)]
+    fn take(&mut self, value: S, [point, time]: [S; 2]) {
+        let larger = self.value.abs().less(value.abs());
+        self.value = S::choose(larger, value, self.value);
+        self.point = S::choose(larger, point, self.point);
+        self.time = S::choose(larger, time, self.time);
+    }
+}
+
+impl<S: Number> YieldLog<S> {
+    /// Nothing has yielded.
+    pub fn none(like: S) -> Self {
+        let none = Noted::none(like);
+        Self { strain: none, accumulated: none, first: [none.value; 2], near: none }
+    }
+
+    fn each(&mut self) -> impl Iterator<Item = &mut S> {
+        let noted = [&mut self.strain, &mut self.accumulated, &mut self.near];
+        let noted = noted.into_iter().flat_map(|n| [&mut n.value, &mut n.point, &mut n.time]);
+        noted.chain(&mut self.first)
+    }
+
+    /// Begins a new run in a lane.
+    pub fn reset(&mut self, lane: usize) {
+        let zero = self.strain.value.constant(0.0);
+        self.each().for_each(|x| x.set_lane(lane, zero, lane));
+    }
+
+    /// Puts all lanes but those that `go` back to what was kept.
+    #[inline(always)]
+    pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
+        for (now, kept) in self.each().zip({ *kept }.each()) {
+            *now = S::choose(go, *now, *kept);
+        }
+    }
+}
+
+/// Takes the fibres at a time into the logs, one a span that has any.
+#[inline(always)]
+pub fn note<S: Number>(engine: &Engine<S>, time: S, logs: &mut [YieldLog<S>]) {
+    if S::DERIVES || engine.fibres.flowed.any() {
+        time.apart(Note { engine, time, logs });
+    }
+}
+
+/// See [`note`].
+struct Note<'a, S: Number> {
+    engine: &'a Engine<S>,
+    time: S,
+    /// What has been noted so far, shape (spans with fibres).
+    logs: &'a mut [YieldLog<S>],
+}
+
+impl<S: Number> Task for Note<'_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        note_all(self.engine, self.time, self.logs);
+    }
+}
+
+#[inline(always)]
+fn note_all<S: Number>(engine: &Engine<S>, time: S, logs: &mut [YieldLog<S>]) {
+    let mut logs = logs.iter_mut();
+    let mut element = 0;
+    for span in &engine.numbers.spans {
+        if let (Some(fibres), Some(log)) = (&span.fibres, span.fibres.as_ref().and(logs.next())) {
+            for k in 0..span.count {
+                log.note_element(engine, fibres, [k, element + k], time);
+            }
+        }
+        element += span.count;
+    }
+}
+
+impl<S: Number> YieldLog<S> {
+    /// Takes in the fibres of an element, given its number in the span and among all.
+    #[inline(always)]
+    fn note_element(
+        &mut self,
+        engine: &Engine<S>,
+        fibres: &SpanFibres<S>,
+        [k, element]: [usize; 2],
+        time: S,
+    ) {
+        let zero = time.constant(0.0);
+        let mut states = engine.fibres.states[fibres.range(k)].iter();
+        for (j, points) in fibres.of(k).iter().enumerate() {
+            let place = [zero.constant((k * GAUSS + j) as f64), time];
+            let (mut strain, mut accumulated) = (zero, zero);
+            for (fibre, state) in points.iter().zip(states.by_ref()) {
+                let larger = strain.abs().less(state.plastic.abs());
+                strain = S::choose(larger, state.plastic, strain);
+                accumulated = accumulated.max(state.accumulated);
+                if S::DERIVES {
+                    let [membrane, bending] = engine.fibres.strains[element][j];
+                    let law = &fibres.laws[fibre.law];
+                    let near = law.use_of_limit(state, membrane + fibre.height * bending);
+                    self.near.take(near.unwrap_or(zero), place);
+                }
+            }
+            let yielded = zero.less(accumulated);
+            if !yielded.any() {
+                continue;
+            }
+            let first = yielded & !zero.less(self.accumulated.value);
+            for i in 0..2 {
+                self.first[i] = S::choose(first, place[i], self.first[i]);
+            }
+            self.strain.take(strain, place);
+            self.accumulated.take(accumulated, place);
+        }
+    }
+}
+
+/// The record of each beam of a lane's run.
+pub fn records<S: Number>(model: &Model, logs: &[YieldLog<S>], lane: usize) -> Vec<YieldRecord> {
+    let mut logs = logs.iter();
+    let beam = |beam: &BeamData| {
+        let mut record = YieldRecord::default();
+        let with = model.spans[beam.spans.clone()].iter().filter(|span| span.fibres.is_some());
+        for span in with {
+            let Some(log) = logs.next() else { break };
+            if log.accumulated.value.lane(lane) == 0.0 {
+                continue;
+            }
+            let place = |point: S| place(span, point.lane(lane) as usize);
+            let peak = |noted: &Noted<S>| SectionPeak {
+                value: noted.value.lane(lane),
+                s: place(noted.point),
+                time: noted.time.lane(lane),
+            };
+            let [point, time] = log.first;
+            let first = FirstYield { s: place(point), time: time.lane(lane) };
+            record.take(first, peak(&log.strain), peak(&log.accumulated));
+        }
+        record
+    };
+    model.beams.iter().map(beam).collect()
+}
+
+impl Flight<'_> {
+    /// Derivatives of what became of each beam that can yield: of its largest strains, of what it dissipated and what hardening
+    /// stored; hinges and what stays of displacements have none.
+    pub fn plastic(
+        &self,
+        model: &Model,
+        read: &dyn Fn(Derived) -> f64,
+        run: &[PlasticSummary],
+    ) -> Vec<PlasticSummary> {
+        let mut out = Vec::new();
+        for (beam, own) in self.yields(model) {
+            let Some(found) = run.iter().find(|summary| summary.name == beam.name) else {
+                continue;
+            };
+            let most = |of: &dyn Fn(&YieldLog<Derived>) -> Derived| {
+                let larger = |a: Derived, b: Derived| a.abs().if_less(b.abs(), b, a);
+                let value = own.iter().map(|log| of(log)).reduce(larger).map_or(0.0, read);
+                SectionPeak { value, s: f64::NAN, time: f64::NAN }
+            };
+            let [dissipated, hardening] = self.beam_energies(beam);
+            let nan = f64::NAN;
+            let hinge = |hinge: &PlasticHinge| PlasticHinge {
+                s: nan,
+                length: nan,
+                rotation: nan,
+                dissipated: nan,
+                ..*hinge
+            };
+            out.push(PlasticSummary {
+                strain_max: most(&|log| log.strain.value),
+                accumulated_max: most(&|log| log.accumulated.value),
+                first_yield: found.first_yield.map(|_| FirstYield { s: nan, time: nan }),
+                hinges: found.hinges.iter().map(hinge).collect(),
+                dissipated: read(dissipated),
+                hardening: read(hardening),
+                permanent_set: (found.permanent_set)
+                    .map(|_| PermanentSet { s: nan, displacement: [nan; 2] }),
+                ..found.clone()
+            });
+        }
+        out
+    }
+
+    /// What is noted of the spans of each beam.
+    pub fn yields<'b>(
+        &self,
+        model: &'b Model,
+    ) -> impl Iterator<Item = (&'b BeamData, &[YieldLog<Derived>])> {
+        let mut logs = &self.log.yields[..];
+        model.beams.iter().map(move |beam| {
+            let with = model.spans[beam.spans.clone()].iter().filter(|span| span.fibres.is_some());
+            let (own, rest) = logs.split_at(with.count());
+            logs = rest;
+            (beam, own)
+        })
+    }
+
+    /// What the fibres of a beam dissipated, and what hardening stored in them, shape (2) \[J\].
+    fn beam_energies(&self, beam: &BeamData) -> [Derived; 2] {
+        let engine = &self.engine;
+        let mut sums = [engine.h.constant(0.0); 2];
+        for i in beam.spans.clone() {
+            let span = &engine.numbers.spans[i];
+            let Some(fibres) = &span.fibres else { continue };
+            let first: usize = engine.numbers.spans[..i].iter().map(|span| span.count).sum();
+            for k in 0..span.count {
+                sums[1] += engine.fibre_energies((span, fibres), k, first + k).hardening;
+                let mut states = engine.fibres.states[fibres.range(k)].iter();
+                for (points, row) in fibres.of(k).iter().zip(&span.table(k).rows) {
+                    for (fibre, state) in points.iter().zip(&mut states) {
+                        sums[0] += fibre.area * row.weight * state.dissipated;
+                    }
+                }
+            }
+        }
+        sums
+    }
+}
+
+/// Arc length of a Gauss point of a span from the start of the beam \[m\].
+fn place(span: &Span, point: usize) -> f64 {
+    let (k, j) = (point / GAUSS, point % GAUSS);
+    let (from, to) = (span.stations[k], span.stations[k + 1]);
+    from + percuss::math::hermite::gauss_points()[j] * (to - from)
+}

@@ -1,0 +1,353 @@
+//! Derivatives of results through a run against differences of whole runs, impacts included.
+
+use crate::common;
+
+use common::{at, beam};
+use percuss::*;
+use percuss_batch::*;
+
+/// Names and values of the parameters of both scenes.
+const PARAMETERS: [(&str, f64); 13] = [
+    ("young", 2e9),
+    ("density", 3e3),
+    ("area", 0.1),
+    ("inertia", 8.33e-5),
+    ("length", 3.0),
+    ("height of the far end", 0.1),
+    ("mass", 200.0),
+    ("speed", 20.0),
+    // So that the first impact lies within a step: at its very end the run is not differentiable.
+    ("standoff", 0.0207),
+    ("where it strikes", 0.52),
+    ("stiffness", 7.5e5),
+    ("restitution", 0.7),
+    // Neither of the model nor of the grid of steps.
+    ("end", 0.109_97),
+];
+
+#[derive(Clone, Copy, PartialEq)]
+enum Law {
+    Linear,
+    Hertz,
+    Rigid,
+}
+
+fn scene(p: &[f64; 13], law: Law) -> Model {
+    built(p, law, false)
+}
+
+/// The beam between clamps or, `framed`, between a rigid corner with a column on springs and a clamp, on a roller between nodes, with a stop.
+fn built(p: &[f64; 13], law: Law, framed: bool) -> Model {
+    let mut b = ModelBuilder::new();
+    // Damping is a number like any other. So little of it that impacts stay apart, and none within a change of the end of a step,
+    // where the run is not differentiable.
+    let (retardation, mass_damping) = (3e-9 * p[1], 1e-2 * p[6]);
+    let material = Material { retardation, mass_damping, ..Material::new("m", p[0], p[1]) };
+    let material = b.material(material);
+    let section = b.section(Section::new("s", p[2], p[3]));
+    let g = b.beam(beam("g", [0.0; 2], [p[4], p[5]], 6, material, section));
+    b.support(Support::new("right", at("right", g, 1.0), SupportKind::Clamp));
+    if framed {
+        let column = b.beam(beam("column", [0.1, -2.2], [0.0; 2], 3, material, section));
+        let elastic = SupportKind::Elastic {
+            direction: [1.0, 0.1],
+            stiffness: [0.1 * p[0], 0.2 * p[0]],
+            damping: [1e-5 * p[0], 0.0],
+            rotational_stiffness: 0.0,
+            rotational_damping: 0.0,
+        };
+        b.support(Support::new("foot", at("foot", column, 0.0), elastic));
+        let (direction, gap) = ([0.0, 1.0], 1e-3 * p[4]);
+        let stop = SupportKind::Stop { direction, gap, stiffness: 20.0 * p[10], two_sided: false };
+        b.support(Support::new("stop", at("stops", g, 0.31), stop));
+        let between = [at("top", column, 1.0), at("left", g, 0.0)];
+        b.joint(Joint::new("corner", JointKind::Rigid, between));
+        let roller = SupportKind::Roller { direction: [p[4], p[5]] };
+        b.support(Support::new("roller", at("rolls", g, 0.7 * p[9] / 0.52), roller));
+    } else {
+        b.support(Support::new("left", at("left", g, 0.0), SupportKind::Clamp));
+    }
+    let kind = match law {
+        Law::Linear => ProjectileKind::spring(p[10]),
+        Law::Hertz => ProjectileKind::Elastic {
+            law: SmoothLaw::elastic(Potential::Hertz { stiffness: 10.0 * p[10] }),
+        },
+        Law::Rigid => ProjectileKind::Rigid { restitution: p[11] },
+    };
+    let projectile = Projectile::new("mass", kind, p[6], [0.0, p[7]], at("struck", g, p[9]));
+    b.projectile(Projectile { standoff: p[8], ..projectile });
+    // Loads are numbers like any other: weight, and a push that grows with the first parameters.
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration: [3.0 * p[4], -9.81] }));
+    // Across the beam: a force along it would part its spans, which derivatives do not know.
+    let push = p[3] * 3e7 + p[0] * 1e-6;
+    let force = [-p[5] * push, p[4] * push];
+    let kind = LoadKind::Point { at: at("pushed", g, 0.3), force, moment: 0.0, follower: false };
+    b.load(Load::new("push", kind));
+    b.build().unwrap()
+}
+
+/// What a run tells, with what its derivatives are to be asked for.
+const RESULTS: [&str; 12] = [
+    "peak displacement",
+    "time of peak displacement",
+    "velocity at the end",
+    "peak force or last impulse",
+    "time of peak force or last impulse",
+    "impulse",
+    "start of the contact",
+    "its end",
+    "restitution",
+    "effective mass",
+    "place",
+    "time",
+];
+
+fn results(s: &RunSummary) -> [f64; 12] {
+    let restitution = match &s.contacts[0].record {
+        ContactRecord::Smooth { intervals, .. } => intervals[0].restitution(),
+        ContactRecord::Nonsmooth { impacts, .. } => impacts.last().unwrap().restitution(),
+    };
+    told(s, restitution.unwrap())
+}
+
+/// The same of derivatives: a coefficient of restitution is a quotient.
+fn derived(s: &RunSummary, by: &RunSummary) -> [f64; 12] {
+    let restitution = match (&s.contacts[0].record, &by.contacts[0].record) {
+        (
+            ContactRecord::Smooth { intervals: own, .. },
+            ContactRecord::Smooth { intervals: by, .. },
+        ) => own[0].restitution_derivative(&by[0]),
+        (
+            ContactRecord::Nonsmooth { impacts: own, .. },
+            ContactRecord::Nonsmooth { impacts: by, .. },
+        ) => own.last().unwrap().restitution_derivative(by.last().unwrap()),
+        _ => unreachable!(),
+    };
+    told(by, restitution.unwrap())
+}
+
+fn told(s: &RunSummary, restitution: f64) -> [f64; 12] {
+    let contact = &s.contacts[0];
+    let [force, peak, impulse, start, end, place] = match &contact.record {
+        ContactRecord::Smooth { peak_force, intervals } => {
+            let [first, ..] = intervals.as_slice() else { unreachable!() };
+            let Peak { value, time } = *peak_force;
+            [value, time, first.impulse, first.start, first.end, first.place.s]
+        }
+        ContactRecord::Nonsmooth { impacts, impulse_total, .. } => {
+            let (first, last) = (&impacts[0], impacts.last().unwrap());
+            [last.impulse, last.time, *impulse_total, first.time, last.time, last.place.s]
+        }
+    };
+    let top = s.points[0].displacement_max[1];
+    let velocity = s.projectiles[0].velocity_final[1];
+    let mass = contact.effective_mass.unwrap().on_mesh;
+    [
+        top.value,
+        top.time,
+        velocity,
+        force,
+        peak,
+        impulse,
+        start,
+        end,
+        restitution,
+        mass,
+        place,
+        s.time,
+    ]
+}
+
+fn check(law: Law, framed: bool, end: f64, tolerance: f64) {
+    let scene = |p: &[f64; 13], law: Law| built(p, law, framed);
+    let mut base = PARAMETERS.map(|(_, value)| value);
+    base[12] = end;
+    let settings = |p: &[f64; 13]| Settings::new(p[12], 1e-4);
+    let moved = |i: usize, by: f64| {
+        let mut p = base;
+        p[i] += by;
+        p
+    };
+    let variations: Vec<Variation> = (0..13)
+        .map(|i| {
+            let change = 1e-3 * base[i];
+            let each = [-2.0, -1.0, 1.0, 2.0].map(|k| moved(i, k * change));
+            let (models, ends) = (each.map(|p| scene(&p, law)), each.map(|p| p[12]));
+            Variation { models, ends, change }
+        })
+        .collect();
+    let found = sensitivities(&scene(&base, law), &settings(&base), &variations).unwrap();
+    assert_eq!(found.horizon, None);
+    let run =
+        |p: &[f64; 13]| results(&simulate(&scene(p, law), &settings(p), &mut NoRecorder).unwrap());
+    let (single, mut off) = (run(&base), Vec::new());
+    assert_eq!(results(&found.summary), single);
+    for (i, (name, value)) in PARAMETERS.iter().enumerate() {
+        // Differences of fourth order: over changes so small that results still are quartics, least where it strikes, and large
+        // enough for the digits that instants of impact are located to.
+        let share = match *name {
+            "young" | "height of the far end" | "speed" => 2e-4,
+            "standoff" if law == Law::Rigid => 1e-3,
+            "standoff" => 2e-4,
+            "where it strikes" | "restitution" => 1e-6,
+            _ => 2e-5,
+        };
+        let differences = |share: f64| -> [f64; 12] {
+            let change = share * value;
+            let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|k| run(&moved(i, k * change)));
+            std::array::from_fn(|k| (8.0 * (c[k] - b[k]) - (d[k] - a[k])) / (12.0 * change))
+        };
+        let all = differences(share);
+        // At the end of a step the cubics to either side bend differently: over the larger changes a crest passes one.
+        let near = match share {
+            1e-6 => all,
+            _ if framed => differences(5e-6),
+            2e-4 => differences(2e-5),
+            _ => all,
+        };
+        let derivative = derived(&found.summary, &found.derivatives[i]);
+        for (k, what) in RESULTS.iter().enumerate() {
+            let difference = if what.starts_with("time of peak") { near[k] } else { all[k] };
+            let scale = difference.abs().max(1e-3 * (single[k] / value).abs());
+            if (derivative[k] - difference).abs() > tolerance * scale {
+                off.push(format!("{what} by {name}: {} {difference}", derivative[k]));
+            }
+        }
+    }
+    assert!(off.is_empty(), "{off:#?}");
+}
+
+#[test]
+fn derivatives_through_elastic_contact() {
+    check(Law::Linear, false, 0.109_97, 1e-6);
+    check(Law::Hertz, false, 0.109_97, 1e-6);
+}
+
+#[test]
+fn derivatives_through_impacts_jump_where_these_move() {
+    // The differences are no better: instants of impact are located to a thousandth of a pulse in every run.
+    check(Law::Rigid, false, 0.029_97, 3e-6);
+}
+
+#[test]
+fn derivatives_through_joints() {
+    check(Law::Linear, true, 0.079_97, 1e-6);
+    check(Law::Rigid, true, 0.004_97, 3e-6);
+}
+
+#[test]
+fn what_cannot_be_differentiated_says_so() {
+    let base = PARAMETERS.map(|(_, value)| value);
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("m", 2e9, 3e3));
+    let section = b.section(Section::new("s", 0.1, 8.33e-5));
+    b.beam(beam("g", [0.0; 2], [3.0, 0.0], 6, material, section));
+    let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
+    let function = TimeFunction::HalfSine { duration: 0.01 };
+    b.load(Load { function, ..Load::new("shake", kind) });
+    let shaken = b.build().unwrap();
+    let refused = sensitivities(&shaken, &Settings::new(0.01, 1e-4), &[]).unwrap_err();
+    assert!(refused.to_string().contains("loads that change in time"), "{refused}");
+    let model = scene(&base, Law::Linear);
+    let mut settings = Settings::new(0.01, 1e-4);
+    settings.scheme = Scheme::Midpoint;
+    let refused = sensitivities(&model, &settings, &[]).unwrap_err();
+    assert!(refused.to_string().contains("scheme"), "{refused}");
+    let other = {
+        let mut p = base;
+        p[9] = 0.9; // strikes another element
+        scene(&p, Law::Linear)
+    };
+    let variation =
+        Variation { models: [(); 4].map(|()| other.clone()), ends: [0.01; 4], change: 1.0 };
+    let refused = sensitivities(&model, &Settings::new(0.01, 1e-4), &[variation]).unwrap_err();
+    assert!(refused.to_string().contains("mesh"), "{refused}");
+}
+
+/// An arm that a ball strikes again and again until it rests on it; mass, standoff and restitution of the ball.
+fn chatter([mass, standoff, restitution]: [f64; 3]) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("alu", 70e9, 2700.0));
+    let section = b.section(Section::new("bar", 24e-4, 28.8e-8));
+    let arm = b.beam(beam("arm", [0.0; 2], [1.3, 0.2], 7, material, section));
+    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    let kind = ProjectileKind::Rigid { restitution };
+    let ball = Projectile::new("ball", kind, mass, [0.3, -4.2], at("struck", arm, 0.8));
+    b.projectile(Projectile { standoff, ..ball });
+    b.build().unwrap()
+}
+
+/// Where impacts accumulate until the contact stays closed, derivatives reach to there: what is known by then has derivatives, what
+/// is later has none.
+#[test]
+fn derivatives_reach_to_where_impacts_accumulate() {
+    let base = [3.1, 7.3e-3, 0.3];
+    let settings = Settings::new(0.01, 2e-5);
+    let moved = |i: usize, by: f64| {
+        let mut p = base;
+        p[i] += by;
+        chatter(p)
+    };
+    let variation = |i: usize| {
+        let change = 1e-3 * base[i];
+        let models = [-2.0, -1.0, 1.0, 2.0].map(|k| moved(i, k * change));
+        Variation { models, ends: [0.01; 4], change }
+    };
+    let model = chatter(base);
+    let found = sensitivities(&model, &settings, &[0, 1, 2].map(variation)).unwrap();
+    let run = |model: &Model| simulate(model, &settings, &mut NoRecorder).unwrap();
+    let impacts = |s: &RunSummary| match &s.contacts[0].record {
+        ContactRecord::Nonsmooth { impacts, impulse_total, intervals, .. } => {
+            (impacts.clone(), *impulse_total, intervals.clone())
+        }
+        ContactRecord::Smooth { .. } => unreachable!(),
+    };
+    let (all, total, rests) = impacts(&found.summary);
+    assert_eq!((&all, total), (&impacts(&run(&model)).0, impacts(&run(&model)).1));
+    let horizon = found.horizon.as_ref().unwrap();
+    assert!(horizon.why.contains("`ball` stays closed"), "{horizon:?}");
+    assert!((horizon.time - rests[0].start).abs() < settings.step, "{horizon:?} {:?}", rests[0]);
+    for (i, derivative) in found.derivatives.iter().enumerate() {
+        let (known, total, _) = impacts(derivative);
+        assert!(known.len() >= 5 && known.len() < all.len(), "{} of {}", known.len(), all.len());
+        assert!(total.is_nan() && derivative.projectiles[0].velocity_final[1].is_nan());
+        assert!(derivative.energy.final_.is_nan() && derivative.time.is_nan());
+        let change = 1e-5 * base[i];
+        let ends = [-change, change].map(|by| impacts(&run(&moved(i, by))).0);
+        for k in 0..3 {
+            let difference =
+                |of: fn(&Impact) -> f64| (of(&ends[1][k]) - of(&ends[0][k])) / (2.0 * change);
+            for of in [|i: &Impact| i.time, |i: &Impact| i.impulse] {
+                let (own, difference) = (of(&known[k]), difference(of));
+                let scale = difference.abs().max(1e-3 * (of(&all[k]) / base[i]).abs());
+                assert!((own - difference).abs() < 1e-3 * scale, "{i} {k}: {own} {difference}");
+            }
+        }
+    }
+}
+
+/// The time of a largest value that lies at the end of a step, and not between, is one of the grid.
+#[test]
+fn times_that_steps_do_not_resolve_have_no_derivative() {
+    let base = PARAMETERS.map(|(_, value)| value);
+    // A quarter of a millisecond a step does not follow the stiffest waves of a stiffer beam.
+    let scene = |speed: f64| {
+        let mut p = base;
+        (p[0], p[7]) = (2e13, speed);
+        scene(&p, Law::Linear)
+    };
+    let settings = Settings::new(0.02, 2.5e-4);
+    let models = [19.96, 19.98, 20.02, 20.04].map(scene);
+    let variation = Variation { models, ends: [0.02; 4], change: 0.02 };
+    let found = sensitivities(&scene(20.0), &settings, &[variation]).unwrap();
+    let points = found.summary.points.iter().zip(&found.derivatives[0].points);
+    let mut unresolved = 0;
+    for (own, derivative) in points {
+        for (resolved, peak) in own.resolved.iter().zip(&derivative.displacement_max) {
+            assert!(*resolved || peak.time.is_nan(), "{own:?} {derivative:?}");
+            unresolved += usize::from(!resolved);
+        }
+    }
+    assert!(unresolved > 0, "{:?}", found.summary.points);
+}

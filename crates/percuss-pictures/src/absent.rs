@@ -1,0 +1,57 @@
+//! What draws, in a build without it: everything says so.
+
+use std::path::Path;
+
+use percuss_output::fields::Fields;
+
+use crate::error::Error;
+use crate::request::{Look, Plan, PrintFormat, Told};
+
+/// A scene that can be drawn at any time; there is none in this build.
+pub struct Film {
+    /// Width and height, even numbers \[pixels\].
+    pub size: [u32; 2],
+    /// First and last time \[s\].
+    pub whole: [f64; 2],
+    /// The time in which anything touches, with some room; none where nothing does or that is all the time.
+    pub impact: Option<[f64; 2]>,
+    /// How long the page takes to show all of it \[s\].
+    pub seconds: f64,
+}
+
+impl Film {
+    /// # Errors
+    /// Always: this build does not draw.
+    pub fn open(_: &Fields, _: &Look) -> Result<Self, Error> {
+        Err(Error::not_built())
+    }
+
+    /// # Errors
+    /// Always: this build does not draw.
+    pub fn svg(&self, _: f64, _: f64) -> Result<String, Error> {
+        Err(Error::not_built())
+    }
+
+    /// # Errors
+    /// Always: this build does not draw.
+    pub fn png(&self, _: &str) -> Result<Vec<u8>, Error> {
+        Err(Error::not_built())
+    }
+}
+
+/// # Errors
+/// Always: this build does not draw.
+pub fn picture(_: &str, _: PrintFormat, _: f64) -> Result<Vec<u8>, Error> {
+    Err(Error::not_built())
+}
+
+/// # Errors
+/// Always: this build does not draw.
+pub fn animate(
+    _: &Film,
+    _: &Plan,
+    _: &Path,
+    _: &mut dyn FnMut(usize) -> bool,
+) -> Result<Told, Error> {
+    Err(Error::not_built())
+}
