@@ -20,7 +20,8 @@ pub mod geometry;
 pub mod inspect;
 #[doc(hidden)]
 pub mod ledger;
-mod linalg;
+#[doc(hidden)]
+pub mod linalg;
 pub mod math;
 mod measures;
 #[doc(hidden)]
@@ -31,7 +32,8 @@ pub mod run;
 pub mod scalar;
 #[doc(hidden)]
 pub mod settings;
-mod state;
+#[doc(hidden)]
+pub mod state;
 #[doc(hidden)]
 pub mod step;
 mod summary;

@@ -13,7 +13,8 @@ const COLLAPSED: f64 = 0.2;
 
 impl Simulation<'_> {
     /// Why the run ends here, after a step of the given size has failed.
-    pub(super) fn give_up(&self, failure: Failure, step: f64) -> Error {
+    #[doc(hidden)]
+    pub fn give_up(&self, failure: Failure, step: f64) -> Error {
         let place = |node: usize| {
             let beam = self.model.beams.iter().find(|b| b.nodes.contains(&node));
             let body = || {
@@ -81,34 +82,5 @@ impl Simulation<'_> {
             }
         }
         least
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::model::{Disc, ModelBuilder};
-    use crate::settings::Settings;
-
-    #[test]
-    fn a_singular_tangent_has_its_code() {
-        // No model that is accepted is known to have one: what is said of it is looked at alone.
-        let mut b = ModelBuilder::new();
-        b.disc(Disc {
-            name: "ball".into(),
-            mass: 1.0,
-            inertia: None,
-            radius: 0.1,
-            position: [0.0; 2],
-            velocity: [1.0, 0.0],
-            spin: 0.0,
-        });
-        let model = b.build().unwrap();
-        let simulation = Simulation::new(&model, &Settings::new(1.0, 0.5)).unwrap();
-        let error = simulation.give_up(Failure::Singular(Singular::Constraints), 0.5);
-        assert!(error.is_singular(), "{error}");
-        assert_eq!(error.code().code(), "E107");
-        let text = "singular tangent at t = 0.000000000e0 s, at the joints and supports";
-        assert_eq!(error.to_string(), text);
     }
 }

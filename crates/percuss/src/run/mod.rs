@@ -35,7 +35,7 @@ mod stop_log;
 pub mod strike;
 mod struck_mass;
 mod summarize;
-mod trial;
+pub mod trial;
 pub mod yielding;
 
 pub use checkpoint::{Checkpoint, ResumeError};

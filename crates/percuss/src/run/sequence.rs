@@ -21,7 +21,7 @@ const COUPLED: f64 = 0.01;
 
 /// A sequence of impacts under way.
 #[derive(Clone, Debug)]
-pub(super) struct Sequence {
+pub struct Sequence {
     /// Length of an impact interval \[s\].
     interval: f64,
     /// Contacts that take part: those that touched at its beginning, and those that rested, shape (such contacts) \[index of a pair\].

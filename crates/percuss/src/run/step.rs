@@ -141,7 +141,7 @@ impl Simulation<'_> {
 
 /// A part of a step that is to be solved.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Part {
+pub struct Part {
     /// Its size at most \[s\].
     pub size: f64,
     /// Share of the step to which failures have cut it; impact intervals are cut likewise.

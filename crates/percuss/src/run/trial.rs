@@ -17,7 +17,7 @@ use crate::step::{commit, flows};
 
 /// What a part of a step is.
 #[derive(Clone, Debug)]
-pub(super) enum PartKind {
+pub enum PartKind {
     /// Nothing strikes; it may end at an instant of contact, that of the pair `located`.
     Free { located: Option<usize> },
     /// Prescribed velocities jump in it, which is as short as an impact.
@@ -41,7 +41,7 @@ pub(super) enum PartKind {
 
 /// A part of a step that stands solved in the workspace.
 #[derive(Clone, Debug)]
-pub(super) struct Trial {
+pub struct Trial {
     /// Its size \[s\].
     pub h: f64,
     /// Rigid contacts that took part, in the order of the workspace's, shape (active contacts).
@@ -96,7 +96,8 @@ impl Trial {
 
 impl Simulation<'_> {
     /// Moves the state to the end of a trial: nothing else writes it.
-    pub(super) fn accept(&mut self, trial: &Trial) {
+    #[doc(hidden)]
+    pub fn accept(&mut self, trial: &Trial) {
         let rule = self.integration(&trial.attempt());
         let impulsive = self.is_impulsive(trial.h);
         let solved = Solved { rule, forcing: &self.forcing, impulsive, trial };

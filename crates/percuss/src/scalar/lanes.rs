@@ -1,20 +1,30 @@
 //! Numbers side by side, one a run or one an element: what the processor works on at once.
 
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pulp::{Simd, WithSimd, bytemuck};
 
 use super::{Mask, Number, Real, Task, quotient};
+
+/// Numbers in the widest registers that may be used.
+static MOST_LANES: AtomicUsize = AtomicUsize::new(usize::MAX);
+
+/// Lets the process use registers of at most so many numbers from now on: for tests, which compare them.
+pub fn use_at_most(lanes: usize) {
+    MOST_LANES.store(lanes, Ordering::Relaxed);
+}
 
 /// Does something in the widest registers that the processor has.
 pub fn in_lanes<W: WithSimd>(what: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     {
         use pulp::x86::{V3, V4};
-        if let Some(family) = V4::try_new() {
+        let most = MOST_LANES.load(Ordering::Relaxed);
+        if let Some(family) = V4::try_new().filter(|_| most >= V4::F64_LANES) {
             return Simd::vectorize(family, what);
         }
-        if let Some(family) = V3::try_new() {
+        if let Some(family) = V3::try_new().filter(|_| most >= V3::F64_LANES) {
             return Simd::vectorize(family, what);
         }
     }

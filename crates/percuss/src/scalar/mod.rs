@@ -10,7 +10,7 @@ use std::fmt::Debug;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 pub use dual::Dual;
-pub use lanes::{Lanes, in_lanes};
+pub use lanes::{Lanes, in_lanes, use_at_most};
 pub use wide::Wide;
 
 /// A real number as the kernels need it.

@@ -21,6 +21,8 @@ mod layered;
 mod layers;
 mod multiple_impacts;
 mod parting;
+mod parts_of_steps;
+mod registers;
 mod schemes;
 mod section_forces;
 mod spectra;

@@ -6,8 +6,6 @@
 mod fibres;
 mod span;
 mod start;
-#[cfg(test)]
-mod tests;
 
 use pulp::Simd;
 
