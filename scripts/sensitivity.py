@@ -18,7 +18,7 @@ KEPT = ROOT / "docs" / "book" / "noticed.json"
 PAGE = ROOT / "docs" / "book" / "src" / "verification" / "sensitivity.md"
 LIST = ROOT / "docs" / "book" / "mutations.toml"
 CORE = Path("crates") / "percuss" / "src"
-BUILD = ("--profile", "quick", "-p", "percuss-verification", "--example", "cases")
+BUILD = ("--release", "-p", "percuss-verification", "--example", "cases")
 # A mistake may keep an iteration from ending: what has not ended by then has noticed.
 LONGEST = 600.0
 
@@ -48,7 +48,7 @@ def outcomes() -> dict[str, list[str]]:
     """Word, comparisons that do not hold, comparisons in all, and the first that does not, by case."""
     environment = {**os.environ, "CARGO_TARGET_DIR": str(WORK / "target"), "CARGO_INCREMENTAL": "0"}
     subprocess.run(["cargo", "build", "--quiet", *BUILD], cwd=TREE, env=environment, check=True, stderr=subprocess.DEVNULL)
-    program = WORK / "target" / "quick" / "examples" / "cases"
+    program = WORK / "target" / "release" / "examples" / "cases"
     running = subprocess.Popen([program], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     late = threading.Timer(LONGEST, running.kill)
     late.start()

@@ -167,7 +167,7 @@ impl<S: Number> Task for Advance<'_, S> {
 struct Energies<'a, S: Number> {
     of: &'a ElementFibres<'a, S>,
     table: &'a ElementTable<S>,
-    /// Shape (Gauss points, 2) \[1, 1/m\].
+    /// At the Gauss points, shape (Gauss points, 2) \[1, 1/m\].
     strains: &'a GaussStrains<S>,
 }
 

@@ -8,6 +8,8 @@ use std::time::Duration;
 use percuss::Simulation;
 use percuss_advice::{Topic, advise};
 
+/// Parts of the scenarios, a test each.
+const PARTS: usize = 4;
 /// Far beyond what one scenario takes; a loop whose length follows from a value would not end in it. The longest, a static start of
 /// a frame 1e9 times too stiff, takes a minute where other work has the processors.
 const HANGS: Duration = Duration::from_secs(300);
@@ -57,15 +59,21 @@ fn look_at(text: &str, name: &str) -> Option<Vec<percuss_advice::Advice>> {
     Some(advise(&compiled.model, &compiled.settings))
 }
 
-#[test]
-fn scenarios_off_by_any_power_of_ten_are_answered() {
+/// Changes numbers of every file whose number leaves `part` when divided by [`PARTS`], one of eight unless the whole is wanted, and looks at
+/// what comes of it.
+fn answer_slips(part: usize) {
+    let every = if crate::common::whole() { 1 } else { 8 };
     let (told, hears) = mpsc::channel::<String>();
     let work = std::thread::spawn(move || {
         let mut tried = [0, 0];
-        for (n, file) in shipped().iter().enumerate() {
+        for (n, file) in shipped().iter().enumerate().filter(|(n, _)| n % PARTS == part) {
             let text = std::fs::read_to_string(file).unwrap();
             let name = file.display().to_string();
             for (k, place) in numbers(&text).into_iter().enumerate() {
+                // Others in each file, so that keys of all kinds come round.
+                if (n / PARTS + k) % every != 0 {
+                    continue;
+                }
                 let number: f64 = text[place.clone()].replace('_', "").parse().unwrap();
                 // Two of the powers for each number, so that all of them come round.
                 let powers =
@@ -96,7 +104,29 @@ fn scenarios_off_by_any_power_of_ten_are_answered() {
         }
     }
     let [refused, sound] = work.join().unwrap();
-    assert!(sound > 300 && refused > 100, "{sound} sound, {refused} refused");
+    let most = 300 / every / PARTS;
+    assert!(sound > most && refused > most / 3, "{sound} sound, {refused} refused");
+}
+
+// One after the other they would keep a processor long after the other one has ended its tests.
+#[test]
+fn a_scenario_off_by_any_power_of_ten_is_answered() {
+    answer_slips(0);
+}
+
+#[test]
+fn so_is_a_second_part_of_the_scenarios() {
+    answer_slips(1);
+}
+
+#[test]
+fn so_is_a_third_part() {
+    answer_slips(2);
+}
+
+#[test]
+fn so_is_the_rest() {
+    answer_slips(3);
 }
 
 #[test]

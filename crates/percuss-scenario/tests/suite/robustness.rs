@@ -66,7 +66,9 @@ fn every_value_may_be_of_every_type() {
     let more = ["[[]]", "[1]", "[\"\", {}]", "{}", "{a=1}", "1979-05-27", "'''x\ny'''", "\"é m\""];
     for (_, file) in FILES {
         let lines: Vec<&str> = file.lines().collect();
-        for (i, line) in lines.iter().enumerate() {
+        // A sample has one line in four.
+        let every = if std::env::var_os("PERCUSS_WHOLE").is_some() { 1 } else { 4 };
+        for (i, line) in lines.iter().enumerate().step_by(every) {
             let Some((key, _)) = line.split_once('=') else { continue };
             for value in values.iter().chain(&more) {
                 let line = format!("{key}= {value}");

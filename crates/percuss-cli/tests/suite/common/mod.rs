@@ -118,3 +118,8 @@ pub fn names(directory: &Path) -> Vec<String> {
     names.sort();
     names
 }
+
+/// Whether suites are run as a whole, as by `scripts/check --full`, and not a sample of each.
+pub fn whole() -> bool {
+    std::env::var_os("PERCUSS_WHOLE").is_some()
+}

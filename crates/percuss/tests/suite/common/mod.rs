@@ -64,3 +64,8 @@ pub fn rigid(name: &str, strikes: PointRef, velocity: [f64; 2], restitution: f64
         local_mass: 0.0,
     }
 }
+
+/// Whether suites are run as a whole, as by `scripts/check --full`, and not a sample of each.
+pub fn whole() -> bool {
+    std::env::var_os("PERCUSS_WHOLE").is_some()
+}
