@@ -3,8 +3,8 @@
 //! Lanes cannot search for pivots each on its own. In a step of a transient the blocks are dominated by masses, so there is no need;
 //! where a pivot fails all the same, the run's residual tells and it is left to the solver that searches.
 
+use percuss::internals::scalar::Number;
 use percuss::math::vec2::dot4;
-use percuss::scalar::Number;
 
 /// A block of the band.
 pub type LaneBlock<S> = [[S; 4]; 4];

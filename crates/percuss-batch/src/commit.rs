@@ -3,10 +3,10 @@
 use super::engine::Engine;
 use super::ledger::LaneLedger;
 use super::log::Log;
-use percuss::element::beam::ElementValues;
-use percuss::element::energy_momentum::End;
+use percuss::internals::element::beam::ElementValues;
+use percuss::internals::element::energy_momentum::End;
+use percuss::internals::scalar::{Number, Task};
 use percuss::math::hermite::GAUSS;
-use percuss::scalar::{Number, Task};
 
 /// Takes in the solved step of the lanes that `go`: ledger, state and record; of the others only the record stays, what else has to is
 /// put back by [`Stand`](super::stand::Stand).

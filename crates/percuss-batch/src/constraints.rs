@@ -1,6 +1,6 @@
 //! Joints of beams, and supports between nodes, in an ensemble: their multipliers follow from the Schur complement of the band.
 //!
-//! The same constraints as those of single runs ([`step::constraint`](percuss::step::constraint)): forces along the gradient in the middle
+//! The same constraints as those of single runs ([`step::constraint`](percuss::internals::step::constraint)): forces along the gradient in the middle
 //! of a step, which do no work, and a value that vanishes at its end. Lanes cannot search for pivots; the complement is that of a
 //! tangent that masses dominate, and needs none.
 
@@ -8,9 +8,9 @@ mod numbers;
 
 use super::engine::Engine;
 use super::ledger::LaneLedger;
+use percuss::internals::scalar::{Number, array};
+use percuss::internals::step::convergence::ROUND_OFF;
 use percuss::math::vec2::cross;
-use percuss::scalar::{Number, array};
-use percuss::step::convergence::ROUND_OFF;
 
 pub use numbers::{Constrained, ConstraintNumbers};
 

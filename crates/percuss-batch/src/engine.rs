@@ -9,10 +9,10 @@ use super::fibres::FibreStates;
 use super::ground_springs::GroundSpringState;
 use super::impact::Press;
 use super::numbers::{Numbers, PrescribedNumbers};
-use percuss::element::energy_momentum::End;
+use percuss::internals::element::energy_momentum::End;
+use percuss::internals::scalar::{Number, Real, Task};
 use percuss::math::hermite::GAUSS;
 use percuss::math::vec2::{dot, dot4};
-use percuss::scalar::{Number, Real, Task};
 
 pub use guide::GuideState;
 

@@ -2,12 +2,14 @@
 
 use super::engine::Engine;
 use super::numbers::{Numbers, SpanNumbers};
-use percuss::element::beam::{ElementTable, ElementValues};
-use percuss::element::fibre::FibreState;
-use percuss::element::yielding::{ElementFibres, FibreEnergies, GaussStrains, gauss_strains};
+use percuss::internals::element::beam::{ElementTable, ElementValues};
+use percuss::internals::element::fibre::FibreState;
+use percuss::internals::element::yielding::{
+    ElementFibres, FibreEnergies, GaussStrains, gauss_strains,
+};
+use percuss::internals::model::frozen::SpanFibres;
+use percuss::internals::scalar::{Number, Task, array};
 use percuss::math::hermite::GAUSS;
-use percuss::model::frozen::SpanFibres;
-use percuss::scalar::{Number, Task, array};
 
 /// Where the fibres stand.
 #[derive(Clone, Debug)]

@@ -9,9 +9,9 @@ use super::numbers::{GuideLaw, Numbers};
 use super::sensitivity::{Grazing, Horizon, Onset};
 use super::yield_log::{Noted, YieldLog};
 use percuss::Model;
+use percuss::internals::scalar::{Dual, Real};
+use percuss::internals::settings::{SAME_INSTANT, Settings};
 use percuss::math::roots;
-use percuss::scalar::{Dual, Real};
-use percuss::settings::{SAME_INSTANT, Settings};
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;

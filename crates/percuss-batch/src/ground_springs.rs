@@ -1,14 +1,14 @@
 //! Elastic supports and stops of an ensemble: springs and dampers from points of the beams to the ground, along fixed directions.
 //!
-//! The same forces as those of single runs ([`step::connectors`](percuss::step::connectors)): the difference quotient of the potential.
+//! The same forces as those of single runs ([`step::connectors`](percuss::internals::step::connectors)): the difference quotient of the potential.
 
 use super::engine::{Engine, interpolate};
 use super::law::difference_quotient;
 use super::ledger::LaneLedger;
 use super::numbers::GuideLaw;
+use percuss::internals::model::frozen::{Connector, ConnectorLaw, Coordinate};
+use percuss::internals::scalar::{Number, array};
 use percuss::math::vec2::{cross, dot};
-use percuss::model::frozen::{Connector, ConnectorLaw, Coordinate};
-use percuss::scalar::{Number, array};
 
 /// A spring and damper from a point of a beam to the ground.
 #[derive(Clone, Debug)]

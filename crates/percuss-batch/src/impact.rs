@@ -1,7 +1,7 @@
 //! Impulses of a rigid projectile, and the impact interval they act in.
 
 use super::engine::Engine;
-use percuss::scalar::{Mask, Number};
+use percuss::internals::scalar::{Mask, Number};
 
 /// The rigid contact of runs side by side, which presses in the parts of some of them.
 #[derive(Clone, Debug)]

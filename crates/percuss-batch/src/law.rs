@@ -2,7 +2,7 @@
 
 use super::engine::GuideState;
 use super::numbers::{GuideLaw, GuideNumbers};
-use percuss::scalar::Number;
+use percuss::internals::scalar::Number;
 
 impl<S: Number> GuideNumbers<S> {
     /// Force over a step that ends at penetration `p1`, and its slope.

@@ -2,12 +2,12 @@
 
 use super::engine::{Engine, interpolate};
 use super::numbers::SpanNumbers;
-use percuss::element::beam::ElementValues;
-use percuss::element::energy_momentum::End;
-use percuss::element::rotary::Turn;
+use percuss::internals::element::beam::ElementValues;
+use percuss::internals::element::energy_momentum::End;
+use percuss::internals::element::rotary::Turn;
+use percuss::internals::scalar::{Number, array};
 use percuss::math::hermite::GAUSS;
 use percuss::math::vec2::{add, cross, dot4, sub};
-use percuss::scalar::{Number, array};
 
 /// Energies and momenta of a state.
 #[derive(Clone, Copy, Debug)]

@@ -5,8 +5,10 @@
 //! The same mechanics as [`Simulation`](percuss::Simulation), with the same element kernels and the same tests of convergence,
 //! for what most studies are made of: beams and frames, elastic, damped or yielding, struck by guided projectiles
 //! and under dead loads ([`shape`] says what fits).
-//! Written once over [`Number`](percuss::scalar::Number): lanes make it fast, dual numbers make it differentiate. Lanes never
+//! Written once over [`Number`](percuss::internals::scalar::Number): lanes make it fast, dual numbers make it differentiate. Lanes never
 //! see each other, so a run gives the same bits alone and in company.
+
+#![allow(rustdoc::private_intra_doc_links)] // it speaks of what it is made of
 
 mod band;
 mod batch;

@@ -6,9 +6,9 @@ use super::engine::Engine;
 use super::ledger::LaneLedger;
 use super::numbers::LoadNumbers;
 use percuss::Model;
+use percuss::internals::model::frozen::LoadAction;
+use percuss::internals::scalar::{Number, array};
 use percuss::math::vec2::{cross, dot, dot4};
-use percuss::model::frozen::LoadAction;
-use percuss::scalar::{Number, array};
 
 /// A load for a factor of one, or what about it is not dead.
 pub fn dead_load(model: &Model, action: &LoadAction) -> Result<LoadNumbers<f64>, &'static str> {

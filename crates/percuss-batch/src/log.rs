@@ -7,11 +7,11 @@ use super::engine::Engine;
 use super::numbers::GuideLaw;
 use super::yield_log::{self, YieldLog};
 use kept::Kept;
-use percuss::contact::free_gap::FreeGap;
+use percuss::internals::contact::free_gap::FreeGap;
+use percuss::internals::run::crest::Crest;
+use percuss::internals::scalar::{Mask, Number};
+use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::math::interpolant::Interpolant;
-use percuss::run::crest::Crest;
-use percuss::scalar::{Mask, Number};
-use percuss::step::contacts::IMPULSIVE;
 
 /// A largest value and when it occurred.
 #[derive(Clone, Copy, Debug)]

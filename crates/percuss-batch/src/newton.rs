@@ -6,9 +6,9 @@ use self::increments::largest;
 use super::constraints::{Constrained, FOLLOWING};
 use super::engine::Engine;
 use super::ledger::LaneLedger;
-use percuss::scalar::{Mask, Number, Task};
-use percuss::step::convergence::{ConvergenceMonitor, WORK_TOLERANCE};
-use percuss::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
+use percuss::internals::scalar::{Mask, Number, Task};
+use percuss::internals::step::convergence::{ConvergenceMonitor, WORK_TOLERANCE};
+use percuss::internals::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
 
 /// Factors of the tangent serve at most so many steps: masses dominate it, so it changes little, and renewing it costs as much as
 /// two corrections.

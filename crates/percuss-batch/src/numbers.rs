@@ -3,8 +3,8 @@
 use super::constraints::ConstraintNumbers;
 use super::ground_springs::GroundSpringNumbers;
 use percuss::StrainMeasure;
-use percuss::element::beam::ElementTable;
-use percuss::model::frozen::SpanFibres;
+use percuss::internals::element::beam::ElementTable;
+use percuss::internals::model::frozen::SpanFibres;
 
 /// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
 #[derive(Clone, Debug)]

@@ -1,15 +1,15 @@
-//! At what pace a run in a lane goes: the parts of its steps, as a single run has them ([`step`](percuss::run::step)).
+//! At what pace a run in a lane goes: the parts of its steps, as a single run has them ([`step`](percuss::internals::run::step)).
 //!
 //! A part is a free one of the whole size that is left, one up to an instant of contact, which a root search over its size
 //! locates, or an impact interval. To the lanes all of them are steps of some size with some contacts pressing; whether one is
 //! accepted, and what comes next, each lane decides by itself.
 
+use percuss::internals::run::contact_status::{IMPACT_INTERVAL, STICK};
+use percuss::internals::run::locate::{LOCATED, ROUND_OFF, descent};
+use percuss::internals::run::step::MOST_EVENTS;
+use percuss::internals::settings::{SAME_INSTANT, Settings};
 use percuss::math::hermite::Cubic;
 use percuss::math::roots::Bracket;
-use percuss::run::contact_status::{IMPACT_INTERVAL, STICK};
-use percuss::run::locate::{LOCATED, ROUND_OFF, descent};
-use percuss::run::step::MOST_EVENTS;
-use percuss::settings::{SAME_INSTANT, Settings};
 
 /// What a lane solves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -12,10 +12,10 @@ use super::rigid_log::{LaneDeed, RigidLog};
 use super::run::LaneRun;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
-use percuss::run::contact_status::{CREEP, NO_APPROACH};
-use percuss::run::strike::NO_GAIN;
-use percuss::scalar::{Mask, Number};
-use percuss::step::contacts::IMPULSIVE;
+use percuss::internals::run::contact_status::{CREEP, NO_APPROACH};
+use percuss::internals::run::strike::NO_GAIN;
+use percuss::internals::scalar::{Mask, Number};
+use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::{RunSummary, Termination};
 
 /// Accelerations are foreseen in parts up to so many times as long as the one before.

@@ -1,8 +1,8 @@
 //! Supports at nodes: held directions are taken out of nodal values and of blocks of the tangent.
 
 use super::numbers::PrescribedNumbers;
+use percuss::internals::scalar::{Number, array};
 use percuss::math::vec2::dot4;
-use percuss::scalar::{Number, array};
 
 impl<S: Number> PrescribedNumbers<S> {
     /// Takes held components out of a node's values.

@@ -2,7 +2,7 @@
 
 use super::band::{LaneBlock, add_applied};
 use super::engine::Engine;
-use percuss::scalar::Number;
+use percuss::internals::scalar::Number;
 
 impl<S: Number> Engine<S> {
     /// Keeps the rows of held nodes of the tangent assembled last, in the given lanes.

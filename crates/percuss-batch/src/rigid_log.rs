@@ -1,6 +1,6 @@
 //! What happens at the rigid contact of a run in a lane: impacts and intervals of rest, as a single run notes them.
 
-use percuss::run::contact_log::opened;
+use percuss::internals::run::contact_log::opened;
 use percuss::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak};
 
 /// What the contact did in a part of a step.

@@ -10,8 +10,8 @@ use super::paced::{Paced, rigid_guides};
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use percuss::Model;
-use percuss::scalar::{Lanes, Mask, Number, in_lanes};
-use percuss::settings::{SAME_INSTANT, Settings};
+use percuss::internals::scalar::{Lanes, Mask, Number, in_lanes};
+use percuss::internals::settings::{SAME_INSTANT, Settings};
 use percuss::{RunSummary, Termination};
 
 /// Simulates those of the runs that ensembles know, and of which no more is asked than they tell; `None` for the others.

@@ -14,7 +14,7 @@ use super::summary::{Fixed, Reading, Telling};
 use percuss::Model;
 use percuss::NoRecorder;
 use percuss::Settings;
-use percuss::scalar::Dual;
+use percuss::internals::scalar::Dual;
 use percuss::simulate;
 use percuss::{RunSummary, Termination};
 

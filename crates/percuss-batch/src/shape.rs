@@ -7,10 +7,10 @@ use super::loads::dead_load;
 use super::numbers::{
     GuideLaw, GuideNumbers, Numbers, PointNumbers, PrescribedNumbers, SpanNumbers,
 };
-use percuss::ledger::RoundOff;
+use percuss::internals::ledger::RoundOff;
+use percuss::internals::model::frozen::{BodyKind, FibreShape, ProjectileData, SpanFibres};
+use percuss::internals::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
 use percuss::math::vec2::dot;
-use percuss::model::frozen::{BodyKind, FibreShape, ProjectileData, SpanFibres};
-use percuss::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
 use percuss::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw};
 
 /// What runs side by side have in common: all that is no number.
@@ -169,7 +169,7 @@ fn guide(
     };
     let (body, point) = (&model.bodies[projectile.body], &projectile.point);
     let contact = &model.pairs[model.contacts[i].pairs.start];
-    let percuss::geometry::pair::Target::Guided { standoff, .. } = contact.target else {
+    let percuss::internals::geometry::pair::Target::Guided { standoff, .. } = contact.target else {
         return Err("contacts that move along a beam");
     };
     Ok(GuideNumbers {

@@ -3,9 +3,9 @@
 use super::engine::Engine;
 use super::fibres::FibreStates;
 use super::ledger::LaneLedger;
-use percuss::element::energy_momentum::End;
+use percuss::internals::element::energy_momentum::End;
+use percuss::internals::scalar::{Number, array};
 use percuss::math::hermite::GAUSS;
-use percuss::scalar::{Number, array};
 
 /// A state and its ledger.
 #[derive(Clone, Debug)]

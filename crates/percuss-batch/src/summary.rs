@@ -10,10 +10,10 @@ use super::yield_log;
 use percuss::Model;
 use percuss::Scheme;
 use percuss::State;
-use percuss::run::crest::{Crest, at_last};
-use percuss::run::yielding;
-use percuss::scalar::Number;
-use percuss::step::effective_mass::EffectiveMass;
+use percuss::internals::run::crest::{Crest, at_last};
+use percuss::internals::run::yielding;
+use percuss::internals::scalar::Number;
+use percuss::internals::step::effective_mass::EffectiveMass;
 use percuss::*;
 
 /// All there is to tell of one lane.

@@ -3,10 +3,10 @@
 use super::engine::Engine;
 use super::flight::{Derived, Flight};
 use percuss::Model;
+use percuss::internals::model::frozen::{BeamData, Span, SpanFibres};
+use percuss::internals::run::yielding::YieldRecord;
+use percuss::internals::scalar::{Mask, Number, Real, Task};
 use percuss::math::hermite::GAUSS;
-use percuss::model::frozen::{BeamData, Span, SpanFibres};
-use percuss::run::yielding::YieldRecord;
-use percuss::scalar::{Mask, Number, Real, Task};
 use percuss::{FirstYield, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
 
 /// A largest value, the Gauss point at which it occurred, and when.
@@ -196,7 +196,7 @@ impl Flight<'_> {
             };
             let most = |of: &dyn Fn(&YieldLog<Derived>) -> Derived| {
                 let larger = |a: Derived, b: Derived| a.abs().if_less(b.abs(), b, a);
-                let value = own.iter().map(|log| of(log)).reduce(larger).map_or(0.0, read);
+                let value = own.iter().map(of).reduce(larger).map_or(0.0, read);
                 SectionPeak { value, s: f64::NAN, time: f64::NAN }
             };
             let [dissipated, hardening] = self.beam_energies(beam);

@@ -3,7 +3,9 @@
 use std::fmt;
 use std::path::Path;
 
-use percuss_codes::{Code, FileCode, RequestCode};
+#[cfg(feature = "drawing")]
+use percuss_codes::RequestCode;
+use percuss_codes::{Code, FileCode};
 
 /// Why a picture could not be made.
 #[derive(Clone, Debug, PartialEq, Eq)]

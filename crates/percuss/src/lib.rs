@@ -7,35 +7,29 @@
 //! Conventions: primes are derivatives with respect to arc length of the reference, J turns by +90 degrees,
 //! `a x b = a1 b2 - a2 b1`, `g = x'`, `p = x''`. A node's degrees of freedom are (u1, u2, u1', u2').
 
-// Hidden modules are what `percuss-batch` steps its runs with: no part of the interface, and free to change.
 mod analysis;
-#[doc(hidden)]
-pub mod contact;
-#[doc(hidden)]
-pub mod element;
+#[allow(missing_docs)] // reached by `internals` alone
+mod contact;
+#[allow(missing_docs)] // reached by `internals` alone
+mod element;
 mod error;
 mod frame;
-#[doc(hidden)]
-pub mod geometry;
+#[allow(missing_docs)] // reached by `internals` alone
+mod geometry;
 pub mod inspect;
-#[doc(hidden)]
-pub mod ledger;
-#[doc(hidden)]
-pub mod linalg;
+mod ledger;
+#[allow(missing_docs)] // reached by `internals` alone
+mod linalg;
 pub mod math;
 mod measures;
-#[doc(hidden)]
-pub mod model;
-#[doc(hidden)]
-pub mod run;
-#[doc(hidden)]
-pub mod scalar;
-#[doc(hidden)]
-pub mod settings;
-#[doc(hidden)]
-pub mod state;
-#[doc(hidden)]
-pub mod step;
+mod model;
+mod run;
+#[allow(missing_docs)] // reached by `internals` alone
+mod scalar;
+mod settings;
+mod state;
+#[allow(missing_docs)] // reached by `internals` alone
+mod step;
 mod summary;
 
 /// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
@@ -63,6 +57,25 @@ pub use state::{PairState, ProjectileState, State};
 pub use step::effective_mass::EffectiveMass;
 pub use step::newton::Effort;
 pub use summary::*;
+
+/// What `percuss-batch` and tests step runs with, by the modules of this crate: no part of the interface, and free to change.
+#[doc(hidden)]
+pub mod internals {
+    /// The names of modules of this crate.
+    macro_rules! open {
+        ($($name:ident)*) => {
+            $(pub mod $name {
+                pub use crate::$name::*;
+            })*
+        };
+    }
+    open!(contact element geometry ledger linalg run scalar settings state step);
+    pub mod model {
+        pub mod frozen {
+            pub use crate::model::frozen::*;
+        }
+    }
+}
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

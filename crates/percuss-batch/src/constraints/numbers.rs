@@ -1,10 +1,10 @@
 //! The numbers of a constraint, and what it is on nodal values.
 
 use crate::engine::interpolate;
+use percuss::internals::model::frozen::{Constraint, ConstraintKind, MaterialPoint};
+use percuss::internals::scalar::Real;
+use percuss::internals::step::constraint::{angle_forms, turn};
 use percuss::math::vec2::{add, cross, dot, scale};
-use percuss::model::frozen::{Constraint, ConstraintKind, MaterialPoint};
-use percuss::scalar::Real;
-use percuss::step::constraint::{angle_forms, turn};
 
 /// What a constraint keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,10 +2,10 @@
 
 use super::Engine;
 use percuss::StrainMeasure;
-use percuss::element::beam::ElementValues;
-use percuss::element::elastic::ElasticStep;
-use percuss::element::yielding::{ElementFibres, ElementStep, ElementTurn};
-use percuss::scalar::{Number, array};
+use percuss::internals::element::beam::ElementValues;
+use percuss::internals::element::elastic::ElasticStep;
+use percuss::internals::element::yielding::{ElementFibres, ElementStep, ElementTurn};
+use percuss::internals::scalar::{Number, array};
 
 impl<S: Number> Engine<S> {
     /// Residual and tangent of the beams.

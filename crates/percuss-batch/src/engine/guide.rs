@@ -3,8 +3,8 @@
 use super::interpolate;
 use crate::ground_springs::row;
 use crate::numbers::GuideNumbers;
+use percuss::internals::scalar::Number;
 use percuss::math::vec2::dot;
-use percuss::scalar::Number;
 
 /// A guided projectile on its way, and in the step at hand.
 #[derive(Clone, Copy, Debug)]

@@ -2,9 +2,9 @@
 
 use super::{Closed, GuideLog, Log, Top};
 use crate::yield_log::YieldLog;
-use percuss::contact::free_gap::FreeGap;
-use percuss::run::crest::Crest;
-use percuss::scalar::{Mask, Number};
+use percuss::internals::contact::free_gap::FreeGap;
+use percuss::internals::run::crest::Crest;
+use percuss::internals::scalar::{Mask, Number};
 
 /// What lanes keep whose step is not taken in.
 #[derive(Clone, Debug)]

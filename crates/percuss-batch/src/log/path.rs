@@ -1,9 +1,9 @@
 //! What a path over a step tells: where it closes, and its largest value.
 
 use super::Top;
-use percuss::contact::free_gap::FreeGap;
+use percuss::internals::contact::free_gap::FreeGap;
+use percuss::internals::scalar::{Mask, Number};
 use percuss::math::interpolant::Interpolant;
-use percuss::scalar::{Mask, Number};
 
 /// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
 pub(super) fn touch_down<S: Number>(

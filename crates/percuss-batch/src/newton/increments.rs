@@ -3,7 +3,7 @@
 use super::LaneNewton;
 use crate::engine::Engine;
 use crate::ledger::LaneLedger;
-use percuss::scalar::Number;
+use percuss::internals::scalar::Number;
 
 /// What an increment leaves unbalanced.
 pub(super) struct Unbalanced<S> {

@@ -355,7 +355,7 @@ fn a_fibre_that_fails_leaves_its_lane_and_ends_derivatives() {
         b.build().unwrap()
     };
     let settings = Settings::new(3e-3, 1e-5);
-    let runs: Vec<_> = [10.0, 60.0, 20.0].map(|speed| (weak(speed), settings.clone())).into();
+    let runs: Vec<_> = [10.0, 60.0, 20.0].map(|speed| (weak(speed), settings)).into();
     let found = batch(&runs);
     let failed: Vec<_> = found.iter().map(|s| s.plastic[0].failed > 0).collect();
     assert_eq!(failed, [false, true, false]);

@@ -71,7 +71,7 @@ fn answer_slips(part: usize) {
             let name = file.display().to_string();
             for (k, place) in numbers(&text).into_iter().enumerate() {
                 // Others in each file, so that keys of all kinds come round.
-                if (n / PARTS + k) % every != 0 {
+                if !(n / PARTS + k).is_multiple_of(every) {
                     continue;
                 }
                 let number: f64 = text[place.clone()].replace('_', "").parse().unwrap();

@@ -78,7 +78,7 @@ impl ImpactProblem {
     }
 
     /// Number of contacts.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.contacts.len()
     }
 
@@ -93,14 +93,14 @@ impl ImpactProblem {
 
     fn add_impulse(&self, column: usize, impulse: f64, rates: &mut [f64]) {
         if impulse != 0.0 {
-            let m = 2 * self.len();
+            let m = 2 * self.count();
             let w = &self.delassus[column * m..(column + 1) * m];
             rates.iter_mut().zip(w).for_each(|(rate, w)| *rate += w * impulse);
         }
     }
 
     fn diagonal(&self, row: usize) -> f64 {
-        self.delassus[row * (2 * self.len() + 1)]
+        self.delassus[row * (2 * self.count() + 1)]
     }
 
     /// Proximal point of the impulse of row `row`, the others as they stand.
@@ -125,7 +125,7 @@ impl ImpactProblem {
     }
 
     fn rows(&self) -> impl Iterator<Item = usize> + use<'_> {
-        (0..2 * self.len())
+        (0..2 * self.count())
             .filter(|row| row.is_multiple_of(2) || self.contacts[row / 2].friction > 0.0)
     }
 
@@ -138,7 +138,7 @@ impl ImpactProblem {
         if !known.all(|x| x.is_finite()) {
             return Err(Stalled); // an iteration that has run away
         }
-        let single = self.len() == 1 && self.contacts[0].friction == 0.0;
+        let single = self.count() == 1 && self.contacts[0].friction == 0.0;
         let enough = Self::ACCEPTED * self.scale();
         for round in 0..Self::ROUNDS {
             let converged = self.sweeps(impulses, round == 0);
@@ -207,7 +207,7 @@ impl ImpactProblem {
     /// Impulse beyond which a solution is none \[N s\]: contacts that wedge each other can carry any without motion.
     fn most(&self) -> f64 {
         let stops = self.rows().map(|r| self.diagonal(r)).filter(|w| *w > 0.0);
-        Self::WEDGED * self.len() as f64 * self.scale() / stops.fold(f64::MAX, f64::min)
+        Self::WEDGED * self.count() as f64 * self.scale() / stops.fold(f64::MAX, f64::min)
     }
 
     /// Largest violation of the conditions, as a rate \[m/s\].

@@ -49,7 +49,7 @@ impl Pattern {
     }
 
     /// Number of values of a matrix.
-    pub fn len(&self) -> usize {
+    pub fn value_count(&self) -> usize {
         self.total
     }
 
@@ -184,7 +184,7 @@ mod tests {
         let pattern = Pattern::new(sizes.clone(), pairs());
         let n: usize = sizes.iter().sum();
         let mut dense = nalgebra::DMatrix::<f64>::zeros(n, n);
-        let mut values = vec![Wide::ZERO; pattern.len()];
+        let mut values = vec![Wide::ZERO; pattern.value_count()];
         let mut seed = 7_u64;
         let mut next = || {
             seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

@@ -20,46 +20,63 @@ use crate::math::vec2::norm;
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Nodes in the reference configuration, shape (nodes).
+    #[doc(hidden)]
     pub nodes: Vec<NodeFrame>,
     /// Beams, in the order they were defined, shape (beams).
+    #[doc(hidden)]
     pub beams: Vec<BeamData>,
     /// Spans of all beams, in the order of their nodes, shape (spans).
+    #[doc(hidden)]
     pub spans: Vec<Span>,
     /// Components held at nodes, in the order of the nodes, shape (nodes held).
+    #[doc(hidden)]
     pub prescribed: Vec<PrescribedDofs>,
     /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time, shape (constraints).
+    #[doc(hidden)]
     pub constraints: Vec<Constraint>,
     /// Joints that part beyond a strength, in the order they were defined, shape (such joints).
-    pub joints: Vec<JointData>,
+    pub(crate) joints: Vec<JointData>,
     /// Springs and dampers, shape (connectors).
+    #[doc(hidden)]
     pub connectors: Vec<Connector>,
     /// Masses at points, shape (point masses).
+    #[doc(hidden)]
     pub masses: Vec<MassData>,
     /// Supports, in the order they were defined, shape (supports).
-    pub supports: Vec<SupportData>,
+    pub(crate) supports: Vec<SupportData>,
     /// Prescribed motions, shape (motions).
+    #[doc(hidden)]
     pub motions: Vec<PreparedFunction>,
     /// Rigid bodies: guided projectiles, discs, obstacles, in the order of their nodes, shape (bodies).
+    #[doc(hidden)]
     pub bodies: Vec<Body>,
     /// Obstacles, in the order they were defined, shape (obstacles).
+    #[doc(hidden)]
     pub obstacles: Vec<ObstacleData>,
     /// Guided projectiles, in the order they were defined, shape (guided projectiles).
+    #[doc(hidden)]
     pub projectiles: Vec<ProjectileData>,
     /// Contacts: those of guided projectiles, then those defined, shape (contacts).
+    #[doc(hidden)]
     pub contacts: Vec<ContactData>,
     /// Pairs that can touch, contact after contact, shape (pairs).
+    #[doc(hidden)]
     pub pairs: Vec<Pair>,
     /// Loads, in the order they were defined, shape (loads).
+    #[doc(hidden)]
     pub loads: Vec<LoadData>,
     /// Ratios of damping of the flexible modes, from the lowest on, shape (modes) \[-\].
+    #[doc(hidden)]
     pub modal_damping: Vec<f64>,
     /// Motion at the start.
-    pub initial_motion: InitialMotion,
+    pub(crate) initial_motion: InitialMotion,
     /// Motions at the start of nodes that have one of their own, shape (such motions) \[indices of nodes\]; later ones count.
-    pub own_motions: Vec<(Range<usize>, InitialMotion)>,
+    pub(crate) own_motions: Vec<(Range<usize>, InitialMotion)>,
     /// Recorded points, each once, shape (recorded points).
+    #[doc(hidden)]
     pub points: Vec<MaterialPoint>,
     /// Mass of beams, point masses and projectiles, a scale \[kg\].
+    #[doc(hidden)]
     pub total_mass: f64,
 }
 
@@ -203,13 +220,13 @@ impl Axes for Model {
 
 impl Model {
     /// Number of fibres of all beams.
-    pub fn fibre_count(&self) -> usize {
+    pub(crate) fn fibre_count(&self) -> usize {
         let last = self.spans.iter().rev().find_map(|s| s.fibres.as_ref().map(|f| (s, f)));
         last.map_or(0, |(span, fibres)| fibres.first + fibres.count * span.elements.len())
     }
 
     /// Whether any beam is made of fibres: it can yield, bears no stress of one sign, or its section is given by them.
-    pub fn has_fibres(&self) -> bool {
+    pub(crate) fn has_fibres(&self) -> bool {
         self.spans.iter().any(|s| s.fibres.is_some())
     }
 
@@ -261,6 +278,7 @@ impl Model {
     }
 
     /// Elements with their spans: (span, number in the span, node a, element).
+    #[doc(hidden)]
     pub fn each_element(&self) -> impl Iterator<Item = (&Span, usize, usize, usize)> {
         self.spans.iter().flat_map(|span| {
             let place = move |k| (span, k, span.nodes.start + k, span.elements.start + k);
@@ -269,19 +287,19 @@ impl Model {
     }
 
     /// The span and the number in it of the element that starts at a node.
-    pub fn element_of(&self, node: usize) -> (&Span, usize) {
+    pub(crate) fn element_of(&self, node: usize) -> (&Span, usize) {
         let span = &self.spans[self.spans.partition_point(|s| s.nodes.end <= node)];
         (span, (node - span.nodes.start).min(span.elements.len() - 1))
     }
 
     /// The element that starts at a node.
-    pub fn element_at(&self, node: usize) -> usize {
+    pub(crate) fn element_at(&self, node: usize) -> usize {
         let (span, k) = self.element_of(node);
         span.elements.start + k
     }
 
     /// What is held at a node.
-    pub fn dofs_at(&self, node: usize) -> Option<&PrescribedDofs> {
+    pub(crate) fn dofs_at(&self, node: usize) -> Option<&PrescribedDofs> {
         self.prescribed.binary_search_by_key(&node, |h| h.node).ok().map(|i| &self.prescribed[i])
     }
 
@@ -291,12 +309,13 @@ impl Model {
     }
 
     /// Length of the element at a beam's node \[m\].
-    pub fn node_length(&self, node: usize) -> f64 {
+    pub(crate) fn node_length(&self, node: usize) -> f64 {
         let (span, k) = self.element_of(node);
         span.table(k).length
     }
 
     /// Size of the structure: its longest beam, or the largest distance of a node from the first one \[m\].
+    #[doc(hidden)]
     pub fn extent(&self) -> f64 {
         let from = self.nodes.first().map_or([0.0; 2], |n| n.position);
         let away = |x: [f64; 2]| norm([x[0] - from[0], x[1] - from[1]]);
@@ -305,7 +324,7 @@ impl Model {
     }
 
     /// The beams with all that holds them, without bodies and contacts: what statics and vibrations know.
-    pub fn structure(&self) -> Self {
+    pub(crate) fn structure(&self) -> Self {
         let nodes = self.beam_node_count();
         let mut structure = self.clone();
         structure.nodes.truncate(nodes);
@@ -319,6 +338,7 @@ impl Model {
     }
 
     /// Whether no part of the structure moves at the start.
+    #[doc(hidden)]
     pub fn is_still(&self) -> bool {
         self.initial_motion == InitialMotion::default() && self.own_motions.is_empty()
     }
@@ -346,6 +366,7 @@ impl Model {
     }
 
     /// Acceleration of gravity, for factors of one \[m/s^2\].
+    #[doc(hidden)]
     pub fn gravity(&self) -> f64 {
         let each = self.loads.iter().map(|load| match load.kind {
             LoadAction::Gravity { acceleration: [x, y] } => x.hypot(y),
@@ -355,18 +376,18 @@ impl Model {
     }
 
     /// Times at which a support lets go \[s\].
-    pub fn releases(&self) -> impl Iterator<Item = f64> {
+    pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
 
     /// Whether supports can give impulses: by rigid contacts, or where prescribed velocities jump.
-    pub fn has_impulses(&self) -> bool {
+    pub(crate) fn has_impulses(&self) -> bool {
         self.has_rigid_contact() || self.structural_drives().any(|drive| !drive.is_empty())
     }
 
     /// Prescribed values of the structure itself, as nodes or constraints hold it; those of obstacles and of the ground of springs
     /// are others.
-    pub fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
+    pub(crate) fn structural_drives(&self) -> impl Iterator<Item = &Drive> {
         let beams = self.beam_node_count();
         let held = self.prescribed.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
         held.chain(self.constraints.iter().map(|c| &c.drive))

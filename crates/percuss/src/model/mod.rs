@@ -10,8 +10,8 @@ mod definition;
 mod draw;
 mod fault;
 mod fibres;
-#[doc(hidden)]
-pub mod frozen;
+#[allow(missing_docs)]
+pub(crate) mod frozen;
 mod initial;
 mod loads;
 mod material_points;
@@ -23,7 +23,9 @@ mod places;
 mod prescribed;
 pub mod scene;
 mod span_fibres;
+#[allow(missing_docs)]
 pub(crate) mod striking;
+#[allow(missing_docs)]
 pub(crate) mod ties;
 mod time_function;
 

@@ -80,17 +80,19 @@ pub struct ContactData {
 
 impl Model {
     /// Number of nodes that belong to beams; those of bodies follow.
+    #[doc(hidden)]
     pub fn beam_node_count(&self) -> usize {
         self.nodes.len() - self.bodies.len()
     }
 
     /// Node of a body.
+    #[doc(hidden)]
     pub fn body_node(&self, body: usize) -> usize {
         self.beam_node_count() + body
     }
 
     /// Nodes of something that moves: beams first, then bodies.
-    pub fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
+    pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
         match self.beams.get(mover) {
             Some(beam) => beam.nodes.clone(),
             None => {
@@ -109,7 +111,7 @@ impl Model {
     }
 
     /// Bodies that strike: those of guided projectiles, then discs.
-    pub fn striking_bodies(&self) -> impl Iterator<Item = usize> {
+    pub(crate) fn striking_bodies(&self) -> impl Iterator<Item = usize> {
         let strikes = |b: &Body| matches!(b.kind, BodyKind::Guided | BodyKind::Disc { .. });
         (0..self.bodies.len()).filter(move |i| strikes(&self.bodies[*i]))
     }

@@ -41,7 +41,7 @@ impl PrescribedDofs {
     }
 }
 
-/// A prescribed value: amplitudes times time functions of [`Model::motions`].
+/// A prescribed value: amplitudes times time functions of [`Model::motions`](super::frozen::Model::motions).
 pub type Drive = Vec<(usize, f64)>;
 
 /// A support, for its reactions.
@@ -52,7 +52,7 @@ pub struct SupportData {
     pub point: Option<MaterialPoint>,
     /// Holds until this time \[s\].
     pub until: f64,
-    /// Its time function among [`Model::motions`].
+    /// Its time function among [`Model::motions`](super::frozen::Model::motions).
     pub motion: Option<usize>,
     /// Whether it is a stop, which presses only when its gap is closed.
     pub stops: bool,
@@ -162,7 +162,7 @@ pub struct Constraint {
     pub kind: ConstraintKind,
     /// The support it belongs to; a joint's belong to none.
     pub support: Option<usize>,
-    /// The joint of a given strength that it belongs to, among [`Model::joints`].
+    /// The joint of a given strength that it belongs to, among `Model::joints`.
     pub joint: Option<usize>,
     /// Prescribed value, shape (motions that take part) \[index of a motion, m or rad\].
     pub drive: Drive,

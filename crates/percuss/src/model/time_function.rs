@@ -87,10 +87,12 @@ pub struct PreparedFunction {
 }
 
 impl PreparedFunction {
+    /// As it is.
     pub fn is_constant(&self) -> bool {
         matches!(self.function, TimeFunction::Constant)
     }
 
+    /// Prepares a function.
     pub fn new(function: &TimeFunction) -> Self {
         use TimeFunction::*;
         let kinks = match function {

@@ -10,6 +10,7 @@ mod checkpoint;
 mod connector_log;
 pub mod contact_log;
 pub mod contact_status;
+#[allow(missing_docs)]
 pub mod crest;
 mod first_step;
 mod first_touch;
@@ -35,6 +36,7 @@ mod stop_log;
 pub mod strike;
 mod struck_mass;
 mod summarize;
+#[allow(missing_docs)]
 pub mod trial;
 pub mod yielding;
 

@@ -71,7 +71,7 @@ fn struck(number: u64) -> (String, RunSummary) {
     let section = b.section(section);
     let wall = b.beam(beam("wall", [0.0, 0.0], [2.0, 0.0], 8, material, section));
     let ends = r.below(3);
-    for f in [0.0, 1.0].into_iter().take(ends as usize) {
+    for f in [0.0, 1.0].into_iter().take(ends) {
         let kind = if r.chance(0.5) { SupportKind::Clamp } else { SupportKind::Pin };
         b.support(Support::new(format!("hold{f}"), at("held", wall, f), kind));
     }

@@ -1,8 +1,8 @@
 //! Parts of steps by themselves, which runs take where nothing simpler will do.
 
-use percuss::run::step::Part;
-use percuss::step::newton::Failure;
-use percuss::step::tangent::Singular;
+use percuss::internals::run::step::Part;
+use percuss::internals::step::newton::Failure;
+use percuss::internals::step::tangent::Singular;
 use percuss::*;
 
 #[test]

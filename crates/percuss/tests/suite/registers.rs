@@ -1,14 +1,14 @@
 //! Elements side by side: the same bits whatever registers the processor has.
 
-use percuss::element::fibre::{Hardening, Inelasticity, Overstress, Plasticity};
-use percuss::linalg::chain::Chain;
-use percuss::scalar::use_at_most;
-use percuss::settings::Scheme;
-use percuss::state::State;
-use percuss::step::assemble::EndForces;
-use percuss::step::fibres::FibreLosses;
-use percuss::step::integration::Integration;
-use percuss::step::sweep::{AdvanceFibres, SpanStep};
+use percuss::internals::element::fibre::{Hardening, Inelasticity, Overstress, Plasticity};
+use percuss::internals::linalg::chain::Chain;
+use percuss::internals::scalar::use_at_most;
+use percuss::internals::settings::Scheme;
+use percuss::internals::state::State;
+use percuss::internals::step::assemble::EndForces;
+use percuss::internals::step::fibres::FibreLosses;
+use percuss::internals::step::integration::Integration;
+use percuss::internals::step::sweep::{AdvanceFibres, SpanStep};
 use percuss::{Beam, Material, Model, ModelBuilder, Section, Station};
 
 /// A beam whose elements differ, a slender one whose elements do not, and one that yields; none fills its registers.

@@ -85,7 +85,11 @@ impl<'m> Layout<'m> {
     }
 
     pub(super) fn zeros(&self) -> Matrix {
-        Matrix { values: vec![Wide::ZERO; self.pattern.len()], constrained: 0, turning: 0.0 }
+        Matrix {
+            values: vec![Wide::ZERO; self.pattern.value_count()],
+            constrained: 0,
+            turning: 0.0,
+        }
     }
 
     /// Adds a block between two nodes, without what is held.

@@ -64,12 +64,12 @@ impl ImpactProblem {
     fn pose(&self, direct: &mut Direct) {
         let Direct { units, unknowns, matrix, right, .. } = direct;
         units.clear();
-        units.extend((0..2 * self.len()).map(|row| {
+        units.extend((0..2 * self.count()).map(|row| {
             let looked_at = row.is_multiple_of(2) || self.contacts[row / 2].friction > 0.0;
             let w = self.diagonal(row);
             if looked_at && w > 0.0 { 1.0 / w.sqrt() } else { 0.0 }
         }));
-        let pressing = (0..self.len()).filter(|i| units[2 * i] > 0.0);
+        let pressing = (0..self.count()).filter(|i| units[2 * i] > 0.0);
         let rubbing = pressing.clone().filter(|i| units[2 * i + 1] > 0.0);
         unknowns.clear();
         unknowns.extend(pressing.map(Unknown::Normal));
@@ -88,7 +88,7 @@ impl ImpactProblem {
     /// Change of what is complementary to the unknown `row` with the unknown `column`.
     fn entry(&self, units: &[f64], row: Unknown, column: Unknown) -> f64 {
         use Unknown::{Normal, Speed, Tangent};
-        let w = |a: usize, b: usize| units[a] * self.delassus[a + 2 * self.len() * b] * units[b];
+        let w = |a: usize, b: usize| units[a] * self.delassus[a + 2 * self.count() * b] * units[b];
         match (row, column) {
             (Normal(i), Normal(j)) => w(2 * i, 2 * j),
             (Normal(i), Tangent(j, sign)) => sign * w(2 * i, 2 * j + 1),
@@ -113,7 +113,7 @@ impl ImpactProblem {
             Unknown::Tangent(i, sign) => (2 * i + 1, sign),
             Unknown::Speed(_) => return 0.0,
         };
-        let w = self.delassus[row..].iter().step_by(2 * self.len());
+        let w = self.delassus[row..].iter().step_by(2 * self.count());
         let carried = self.contacts.iter().flat_map(|c| c.carried);
         let rate = self.free[row] - w.zip(carried).map(|(w, c)| w * c).sum::<f64>();
         sign * units[row] * (rate - self.goal(row)) / self.scale()
@@ -123,7 +123,7 @@ impl ImpactProblem {
     fn read(&self, direct: &mut Direct) {
         let Direct { impulses, unknowns, values, units, .. } = direct;
         impulses.clear();
-        impulses.resize(2 * self.len(), 0.0);
+        impulses.resize(2 * self.count(), 0.0);
         for (unknown, value) in unknowns.iter().zip(&*values) {
             match *unknown {
                 Unknown::Normal(i) => impulses[2 * i] = value * units[2 * i],

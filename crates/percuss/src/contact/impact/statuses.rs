@@ -50,7 +50,7 @@ impl ImpactProblem {
             self.find_rates(&newton.impulses, &mut newton.rates);
             let Newton { impulses: from, rates, statuses, .. } = &mut newton;
             statuses.clear();
-            statuses.extend((0..self.len()).map(|i| self.status(i, from, rates)));
+            statuses.extend((0..self.count()).map(|i| self.status(i, from, rates)));
             if !self.solve_statuses(&mut newton) {
                 break;
             }
@@ -91,7 +91,7 @@ impl ImpactProblem {
 
     /// Impulses for which each contact does what it is said to do.
     fn solve_statuses(&self, newton: &mut Newton) -> bool {
-        let m = 2 * self.len();
+        let m = 2 * self.count();
         let Newton { lu, impulses, rates, matrix, right, statuses, sought } = newton;
         sought.clear();
         for (i, status) in statuses.iter().enumerate() {

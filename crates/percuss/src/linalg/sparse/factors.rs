@@ -134,7 +134,7 @@ impl LuFactors {
                     for below in lower.range(j) {
                         x[lower.rows[below]] -= lower_values[below] * value;
                     }
-                } else if !(value.abs() <= most) {
+                } else if value.abs() > most || value.is_nan() {
                     (most, pivot_row) = (value.abs(), Some(*row));
                 }
             }
