@@ -5,7 +5,7 @@
 //! and counts say there of what they are, as `\[index of a beam\]`. Truth values, names and types of this crate need no unit: those of a
 //! type stand at its own fields. Matrices stored one row after the other have two indices, so an index more than the type is no fault.
 //!
-//! Arrays are Vec, slices and arrays, matrices and vectors of nalgebra and faer, the crate's columns, other names for these, and what
+//! Arrays are Vec, slices and arrays, matrices and vectors of nalgebra, the crate's columns, other names for these, and what
 //! contains one of them, as Option or Box do. An unnamed field may leave it to the documentation of its type or variant.
 
 use std::collections::BTreeMap;

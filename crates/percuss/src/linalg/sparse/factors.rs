@@ -2,8 +2,8 @@
 
 use super::ColumnPattern;
 
-/// A pivot on the diagonal is good if it is at least this share of the largest entry of its column: then factors grow by round-off
-/// that a correction of the solution would not notice.
+/// A pivot on the diagonal is good if it is at least this share of the largest entry of its column, so that no entry of the lower factor is
+/// larger than a hundred.
 const GOOD: f64 = 0.01;
 
 /// A matrix by its pattern and its values.
