@@ -10,7 +10,6 @@
 mod analysis;
 #[allow(missing_docs)] // reached by `internals` alone
 mod contact;
-#[allow(missing_docs)] // reached by `internals` alone
 mod element;
 mod error;
 mod frame;
@@ -28,7 +27,6 @@ mod run;
 mod scalar;
 mod settings;
 mod state;
-#[allow(missing_docs)] // reached by `internals` alone
 mod step;
 mod summary;
 

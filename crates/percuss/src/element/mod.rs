@@ -3,16 +3,28 @@
 //! The schemes ([`energy_momentum`], [`strain_rate`], [`collocation`]) turn the two ends of a step into generalised forces at a
 //! Gauss point, [`beam`] integrates them over an element, [`membrane`] adds the membrane strains of slender ones.
 
+// Without a word to all that `internals` alone reaches.
+#[allow(missing_docs)]
 pub mod beam;
+#[allow(missing_docs)]
 pub mod collocation;
+#[allow(missing_docs)]
 pub mod elastic;
+#[allow(missing_docs)]
 pub mod energy_momentum;
 pub mod fibre;
+#[allow(missing_docs)]
 pub mod mapped;
+#[allow(missing_docs)]
 pub mod membrane;
+#[allow(missing_docs)]
 pub mod motion;
+#[allow(missing_docs)]
 pub mod point;
+#[allow(missing_docs)]
 pub mod rotary;
 pub mod strain;
+#[allow(missing_docs)]
 pub mod strain_rate;
+#[allow(missing_docs)]
 pub mod yielding;

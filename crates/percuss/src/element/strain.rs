@@ -40,6 +40,7 @@ pub fn strains<S: Real>(
 
 /// Coefficients of the strain gradient at one configuration, `deps = alpha g.dg`, `dkappa = c1 db + c2 g.dg`, and their
 /// derivatives in the directions `g.dg` (suffix `_a`) and `db` (suffix `_b`).
+#[allow(missing_docs)]
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient<S> {
     pub alpha: S,
