@@ -78,7 +78,7 @@ impl<S: Number> Engine<S> {
                 ends.extend((0..span.count).map(|k| {
                     span.table(k)
                         .rows
-                        .map(|row| End::new(span.measure, row.tangent, [zero; 2], row.bend))
+                        .map(|row| End::new(span.measure, row.reference.tangent, [zero; 2], [zero; 2]))
                 }));
             }
             ends

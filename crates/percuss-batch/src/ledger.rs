@@ -215,13 +215,13 @@ impl<S: Number> LaneLedger<S> {
         let mut viscous = h.constant(0.0);
         for j in 0..GAUSS {
             let (row, start, end) = (&table.rows[j], &engine.start[element][j], &ends[j]);
-            let k0 = start.bent(row.tangent, row.curvature).strain;
-            let k1 = end.bent(row.tangent, row.curvature).strain;
+            let k0 = start.bent(span.measure, &row.reference).strain;
+            let k1 = end.bent(span.measure, &row.reference).strain;
             let (stretched, bent, law) = (end.membrane - start.membrane, k1 - k0, &row.weighed);
             if span.fibres.is_none() {
                 viscous += law.axial * stretched * stretched + law.bending * bent * bent;
             }
-            let turn = Turn::new(add(row.tangent, start.slope), step.at(&row.first));
+            let turn = Turn::new(add(row.reference.tangent, start.slope), step.at(&row.first));
             let spin = turn.mean_spin(rate);
             let moment = span.mass_damping * law.rotary * spin;
             self.loss_damping += moment * spin * h;
@@ -326,7 +326,7 @@ impl<S: Number> Engine<S> {
                     let turning = law.rotary * spin;
                     twice = twice.add_product(turning, spin);
                     if span.fibres.is_none() {
-                        let bending = at.bent(row.tangent, row.curvature).strain;
+                        let bending = at.bent(span.measure, &row.reference).strain;
                         twice = twice
                             .add_product(law.axial * at.membrane, at.membrane)
                             .add_product(law.bending * bending, bending);

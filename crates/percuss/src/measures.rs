@@ -63,8 +63,8 @@ impl Measures {
                 hardening += stored.hardening;
             }
             for (j, row) in table.rows.iter().enumerate() {
-                let (slope, bend) = (u.at(&row.first), add(row.bend, u.at(&row.second)));
-                let s = strains(span.measure, row.tangent, row.curvature, slope, bend);
+                let (slope, bend) = (u.at(&row.first), u.at(&row.second));
+                let s = strains(span.measure, &row.reference, slope, bend);
                 let (mut eps, mut kappa) = (s.membrane, s.bending);
                 if stored {
                     [eps, kappa] = state.strain[e][j];

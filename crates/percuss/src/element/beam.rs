@@ -3,7 +3,7 @@
 //! Degrees of freedom of a node are (u1, u2, u1', u2'), of an element those of its two nodes.
 
 use super::membrane::MembraneTable;
-use super::point::{PointResponse, SectionLaw, StepPoint};
+use super::point::{PointResponse, Reference, SectionLaw, StepPoint};
 use crate::math::hermite::{self, GAUSS, GAUSS_WEIGHTS};
 use crate::math::vec2::{cross, dot4, norm};
 use crate::scalar::Real;
@@ -22,12 +22,8 @@ pub struct GaussRow<S = f64> {
     pub second: [S; 3],
     /// Integration weight \[m\].
     pub weight: S,
-    /// Reference tangent X', shape (2) \[1\].
-    pub tangent: [S; 2],
-    /// Reference second derivative X'', shape (2) \[1/m\].
-    pub bend: [S; 2],
-    /// Reference curvature X' x X'' \[1/m\].
-    pub curvature: S,
+    /// Reference configuration.
+    pub reference: Reference<S>,
     /// Section constants times the weight, of which the kernels make integrated forces; no axial stiffness where membrane
     /// strains are those of [`MembraneTable`].
     pub weighed: SectionLaw<S>,
@@ -115,9 +111,7 @@ impl ElementTable {
                 first,
                 second,
                 weight,
-                tangent,
-                bend,
-                curvature: cross(tangent, bend),
+                reference: Reference { tangent, bend, curvature: cross(tangent, bend) },
                 weighed,
                 section: values.law,
                 mass: values.mass,
@@ -211,12 +205,10 @@ pub fn step_point<S: Real>(
     old: &ElementValues<S>,
     increment: &ElementValues<S>,
 ) -> StepPoint<S> {
-    let bend = old.at(&row.second);
     StepPoint {
-        tangent: row.tangent,
-        curvature: row.curvature,
+        reference: row.reference,
         slope_0: old.at(&row.first),
-        bend_0: [bend[0] + row.bend[0], bend[1] + row.bend[1]],
+        bend_0: old.at(&row.second),
         d_slope: increment.at(&row.first),
         d_bend: increment.at(&row.second),
     }

@@ -6,7 +6,6 @@ use super::point::{
 };
 use super::strain::{gradient, strains};
 use super::strain_rate;
-use crate::math::vec2::add;
 use crate::scalar::Real;
 
 /// Gradient of the strain energy at `x_0 + theta Dx`.
@@ -32,7 +31,7 @@ pub fn damped<S: Real, const TANGENT: bool>(
         return elastic;
     }
     // Without strains at the start, the strain-rate scheme is all rate.
-    let none = point.curvature.constant(0.0);
+    let none = point.reference.curvature.constant(0.0);
     let zero = Strains { membrane: none, bending: none };
     let viscous = strain_rate::response::<S, TANGENT>(law, point, zero, lag - 0.5);
     elastic.plus(&viscous)
@@ -58,9 +57,8 @@ pub fn foresee(
     d_slope: [f64; 2],
     d_bend: [f64; 2],
 ) -> Strains<f64> {
-    let slope = add(point.slope_0, point.d_slope);
-    let (g, p) = (add(point.tangent, slope), add(point.bend_0, point.d_bend));
-    let now = strains(law.measure, point.tangent, point.curvature, slope, p);
+    let ([slope, bend], [g, p]) = (point.displaced(1.0), point.at(1.0));
+    let now = strains(law.measure, &point.reference, slope, bend);
     let c = gradient(law.measure, g, p);
     let (da, db) = (form_a(g).on(d_slope, d_bend), form_b(g, p).on(d_slope, d_bend));
     Strains { membrane: now.membrane + c.alpha * da, bending: now.bending + c.c1 * db + c.c2 * da }
@@ -73,11 +71,8 @@ fn evaluate<S: Real, const TANGENT: bool>(
     theta: f64,
     foreseen: Option<Strains<S>>,
 ) -> PointResponse<S> {
-    let slope =
-        [point.slope_0[0] + point.d_slope[0] * theta, point.slope_0[1] + point.d_slope[1] * theta];
-    let p = [point.bend_0[0] + point.d_bend[0] * theta, point.bend_0[1] + point.d_bend[1] * theta];
-    let g = add(point.tangent, slope);
-    let strain = strains(law.measure, point.tangent, point.curvature, slope, p);
+    let ([slope, bend], [g, p]) = (point.displaced(theta), point.at(theta));
+    let strain = strains(law.measure, &point.reference, slope, bend);
     let c = gradient(law.measure, g, p);
     let stress = Stress {
         axial: law.axial * strain.membrane,
@@ -90,7 +85,7 @@ fn evaluate<S: Real, const TANGENT: bool>(
         return stress.forces(g, p);
     }
     let (a, b) = (form_a(g), form_b(g, p));
-    let weight = point.curvature.constant(theta);
+    let weight = point.reference.curvature.constant(theta);
     let rate = StressRate {
         axial: a.times(law.axial * c.alpha * weight),
         moment: b.times(law.bending * c.c1 * weight).plus(law.bending * c.c2 * weight, a),
@@ -121,8 +116,7 @@ pub struct BendingEnd {
 
 /// That of a point.
 pub fn bending_at_end(law: &SectionLaw<f64>, point: &StepPoint<f64>) -> BendingEnd {
-    let g = add(point.tangent, add(point.slope_0, point.d_slope));
-    let p = add(point.bend_0, point.d_bend);
+    let [g, p] = point.at(1.0);
     let c = gradient(law.measure, g, p);
     let (a, b) = (form_a(g), form_b(g, p));
     let none = a.times(0.0);

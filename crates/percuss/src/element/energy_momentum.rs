@@ -4,7 +4,7 @@
 mod bending;
 
 use super::beam::{ElementValues, GaussRow};
-use super::point::{Form, PointResponse, SectionLaw, StepPoint, Stress, b_of, form_b};
+use super::point::{Form, PointResponse, Reference, SectionLaw, StepPoint, Stress, form_b};
 use super::rotary::Turn;
 use super::strain::StrainMeasure;
 use crate::math::vec2::{add, cross, dot, middle};
@@ -24,9 +24,9 @@ pub fn response<S: Real, const TANGENT: bool>(
     point: &StepPoint<S>,
     lag: S,
 ) -> PointResponse<S> {
-    let start = End::new(law.measure, point.tangent, point.slope_0, point.bend_0);
-    let StepPoint { tangent, curvature, d_slope, d_bend, .. } = point;
-    let way = PointStep { tangent, curvature, start: &start, d_slope: *d_slope, d_bend: *d_bend };
+    let start = End::new(law.measure, point.reference.tangent, point.slope_0, point.bend_0);
+    let StepPoint { reference, d_slope, d_bend, .. } = point;
+    let way = PointStep { reference, start: &start, d_slope: *d_slope, d_bend: *d_bend };
     let [quotients] = Quotients::of(law.measure, &[way]);
     Step::new(law.measure, &way, &quotients).response::<TANGENT>(law, &start, lag)
 }
@@ -36,7 +36,7 @@ pub fn response<S: Real, const TANGENT: bool>(
 pub struct End<S> {
     /// Displacement gradient u', shape (2) \[1\].
     pub slope: [S; 2],
-    /// Second derivative x'', shape (2) \[1/m\].
+    /// Second derivative u'', shape (2) \[1/m\].
     pub bend: [S; 2],
     /// Stretch |x'|.
     pub stretch: S,
@@ -73,10 +73,10 @@ impl<S: Real> End<S> {
         rows: &[GaussRow<S>; N],
         displacement: &ElementValues<S>,
     ) -> [Self; N] {
-        let like = rows[0].curvature;
+        let like = rows[0].weight;
         let mut a = [like; N];
         for i in 0..N {
-            let g = add(rows[i].tangent, displacement.at(&rows[i].first));
+            let g = add(rows[i].reference.tangent, displacement.at(&rows[i].first));
             a[i] = dot(g, g);
         }
         let stretch = S::ordinary_sqrts(a);
@@ -90,8 +90,8 @@ impl<S: Real> End<S> {
             [Self { slope: zero, bend: zero, stretch: like, inverse: like, membrane: like }; N];
         for i in 0..N {
             let row = &rows[i];
-            let shape = (displacement.at(&row.first), add(row.bend, displacement.at(&row.second)));
-            ends[i] = Self::with(measure, row.tangent, shape, (stretch[i], inverse[i]));
+            let shape = (displacement.at(&row.first), displacement.at(&row.second));
+            ends[i] = Self::with(measure, row.reference.tangent, shape, (stretch[i], inverse[i]));
         }
         ends
     }
@@ -107,11 +107,11 @@ impl<S: Real> End<S> {
         step: &ElementValues<S>,
     ) -> ([Self; N], [S; N]) {
         let ends = Self::all(measure, rows, displacement);
-        let like = rows[0].curvature;
+        let like = rows[0].weight;
         let (mut across, mut squared) = ([like; N], [like; N]);
         for i in 0..N {
             let d_g = step.at(&rows[i].first);
-            let g = middle(add(rows[i].tangent, starts[i].slope), d_g);
+            let g = middle(add(rows[i].reference.tangent, starts[i].slope), d_g);
             (across[i], squared[i]) = (cross(g, d_g), dot(g, g));
         }
         let inverse = S::ordinary_recips(squared);
@@ -136,9 +136,15 @@ impl<S: Real> End<S> {
 
     /// Its bending, which costs less than keeping it from step to step.
     #[inline(always)]
-    pub fn bent(&self, tangent: [S; 2], curvature: S) -> Bent<S> {
-        let b = b_of(add(tangent, self.slope), self.bend);
-        Bent { b, strain: curvature.sub_product(b, self.inverse) }
+    pub fn bent(&self, measure: StrainMeasure, reference: &Reference<S>) -> Bent<S> {
+        let change = reference.b_change(self.slope, self.bend);
+        let green = match measure {
+            StrainMeasure::Green => self.membrane,
+            StrainMeasure::Engineering => dot(middle(reference.tangent, self.slope), self.slope),
+        };
+        let quotient = (self.stretch, self.inverse);
+        let strain = reference.bending(measure, green, quotient, change);
+        Bent { b: reference.curvature + change, strain }
     }
 }
 
@@ -154,15 +160,13 @@ fn divisor<S: Real>(measure: StrainMeasure, a: S, stretch: S) -> S {
 /// A Gauss point on its way over a step.
 #[derive(Clone, Copy, Debug)]
 pub struct PointStep<'a, S> {
-    /// Reference tangent, shape (2) \[1\].
-    pub tangent: &'a [S; 2],
-    /// Reference curvature \[1/m\].
-    pub curvature: &'a S,
+    /// Reference configuration.
+    pub reference: &'a Reference<S>,
     /// Start of the step.
     pub start: &'a End<S>,
     /// Increment of u', shape (2) \[1\].
     pub d_slope: [S; 2],
-    /// Increment of x'', shape (2) \[1/m\].
+    /// Increment of u'', shape (2) \[1/m\].
     pub d_bend: [S; 2],
 }
 
@@ -171,13 +175,13 @@ impl<'a, S: Real> PointStep<'a, S> {
     #[inline(always)]
     pub fn new(row: &'a GaussRow<S>, start: &'a End<S>, step: &ElementValues<S>) -> Self {
         let (d_slope, d_bend) = (step.at(&row.first), step.at(&row.second));
-        Self { tangent: &row.tangent, curvature: &row.curvature, start, d_slope, d_bend }
+        Self { reference: &row.reference, start, d_slope, d_bend }
     }
 
     /// Tangent x' at the start, in the middle and at the end.
     #[inline(always)]
     fn tangents(&self) -> [[S; 2]; 3] {
-        let (tangent, slope) = (*self.tangent, self.start.slope);
+        let (tangent, slope) = (self.reference.tangent, self.start.slope);
         let start = add(tangent, slope);
         [start, middle(start, self.d_slope), add(tangent, add(slope, self.d_slope))]
     }
@@ -200,7 +204,7 @@ impl<S: Real> Quotients<S> {
     /// before, and the points' chains run side by side.
     #[inline(always)]
     pub fn of<const N: usize>(measure: StrainMeasure, ways: &[PointStep<S>; N]) -> [Self; N] {
-        let like = *ways[0].curvature;
+        let like = ways[0].reference.curvature;
         let (mut a, mut middle) = ([like; N], [like; N]);
         for i in 0..N {
             let [_, g_mid, g] = ways[i].tangents();
@@ -231,6 +235,8 @@ pub struct Step<S> {
     bent: [Bent<S>; 2],
     /// Tangent x' at the end, shape (2) \[1\].
     g: [S; 2],
+    /// x'' at the end, shape (2) \[1/m\].
+    p: [S; 2],
     /// x'' in the middle, shape (2) \[1/m\].
     p_mid: [S; 2],
     /// How the tangent turns.
@@ -243,14 +249,15 @@ impl<S: Real> Step<S> {
     /// A way with its quotients.
     #[inline(always)]
     pub fn new(measure: StrainMeasure, way: &PointStep<S>, quotients: &Quotients<S>) -> Self {
-        let PointStep { tangent, curvature, start, d_slope, d_bend } = *way;
+        let PointStep { reference, start, d_slope, d_bend } = *way;
         let Quotients { stretch, inverse, q, inv_a } = *quotients;
         let [g0, g_mid, g] = way.tangents();
         let shape = (add(start.slope, d_slope), add(start.bend, d_bend));
-        let end = End::with(measure, *tangent, shape, (stretch, inverse));
-        let bent = [start.bent(*tangent, *curvature), end.bent(*tangent, *curvature)];
+        let end = End::with(measure, reference.tangent, shape, (stretch, inverse));
+        let bent = [start.bent(measure, reference), end.bent(measure, reference)];
         let turn = Turn { g0, d_g: d_slope, g: g_mid, inv_a };
-        Self { end, bent, g, p_mid: middle(start.bend, d_bend), turn, q }
+        let p_mid = add(reference.bend, middle(start.bend, d_bend));
+        Self { end, bent, g, p: add(reference.bend, end.bend), p_mid, turn, q }
     }
 
     /// Forces of the section, and their tangent if `TANGENT`.
@@ -275,7 +282,7 @@ impl<S: Real> Step<S> {
         // Every derivative runs along g1.dg and db1: sums of scalars first, forms last.
         let Stress { axial, moment, alpha, c1, c2 } = stress;
         let StretchSlopes { axial_a, moment_a, moment_b, alpha_a, c1_a, c2_a, c2_b } = slopes;
-        let b_form = form_b(self.g, self.end.bend);
+        let b_form = form_b(self.g, self.p);
         let x = Form::along(
             (axial_a * alpha)
                 .add_product(axial, alpha_a)

@@ -2,7 +2,7 @@
 
 use super::beam::{ElementTable, GaussRow};
 use super::membrane::MembraneTable;
-use super::point::SectionLaw;
+use super::point::{Reference, SectionLaw};
 use crate::math::hermite::GAUSS;
 
 /// What numbers are replaced by, one after the other in a fixed order.
@@ -45,9 +45,11 @@ impl<S: Copy> GaussRow<S> {
             first: row(&self.first, f),
             second: row(&self.second, f),
             weight: f.of(self.weight),
-            tangent: row(&self.tangent, f),
-            bend: row(&self.bend, f),
-            curvature: f.of(self.curvature),
+            reference: Reference {
+                tangent: row(&self.reference.tangent, f),
+                bend: row(&self.reference.bend, f),
+                curvature: f.of(self.reference.curvature),
+            },
             weighed: self.weighed.map(f),
             section: self.section.map(f),
             mass: f.of(self.mass),

@@ -85,7 +85,7 @@ impl<S: Number> ElementMeasures<S> {
     ) {
         for j in 0..GAUSS {
             let (row, end) = (&table.rows[j], &ends[j]);
-            let kappa = end.bent(row.tangent, row.curvature).strain;
+            let kappa = end.bent(measure, &row.reference).strain;
             self.axial += row.weighed.axial * end.membrane * end.membrane;
             self.bending += row.weighed.bending * kappa * kappa;
         }

@@ -20,21 +20,49 @@ pub struct SectionLaw<S> {
     pub measure: StrainMeasure,
 }
 
+/// The reference configuration at a Gauss point.
+#[derive(Clone, Copy, Debug)]
+pub struct Reference<S = f64> {
+    /// Tangent X', of unit length, shape (2) \[1\].
+    pub tangent: [S; 2],
+    /// Second derivative X'', shape (2) \[1/m\].
+    pub bend: [S; 2],
+    /// Curvature X' x X'' \[1/m\].
+    pub curvature: S,
+}
+
 /// The two ends of a step at a Gauss point.
 #[derive(Clone, Copy, Debug)]
 pub struct StepPoint<S> {
-    /// Reference tangent X', of unit length, shape (2) \[1\].
-    pub tangent: [S; 2],
-    /// Reference curvature X' x X'' \[1/m\].
-    pub curvature: S,
+    /// Reference configuration.
+    pub reference: Reference<S>,
     /// Displacement gradient u' at the start of the step, shape (2) \[1\].
     pub slope_0: [S; 2],
-    /// Second derivative x'' at the start of the step, shape (2) \[1/m\].
+    /// Second derivative u'' at the start of the step, shape (2) \[1/m\].
     pub bend_0: [S; 2],
     /// Increment of u' over the step, shape (2) \[1\].
     pub d_slope: [S; 2],
-    /// Increment of x'' over the step, shape (2) \[1/m\].
+    /// Increment of u'' over the step, shape (2) \[1/m\].
     pub d_bend: [S; 2],
+}
+
+impl<S: Real> StepPoint<S> {
+    /// Tangent x' and second derivative x'' a share of the way through the step.
+    #[inline(always)]
+    pub fn at(&self, theta: f64) -> [[S; 2]; 2] {
+        let [slope, bend] = self.displaced(theta);
+        [add(self.reference.tangent, slope), add(self.reference.bend, bend)]
+    }
+
+    /// Displacement gradient u' and second derivative u'' there.
+    #[inline(always)]
+    pub fn displaced(&self, theta: f64) -> [[S; 2]; 2] {
+        let Self { slope_0, bend_0, d_slope, d_bend, .. } = self;
+        [
+            [slope_0[0] + d_slope[0] * theta, slope_0[1] + d_slope[1] * theta],
+            [bend_0[0] + d_bend[0] * theta, bend_0[1] + d_bend[1] * theta],
+        ]
+    }
 }
 
 /// Membrane strain \[1\] and bending strain \[1/m\].

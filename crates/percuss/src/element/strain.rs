@@ -1,7 +1,7 @@
 //! Strains of a configuration, and their gradient coefficients.
 
-use super::point::{Strains, b_of};
-use crate::math::vec2::{add, dot};
+use super::point::{Reference, Strains, b_of};
+use crate::math::vec2::{add, cross, dot};
 use crate::scalar::Real;
 
 /// Which strains the strain energy `EA eps^2 / 2 + EI kappa^2 / 2` is written in.
@@ -14,27 +14,63 @@ pub enum StrainMeasure {
     Engineering,
 }
 
-/// Strains of the configuration with displacement gradient `slope` = u' and second derivative `bend` = x''.
+/// Strains of the configuration with displacement gradient `slope` = u' and second derivative `bend` = u''.
 ///
 /// Green: `eps = X'.u' + u'.u'/2`, `kappa = kappa0 - b/r`. Engineering: `eps = r - 1`, `kappa = kappa0 - b/a`.
-/// Written through u', so that small strains lose no digits.
+/// Written through u' and u'' ([`Reference::bending`]), so that small strains lose no digits.
 #[inline(always)]
 pub fn strains<S: Real>(
     measure: StrainMeasure,
-    tangent: [S; 2],
-    curvature: S,
+    reference: &Reference<S>,
     slope: [S; 2],
     bend: [S; 2],
 ) -> Strains<S> {
-    let g = add(tangent, slope);
-    let (a, b) = (dot(g, g), b_of(g, bend));
-    let green = dot(tangent, slope) + dot(slope, slope) * 0.5;
-    match measure {
-        StrainMeasure::Green => Strains { membrane: green, bending: curvature - b / a.sqrt() },
-        StrainMeasure::Engineering => Strains {
-            membrane: (green + green) / (a.sqrt() + a.constant(1.0)),
-            bending: curvature - b / a,
-        },
+    let g = add(reference.tangent, slope);
+    let a = dot(g, g);
+    let stretch = a.sqrt();
+    let green = dot(reference.tangent, slope) + dot(slope, slope) * 0.5;
+    let change = reference.b_change(slope, bend);
+    let (membrane, inverse) = match measure {
+        StrainMeasure::Green => (green, stretch.recip()),
+        StrainMeasure::Engineering => {
+            ((green + green) / (stretch + a.constant(1.0)), a.recip())
+        }
+    };
+    let bending = reference.bending(measure, green, (stretch, inverse), change);
+    Strains { membrane, bending }
+}
+
+impl<S: Real> Reference<S> {
+    /// What the numerator `b = x' x x''` of the bending strain has changed by, `x' x u'' + u' x X''` \[1/m\].
+    #[inline(always)]
+    pub fn b_change(&self, slope: [S; 2], bend: [S; 2]) -> S {
+        cross(add(self.tangent, slope), bend) + cross(slope, self.bend)
+    }
+
+    /// Bending strain of a stretch r, whose square is `1 + 2 green`, and of a change of `b`: `(kappa0 (r - 1) - db)/r` in Green
+    /// strains, `(kappa0 2 green - db)/r^2` in engineering ones. Nothing of the size of the reference curvature is subtracted
+    /// from its like, so a curved beam rounds at the size of what it is bent by.
+    ///
+    /// `inverse` is the reciprocal of what the strain divides by. The root's own rounding is taken out of `r - 1` by one step of
+    /// Newton's method.
+    #[inline(always)]
+    pub fn bending(
+        &self,
+        measure: StrainMeasure,
+        green: S,
+        (stretch, inverse): (S, S),
+        change: S,
+    ) -> S {
+        let twice = green + green;
+        let grown = match measure {
+            StrainMeasure::Green => {
+                let rough = stretch - stretch.constant(1.0);
+                let miss = (rough * (stretch + stretch.constant(1.0))) - twice;
+                rough.sub_product(miss * 0.5, inverse)
+            }
+            StrainMeasure::Engineering => twice,
+        };
+        (self.curvature * grown - change) * inverse
     }
 }
 

@@ -4,14 +4,13 @@ use super::point::{
     PointResponse, SectionLaw, StepPoint, Strains, Stress, StressRate, form_a, form_b,
 };
 use super::strain::gradient;
-use crate::math::vec2::add;
 use crate::scalar::Real;
 
 /// Stored strains at the end of a step that starts with the stored strains `old`:
 /// `eps1 = eps0 + deps_m(Dx)`, `kappa1 = kappa0 + dkappa_m(Dx)`, the gradients taken at the midpoint.
 #[inline(always)]
 pub fn advance<S: Real>(law: &SectionLaw<S>, point: &StepPoint<S>, old: Strains<S>) -> Strains<S> {
-    let (g_mid, p_mid) = midpoint(point);
+    let [g_mid, p_mid] = point.at(0.5);
     let c = gradient(law.measure, g_mid, p_mid);
     let da = form_a(g_mid).on(point.d_slope, point.d_bend);
     let db = form_b(g_mid, p_mid).on(point.d_slope, point.d_bend);
@@ -28,7 +27,7 @@ pub fn response<S: Real, const TANGENT: bool>(
     lag: f64,
 ) -> PointResponse<S> {
     let end = 0.5 + lag;
-    let (g_mid, p_mid) = midpoint(point);
+    let [g_mid, p_mid] = point.at(0.5);
     let c = gradient(law.measure, g_mid, p_mid);
     let (a_mid, b_mid) = (form_a(g_mid), form_b(g_mid, p_mid));
     let da = a_mid.on(point.d_slope, point.d_bend);
@@ -45,8 +44,7 @@ pub fn response<S: Real, const TANGENT: bool>(
     if !TANGENT {
         return stress.forces(g_mid, p_mid);
     }
-    let g1 = add(add(point.tangent, point.slope_0), point.d_slope);
-    let p1 = add(point.bend_0, point.d_bend);
+    let [g1, p1] = point.at(1.0);
     // d(da) = g1.dg and d(db) = db at the end of the step, exactly; coefficients move with the midpoint.
     let (a_end, b_end) = (form_a(g1), form_b(g1, p1));
     let weight = old.membrane.constant(end);
@@ -64,13 +62,4 @@ pub fn response<S: Real, const TANGENT: bool>(
         theta: 0.5,
     };
     stress.forces_and_tangent(&rate, g_mid, p_mid)
-}
-
-#[inline(always)]
-fn midpoint<S: Real>(point: &StepPoint<S>) -> ([S; 2], [S; 2]) {
-    let g0 = add(point.tangent, point.slope_0);
-    (
-        [g0[0] + point.d_slope[0] * 0.5, g0[1] + point.d_slope[1] * 0.5],
-        [point.bend_0[0] + point.d_bend[0] * 0.5, point.bend_0[1] + point.d_bend[1] * 0.5],
-    )
 }

@@ -87,8 +87,7 @@ pub fn gauss_strains<S: Real>(
     let mut out = [[table.length; 2]; GAUSS];
     for j in 0..GAUSS {
         let row = &table.rows[j];
-        let (slope, bend) = (u.at(&row.first), add(row.bend, u.at(&row.second)));
-        let here = strains(measure, row.tangent, row.curvature, slope, bend);
+        let here = strains(measure, &row.reference, u.at(&row.first), u.at(&row.second));
         out[j] = [here.membrane, here.bending];
     }
     if let Some(samples) = membrane(table) {

@@ -126,8 +126,8 @@ pub struct GaussPointView {
 
 impl GaussPointView {
     pub(super) fn of(row: &GaussRow) -> Self {
-        let GaussRow { weight, tangent, section: law, mass, area, half_depth, .. } = *row;
+        let GaussRow { weight, reference, section: law, mass, area, half_depth, .. } = *row;
         let section = SectionValues { law, mass, area, half_depth };
-        Self { weight, tangent, section: SectionConstants::of(&section) }
+        Self { weight, tangent: reference.tangent, section: SectionConstants::of(&section) }
     }
 }

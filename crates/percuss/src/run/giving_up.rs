@@ -74,7 +74,7 @@ impl Simulation<'_> {
                 let [a, b] = [node, node + 1].map(|n| &self.state.displacement[n]);
                 let u = ElementValues::new(a, b);
                 for row in &span.table(k).rows {
-                    let stretch = norm(add(row.tangent, u.at(&row.first)));
+                    let stretch = norm(add(row.reference.tangent, u.at(&row.first)));
                     if stretch < least.0 {
                         least = (stretch, node);
                     }

@@ -175,7 +175,7 @@ fn add_rotary<const TANGENT: bool>(
     state: &State,
     h: f64,
 ) {
-    let g0 = add(point.tangent, point.slope_0);
+    let g0 = add(point.reference.tangent, point.slope_0);
     let spin = state.spin[place.element][place.gauss];
     let (rotary, damping) = (place.row.weighed.rotary, place.damping);
     Turn::new(g0, point.d_slope).add_inertia::<TANGENT>(response, rotary, spin, h.recip(), damping);
@@ -345,7 +345,7 @@ impl StepState<'_> {
     ) {
         let Rule::Alpha(w) = self.integration.rule else { return };
         let theta = 1.0 - w.alpha_f;
-        let g0 = add(point.tangent, point.slope_0);
+        let g0 = add(point.reference.tangent, point.slope_0);
         let g = [g0[0] + theta * point.d_slope[0], g0[1] + theta * point.d_slope[1]];
         let at = |nodal: &[[f64; 4]]| {
             ElementValues::new(&nodal[place.node], &nodal[place.node + 1]).at(&place.row.first)

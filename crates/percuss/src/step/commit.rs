@@ -96,7 +96,7 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
         let step = ElementValues::new(&work.increment[a], &work.increment[a + 1]);
         for j in 0..GAUSS {
             let point = step_point(&table.rows[j], &old, &step);
-            let g0 = add(point.tangent, point.slope_0);
+            let g0 = add(point.reference.tangent, point.slope_0);
             let mean = Turn::new(g0, point.d_slope).mean_spin(rule.h.recip());
             let spin = &mut state.spin[element][j];
             *spin = 2.0 * mean - *spin;
@@ -135,7 +135,7 @@ fn advance_spins(i: usize, span: &Span, state: &mut State, rule: &Integration, w
         let step = ElementValues::new(&d[a], &d[a + 1]);
         for (row, spin) in span.table(k).rows.iter().zip(&mut state.spin[element]) {
             let point = step_point(row, &old, &step);
-            let g0 = add(point.tangent, point.slope_0);
+            let g0 = add(point.reference.tangent, point.slope_0);
             *spin = 2.0 * Turn::new(g0, point.d_slope).mean_spin(rule.h.recip()) - *spin;
         }
     }
@@ -169,7 +169,7 @@ pub fn spin_from_velocity(model: &Model, state: &mut State) {
         for (j, row) in span.table(k).rows.iter().enumerate() {
             let at =
                 |nodal: &[[f64; 4]]| ElementValues::new(&nodal[a], &nodal[a + 1]).at(&row.first);
-            let g = add(row.tangent, at(&state.displacement));
+            let g = add(row.reference.tangent, at(&state.displacement));
             state.spin[element][j] = cross(g, at(&state.velocity)) / dot(g, g);
         }
     }

@@ -234,7 +234,7 @@ impl Entry<'_> {
         }
         for row in &table.rows {
             let point = step_point(row, &old, &step);
-            let g0 = add(point.tangent, point.slope_0);
+            let g0 = add(point.reference.tangent, point.slope_0);
             let spin = Turn::new(g0, point.d_slope).mean_spin(h.recip());
             let moment = -span.mass_damping * row.weighed.rotary * spin;
             sum.work += moment * spin * h;
@@ -259,8 +259,8 @@ impl Entry<'_> {
             let point = step_point(row, &old, &step);
             let change = if invariant {
                 let at = |u: &ElementValues<f64>| {
-                    let bend = add(row.bend, u.at(&row.second));
-                    strains(span.measure, row.tangent, row.curvature, u.at(&row.first), bend)
+                    let (slope, bend) = (u.at(&row.first), u.at(&row.second));
+                    strains(span.measure, &row.reference, slope, bend)
                 };
                 let (s0, s1) = (at(&old), at(&end));
                 Strains { membrane: s1.membrane - s0.membrane, bending: s1.bending - s0.bending }

@@ -2,8 +2,9 @@
 
 use crate::element::beam::{ElementValues, SectionValues};
 use crate::element::point::SectionLaw;
+use crate::element::strain::strains;
 use crate::math::hermite::{GAUSS, GAUSS_WEIGHTS};
-use crate::math::vec2::{add, cross, dot};
+use crate::math::vec2::{add, dot};
 use crate::model::StrainMeasure;
 use crate::model::frozen::Span;
 use crate::state::State;
@@ -100,9 +101,10 @@ pub fn strained(span: &Span, k: usize, state: &State) -> [Strained; 2] {
     let u = ElementValues::new(&state.displacement[node], &state.displacement[node + 1]);
     let (mut stretch, mut turn) = (0.0, [0.0; GAUSS]);
     for (j, row) in span.table(k).rows.iter().enumerate() {
-        let g = add(row.tangent, u.at(&row.first));
+        let (slope, bend) = (u.at(&row.first), u.at(&row.second));
+        let g = add(row.reference.tangent, slope);
         let a = dot(g, g);
-        turn[j] = cross(g, add(row.bend, u.at(&row.second))) / a - row.curvature;
+        turn[j] = -strains(StrainMeasure::Engineering, &row.reference, slope, bend).bending;
         stretch += GAUSS_WEIGHTS[j] * a.sqrt();
     }
     // The straight line of least squares through the values at the Gauss points.
@@ -114,7 +116,7 @@ pub fn strained(span: &Span, k: usize, state: &State) -> [Strained; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::strain::strains;
+    use crate::element::point::Reference;
 
     #[test]
     fn strains_of_an_elastic_section_are_those_whose_energy_has_its_forces_as_derivatives() {
@@ -122,7 +124,9 @@ mod tests {
             let law = SectionLaw { axial: 500.0, bending: 4.0, rotary: 0.0, measure };
             let curvature = 0.3;
             let energy = |nu: f64, turn: f64| {
-                let s = strains(measure, [1.0, 0.0], curvature, [nu - 1.0, 0.0], [0.1, nu * turn]);
+                let reference =
+                    Reference { tangent: [1.0, 0.0], bend: [0.0, curvature], curvature };
+                let s = strains(measure, &reference, [nu - 1.0, 0.0], [0.1, nu * turn - curvature]);
                 0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
             };
             for (nu, turn) in [(1.0, 0.3), (1.1, 0.7), (0.95, -0.4), (1.0 + 1e-7, 0.31)] {

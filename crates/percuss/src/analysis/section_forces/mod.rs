@@ -149,7 +149,7 @@ impl ElementForces<'_> {
         }
         let section = section_at(self.span, self.k, xi);
         let gauss = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
-        let curvature = self.span.table(self.k).rows[gauss].curvature;
+        let curvature = self.span.table(self.k).rows[gauss].reference.curvature;
         let strained = self.strained.map(|[a, b]| {
             let mix = |a: f64, b: f64| (1.0 - xi) * a + xi * b;
             Strained { stretch: mix(a.stretch, b.stretch), turn: mix(a.turn, b.turn) }

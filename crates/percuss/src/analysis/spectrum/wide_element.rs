@@ -4,7 +4,7 @@ use super::matrix::Stored;
 use crate::element::beam::{ElementSums, ElementTable, ElementValues, GaussRow, step_point};
 use crate::element::collocation;
 use crate::element::membrane::{MembranePoint, MembraneTable};
-use crate::element::point::{SectionLaw, Strains};
+use crate::element::point::{Reference, SectionLaw, Strains};
 use crate::model::frozen::Span;
 use crate::scalar::Wide;
 
@@ -60,9 +60,11 @@ fn widened(row: &GaussRow) -> GaussRow<Wide> {
         first: row.first.map(w),
         second: row.second.map(w),
         weight: w(row.weight),
-        tangent: row.tangent.map(w),
-        bend: row.bend.map(w),
-        curvature: w(row.curvature),
+        reference: Reference {
+            tangent: row.reference.tangent.map(w),
+            bend: row.reference.bend.map(w),
+            curvature: w(row.reference.curvature),
+        },
         weighed: law(&row.weighed),
         section: law(&row.section),
         mass: w(row.mass),

@@ -1,7 +1,7 @@
 //! Forces and tangents of every scheme at a Gauss point, against derivatives in dual numbers.
 
 use super::*;
-use crate::element::point::{SectionLaw, Strains};
+use crate::element::point::{Reference, SectionLaw, Strains};
 use crate::element::strain::StrainMeasure;
 use crate::element::{collocation, energy_momentum, rotary, strain, strain_rate};
 use crate::math::vec2::{add, cross, dot};
@@ -26,9 +26,9 @@ fn evaluate<S: Real, const T: bool>(
     measure: StrainMeasure,
     point: &StepPoint<S>,
 ) -> PointResponse<S> {
-    let like = point.curvature;
+    let like = point.reference.curvature;
     let law = law(like, measure);
-    let g0 = add(point.tangent, point.slope_0);
+    let g0 = add(point.reference.tangent, point.slope_0);
     let old = Strains { membrane: like.constant(0.02), bending: like.constant(-0.3) };
     let (spin, h) = (like.constant(3.0), like.constant(H));
     match scheme {
@@ -72,8 +72,11 @@ fn evaluate<S: Real, const T: bool>(
 
 fn point_from(v: [f64; 8], angle: f64) -> StepPoint<f64> {
     StepPoint {
-        tangent: [angle.cos(), angle.sin()],
-        curvature: 0.4,
+        reference: Reference {
+            tangent: [angle.cos(), angle.sin()],
+            bend: [-0.4 * angle.sin(), 0.4 * angle.cos()],
+            curvature: 0.4,
+        },
         slope_0: [v[0], v[1]],
         bend_0: [v[2], v[3]],
         d_slope: [v[4], v[5]],
@@ -91,8 +94,11 @@ fn lift(p: &StepPoint<f64>) -> StepPoint<DualFour> {
         lifted
     };
     StepPoint {
-        tangent: c(p.tangent),
-        curvature: number(p.curvature),
+        reference: Reference {
+            tangent: c(p.reference.tangent),
+            bend: c(p.reference.bend),
+            curvature: number(p.reference.curvature),
+        },
         slope_0: c(p.slope_0),
         bend_0: c(p.bend_0),
         d_slope: by(p.d_slope, 0),
@@ -142,7 +148,7 @@ proptest! {
         for measure in measures() {
             let law = law(0.0, measure);
             let energy = |slope, bend| {
-                let s = strain::strains(measure, p.tangent, p.curvature, slope, bend);
+                let s = strain::strains(measure, &p.reference, slope, bend);
                 0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
             };
             let r = energy_momentum::response::<f64, false>(&law, &p, 0.0);
@@ -158,9 +164,7 @@ proptest! {
         v in prop::array::uniform8(-0.3..0.3_f64), angle in 0.0..6.3_f64,
     ) {
         let p = point_from(v, angle);
-        let g0 = add(p.tangent, p.slope_0);
-        let g = add(g0, [0.5 * p.d_slope[0], 0.5 * p.d_slope[1]]);
-        let b = add(p.bend_0, [0.5 * p.d_bend[0], 0.5 * p.d_bend[1]]);
+        let [g, b] = p.at(0.5);
         let old = Strains { membrane: 0.02, bending: -0.3 };
         for measure in measures() {
             let law = law(0.0, measure);

@@ -47,7 +47,7 @@ impl<S: Real> Step<S> {
         };
         let unit = Stress { moment: one, ..unit };
         let middle = [self.turn.g, self.p_mid];
-        let b_form = form_b(self.g, self.end.bend);
+        let b_form = form_b(self.g, self.p);
         BendingStep {
             strain: [self.bent[0].strain, self.bent[1].strain],
             gradient: Form::along(unit.c2, middle[0], unit.c1, &form_b(middle[0], middle[1])),

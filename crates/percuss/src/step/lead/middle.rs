@@ -29,7 +29,7 @@ impl<'a> Middle<'a> {
     pub fn tangent(&self, a: usize, j: usize) -> [f64; 2] {
         let row = &self.element(a).0.rows[j];
         let at = |x: &[[f64; 4]]| ElementValues::new(&x[a], &x[a + 1]).at(&row.first);
-        add(row.tangent, add(at(self.start), scale(self.share, at(self.increment))))
+        add(row.reference.tangent, add(at(self.start), scale(self.share, at(self.increment))))
     }
 
     /// `(g x g_dot) / a` there, of a nodal field; nothing turns the sections of an element that has parted.
