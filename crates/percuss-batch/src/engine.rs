@@ -76,9 +76,9 @@ impl<S: Number> Engine<S> {
             let mut ends = Vec::new();
             for span in &engine.spans {
                 ends.extend((0..span.count).map(|k| {
-                    span.table(k)
-                        .rows
-                        .map(|row| End::new(span.measure, row.reference.tangent, [zero; 2], [zero; 2]))
+                    span.table(k).rows.map(|row| {
+                        End::new(span.measure, row.reference.tangent, [zero; 2], [zero; 2])
+                    })
                 }));
             }
             ends

@@ -112,7 +112,7 @@ impl<S: Number> Engine<S> {
         let before = search.begin(ledger.energy_scale, self.h);
         self.settled = self.h.less(self.h);
         self.predict(before, search.ahead, search.trusted);
-        let reach = largest(&self.displacement);
+        let reach = largest(&self.displacement, self.numbers.size);
         let momentum = {
             let play = (self.numbers.total_mass * ledger.energy_scale * 2.0).sqrt();
             play.max(ledger.linear_scale)

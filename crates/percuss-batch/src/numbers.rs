@@ -35,6 +35,8 @@ pub struct Numbers<S> {
     pub total_mass: S,
     /// Size of the structure \[m\].
     pub size: S,
+    /// What positions are as large as \[m\].
+    pub positions: S,
 }
 
 /// A part of a beam.
@@ -143,6 +145,7 @@ impl<S: Copy> Numbers<S> {
             negligible: self.negligible.map(&mut *f),
             total_mass: f(self.total_mass),
             size: f(self.size),
+            positions: f(self.positions),
         }
     }
 

@@ -138,7 +138,7 @@ impl<S: Number> Paced<S> {
         self.engine.set_lane(lane, &fresh, 0);
         self.ledger.set_lane(lane, &ledger, 0);
         self.log.reset(lane);
-        let (settings, size) = (run.settings, run.model.extent());
+        let (settings, size) = (run.settings, run.model.position_scale());
         let guide = &run.numbers.guides[self.guide];
         let mut new = Lane {
             run: self.next,

@@ -130,7 +130,8 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         round_off: [round_off.energy, round_off.momentum, round_off.momentum * round_off.size],
         total_mass: model.total_mass,
         negligible: round_off.negligible,
-        size: round_off.size,
+        size: model.extent(),
+        positions: round_off.size,
     })
 }
 

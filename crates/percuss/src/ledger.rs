@@ -65,7 +65,7 @@ pub struct RoundOff {
     pub energy: f64,
     /// Linear momentum \[kg m/s\].
     pub momentum: f64,
-    /// Size of the structure \[m\].
+    /// What positions are as large as \[m\].
     pub size: f64,
     /// Energy, momentum and angular momentum that no residual is held against, shape (3) \[J, kg m/s, kg m^2/s\]: what a strain of 1e-12
     /// stores, and a velocity of as much energy carries.
@@ -75,7 +75,7 @@ pub struct RoundOff {
 impl RoundOff {
     /// Of a model in steps of size `step`.
     pub fn new(model: &Model, step: f64) -> Self {
-        let size = model.nodes.iter().flat_map(|n| n.position).fold(0.0_f64, |m, x| m.max(x.abs()));
+        let size = model.position_scale();
         let digit = 32.0 * f64::EPSILON;
         let stretched: f64 = model
             .each_element()
@@ -87,7 +87,6 @@ impl RoundOff {
         let moved = model.total_mass * (digit * size / step).powi(2);
         let energy = (stretched * digit * digit + moved).max(f64::MIN_POSITIVE);
         let momentum = |energy: f64| (2.0 * model.total_mass * energy).sqrt();
-        let size = size.max(1e-3);
         let stored = 0.5 * stretched * NEGLIGIBLE_STRAIN.powi(2);
         let carried = momentum(stored);
         let negligible = [stored, carried, carried * size];

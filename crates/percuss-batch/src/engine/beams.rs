@@ -70,6 +70,7 @@ impl<S: Number> Engine<S> {
                     .0
             } else {
                 let (start, increment) = (old, step);
+                let lag = DAMPED.then_some(lag);
                 ElasticStep { table, measure, starts, spin, start, increment, rate, lag, damping }
                     .sums::<TANGENT>()
                     .0

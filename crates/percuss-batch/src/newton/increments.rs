@@ -74,14 +74,16 @@ impl<S: Number> Engine<S> {
         first: bool,
     ) {
         let (zero, seeking) = (self.h.constant(0.0), search.seeking);
+        let length = self.numbers.size;
         let (mut work, mut size, mut step) = (zero, zero, zero);
         for n in 0..self.increment.len() {
             let (d, c, r) = (&mut self.increment[n], &self.correction[n], &self.residual[n]);
             for i in 0..4 {
                 work += (c[i] * r[i]).abs();
-                size = size.max(c[i].abs());
                 d[i] += S::choose(seeking, c[i], zero);
-                step = step.max(d[i].abs());
+                let (moved, stepped) = (c[i].abs(), d[i].abs());
+                size = size.max(if i < 2 { moved } else { moved * length });
+                step = step.max(if i < 2 { stepped } else { stepped * length });
             }
         }
         self.constraints.correct(seeking);
@@ -97,7 +99,7 @@ impl<S: Number> Engine<S> {
             let scale = ledger.energy_scale;
             search.convergence.play(zero.if_less(scale, scale, work));
         }
-        let places = zero.if_less(force, self.numbers.size, zero);
+        let places = zero.if_less(force, self.numbers.positions, zero);
         search.convergence.corrected(size, reach, step, work, places);
         search.iterations += S::choose(seeking, zero.constant(1.0), zero);
         if self.fibres.is_empty() {
@@ -106,13 +108,13 @@ impl<S: Number> Engine<S> {
     }
 }
 
-/// The largest component.
+/// The largest component \[m\], slopes times a length.
 #[inline(always)]
-pub(super) fn largest<S: Number>(nodal: &[[S; 4]]) -> S {
-    let mut most = nodal[0][0].constant(0.0);
+pub(super) fn largest<S: Number>(nodal: &[[S; 4]], length: S) -> S {
+    let mut most = length.constant(0.0);
     for x in nodal {
-        for i in 0..4 {
-            most = most.max(x[i].abs());
+        for i in 0..2 {
+            most = most.max(x[i].abs()).max(x[2 + i].abs() * length);
         }
     }
     most

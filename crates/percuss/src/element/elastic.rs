@@ -23,8 +23,8 @@ pub struct ElasticStep<'a, S> {
     pub increment: ElementValues<S>,
     /// One over the size of the step \[1/s\].
     pub rate: S,
-    /// Retardation time over the step size.
-    pub lag: S,
+    /// Retardation time over the step size; none of an undamped material.
+    pub lag: Option<S>,
     /// Mass-proportional damping \[1/s\].
     pub damping: S,
 }

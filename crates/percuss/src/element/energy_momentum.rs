@@ -16,13 +16,14 @@ use crate::scalar::{Real, array, reciprocals};
 /// `dkappa = c1 (dg x p_m + g_m x dp) + c2 g_m.dg`; on the increment of the step itself `deps` and `dkappa` are exactly
 /// `eps1 - eps0` and `kappa1 - kappa0`.
 ///
-/// `lag` is the retardation time of Kelvin-Voigt damping over the step size: the stresses `EA tau (eps1 - eps0)/h` weigh the
-/// ends of the step `1/2 - lag` and `1/2 + lag`.
+/// `lag` is the retardation time of Kelvin-Voigt damping over the step size, of an undamped material none: stresses
+/// `EA tau deps/h` and `EI tau dkappa/h` are added. They are made of the increment, not of a difference of strains, so that of a beam
+/// that moves as a rigid body they round at the size of the increment, however short the step.
 #[inline(always)]
 pub fn response<S: Real, const TANGENT: bool>(
     law: &SectionLaw<S>,
     point: &StepPoint<S>,
-    lag: S,
+    lag: Option<S>,
 ) -> PointResponse<S> {
     let start = End::new(law.measure, point.reference.tangent, point.slope_0, point.bend_0);
     let StepPoint { reference, d_slope, d_bend, .. } = point;
@@ -239,6 +240,8 @@ pub struct Step<S> {
     p: [S; 2],
     /// x'' in the middle, shape (2) \[1/m\].
     p_mid: [S; 2],
+    /// Increment of u'', shape (2) \[1/m\].
+    d_bend: [S; 2],
     /// How the tangent turns.
     pub turn: Turn<S>,
     /// Reciprocal of the sum of the stretches of both ends.
@@ -257,7 +260,14 @@ impl<S: Real> Step<S> {
         let bent = [start.bent(measure, reference), end.bent(measure, reference)];
         let turn = Turn { g0, d_g: d_slope, g: g_mid, inv_a };
         let p_mid = add(reference.bend, middle(start.bend, d_bend));
-        Self { end, bent, g, p: add(reference.bend, end.bend), p_mid, turn, q }
+        Self { end, bent, g, p: add(reference.bend, end.bend), p_mid, d_bend, turn, q }
+    }
+
+    /// `g_m . dg` and `db` over the step.
+    #[inline(always)]
+    fn changes(&self) -> (S, S) {
+        let Turn { d_g, g, .. } = self.turn;
+        (dot(g, d_g), cross(d_g, self.p_mid) + cross(g, self.d_bend))
     }
 
     /// Forces of the section, and their tangent if `TANGENT`.
@@ -266,16 +276,22 @@ impl<S: Real> Step<S> {
         &self,
         law: &SectionLaw<S>,
         start: &End<S>,
-        lag: S,
+        lag: Option<S>,
     ) -> PointResponse<S> {
         let (g_mid, p_mid) = (self.turn.g, self.p_mid);
-        let half = lag.constant(0.5);
-        let weights = [half - lag, half + lag];
-        let ends = StepStates { start, end: &self.end, bent: &self.bent, q: self.q, weights };
-        let (stress, slopes) = match law.measure {
+        let half = law.axial.constant(0.5);
+        let weight = lag.map_or(half, |lag| half + lag);
+        let ends = StepStates { start, end: &self.end, bent: &self.bent, q: self.q, weight };
+        let (mut stress, slopes) = match law.measure {
             StrainMeasure::Green => ends.green(law),
             StrainMeasure::Engineering => ends.engineering(law),
         };
+        if let Some(lag) = lag {
+            let (change_a, change_b) = self.changes();
+            let bent = (stress.c1 * change_b).add_product(stress.c2, change_a);
+            stress.axial = stress.axial.add_product(law.axial * lag, stress.alpha * change_a);
+            stress.moment = stress.moment.add_product(law.bending * lag, bent);
+        }
         if !TANGENT {
             return stress.forces(g_mid, p_mid);
         }
@@ -306,8 +322,8 @@ struct StepStates<'a, S> {
     bent: &'a [Bent<S>; 2],
     /// Reciprocal of the sum of their stretches.
     q: S,
-    /// Weights of start and end in the stresses, shape (2) \[-\].
-    weights: [S; 2],
+    /// Weight of the end in the tangent of the stresses \[-\].
+    weight: S,
 }
 
 /// Derivatives along `g1.dg` (`_a`) and `db1` (`_b`).
@@ -322,15 +338,12 @@ struct StretchSlopes<S> {
 }
 
 impl<S: Real> StepStates<'_, S> {
-    /// Axial force and moment from the weighed strains.
+    /// Axial force and moment from the mean strains.
     #[inline(always)]
     fn resultants(&self, law: &SectionLaw<S>) -> (S, S) {
-        let [w0, w1] = self.weights;
-        let (start, end) = (self.start, self.end);
         (
-            (law.axial * w0 * start.membrane).add_product(law.axial * w1, end.membrane),
-            (law.bending * w0 * self.bent[0].strain)
-                .add_product(law.bending * w1, self.bent[1].strain),
+            law.axial * 0.5 * (self.start.membrane + self.end.membrane),
+            law.bending * 0.5 * (self.bent[0].strain + self.bent[1].strain),
         )
     }
 
@@ -338,7 +351,7 @@ impl<S: Real> StepStates<'_, S> {
     fn green(&self, law: &SectionLaw<S>) -> (Stress<S>, StretchSlopes<S>) {
         let (q0, q1, q) = (self.start.inverse, self.end.inverse, self.q);
         let q1_cubed = q1 * q1 * q1;
-        let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
+        let (end_ea, end_ei) = (law.axial * self.weight, law.bending * self.weight);
         let (axial, moment) = self.resultants(law);
         let c2_b = q0 * q1 * q;
         let c2 = (self.bent[0].b + self.bent[1].b) * c2_b;
@@ -358,7 +371,7 @@ impl<S: Real> StepStates<'_, S> {
     #[inline(always)]
     fn engineering(&self, law: &SectionLaw<S>) -> (Stress<S>, StretchSlopes<S>) {
         let (q0, q1, q) = (self.start.inverse, self.end.inverse, self.q);
-        let (end_ea, end_ei) = (law.axial * self.weights[1], law.bending * self.weights[1]);
+        let (end_ea, end_ei) = (law.axial * self.weight, law.bending * self.weight);
         let (axial, moment) = self.resultants(law);
         let c2_b = q0 * q1;
         let c2 = (self.bent[0].b + self.bent[1].b) * c2_b;

@@ -225,26 +225,52 @@ impl<S: Real> MembraneStep<S> {
         array(|i| self.tangent[i] + self.slope_0[i] + self.d_slope[i] * theta)
     }
 
-    /// The invariant scheme: strains at both ends, the end weighing `1/2 + lag`.
+    /// The invariant scheme: the mean of the strains at both ends, and of a damped material the change of strain times `lag`, the
+    /// retardation time over the step size.
+    ///
+    /// The change is taken from the increment, not as a difference of strains: of a beam that moves as a rigid body it rounds at the
+    /// size of the increment, however short the step.
     #[inline(always)]
-    pub fn invariant(&self, measure: StrainMeasure, lag: S) -> MembranePoint<S> {
-        let half = lag.constant(0.5);
-        let (w0, w1) = (half - lag, half + lag);
+    pub fn invariant(&self, measure: StrainMeasure, lag: Option<S>) -> MembranePoint<S> {
+        let [before, mut point] = self.at_ends(measure);
+        let half = before.strain.constant(0.5);
+        let (mean, weight) = ((before.strain + point.strain) * half, half);
+        let (strain, weight) = match lag {
+            Some(lag) => {
+                let change = point.alpha * dot(point.g, self.d_slope);
+                (mean.add_product(lag, change), weight + lag)
+            }
+            None => (mean, weight),
+        };
+        point.d_strain = scale(weight, point.d_strain);
+        MembranePoint { strain, geometric: strain, ..point }
+    }
+
+    /// The same with the strain at the start, and with that at the end.
+    #[inline(always)]
+    pub fn at_ends(&self, measure: StrainMeasure) -> [MembranePoint<S>; 2] {
         let (g, g1) = (self.at(0.5), self.at(1.0));
         let slope_1 = add(self.slope_0, self.d_slope);
-        let strain = green_or_engineering(measure, self.tangent, self.slope_0) * w0
-            + green_or_engineering(measure, self.tangent, slope_1) * w1;
-        let zero = strain.constant(0.0);
+        let strain =
+            [self.slope_0, slope_1].map(|slope| green_or_engineering(measure, self.tangent, slope));
+        let zero = strain[0].constant(0.0);
         let (alpha, d_strain, d_alpha) = match measure {
-            StrainMeasure::Green => (strain.constant(1.0), scale(w1, g1), [zero; 2]),
+            StrainMeasure::Green => (zero.constant(1.0), g1, [zero; 2]),
             StrainMeasure::Engineering => {
                 let g0 = self.at(0.0);
                 let (r0, r1) = (dot(g0, g0).sqrt(), dot(g1, g1).sqrt());
                 let (q, inv) = ((r0 + r1).recip(), r1.recip());
-                (q + q, scale(inv * w1, g1), scale(inv * q * q * -2.0, g1))
+                (q + q, scale(inv, g1), scale(inv * q * q * -2.0, g1))
             }
         };
-        MembranePoint { strain, geometric: strain, alpha, g, d_strain, d_alpha }
+        strain.map(|strain| MembranePoint {
+            strain,
+            geometric: strain,
+            alpha,
+            g,
+            d_strain,
+            d_alpha,
+        })
     }
 
     /// Strain at one configuration, with the rate of a step of size h weighing `lag`.

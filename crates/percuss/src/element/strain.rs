@@ -32,9 +32,7 @@ pub fn strains<S: Real>(
     let change = reference.b_change(slope, bend);
     let (membrane, inverse) = match measure {
         StrainMeasure::Green => (green, stretch.recip()),
-        StrainMeasure::Engineering => {
-            ((green + green) / (stretch + a.constant(1.0)), a.recip())
-        }
+        StrainMeasure::Engineering => ((green + green) / (stretch + a.constant(1.0)), a.recip()),
     };
     let bending = reference.bending(measure, green, (stretch, inverse), change);
     Strains { membrane, bending }

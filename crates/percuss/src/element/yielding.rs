@@ -13,8 +13,8 @@ use super::fibre::{Fibre, FibreState, StressLaw};
 use super::membrane::{MembraneTable, SAMPLES};
 use super::strain::{StrainMeasure, strains};
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::add;
-use crate::scalar::{Mask, Number, Real, Task};
+use crate::math::vec2::{add, dot};
+use crate::scalar::{Mask, Number, Real, Task, array};
 use forms::{SectionResponse, add_section, add_turned, interpolate, interpolated, sampled, spread};
 
 /// The fibres of an element and what they remember.
@@ -132,13 +132,12 @@ impl<S: Number> ElementFibres<'_, S> {
         out
     }
 
-    /// Mean forces of the section over the step.
+    /// Mean forces of the section over the step, from membrane and bending strain at its ends and their change from the increment.
     #[inline(always)]
     fn mean(
         &self,
         j: usize,
-        from: [S; 2],
-        to: [S; 2],
+        [from, to, change]: [[S; 2]; 3],
         step: &ElementStep<S>,
     ) -> SectionResponse<S> {
         let none = step.h.constant(0.0);
@@ -154,7 +153,7 @@ impl<S: Number> ElementFibres<'_, S> {
             let mut found = law.step(state, e0, e1, step.h);
             if viscous && !state.failed {
                 let viscous = law.young() * step.lag;
-                found.mean += viscous * (e1 - e0);
+                found.mean += viscous * (change[0] + fibre.height * change[1]);
                 found.slope += viscous;
             }
             out.add(fibre, found.mean, found.slope);
@@ -210,13 +209,13 @@ impl<S: Number> ElementStep<'_, S> {
         let (mut sums, mut spin) = (ElementSums::zero(self.h), *turn.spin);
         let Some(samples) = membrane(self.table) else { return (sums, spin) };
         let (measure, rows, starts) = (self.measure, &self.table.rows, turn.starts);
-        let half = self.h.constant(0.5);
-        let [s0, s1, s2] = &samples.step(self.start, self.increment);
-        // All weight on the end: the strain there and its gradient.
-        let points =
-            [s0.invariant(measure, half), s1.invariant(measure, half), s2.invariant(measure, half)];
-        let before = samples.strains(measure, self.start);
-        let after = [points[0].strain, points[1].strain, points[2].strain];
+        let steps = samples.step(self.start, self.increment);
+        let [[b0, p0], [b1, p1], [b2, p2]] =
+            [steps[0].at_ends(measure), steps[1].at_ends(measure), steps[2].at_ends(measure)];
+        let points = [p0, p1, p2];
+        let (before, after) =
+            ([b0.strain, b1.strain, b2.strain], [p0.strain, p1.strain, p2.strain]);
+        let changes = array(|i| points[i].alpha * dot(points[i].g, steps[i].d_slope));
         let [gradient, end] = sampled(samples, &points);
         let ways = [
             PointStep::new(&rows[0], &starts[0], self.increment),
@@ -231,7 +230,8 @@ impl<S: Number> ElementStep<'_, S> {
             let new = Step::new(measure, &ways[j], &quotients[j]);
             let step = new.bending(&row.section, &starts[j]);
             let [k0, k1] = step.strain;
-            let found = fibres.mean(j, [eps0, k0], [eps1, k1], self);
+            let change = [interpolate(at, &changes), step.change];
+            let found = fibres.mean(j, [[eps0, k0], [eps1, k1], change], self);
             let mut response = step.response(row.weight * found.moment);
             let (rotary, rate) = (row.weighed.rotary, turn.rate);
             new.turn.add_inertia::<TANGENT>(&mut response, rotary, spin[j], rate, turn.damping);

@@ -323,6 +323,12 @@ impl Model {
         lengths.chain(self.nodes.iter().map(|n| away(n.position))).fold(0.0, f64::max)
     }
 
+    /// What positions are as large as, so that gaps round at this size: the structure's own, or its distance from the origin \[m\].
+    #[doc(hidden)]
+    pub fn position_scale(&self) -> f64 {
+        self.nodes.iter().map(|n| norm(n.position)).fold(self.extent(), f64::max)
+    }
+
     /// The beams with all that holds them, without bodies and contacts: what statics and vibrations know.
     pub(crate) fn structure(&self) -> Self {
         let nodes = self.beam_node_count();

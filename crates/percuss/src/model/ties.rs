@@ -198,6 +198,17 @@ pub enum ConstraintKind {
     },
 }
 
+impl ConstraintKind {
+    /// Whether it is of slopes and not of places.
+    pub fn is_of_slopes(&self) -> bool {
+        match self {
+            Self::Held { gradient, .. } => *gradient,
+            Self::Turned { .. } | Self::Angle { .. } => true,
+            Self::Shared { .. } => false,
+        }
+    }
+}
+
 impl Constraint {
     /// The points it ties.
     pub fn points(&self) -> &[MaterialPoint] {

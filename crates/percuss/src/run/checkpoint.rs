@@ -134,6 +134,7 @@ impl<'m> Simulation<'m> {
             cuts: _,
             pressed: _,
             size: _,
+            positions: _,
             // ... and these are set anew in every part of a step.
             forcing: _,
             encounters: _,

@@ -106,7 +106,7 @@ impl Simulation<'_> {
 
     /// Gaps up to this one are none between things that do not approach \[m\].
     pub(super) fn no_gap(&self) -> f64 {
-        (1e-12 * self.size).max(self.no_approach() * self.settings.step)
+        (1e-12 * self.positions).max(self.no_approach() * self.settings.step)
     }
 
     /// Velocity that goes with the largest energy of the run so far \[m/s\].

@@ -16,7 +16,7 @@ use crate::step::newton::Failure;
 
 /// A contact is located to this share of an impact interval.
 pub const LOCATED: f64 = 1e-3;
-/// Differences of gaps below this share of the size of the structure are round-off.
+/// Differences of gaps below this share of the size of positions are round-off.
 pub const ROUND_OFF: f64 = 1e-15;
 
 impl Simulation<'_> {
@@ -99,7 +99,7 @@ impl Simulation<'_> {
         }
         let rate = paths.iter().map(|c| c.start[1].abs().max(c.end[1].abs())).fold(0.0, f64::max);
         let tolerance = LOCATED * self.impact_interval();
-        let near = (tolerance * rate).max(ROUND_OFF * self.size);
+        let near = (tolerance * rate).max(ROUND_OFF * self.positions);
         let start = paths
             .iter()
             .map(|c| c.start[0] + 0.5 * self.impact_interval() * c.start[1].min(0.0))

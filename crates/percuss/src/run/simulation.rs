@@ -70,6 +70,8 @@ pub struct Simulation<'m> {
     pub(super) cuts: Vec<f64>,
     /// Size of the structure \[m\].
     pub(super) size: f64,
+    /// What positions are as large as \[m\].
+    pub(super) positions: f64,
     /// Contacts that press in the equilibrium the run started from, with their forces, shape (such contacts) \[N\]; empty otherwise.
     pub(super) pressed: Vec<(Row, f64)>,
 
@@ -131,6 +133,7 @@ impl<'m> Simulation<'m> {
             damping: ModalDamping::default(),
             cuts: jumps::cuts(model, settings.step),
             size: model.extent(),
+            positions: model.position_scale(),
             monitor: Monitor::new(model, &state, &pressed),
             effort: Effort::default(),
             solver_steps: 0,

@@ -74,6 +74,7 @@ impl Simulation<'_> {
                 forcing: &self.forcing,
                 damping: &self.damping,
                 size: self.size,
+                positions: self.positions,
                 near: &self.encounters.near,
                 active,
                 law: attempt.law,

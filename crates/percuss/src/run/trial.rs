@@ -175,6 +175,7 @@ impl Simulation<'_> {
             forcing,
             damping: &self.damping,
             size: self.size,
+            positions: self.positions,
             near: &self.encounters.near,
             active: &[],
             law: ImpulseLaw::Newton,

@@ -291,11 +291,11 @@ impl StepState<'_> {
             (chain, forces),
             &|point, place| {
                 let law = &place.row.weighed;
-                let mut r = energy_momentum::response::<f64, TANGENT>(law, point, place.lag);
+                let mut r = energy_momentum::response::<f64, TANGENT>(law, point, Some(place.lag));
                 add_rotary::<TANGENT>(&mut r, point, place, state, h);
                 r
             },
-            &|step, measure, place| step.invariant(measure, place.lag),
+            &|step, measure, place| step.invariant(measure, Some(place.lag)),
         );
     }
 

@@ -78,7 +78,8 @@ pub fn mass_band(model: &Model, u: &[[f64; 4]]) -> Chain {
         for row in &table.rows {
             let mut point =
                 PointResponse { force_g: [0.0; 2], force_p: [0.0; 2], tangent: [[0.0; 4]; 4] };
-            let block = turning(row.weighed.rotary, add(row.reference.tangent, values.at(&row.first)));
+            let block =
+                turning(row.weighed.rotary, add(row.reference.tangent, values.at(&row.first)));
             for i in 0..2 {
                 for j in 0..2 {
                     point.tangent[i][j] = block[i][j];

@@ -35,8 +35,10 @@ pub struct StepProblem<'a> {
     pub forcing: &'a Forcing,
     /// Modal damping.
     pub damping: &'a ModalDamping,
-    /// Size of the structure, the scale of positions \[m\].
+    /// Size of the structure \[m\].
     pub size: f64,
+    /// What positions are as large as \[m\].
+    pub positions: f64,
     /// Pairs near enough to touch, shape (such pairs) \[index of a pair\].
     pub near: &'a [usize],
     /// Rigid contacts that may carry an impulse, shape (active contacts).
@@ -133,7 +135,7 @@ impl StepProblem<'_> {
         self.predict(work);
         work.correction_before.clear();
         let mut convergence = ConvergenceMonitor::new(self.state.ledger.energy_scale);
-        let (_, reach) = largest(&self.state.displacement);
+        let (_, reach) = largest(&self.state.displacement, self.size);
         let mut renew = true;
         for iteration in 0..MOST_STEADY {
             if iteration >= MOST_ITERATIONS && !convergence.closes_in() {
@@ -162,16 +164,16 @@ impl StepProblem<'_> {
             if iteration == 0 || moves || convergence.energy > self.state.ledger.energy_scale {
                 convergence.play(self.energy_in_play(work, correction.work));
             }
-            let (_, step) = largest(&work.increment);
+            let (_, step) = largest(&work.increment, self.size);
             let touching =
                 !self.active.is_empty() || work.smooth.iter().any(|c| c.force.force > 0.0);
-            let places = if touching { self.size } else { 0.0 };
+            let places = if touching { self.positions } else { 0.0 };
             convergence.corrected(correction.size, reach, step, correction.work, places);
             renew = false;
         }
         // Unbalanced forces without reactions.
         self.unbalanced_work(work);
-        let (node, _) = largest(&work.correction);
+        let (node, _) = largest(&work.correction, self.size);
         Err(Failure::Diverged { residual: convergence.unbalanced / convergence.energy, node })
     }
 
@@ -266,7 +268,7 @@ impl StepProblem<'_> {
         let feedback = Some(self.feedback);
         tangent.solve(self.model, &step, self.damping, correction, multiplier, feedback);
         self.impact(work)?;
-        let (_, size) = largest(&work.correction);
+        let (_, size) = largest(&work.correction, self.size);
         let quiet = QUIET * size;
         let share = if iteration < SWINGS_FROM { 1.0 } else { share_taken(work) };
         let mut correction = Correction { size, work: 0.0 };
@@ -311,12 +313,14 @@ pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
     }
 }
 
-/// Node and magnitude of the largest component.
-fn largest(nodal: &[[f64; 4]]) -> (usize, f64) {
+/// Node and magnitude of the largest component \[m\]; slopes and angles count times a length, the structure's size, so that a scene
+/// in millimetres takes the same iterations as one in kilometres.
+fn largest(nodal: &[[f64; 4]], length: f64) -> (usize, f64) {
     let mut found = (0, 0.0);
     for (n, x) in nodal.iter().enumerate() {
         // One comparison each: `f64::max` would look for NaN as well, which no comparison finds larger.
-        let size = x.iter().map(|c| c.abs()).fold(0.0_f64, |m, c| if c > m { c } else { m });
+        let sizes = [x[0], x[1], length * x[2], length * x[3]];
+        let size = sizes.iter().map(|c| c.abs()).fold(0.0_f64, |m, c| if c > m { c } else { m });
         if size > found.1 {
             found = (n, size);
         }

@@ -9,6 +9,7 @@ mod contact;
 mod contact_resultant;
 mod crowds;
 mod crushing;
+mod curved_beams;
 mod driven;
 mod frames;
 mod gaping;

@@ -19,7 +19,6 @@ use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair, Target};
 use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
-use crate::math::vec2::norm;
 use crate::model::frozen::BodyKind;
 use crate::model::{Model, TouchLaw};
 use crate::state::State;
@@ -110,8 +109,7 @@ pub(crate) fn takes_part(model: &Model, pair: &Pair) -> bool {
 impl StaticContacts {
     /// Contacts as they stand in `base`.
     pub fn new(model: &Model, base: &State) -> Self {
-        let nodes = model.nodes.iter().map(|n| norm(n.position)).fold(0.0, f64::max);
-        let size = model.extent().max(nodes);
+        let size = model.position_scale();
         let extent = model.extent().max(f64::MIN_POSITIVE);
         let gravity = model.gravity();
         let bending = model.beams.iter().map(|b| {

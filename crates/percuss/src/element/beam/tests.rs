@@ -33,7 +33,7 @@ fn evaluate<S: Real, const T: bool>(
     let (spin, h) = (like.constant(3.0), like.constant(H));
     match scheme {
         0 => {
-            let mut r = energy_momentum::response::<S, T>(&law, point, like.constant(LAG));
+            let mut r = energy_momentum::response::<S, T>(&law, point, Some(like.constant(LAG)));
             rotary::Turn::new(g0, point.d_slope).add_inertia::<T>(
                 &mut r,
                 law.rotary,
@@ -151,7 +151,7 @@ proptest! {
                 let s = strain::strains(measure, &p.reference, slope, bend);
                 0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
             };
-            let r = energy_momentum::response::<f64, false>(&law, &p, 0.0);
+            let r = energy_momentum::response::<f64, false>(&law, &p, None);
             let work = dot(r.force_g, p.d_slope) + dot(r.force_p, p.d_bend);
             let change = energy(add(p.slope_0, p.d_slope), add(p.bend_0, p.d_bend))
                 - energy(p.slope_0, p.bend_0);
@@ -169,7 +169,7 @@ proptest! {
         for measure in measures() {
             let law = law(0.0, measure);
             for r in [
-                energy_momentum::response::<f64, false>(&law, &p, LAG),
+                energy_momentum::response::<f64, false>(&law, &p, Some(LAG)),
                 strain_rate::response::<f64, false>(&law, &p, old, LAG),
                 collocation::damped::<f64, false>(&law, &p, LAG),
             ] {

@@ -10,6 +10,8 @@ use crate::scalar::Real;
 pub struct BendingStep<S> {
     /// Bending strain at the start and at the end, shape (2) \[1/m\].
     pub strain: [S; 2],
+    /// Its change, from the increment \[1/m\].
+    pub change: S,
     /// Discrete gradient: on the increment of the step it is the change of the strain, exactly.
     pub gradient: Form<S>,
     /// Gradient of the strain at the end.
@@ -39,17 +41,18 @@ impl<S: Real> Step<S> {
         let one = law.axial.constant(1.0);
         let zero = law.axial.constant(0.0);
         let law = SectionLaw { axial: zero, bending: one, ..*law };
-        let weights = [zero, one];
-        let ends = StepStates { start, end: &self.end, bent: &self.bent, q: self.q, weights };
+        let ends = StepStates { start, end: &self.end, bent: &self.bent, q: self.q, weight: one };
         let (unit, slopes) = match law.measure {
             StrainMeasure::Green => ends.green(&law),
             StrainMeasure::Engineering => ends.engineering(&law),
         };
         let unit = Stress { moment: one, ..unit };
         let middle = [self.turn.g, self.p_mid];
+        let (change_a, change_b) = self.changes();
         let b_form = form_b(self.g, self.p);
         BendingStep {
             strain: [self.bent[0].strain, self.bent[1].strain],
+            change: (unit.c1 * change_b).add_product(unit.c2, change_a),
             gradient: Form::along(unit.c2, middle[0], unit.c1, &form_b(middle[0], middle[1])),
             end: Form::along(slopes.moment_a, self.g, slopes.moment_b, &b_form),
             unit,

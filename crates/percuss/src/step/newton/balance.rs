@@ -82,13 +82,15 @@ impl StepProblem<'_> {
 
     pub(super) fn constraints_met(&self, work: &Workspace) -> bool {
         let u = &self.state.displacement;
-        let (_, reach) = largest(u);
-        let (_, step) = largest(&work.increment);
-        let tolerance = ROUND_OFF * (step + self.feedback * (1.0 + reach));
+        let (_, reach) = largest(u, self.size);
+        let (_, step) = largest(&work.increment, self.size);
+        // Of places, and of angles times the size of the structure.
+        let tolerance = ROUND_OFF * (step + self.feedback * (self.size + reach));
         let seen = self.constraint_step(&work.increment);
         self.model.constraints.iter().zip(&self.forcing.constrained).all(|(c, acts)| {
+            let unit = if c.kind.is_of_slopes() { self.size } else { 1.0 };
             let left = seen.change(c) + self.feedback * seen.start_value(c);
-            !acts || left.abs() <= tolerance
+            !acts || unit * left.abs() <= tolerance
         })
     }
 }

@@ -126,7 +126,7 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
                     start,
                     increment,
                     rate,
-                    lag,
+                    lag: (span.retardation > 0.0).then_some(lag),
                     damping,
                 }
                 .sums::<TANGENT>(),
