@@ -61,7 +61,7 @@ impl Error {
     /// This build does not draw.
     #[cfg(not(feature = "drawing"))]
     pub(crate) fn not_built() -> Self {
-        let text = "this build has no pictures (feature `drawing`): cargo install --path crates/percuss-cli builds them in";
+        let text = "this build draws no pictures; cargo install --path crates/percuss-cli installs one that does";
         Self { text: text.into(), code: FileCode::Drawing.into(), input: true }
     }
 

@@ -21,6 +21,10 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
         ExportFormat::Vtkhdf => Format::Vtkhdf,
         ExportFormat::Pvd => Format::Pvd,
     };
+    if !format.is_built() {
+        let text = "this build writes no HDF5: take --format pvd, or a build that does (cargo install --path crates/percuss-cli)";
+        return Err(Failure::input(FileCode::Drawing, text.into()));
+    }
     let dir = &arguments.dir;
     refuse_what_is_no_run(dir)?;
     let Some(fields) = fields::read(dir)? else {

@@ -38,6 +38,11 @@ impl Format {
     /// All of them.
     pub const ALL: [Self; 2] = [Self::Vtkhdf, Self::Pvd];
 
+    /// Whether this build writes it.
+    pub fn is_built(self) -> bool {
+        self == Self::Pvd || cfg!(feature = "vtkhdf")
+    }
+
     /// Its name, which its files end with.
     pub fn name(self) -> &'static str {
         match self {
@@ -85,9 +90,7 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields, format: Format) -> Result<V
             }
             #[cfg(not(feature = "vtkhdf"))]
             Format::Vtkhdf => {
-                let what = "this build writes no HDF5 (feature `vtkhdf`); --format pvd needs none, and cargo install --path \
-                            crates/percuss-cli builds it in";
-                return Err(Error::content(dir, what));
+                return Err(Error::content(dir, "this build writes no HDF5"));
             }
             Format::Pvd => {
                 let beside = dir.join(name);
