@@ -63,9 +63,10 @@ catalogue! {
         Broken = "E114", "the solver broke down",
             "The program met something that it does not know of. This is a fault of Percuss, not of the scenario: the other runs of a \
              study are not touched. Please send the scenario.";
-        /// A joint that carries more than its strength in an equilibrium.
-        JointParts = "E115", "a joint that parts at rest",
-            "With all joints holding there is an equilibrium under the loads, but in it a joint carries more than its `strength`. Statics \
-             do not follow what parts: simulate it with `percuss run` and `start = \"reference\"`, take the load down, or the joint away.";
+        /// Something that fails and leaves no equilibrium.
+        NothingLeft = "E115", "a failure that leaves no equilibrium",
+            "On the way to the loads something fails for good at the load factor that is told: fibres at their `failure_strain`, a spring or \
+             hinge at its failure extension, a joint at its `strength`. Without it no equilibrium was found at that factor. Take the load \
+             down, make what fails stronger, or see with `percuss run` and `start = \"reference\"` where the structure falls to.";
     }
 }

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use percuss::scene::Scene;
 use percuss::{
-    Equilibrium, FollowerStability, LinearBuckling, SectionForceSummary, SectionPeak, SectionRange,
-    StaticContact, StaticYielding,
+    Equilibrium, FailureKind, FollowerStability, LinearBuckling, SectionForceSummary, SectionPeak,
+    SectionRange, StaticBalance, StaticContact, StaticFailure, StaticYielding,
 };
 use serde_json::{Map, Value, json};
 
@@ -56,10 +56,32 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
         "contact": contacts.collect::<Map<_, _>>(),
         "yielding": yielding.collect::<Map<_, _>>(),
         "section_forces": forces.collect::<Map<_, _>>(),
+        "failures": found.failures.iter().map(failure).collect::<Vec<_>>(),
+        "balance": balance(&found.balance),
         "linear_buckling": linear.modes.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
         "linear_buckling_note": linear.outcome.reason(),
         "linear_buckling_code": linear.outcome.code().map(percuss::Caution::code),
         "follower_stability": linear.stability.map(stability),
+    })
+}
+
+pub(crate) fn failure(found: &StaticFailure) -> Value {
+    let kind = match found.kind {
+        FailureKind::Fibres => "fibres",
+        FailureKind::Parted => "parted",
+        FailureKind::Extension => "extension",
+        FailureKind::Torn => "torn",
+        _ => "failed",
+    };
+    json!({ "factor": found.factor, "name": found.name, "kind": kind, "s": found.s })
+}
+
+fn balance(found: &StaticBalance) -> Value {
+    json!({
+        "loads": found.loads,
+        "reactions": found.reactions,
+        "springs": found.springs,
+        "unbalanced": found.unbalanced,
     })
 }
 

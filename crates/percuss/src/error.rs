@@ -11,6 +11,8 @@ pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
 #[derive(Debug)]
 pub struct Error {
     kind: ErrorKind,
+    /// What has failed before, in words; empty where nothing has.
+    after: String,
 }
 
 #[derive(Debug)]
@@ -21,7 +23,8 @@ enum ErrorKind {
     MomentBeyondLaw { share: f64, beam: String, most: f64 },
     NothingHolds { body: String },
     Overlap { what: String },
-    JointParts { joint: String, force: f64, moment: f64 },
+    NothingLeft { share: f64, what: String },
+    Unbalanced { left: f64, gross: f64 },
     Singular { time: f64, place: String },
     Grown { time: f64, made: f64, came: f64 },
     Recorder(RecorderError),
@@ -30,52 +33,69 @@ enum ErrorKind {
 impl Error {
     /// Newton's iteration failed down to the smallest step; `what` it was that did not converge.
     pub(crate) fn no_convergence(time: f64, step: f64, what: String) -> Self {
-        Self { kind: ErrorKind::NoConvergence { time, step, what } }
+        Self::of(ErrorKind::NoConvergence { time, step, what })
     }
 
     /// No equilibrium was found beyond a share of the loads.
     pub(crate) fn no_equilibrium(share: f64) -> Self {
-        Self { kind: ErrorKind::NoEquilibrium { share } }
+        Self::of(ErrorKind::NoEquilibrium { share })
     }
 
     /// The same where rigid contacts are closed, whose forces may be what does not settle.
     pub(crate) fn unsettled_contacts(share: f64) -> Self {
-        Self { kind: ErrorKind::UnsettledContacts { share } }
+        Self::of(ErrorKind::UnsettledContacts { share })
     }
 
     /// No equilibrium beyond a share of the loads, since a section in Green strains carries no larger moment.
     pub(crate) fn moment_beyond_law(share: f64, beam: String, most: f64) -> Self {
-        Self { kind: ErrorKind::MomentBeyondLaw { share, beam, most } }
+        Self::of(ErrorKind::MomentBeyondLaw { share, beam, most })
     }
 
     /// Loads carry a rigid body away: no contact holds it.
     pub(crate) fn nothing_holds(body: String) -> Self {
-        Self { kind: ErrorKind::NothingHolds { body } }
+        Self::of(ErrorKind::NothingHolds { body })
     }
 
     /// One thing is inside another before any load acts.
     pub(crate) fn overlap(what: String) -> Self {
-        Self { kind: ErrorKind::Overlap { what } }
+        Self::of(ErrorKind::Overlap { what })
     }
 
-    /// A joint carries more than its strength at rest.
-    pub(crate) fn joint_parts(joint: String, force: f64, moment: f64) -> Self {
-        Self { kind: ErrorKind::JointParts { joint, force, moment } }
+    /// Without what failed at a share of the loads, in words, there is no equilibrium at it.
+    pub(crate) fn nothing_left(share: f64, what: String) -> Self {
+        Self::of(ErrorKind::NothingLeft { share, what })
+    }
+
+    /// Forces from outside that do not balance in what was found: `left` \[N\] of `gross` \[N\].
+    pub(crate) fn unbalanced(left: f64, gross: f64) -> Self {
+        Self::of(ErrorKind::Unbalanced { left, gross })
+    }
+
+    fn of(kind: ErrorKind) -> Self {
+        Self { kind, after: String::new() }
+    }
+
+    /// The same after what has failed on the way, in words.
+    pub(crate) fn after(mut self, failures: &str) -> Self {
+        if !failures.is_empty() {
+            self.after = format!("; before: {failures}");
+        }
+        self
     }
 
     /// The tangent cannot be factorised.
     pub(crate) fn singular(time: f64, place: String) -> Self {
-        Self { kind: ErrorKind::Singular { time, place } }
+        Self::of(ErrorKind::Singular { time, place })
     }
 
     /// A scheme that does not conserve energy has made more of it than any result can have: `made` \[J\] beyond what `came` in \[J\].
     pub(crate) fn grown(time: f64, made: f64, came: f64) -> Self {
-        Self { kind: ErrorKind::Grown { time, made, came } }
+        Self::of(ErrorKind::Grown { time, made, came })
     }
 
     /// The recorder failed.
     pub(crate) fn recorder(source: RecorderError) -> Self {
-        Self { kind: ErrorKind::Recorder(source) }
+        Self::of(ErrorKind::Recorder(source))
     }
 
     /// Its code in the catalogue.
@@ -87,7 +107,8 @@ impl Error {
             ErrorKind::MomentBeyondLaw { .. } => AnalysisCode::MomentBeyondLaw,
             ErrorKind::NothingHolds { .. } => AnalysisCode::NothingHolds,
             ErrorKind::Overlap { .. } => AnalysisCode::Overlap,
-            ErrorKind::JointParts { .. } => AnalysisCode::JointParts,
+            ErrorKind::NothingLeft { .. } => AnalysisCode::NothingLeft,
+            ErrorKind::Unbalanced { .. } => AnalysisCode::Equilibrium,
             ErrorKind::Singular { .. } => AnalysisCode::Singular,
             ErrorKind::Grown { .. } => AnalysisCode::Growth,
             ErrorKind::Recorder(_) => AnalysisCode::Recorder,
@@ -102,6 +123,7 @@ impl Error {
                 | ErrorKind::NoEquilibrium { .. }
                 | ErrorKind::UnsettledContacts { .. }
                 | ErrorKind::MomentBeyondLaw { .. }
+                | ErrorKind::Unbalanced { .. }
         )
     }
 
@@ -151,9 +173,13 @@ impl fmt::Display for Error {
                 "no equilibrium: nothing holds `{body}`, which the loads carry away for good (in statics contacts have no friction)"
             ),
             ErrorKind::Overlap { what } => write!(f, "{what}"),
-            ErrorKind::JointParts { joint, force, moment } => write!(
+            ErrorKind::NothingLeft { share, what } => write!(
                 f,
-                "no equilibrium with all joints: `{joint}` carries {force:.6e} N and {moment:.6e} N m there, more than its strength"
+                "no equilibrium is left at the load factor {share:.6}: {what} there, and what remains does not carry the loads"
+            ),
+            ErrorKind::Unbalanced { left, gross } => write!(
+                f,
+                "no equilibrium: in the configuration found {left:.3e} N are left unbalanced of {gross:.3e} N that act"
             ),
             ErrorKind::Singular { time, place } => {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")
@@ -165,7 +191,8 @@ impl fmt::Display for Error {
                  take integrator.scheme = \"energy-momentum\" or a smaller time.step"
             ),
             ErrorKind::Recorder(source) => write!(f, "the results could not be written: {source}"),
-        }
+        }?;
+        f.write_str(&self.after)
     }
 }
 

@@ -34,9 +34,9 @@ mod summary;
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Mode, ModeKind,
-    Path, PathPoint, PathRecorder, PathYield, StaticContact, StaticYielding, buckling,
-    buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path, equilibrium_path_recorded,
+    BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability, LinearBuckling, Mode,
+    ModeKind, Path, PathPoint, PathRecorder, PathYield, StaticBalance, StaticContact, StaticFailure,
+    StaticYielding, buckling, buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path, equilibrium_path_recorded,
     mechanisms, modes_about, modes_about_equilibrium, natural_frequencies,
 };
 pub use error::{Error, RecorderError};

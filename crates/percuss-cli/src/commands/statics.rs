@@ -113,9 +113,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     }
     let factor = path.points.last().map_or(0.0, |p| p.factor);
     let why = match &path.torn {
-        Some(joint) => format!(
-            "beyond it the joint `{joint}` would tear (joint.{joint}.strength says what it bears)"
-        ),
+        Some(what) => format!("beyond it `{what}` would fail"),
         None => "[path] in the scenario sets first arc, end and number of points".to_owned(),
     };
     let text = format!(

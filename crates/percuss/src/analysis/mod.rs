@@ -1,19 +1,24 @@
 //! Analyses at rest: equilibria and load paths, modes, buckling, section forces.
 
+mod balance;
 mod buckling;
 pub(crate) mod equivalent;
+mod failure;
 mod flutter;
 pub(crate) mod modes;
 mod path;
 pub(crate) mod section_forces;
 mod spectrum;
 pub(crate) mod static_contacts;
+mod static_loading;
 pub(crate) mod static_search;
 mod statics;
 mod unloading;
 mod yields;
 
 pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
+pub use balance::StaticBalance;
+pub use failure::{FailureKind, StaticFailure};
 pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
 pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path_recorded};

@@ -1,5 +1,6 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
+mod failing;
 mod reached;
 
 use super::spectrum::{Layout, free_motions};
@@ -8,22 +9,21 @@ use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
 use crate::element::fibre::FibreState;
 use crate::element::membrane::green_or_engineering;
+use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
-use crate::model::frozen::{BodyKind, ConstraintKind, JointLoad};
+use crate::model::frozen::{BodyKind, ConstraintKind};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
-use crate::step::fibres::bring_to_rest;
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
-use crate::step::joints;
 use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::prescribe;
 use crate::step::tangent::{Singular, inner, project};
 use crate::step::workspace::Workspace;
-use crate::step::{assemble, connectors, external};
+use crate::step::{assemble, connectors, external, fibres};
 
 /// Corrections before an equilibrium counts as not found; with contacts, which close and open one after the other, more.
 const MOST_ITERATIONS: usize = 30;
@@ -51,6 +51,11 @@ pub(super) struct StaticSearch<'m> {
     pub forcing: Forcing,
     pub contacts: StaticContacts,
     pub iterations: usize,
+    /// Forces that what has failed gave, shape (nodes, 4) \[N, N m\]; empty where none are held. The share that is let go.
+    withheld: Vec<[f64; 4]>,
+    pub let_go: f64,
+    /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
+    gaps: Option<Chain>,
 }
 
 /// A place on the way to an equilibrium.
@@ -65,6 +70,9 @@ pub(super) struct Reached {
     fibres: Vec<FibreState>,
     /// What connectors that yield remember, shape (connectors that yield).
     pub memories: Vec<FibreState>,
+    /// Which joints of a given strength have parted, shape (such joints); which elements have, as in [`State`].
+    joints_parted: Vec<bool>,
+    parted: Vec<bool>,
 }
 
 impl<'m> StaticSearch<'m> {
@@ -75,7 +83,8 @@ impl<'m> StaticSearch<'m> {
             model.connectors.iter().map(|c| c.value(&base.displacement, 0.0)).collect();
         let (work, forcing) = (Workspace::new(model), Forcing::new(model));
         let contacts = StaticContacts::new(model, &base);
-        Self { model, base, work, forcing, contacts, iterations: 0 }
+        let (withheld, let_go, gaps) = (Vec::new(), 1.0, None);
+        Self { model, base, work, forcing, contacts, iterations: 0, withheld, let_go, gaps }
     }
 
     /// At an equilibrium: increments count from it. In the reference configuration no load acts.
@@ -91,8 +100,11 @@ impl<'m> StaticSearch<'m> {
         search.base.coordinates.clone_from(&state.coordinates);
         search.base.fibres.clone_from(&state.fibres);
         search.base.memories.clone_from(&state.memories);
+        search.base.joints_parted.clone_from(&state.joints_parted);
+        let parted: Vec<usize> = fibres::parted(model, &state.fibres).collect();
+        parted.into_iter().for_each(|node| search.part_beam(node));
         search.work.multiplier.clone_from(&state.multiplier);
-        search.forcing.set_static(model, share);
+        search.set_share(share);
         search.forcing.hold_motions();
         search.foresee(true);
         search
@@ -115,7 +127,7 @@ impl<'m> StaticSearch<'m> {
     /// An equilibrium that lies behind the start, seen along the first correction, is on another branch and does not count; contacts
     /// that close may well turn the way round.
     pub fn solve(&mut self, share: f64) -> bool {
-        self.forcing.set_static(self.model, share);
+        self.set_share(share);
         let start = self.work.increment.clone();
         let mut ahead: Option<Vec<[f64; 4]>> = None;
         prescribe(self.model, &self.forcing, &mut self.work.increment);
@@ -178,11 +190,8 @@ impl<'m> StaticSearch<'m> {
     /// The place reached, an equilibrium: what has yielded on the way to it stays so.
     pub fn reached(&mut self) -> Reached {
         if self.model.is_inelastic() {
-            let mut displacement = self.base.displacement.clone();
-            for (u, d) in displacement.iter_mut().zip(&self.work.increment) {
-                (0..4).for_each(|i| u[i] += d[i]);
-            }
-            bring_to_rest(self.model, &displacement, &mut self.base.fibres);
+            let displacement = self.displacement();
+            fibres::bring_to_rest(self.model, &displacement, &mut self.base.fibres);
             let State { coordinates, memories, .. } = &mut self.base;
             connectors::bring_to_rest(self.model, &displacement, coordinates, memories);
         }
@@ -192,13 +201,9 @@ impl<'m> StaticSearch<'m> {
             contacts: self.contacts.clone(),
             fibres: self.base.fibres.clone(),
             memories: self.base.memories.clone(),
+            joints_parted: self.base.joints_parted.clone(),
+            parted: self.base.parted.clone(),
         }
-    }
-
-    /// A joint that carries more than its strength where the search stands.
-    pub fn joint_beyond(&self) -> Option<(&'m str, JointLoad)> {
-        let step = constraint_step(&self.base, &self.work.increment, &self.forcing);
-        joints::beyond(self.model, &step, &self.work.multiplier)
     }
 
     /// Goes back to a place.
@@ -208,6 +213,11 @@ impl<'m> StaticSearch<'m> {
         self.contacts.clone_from(&place.contacts);
         self.base.fibres.clone_from(&place.fibres);
         self.base.memories.clone_from(&place.memories);
+        self.base.joints_parted.clone_from(&place.joints_parted);
+        if self.base.parted != place.parted {
+            self.base.parted.clone_from(&place.parted);
+            self.weigh_gaps();
+        }
         self.foresee(true);
     }
 
@@ -311,12 +321,15 @@ impl<'m> StaticSearch<'m> {
 
     /// Residual, and tangent if `TANGENT`, at the current increment.
     pub fn assemble<const TANGENT: bool>(&mut self) {
-        let Self { model, base, forcing, contacts, .. } = self;
+        let Self { model, base, forcing, contacts, gaps, .. } = self;
         let Workspace { increment, residual, tangent, multiplier, beams, .. } = &mut self.work;
         let sums = (tangent.chain_mut(), beams);
         assemble::beams::<TANGENT>(model, base, &RULE, forcing.gravity, increment, residual, sums);
         if TANGENT {
             tangent.clear_ties();
+            if let Some(gaps) = gaps {
+                tangent.chain_mut().add_scaled(gaps, 1.0);
+            }
         }
         weigh_masses(model, forcing, residual);
         external::apply::<TANGENT>(model, base, forcing, 1.0, increment, residual, tangent);
@@ -332,6 +345,7 @@ impl<'m> StaticSearch<'m> {
                 tangent.add_hessian(i, points, &k);
             }
         }
+        self.hold_back();
     }
 
     /// Size of the structure \[m\].

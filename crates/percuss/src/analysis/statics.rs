@@ -1,7 +1,10 @@
 //! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
 
+use super::balance::{self, StaticBalance};
 use super::spectrum::{Held, Layout, free_motions, is_stable};
 use super::static_contacts::{StaticContact, takes_part};
+use super::failure::StaticFailure;
+use super::static_loading::Loading;
 use super::static_search::{StaticSearch, largest};
 use super::yields::{StaticYielding, at_rest};
 use crate::error::Error;
@@ -16,12 +19,6 @@ use crate::summary::SectionForceSummary;
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
 /// equilibria (a roll of one turn more or less).
 const FIRST_STEP: f64 = 0.1;
-/// A load step is cut down to this share of the load before the analysis gives up.
-const SMALLEST_STEP: f64 = 1e-4;
-
-/// Load steps that lead to an unstable equilibrium are cut down to this share before it is believed.
-const FINEST_SHARE: f64 = 1.0 / 128.0;
-
 /// A static equilibrium.
 #[derive(Clone, Debug)]
 pub struct Equilibrium {
@@ -47,6 +44,10 @@ pub struct Equilibrium {
     pub(crate) held: Vec<Held>,
     /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).
     pub yielding: Vec<StaticYielding>,
+    /// What has failed for good on the way, in its order, shape (such failures).
+    pub failures: Vec<StaticFailure>,
+    /// What all that acts from outside comes to.
+    pub balance: StaticBalance,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
     /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here, shape (such beams).
@@ -73,12 +74,13 @@ impl Equilibrium {
 
 /// Static equilibrium of `model` under the loads that act at time zero, with the contacts a transient knows.
 ///
-/// Newton's iteration in load steps, smaller ones where it does not converge. Compliant contacts press by their potentials, rigid
+/// Newton's iteration in load steps, smaller ones where it does not converge. What fails on the way (fibres, springs, hinges, joints
+/// of a given strength) does so at the load factor at which it bears its whole strength, and what it gave is let go slowly. Compliant contacts press by their potentials, rigid
 /// ones as gap and force are complementary, all without friction. Guided projectiles and discs on their way take no part.
 ///
 /// # Errors
-/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry. A disc or a beam that nothing
-/// holds. One thing inside another before any load acts.
+/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry. Something fails that leaves none.
+/// A disc or a beam that nothing holds. One thing inside another before any load acts.
 pub fn equilibrium(model: &Model) -> Result<Equilibrium, Error> {
     equilibrium_in(model, FIRST_STEP)
 }
@@ -93,44 +95,12 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     refuse_overlaps(&search)?;
     search.hold_loose_beams();
     search.foresee(true);
-    let mut accepted = search.reached();
-    let (mut reached, mut step, mut load_steps) = (0.0, first_step.clamp(1e-3, 1.0), 0);
-    let (finest, mut stable) = (step * FINEST_SHARE, true);
-    while reached < 1.0 {
-        let target: f64 = f64::min(reached + step, 1.0);
-        let found = search.solve(target);
-        // What leans on something has not jumped to another branch for want of stability.
-        let alone = !search.contacts.press();
-        if found && alone && stable && !is_stable_alone(&structure, &mut search) {
-            // A branch that lost its stability may have been jumped to: smaller steps tell.
-            if step > finest {
-                step *= 0.5;
-                search.go_back(&accepted);
-                continue;
-            }
-            stable = false;
-        }
-        if found {
-            reached = if target > 1.0 - 1e-12 { 1.0 } else { target };
-            load_steps += 1;
-            step = (1.5 * step).min(first_step);
-            accepted = search.reached();
-        } else {
-            if let Some(name) = search.contacts.lost(model) {
-                return Err(Error::nothing_holds(name.to_owned()));
-            }
-            step *= 0.5;
-            search.go_back(&accepted);
-            if step < SMALLEST_STEP {
-                return Err(lost(&mut search, reached));
-            }
-        }
-    }
-    search.forcing.set_static(model, 1.0);
-    if let Some((joint, load)) = search.joint_beyond() {
-        return Err(Error::joint_parts(joint.to_owned(), load.force, load.moment));
-    }
-    let mut found = finish(&mut search, load_steps);
+    let mut loading = Loading::new(&mut search, &structure, first_step.clamp(1e-3, 1.0));
+    loading.bring_up()?;
+    let Loading { stable, steps, failures, .. } = loading;
+    let mut found = finish(&mut search, steps);
+    found.failures = failures;
+    balance::check(&search, &found)?;
     found.stable = if !search.contacts.press() {
         stable || is_stable_alone(&structure, &mut search)
     } else if search.contacts.has_discs() {
@@ -166,7 +136,7 @@ pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
 }
 
 /// Whether the beams, which touch nothing, return to where they are.
-fn is_stable_alone(structure: &Model, search: &mut StaticSearch) -> bool {
+pub(super) fn is_stable_alone(structure: &Model, search: &mut StaticSearch) -> bool {
     if search.model.is_inelastic() {
         return search.is_stable_touching(); // by the tangent of the fibres as they are loaded
     }
@@ -183,17 +153,21 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let at = |p: &crate::model::frozen::MaterialPoint| p.value(&state.displacement);
     let names = model.support_names().map(str::to_owned);
     let (section_forces, element_forces) = search.section_forces(&state);
+    let reactions = search.reactions(&state);
+    let balance = StaticBalance::new(search, &reactions);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
         section_forces,
         element_forces,
         contact_forces: search.contacts.frame_forces(model, &state),
         load_factors: search.forcing.factors.clone(),
-        reactions: names.zip(search.reactions(&state)).collect(),
+        reactions: names.zip(reactions).collect(),
         contacts: search.contacts.results(model),
         pressed: search.contacts.forces().map(|(_, force, row)| (*row, force)).collect(),
         held: search.contacts.held(model, &state),
         yielding: at_rest(model, &state),
+        failures: Vec::new(),
+        balance,
         stable: true,
         sliding: Vec::new(),
         load_steps,
@@ -203,7 +177,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
 }
 
 /// Why no equilibrium follows the last one found.
-fn lost(search: &mut StaticSearch, share: f64) -> Error {
+pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
     let state = search.state();
     let (forces, _) = search.section_forces(&state);
     for (beam, found) in search.model.beams.iter().zip(&forces) {

@@ -206,6 +206,15 @@ impl StressLaw {
     }
 }
 
+impl StressLaw {
+    /// Magnitude of a strain over that at which the fibre fails \[1\]; none where it gapes, and of one that never fails.
+    pub fn use_of_failure_strain(&self, strain: f64) -> f64 {
+        let Self::Plastic(law) = self else { return 0.0 };
+        let gapes = law.slack.is_some_and(|slack| slack.frees(strain));
+        law.plasticity.failure_strain.filter(|_| !gapes).map_or(0.0, |limit| strain.abs() / limit)
+    }
+}
+
 impl<S> StressLaw<S> {
     /// The side without stress, if there is one.
     pub fn slack(&self) -> Option<Slack> {

@@ -152,7 +152,12 @@ pub struct JointData {
 impl JointData {
     /// Whether it parts under a load.
     pub fn parts_under(&self, load: &JointLoad) -> bool {
-        load.force > self.strength[0] || load.moment > self.strength[1]
+        self.use_under(load) > 1.0
+    }
+
+    /// Its load over its strength, the larger of force and moment: above one it parts.
+    pub fn use_under(&self, load: &JointLoad) -> f64 {
+        (load.force / self.strength[0]).max(load.moment / self.strength[1])
     }
 }
 

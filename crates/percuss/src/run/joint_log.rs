@@ -26,6 +26,13 @@ impl Default for JointRecord {
 }
 
 impl JointRecord {
+    /// Of a joint that a run starts with, torn in the equilibrium it starts from or whole.
+    pub fn starting(torn: bool, time: f64) -> Self {
+        let (force, moment) = (f64::NAN, f64::NAN);
+        let parted = torn.then_some(JointParting { time, force, moment });
+        Self { parted, ..Self::default() }
+    }
+
     fn take(&mut self, load: &JointLoad, time: f64) {
         for (peak, value) in [(&mut self.force, load.force), (&mut self.moment, load.moment)] {
             if value > peak.value {

@@ -138,7 +138,11 @@ impl Monitor {
             jumps: false,
             yielded: vec![YieldRecord::default(); if inelastic { model.beams.len() } else { 0 }],
             connectors: vec![ConnectorRecord::default(); model.memory_count()],
-            joints: vec![JointRecord::default(); model.joints.len()],
+            joints: state
+                .joints_parted
+                .iter()
+                .map(|torn| JointRecord::starting(*torn, state.time))
+                .collect(),
             energy_residual: 0.0,
             energy_came: 0.0,
             linear_residual: 0.0,

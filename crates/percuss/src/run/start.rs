@@ -235,6 +235,7 @@ pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initia
         let parted: Vec<usize> = fibres::parted(model, &state.fibres).collect();
         parted.into_iter().for_each(|node| state.part(model, node));
         state.memories = found.memories;
+        state.joints_parted = found.joints_parted;
         state.pairs = found.pairs;
         // Projectiles stand off from where their points have moved to.
         for p in &model.projectiles {

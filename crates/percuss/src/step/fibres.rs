@@ -174,7 +174,7 @@ fn fail_those(
     stored
 }
 
-/// Brings the fibres slowly to where displacements have led.
+/// Brings the fibres slowly to where displacements have led; of those that bear none fails by that.
 pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreState]) {
     for (span, k, a, _) in model.each_element() {
         let Some(fibres) = &span.fibres else { continue };
@@ -185,14 +185,26 @@ pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreS
             for (fibre, state) in points.iter().zip(&mut states) {
                 let (law, strain) = (&fibres.laws[fibre.law], membrane + fibre.height * bending);
                 *state = law.at_rest(state, strain).state;
-                state.failed |= law.fails(strain);
+                state.failed |= fibre.area == 0.0 && law.fails(strain);
             }
         }
+    }
+}
+
+/// Fails all fibres of the elements that have none left at a Gauss point; tells the first nodes of those that had some elsewhere, and
+/// the Gauss point.
+pub fn part_at_rest(model: &Model, all: &mut [FibreState]) -> Vec<(usize, usize)> {
+    let mut parted = Vec::new();
+    for (span, k, a, _) in model.each_element() {
+        let Some(fibres) = &span.fibres else { continue };
         let states = &mut all[fibres.range(k)];
-        if gap(fibres.of(k), states).is_some() {
+        let Some(gauss) = gap(fibres.of(k), states) else { continue };
+        if states.iter().any(|state| !state.failed) {
+            parted.push((a, gauss));
             states.iter_mut().for_each(|state| state.failed = true);
         }
     }
+    parted
 }
 
 /// The first nodes of the elements that have no fibre left.

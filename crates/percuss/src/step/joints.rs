@@ -29,17 +29,6 @@ pub fn loads(
     })
 }
 
-/// The joints of a strength that carry more than that at rest: their names and loads.
-pub fn beyond<'m>(
-    model: &'m Model,
-    step: &ConstraintStep,
-    multiplier: &[f64],
-) -> Option<(&'m str, JointLoad)> {
-    let mut all = model.joints.iter().zip(loads(model, step, multiplier));
-    all.find(|(joint, load)| joint.parts_under(load))
-        .map(|(joint, load)| (joint.name.as_str(), load))
-}
-
 impl Forcing {
     /// Lets go the constraints of joints that have parted.
     pub fn part(&mut self, model: &Model, parted: &[bool]) {

@@ -7,11 +7,11 @@ use super::Peak;
 /// A joint that parted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointParting {
-    /// End of the step after which it holds no longer \[s\].
+    /// End of the step after which it holds no longer; the start of a run from an equilibrium in which it is torn \[s\].
     pub time: f64,
-    /// Size of the force that it carried over that step, the mean \[N\].
+    /// Size of the force that it carried over that step, the mean; NaN at the start \[N\].
     pub force: f64,
-    /// Size of the moment likewise; zero of a hinge \[N m\].
+    /// Size of the moment likewise; zero of a hinge, NaN at the start \[N m\].
     pub moment: f64,
 }
 

@@ -29,6 +29,7 @@ mod section_forces;
 mod spectra;
 mod static_contact;
 mod static_contact_stretches;
+mod static_failures;
 mod static_paths;
 mod statics;
 mod structures;

@@ -2,12 +2,12 @@
 
 use percuss::{
     BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Path, SectionPeak,
-    SectionRange, StaticContact, StaticYielding,
+    SectionRange, StaticContact, StaticFailure, StaticYielding,
 };
 
 use crate::number::{count, number};
 
-/// Limit points printed.
+/// Limit points and failures printed, of each.
 const LISTED: usize = 20;
 
 /// An equilibrium for people.
@@ -25,6 +25,7 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
             "  unstable: the structure leaves it at the slightest push; `percuss modes --about static` shows how\n",
         );
     }
+    text.push_str(&failures(&found.failures));
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
     for (name, u) in &found.points {
         let [u1, u2] = u.map(|u| beside(moved, u));
@@ -40,6 +41,10 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     for (name, reaction) in &found.reactions {
         let [f1, f2, moment] = reaction.map(|r| beside(size, r));
         text.push_str(&format!("  {name}: force {f1} N, {f2} N, moment {moment} N m\n"));
+    }
+    if found.balance.springs != [0.0; 2] {
+        let [f1, f2] = found.balance.springs.map(|f| beside(size, f));
+        text.push_str(&format!("  springs to the ground, in all: force {f1} N, {f2} N\n"));
     }
     text.push_str(&contacts(&found.contacts));
     text.push_str(&yielding(&found.yielding));
@@ -73,6 +78,18 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     }
     if let Some(stability) = linear.stability {
         text.push_str(&format!("{}\n", under_followers(stability)));
+    }
+    text
+}
+
+/// What has failed on the way.
+fn failures(found: &[StaticFailure]) -> String {
+    let mut text = String::new();
+    for one in found.iter().take(LISTED) {
+        text.push_str(&format!("  {one} at the load factor {}\n", number(one.factor)));
+    }
+    if found.len() > LISTED {
+        text.push_str(&format!("  and {} more failures\n", found.len() - LISTED));
     }
     text
 }

@@ -151,6 +151,11 @@ pub(super) fn tables(found: &Equilibrium) -> String {
             &["", "extension or rotation", "of it plastic", "force or moment", "state"][..],
             found.yielding.iter().map(yielding_row).collect(),
         ),
+        (
+            "Failed on the way, for good",
+            &["load factor", "what"][..],
+            found.failures.iter().map(|f| vec![number(f.factor), f.to_string()]).collect(),
+        ),
         ("Section forces", &["", "smallest", "at", "largest", "at"][..], sections),
     ];
     let filled = all.into_iter().filter(|(.., rows)| !rows.is_empty());

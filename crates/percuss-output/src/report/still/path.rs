@@ -47,8 +47,8 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
         false => format!(
             "Equilibrium path; it ends at the load factor {}, before the end asked for{}.",
             number(factor),
-            path.torn.as_ref().map_or(String::new(), |joint| {
-                format!(": beyond it the joint {} would tear", joint)
+            path.torn.as_ref().map_or(String::new(), |what| {
+                format!(": beyond it {} would fail", escape(what))
             })
         ),
     };

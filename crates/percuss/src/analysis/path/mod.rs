@@ -4,6 +4,7 @@ mod advance;
 mod tracer;
 mod yielding;
 
+use super::balance;
 use super::static_search::StaticSearch;
 use super::statics::{Equilibrium, finish, refuse_overlaps};
 use super::yields::PathYield;
@@ -47,7 +48,7 @@ pub struct Path {
     pub end: Equilibrium,
     /// Whether the end asked for was reached.
     pub reached: bool,
-    /// The joint of a given strength that would tear next, where that ends the path.
+    /// What would fail next, where that ends the path: `joint.knee`, `spring.brace`, `beam.girder`.
     pub torn: Option<String>,
 }
 
@@ -104,9 +105,8 @@ pub fn equilibrium_path_recorded(
     while path.points.len() <= settings.points {
         let before = tracer.mark();
         let advanced = tracer.advance(arc);
-        // Where a joint would tear the path ends: it comes as near as arcs become short.
-        let beyond = advanced.and_then(|_| tracer.search.joint_beyond());
-        path.torn = beyond.map(|(joint, _)| joint.to_owned());
+        // Where something would fail the path ends: it comes as near as arcs become short.
+        path.torn = advanced.and_then(|_| tracer.search.first_beyond());
         let Some(iterations) = advanced.filter(|_| path.torn.is_none()) else {
             tracer.back_to(&before);
             arc *= 0.5;
@@ -161,9 +161,10 @@ pub fn equilibrium_path_recorded(
         return Err(Error::no_equilibrium(0.0));
     }
     let steps = path.points.len() - 1;
-    tracer.search.forcing.set_static(model, tracer.factor);
+    tracer.search.set_share(tracer.factor);
     tracer.search.reached();
     path.end = finish(&mut tracer.search, steps);
+    balance::check(&tracer.search, &path.end)?;
     Ok(path)
 }
 

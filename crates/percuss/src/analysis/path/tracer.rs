@@ -100,7 +100,7 @@ impl<'m> Tracer<'m> {
             return;
         }
         let here = self.mark();
-        self.search.forcing.set_static(self.search.model, self.factor);
+        self.search.set_share(self.factor);
         self.search.forcing.rest_motions();
         let found = finish(&mut self.search, steps);
         recorder.equilibrium(self.factor, limit, &found);
@@ -129,12 +129,11 @@ impl<'m> Tracer<'m> {
 
     /// Assembles at the current point; the load that a unit of the factor adds.
     pub(super) fn assemble(&mut self) -> Vec<[f64; 4]> {
-        let model = self.search.model;
-        self.search.forcing.set_static(model, self.factor + 1.0);
+        self.search.set_share(self.factor + 1.0);
         self.search.forcing.rest_motions();
         self.search.assemble::<false>();
         let loaded = self.search.work.residual.clone();
-        self.search.forcing.set_static(model, self.factor);
+        self.search.set_share(self.factor);
         self.search.forcing.rest_motions();
         self.search.assemble::<true>();
         let added = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| a[i] - b[i]);

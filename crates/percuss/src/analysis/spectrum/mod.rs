@@ -32,11 +32,20 @@ pub fn size(model: &Model) -> f64 {
 /// A measure of motions by stiffness: the mass matrix of beams with a mass of `EI / l^4` per length, l the length of all beams.
 /// Against it no bending stiffness of the structure is small, whatever its density. Of unit bending stiffness if `unit`.
 pub fn metric(model: &Model, unit: bool) -> Chain {
+    metric_of(model, unit, |_| true)
+}
+
+/// The same of those elements whose first node is told to count.
+pub fn metric_of(model: &Model, unit: bool, counts: impl Fn(usize) -> bool) -> Chain {
     let mut chain = Chain::zeros(model.node_count());
     let length = size(model);
     for (span, k, a, _) in model.each_element() {
         let table = span.table(k);
-        let bending = if unit { 1.0 } else { table.rows[1].section.bending };
+        let bending = match (counts(a), unit) {
+            (false, _) => 0.0,
+            (true, true) => 1.0,
+            (true, false) => table.rows[1].section.bending,
+        };
         let mass = hermite::mass(table.length, |_| bending / length.powi(4));
         let none = crate::element::beam::ElementSums::zero(0.0);
         crate::step::assemble::spread(&none, &mass, 1.0, a, &mut chain);

@@ -154,6 +154,11 @@ impl StaticContacts {
         !self.discs.is_empty()
     }
 
+    /// Whether a body is one of them.
+    pub fn has_disc(&self, body: usize) -> bool {
+        self.discs.iter().any(|disc| disc.body == body)
+    }
+
     /// Adds the measure of motions of bodies: of discs the stiffness that their weight has over the size of the structure.
     pub fn measure_bodies(&self, measure: &mut Chain, model: &Model) {
         let nodes = (0..model.bodies.len()).map(|body| (model.body_node(body), 1.0));

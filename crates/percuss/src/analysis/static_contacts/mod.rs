@@ -248,7 +248,7 @@ impl StaticContacts {
             increment,
             share: 1.0,
             arcs: &[],
-            parted: &[],
+            parted: &base.parted,
         };
         self.arcs.clear();
         let on_axis = |p: &CandidatePair| matches!(model.pairs[p.pair].target, Target::Axis { .. });

@@ -41,7 +41,7 @@ impl StaticContacts {
 
     /// Forces of the pairs in a state, where they act.
     pub fn frame_forces(&self, model: &Model, state: &State) -> Vec<FrameForce> {
-        let at = Configuration { arcs: &self.arcs, ..Configuration::of(&state.displacement) };
+        let at = Configuration { arcs: &self.arcs, ..state.configuration() };
         let one = |place: &CandidatePair| {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };
@@ -60,7 +60,7 @@ impl StaticContacts {
     /// Contacts of beams that press in a state, as they stay closed in small motions; without those of discs.
     pub fn held(&self, model: &Model, state: &State) -> Vec<Held> {
         let beams = model.beam_node_count();
-        let at = Configuration { arcs: &self.arcs, ..Configuration::of(&state.displacement) };
+        let at = Configuration { arcs: &self.arcs, ..state.configuration() };
         let held = |place: &CandidatePair| {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };

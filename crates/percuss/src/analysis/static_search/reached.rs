@@ -6,6 +6,8 @@ use crate::analysis::spectrum::{metric, random, size};
 use crate::math::vec2::{add, cross, scale};
 use crate::model::frozen::{Connector, Coordinate, MaterialPoint};
 use crate::state::State;
+use crate::step::connectors::ConnectorStep;
+use crate::step::external;
 use crate::step::tangent::{inner, project};
 use crate::step::workspace::Workspace;
 use crate::summary::SectionForceSummary;
@@ -45,12 +47,23 @@ impl StaticSearch<'_> {
         lowest > -1e-6 * shift
     }
 
+    /// Loads as they act where the search stands, but weights: nodal forces, shape (nodes, 2) \[N\].
+    pub fn applied(&mut self) -> Vec<[f64; 2]> {
+        let Self { model, base, work, forcing, .. } = self;
+        let mut nodal = vec![[0.0; 4]; model.node_count()];
+        let (increment, tangent) = (&work.increment, &mut work.tangent);
+        external::apply::<false>(model, base, forcing, 1.0, increment, &mut nodal, tangent);
+        nodal.iter().map(|f| [-f[0], -f[1]]).collect()
+    }
+
+    /// What connector `i` does where the search stands.
+    pub fn connector_step(&self, i: usize, connector: &Connector) -> ConnectorStep {
+        connector.step(i, &RULE, &self.forcing, &self.base, &self.work.increment)
+    }
+
     /// The state reached, at rest.
     pub fn state(&self) -> State {
-        let mut state = self.base.clone();
-        for (u, d) in state.displacement.iter_mut().zip(&self.work.increment) {
-            (0..4).for_each(|i| u[i] += d[i]);
-        }
+        let mut state = State { displacement: self.displacement(), ..self.base.clone() };
         state.multiplier.clone_from(&self.work.multiplier);
         let step = |(c, q0): (&Connector, &f64)| {
             let moved = match &c.coordinate {
@@ -115,7 +128,7 @@ impl StaticSearch<'_> {
             }
         }
         for (i, c) in model.connectors.iter().enumerate() {
-            let step = c.step(i, &RULE, &self.forcing, &self.base, &work.increment);
+            let step = self.connector_step(i, c);
             let force = scale(-step.force, step.forms[0]);
             match &c.coordinate {
                 Coordinate::Angle { a, .. } => enter(c.support, [0.0; 2], cross(g_at(a), force)),

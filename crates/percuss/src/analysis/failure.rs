@@ -1,0 +1,209 @@
+//! What fails for good where a structure at rest carries too much: fibres at their failure strain, springs and hinges at their failure
+//! extension, joints at their strength.
+
+use std::fmt;
+
+use super::static_search::StaticSearch;
+use crate::element::beam::ElementValues;
+use crate::element::yielding::gauss_strains;
+use crate::math::hermite::gauss_points;
+use crate::model::Model;
+use crate::step::fibres::part_at_rest;
+
+/// Uses of strengths that differ by less are the same: what reaches its limit at the same load fails at the same load.
+pub(super) const SIMULTANEOUS: f64 = 1e-8;
+
+/// What has failed for good as the loads on a structure at rest grew.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StaticFailure {
+    /// Factor on the loads at which it failed \[-\].
+    pub factor: f64,
+    /// What it is and its name: `beam.girder`, `spring.brace`, `joint.knee`.
+    pub name: String,
+    /// How it failed.
+    pub kind: FailureKind,
+    /// Arc length of the section of a beam; NaN for what is no beam \[m\].
+    pub s: f64,
+}
+
+/// How something failed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FailureKind {
+    /// Fibres of a section reached their failure strain.
+    Fibres,
+    /// No fibre of a section of a beam was left: the beam parted.
+    Parted,
+    /// A spring or a hinge reached its failure extension or rotation.
+    Extension,
+    /// A joint carried its strength, and tore.
+    Torn,
+}
+
+impl fmt::Display for StaticFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, s) = (&self.name, self.s);
+        match self.kind {
+            FailureKind::Fibres => write!(f, "fibres of `{name}` fail at s = {s:.6} m"),
+            FailureKind::Parted => write!(f, "`{name}` parts at s = {s:.6} m"),
+            FailureKind::Extension => write!(f, "`{name}` fails"),
+            FailureKind::Torn => write!(f, "`{name}` tears"),
+        }
+    }
+}
+
+/// Failures in words, the first of them one by one; with `factors` the load factors too.
+pub(super) fn in_words<'a>(
+    failures: impl Iterator<Item = &'a StaticFailure>,
+    factors: bool,
+) -> String {
+    const TOLD: usize = 4;
+    let one = |f: &StaticFailure| match factors {
+        true => format!("{f} at the load factor {:.6}", f.factor),
+        false => f.to_string(),
+    };
+    // Where a beam parts, its fibres need not be told.
+    let all: Vec<&StaticFailure> = failures.collect();
+    let parts = |f: &StaticFailure| {
+        let same = |g: &&&StaticFailure| g.name == f.name && g.factor == f.factor;
+        f.kind == FailureKind::Fibres
+            && all.iter().filter(same).any(|g| g.kind == FailureKind::Parted)
+    };
+    let all: Vec<String> = all.iter().filter(|f| !parts(f)).map(|f| one(f)).collect();
+    let mut told = all[..all.len().min(TOLD)].join(", ");
+    if all.len() > TOLD {
+        told.push_str(&format!(" and {} more", all.len() - TOLD));
+    }
+    told
+}
+
+/// What can fail.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    /// A fibre: its number in the state, first node and Gauss point of its element.
+    Fibre(usize, usize, usize),
+    /// A connector: the number of its memory.
+    Connector(usize),
+    /// A joint of a given strength.
+    Joint(usize),
+}
+
+impl StaticSearch<'_> {
+    /// The largest share of its strength that anything bears where the search stands: one where something fails.
+    pub fn largest_use(&self) -> f64 {
+        let mut most = 0.0_f64;
+        self.each_use(|_, share| most = most.max(share));
+        most
+    }
+
+    /// The first thing that bears more than its strength where the search stands.
+    pub fn first_beyond(&self) -> Option<String> {
+        let (mut most, mut first) = (1.0, None);
+        self.each_use(|part, share| {
+            if share > most {
+                (most, first) = (share, Some(part));
+            }
+        });
+        first.map(|part| self.failure(part, f64::NAN).name)
+    }
+
+    /// Fails whatever bears its whole strength where the search stands, an equilibrium: which it is no longer then. What has failed, in
+    /// the model's order, by sections.
+    pub fn fail(&mut self, factor: f64) -> Vec<StaticFailure> {
+        let mut failing = Vec::new();
+        self.each_use(|part, share| {
+            if share >= 1.0 - SIMULTANEOUS {
+                failing.push(part);
+            }
+        });
+        let model = self.model;
+        let mut out: Vec<StaticFailure> = Vec::new();
+        for part in failing {
+            match part {
+                Part::Fibre(fibre, ..) => self.base.fibres[fibre].failed = true,
+                Part::Connector(memory) => self.base.memories[memory].failed = true,
+                Part::Joint(joint) => self.tear(joint),
+            }
+            let failure = self.failure(part, factor);
+            // Fibres of a section come one after the other.
+            let known = |one: &StaticFailure| one.name == failure.name && one.s == failure.s;
+            if !out.last().is_some_and(known) {
+                out.push(failure);
+            }
+        }
+        for place in part_at_rest(model, &mut self.base.fibres) {
+            self.part_beam(place.0);
+            out.push(of_section(model, place, factor, FailureKind::Parted));
+        }
+        out
+    }
+
+    fn failure(&self, part: Part, factor: f64) -> StaticFailure {
+        let model = self.model;
+        match part {
+            Part::Fibre(_, node, gauss) => {
+                of_section(model, (node, gauss), factor, FailureKind::Fibres)
+            }
+            Part::Connector(memory) => {
+                let own = model.yielding().find(|(.., own)| own.memory == memory);
+                let name = own.map_or_else(String::new, |(.., own)| own.name.clone());
+                StaticFailure { factor, name, kind: FailureKind::Extension, s: f64::NAN }
+            }
+            Part::Joint(joint) => {
+                let name = format!("joint.{}", model.joints[joint].name);
+                StaticFailure { factor, name, kind: FailureKind::Torn, s: f64::NAN }
+            }
+        }
+    }
+
+    /// Tells of everything that can fail and has not which share of its strength it bears.
+    fn each_use(&self, mut each: impl FnMut(Part, f64)) {
+        let model = self.model;
+        if !model.joints.is_empty() {
+            for (joint, load) in self.joint_loads().enumerate() {
+                if !self.base.joints_parted[joint] {
+                    each(Part::Joint(joint), model.joints[joint].use_under(&load));
+                }
+            }
+        }
+        if !model.is_inelastic() {
+            return;
+        }
+        let displacement = self.displacement();
+        for (i, c, own) in model.yielding().filter(|(.., c)| !self.base.memories[c.memory].failed) {
+            let extension = c.value(&displacement, self.base.coordinates[i]) - c.law.free();
+            each(Part::Connector(own.memory), own.law.use_of_failure_strain(extension));
+        }
+        for (span, k, a, _) in model.each_element() {
+            let Some(fibres) = &span.fibres else { continue };
+            let u = ElementValues::new(&displacement[a], &displacement[a + 1]);
+            let strains = gauss_strains(span.table(k), span.measure, &u);
+            let mut numbers = fibres.range(k);
+            for (gauss, points) in fibres.of(k).iter().enumerate() {
+                let [membrane, bending] = strains[gauss];
+                for (fibre, number) in points.iter().zip(&mut numbers) {
+                    if fibre.area == 0.0 || self.base.fibres[number].failed {
+                        continue;
+                    }
+                    let strain = membrane + fibre.height * bending;
+                    let share = fibres.laws[fibre.law].use_of_failure_strain(strain);
+                    each(Part::Fibre(number, a, gauss), share);
+                }
+            }
+        }
+    }
+}
+
+/// A failure at a Gauss point of the element that starts at a node.
+fn of_section(
+    model: &Model,
+    (node, gauss): (usize, usize),
+    factor: f64,
+    kind: FailureKind,
+) -> StaticFailure {
+    let (span, k) = model.element_of(node);
+    let (from, to) = (span.stations[k], span.stations[k + 1]);
+    let beam = model.beams.iter().find(|beam| beam.nodes.contains(&node));
+    let name = beam.map_or_else(String::new, |beam| format!("beam.{}", beam.name));
+    StaticFailure { factor, name, kind, s: from + gauss_points()[gauss] * (to - from) }
+}

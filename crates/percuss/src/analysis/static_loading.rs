@@ -1,0 +1,210 @@
+//! From rest to the loads in steps; where something fails on the way its load factor is found, it is taken away, and what it gave is let
+//! go at that factor until the rest is in equilibrium.
+
+use super::failure::{StaticFailure, in_words};
+use super::static_search::{Reached, StaticSearch};
+use super::statics::{is_stable_alone, lost};
+use crate::error::Error;
+use crate::model::Model;
+
+/// A step is cut down to this share of all that is to be done before the analysis gives up.
+const SMALLEST_STEP: f64 = 1e-4;
+/// Steps that lead to an unstable equilibrium are cut down to this share before it is believed.
+const FINEST_SHARE: f64 = 1.0 / 128.0;
+/// Looks for where something fails; it is found where the strength is reached to within this share, or the load to within that.
+const MOST_LOOKS: usize = 60;
+const ON_STRENGTH: f64 = 1e-11;
+const ON_LOAD: f64 = 1e-14;
+
+/// What a step does.
+#[derive(Clone, Copy, Debug)]
+enum Stage {
+    /// The loads grow: their share.
+    Loads,
+    /// At this share of the loads, the forces of what has failed are let go.
+    LettingGo(f64),
+}
+
+/// Where a step ended.
+enum Step {
+    /// Where it was to.
+    There,
+    /// Where something fails.
+    Failing(f64),
+    /// No equilibrium was found.
+    Nowhere,
+}
+
+/// A structure on the way to the equilibrium under its loads.
+pub(super) struct Loading<'a, 'm> {
+    search: &'a mut StaticSearch<'m>,
+    /// The beams alone, for their stability.
+    structure: &'a Model,
+    accepted: Reached,
+    /// The longest step \[share of the loads\].
+    longest: f64,
+    /// Whether no equilibrium on the way was unstable.
+    pub stable: bool,
+    /// Steps taken.
+    pub steps: usize,
+    /// What has failed, in its order.
+    pub failures: Vec<StaticFailure>,
+}
+
+impl<'a, 'm> Loading<'a, 'm> {
+    pub fn new(search: &'a mut StaticSearch<'m>, structure: &'a Model, longest: f64) -> Self {
+        let accepted = search.reached();
+        let failures = Vec::new();
+        Self { search, structure, accepted, longest, stable: true, steps: 0, failures }
+    }
+
+    /// Brings the loads up.
+    pub fn bring_up(&mut self) -> Result<(), Error> {
+        let (mut reached, mut step) = (0.0, self.longest);
+        while reached < 1.0 {
+            let target: f64 = f64::min(reached + step, 1.0);
+            let found = self.go(Stage::Loads, reached, target);
+            // What leans on something has not jumped to another branch for want of stability.
+            let alone = !self.search.contacts.press();
+            if matches!(found, Step::There)
+                && alone
+                && self.stable
+                && !is_stable_alone(self.structure, self.search)
+            {
+                // A branch that lost its stability may have been jumped to: smaller steps tell.
+                if step > self.longest * FINEST_SHARE {
+                    step *= 0.5;
+                    self.search.go_back(&self.accepted);
+                    continue;
+                }
+                self.stable = false;
+            }
+            match found {
+                Step::There => {
+                    reached = if target > 1.0 - 1e-12 { 1.0 } else { target };
+                    step = (1.5 * step).min(self.longest);
+                    self.accept();
+                }
+                Step::Failing(share) => {
+                    reached = share;
+                    self.accept();
+                    self.settle(share)?;
+                }
+                Step::Nowhere => {
+                    if let Some(name) = self.search.contacts.lost(self.search.model) {
+                        return Err(Error::nothing_holds(name.to_owned()));
+                    }
+                    step *= 0.5;
+                    self.search.go_back(&self.accepted);
+                    if step < SMALLEST_STEP {
+                        let failures = in_words(self.failures.iter(), true);
+                        return Err(lost(self.search, reached).after(&failures));
+                    }
+                }
+            }
+        }
+        self.search.set_share(1.0);
+        Ok(())
+    }
+
+    fn accept(&mut self) {
+        self.steps += 1;
+        self.accepted = self.search.reached();
+    }
+
+    /// Takes away what fails in the equilibrium reached, and goes on at its share of the loads to one without it.
+    fn settle(&mut self, share: f64) -> Result<(), Error> {
+        self.fail(share);
+        let (mut gone, mut step) = (0.0, 1.0_f64);
+        while gone < 1.0 {
+            let target: f64 = f64::min(gone + step, 1.0);
+            match self.go(Stage::LettingGo(share), gone, target) {
+                Step::There => {
+                    gone = target;
+                    step *= 1.5;
+                    self.accept();
+                }
+                Step::Failing(_) => {
+                    self.accept();
+                    self.fail(share);
+                    (gone, step) = (0.0, 1.0);
+                }
+                Step::Nowhere => {
+                    step *= 0.5;
+                    self.search.go_back(&self.accepted);
+                    if step < SMALLEST_STEP {
+                        return Err(self.nothing_left(share));
+                    }
+                }
+            }
+        }
+        self.search.release();
+        Ok(())
+    }
+
+    /// What failed at a share of the loads leaves no equilibrium.
+    fn nothing_left(&self, share: f64) -> Error {
+        let there = self.failures.iter().filter(|f| f.factor >= share);
+        let before = self.failures.iter().filter(|f| f.factor < share);
+        Error::nothing_left(share, in_words(there, false)).after(&in_words(before, true))
+    }
+
+    /// Fails what bears its whole strength; its forces are withheld.
+    fn fail(&mut self, share: f64) {
+        self.failures.extend(self.search.fail(share));
+        self.search.withhold();
+        self.accepted = self.search.reached();
+    }
+
+    /// Goes on from where the last equilibrium was accepted, as far as something fails.
+    fn go(&mut self, stage: Stage, from: f64, to: f64) -> Step {
+        let start = self.search.largest_use() - 1.0;
+        if !self.solve(stage, to) {
+            return Step::Nowhere;
+        }
+        let end = self.search.largest_use() - 1.0;
+        if end < 0.0 {
+            return Step::There;
+        }
+        self.locate(stage, [from, to], [start, end]).map_or(Step::Nowhere, Step::Failing)
+    }
+
+    /// Goes to where the first thing fails, between two places of a step with the uses of strengths above one there.
+    fn locate(&mut self, stage: Stage, range: [f64; 2], uses: [f64; 2]) -> Option<f64> {
+        let ([mut low, mut high], [mut below, mut above]) = (range, uses);
+        let (mut excess, mut last_low) = (above, false);
+        for look in 0..MOST_LOOKS {
+            if excess <= ON_STRENGTH || high - low <= ON_LOAD {
+                break;
+            }
+            // Regula falsi, weighed where one end stays (Illinois); halved now and then, for uses may jump.
+            let share = if look % 6 == 5 { 0.5 } else { -below / (above - below) };
+            let middle = low + share.clamp(1e-3, 1.0 - 1e-9) * (high - low);
+            self.search.go_back(&self.accepted);
+            if !self.solve(stage, middle) {
+                return None;
+            }
+            let here = self.search.largest_use() - 1.0;
+            if here < 0.0 {
+                (low, below) = (middle, here);
+                above *= if last_low { 0.5 } else { 1.0 };
+            } else {
+                (high, above, excess) = (middle, here, here);
+                below *= if last_low { 1.0 } else { 0.5 };
+            }
+            last_low = here < 0.0;
+        }
+        self.search.go_back(&self.accepted);
+        self.solve(stage, high).then_some(high)
+    }
+
+    fn solve(&mut self, stage: Stage, at: f64) -> bool {
+        match stage {
+            Stage::Loads => self.search.solve(at),
+            Stage::LettingGo(share) => {
+                self.search.let_go = at;
+                self.search.solve(share)
+            }
+        }
+    }
+}

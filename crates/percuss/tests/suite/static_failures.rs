@@ -1,0 +1,161 @@
+//! What fails for good while loads on a structure at rest grow: at the load factor at which it bears its strength, and the rest is in
+//! equilibrium or there is none.
+
+use crate::common;
+
+use common::*;
+use percuss::*;
+
+const YOUNG: f64 = 205e9;
+const YIELD: f64 = 275e6;
+const SIDE: f64 = 0.04;
+
+fn bar(b: &mut ModelBuilder, inelasticity: Option<Plasticity>, elements: usize) -> BeamId {
+    let material = b.material(Material {
+        strain: StrainMeasure::Engineering,
+        inelasticity: inelasticity.map(Inelasticity::Plastic),
+        ..Material::new("steel", YOUNG, 7850.0)
+    });
+    let section = b.section(Section::rectangle("square", SIDE, SIDE));
+    let bar = b.beam(beam("g", [0.0, 0.0], [1.0, 0.0], elements, material, section));
+    b.support(Support::new("wall", at("root", bar, 0.0), SupportKind::Clamp));
+    b.record_point(at("tip", bar, 1.0));
+    bar
+}
+
+fn pull(b: &mut ModelBuilder, bar: BeamId, force: [f64; 2]) {
+    let at = at("tip", bar, 1.0);
+    let kind = LoadKind::Point { at, force, moment: 0.0, follower: false };
+    b.load(Load::new("f", kind));
+}
+
+fn law(limit: f64, modulus: f64, failure_strain: Option<f64>) -> Plasticity {
+    let curve = vec![Hardening { from: 0.0, stress: limit, modulus }];
+    Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain }
+}
+
+/// A cantilever that a spring above its tip helps, which flows at 3 kN and fails at an extension, if at any.
+fn helped(force: f64, fails_at: Option<f64>) -> Model {
+    let mut b = ModelBuilder::new();
+    let g = bar(&mut b, None, 8);
+    b.spring(Spring {
+        name: "k".into(),
+        between: [Anchor::Point(at("tip", g, 1.0)), Anchor::Ground([1.0, 0.4])],
+        stiffness: 1e6,
+        damping: 0.0,
+        length: None,
+        yielding: Some(law(3e3, 0.0, fails_at)),
+    });
+    pull(&mut b, g, [0.0, -force]);
+    b.build().unwrap()
+}
+
+fn assert_in_balance(found: &Equilibrium, load: [f64; 2]) {
+    let StaticBalance { loads, reactions, springs, unbalanced, .. } = found.balance;
+    let size = load[0].abs().max(load[1].abs());
+    for i in 0..2 {
+        assert_eq!(loads[i], load[i]);
+        let told: f64 = found.reactions.iter().map(|(_, r)| r[i]).sum();
+        assert!((told - reactions[i]).abs() <= 1e-12 * size, "{told} {reactions:?}");
+        assert!((loads[i] + told + springs[i]).abs() < 1e-10 * size, "{:?}", found.balance);
+        assert!(unbalanced[i].abs() < 1e-10 * size);
+    }
+}
+
+#[test]
+fn a_pulled_bar_parts_where_its_law_says_and_carries_nothing_beyond() {
+    let (failure, modulus, load) = (0.01, 1e9, 464e3);
+    let mut b = ModelBuilder::new();
+    let g = bar(&mut b, Some(law(YIELD, modulus, Some(failure))), 4);
+    pull(&mut b, g, [load, 0.0]);
+    let error = equilibrium(&b.build().unwrap()).unwrap_err();
+    // On the tension curve the failure strain is reached at this stress.
+    let tangent = YOUNG * modulus / (YOUNG + modulus);
+    let most = SIDE * SIDE * (YIELD + tangent * (failure - YIELD / YOUNG));
+    assert_eq!(error.code(), AnalysisCode::NothingLeft);
+    let told = error.to_string();
+    assert!(told.contains(&format!("at the load factor {:.6}", most / load)), "{told}");
+    assert!(told.contains("`beam.g` parts at s = "), "{told}");
+    // Short of it the bar holds.
+    let mut b = ModelBuilder::new();
+    let g = bar(&mut b, Some(law(YIELD, modulus, Some(failure))), 4);
+    pull(&mut b, g, [0.9999 * most, 0.0]);
+    let found = equilibrium(&b.build().unwrap()).unwrap();
+    assert!(found.failures.is_empty() && found.stable);
+    assert_in_balance(&found, [0.9999 * most, 0.0]);
+}
+
+#[test]
+fn a_spring_that_fails_leaves_the_load_to_the_rest() {
+    let (load, extension) = (1e4, 0.05);
+    let found = equilibrium(&helped(load, Some(extension))).unwrap();
+    // The load at which a spring that never fails is as long.
+    let reach = |force: f64| equilibrium(&helped(force, None)).unwrap().yielding[0].extension;
+    let (mut low, mut high) = (0.0, load);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if reach(middle) < extension { low = middle } else { high = middle }
+    }
+    let [failure] = &found.failures[..] else { panic!("{:?}", found.failures) };
+    assert_eq!((failure.name.as_str(), failure.kind), ("spring.k", FailureKind::Extension));
+    assert!((failure.factor * load / high - 1.0).abs() < 1e-9, "{failure:?} {high}");
+    assert!(found.yielding[0].failed && found.yielding[0].force == 0.0 && found.stable);
+    assert_in_balance(&found, [0.0, -load]);
+    // It is the cantilever alone.
+    let mut b = ModelBuilder::new();
+    let g = bar(&mut b, None, 8);
+    pull(&mut b, g, [0.0, -load]);
+    let alone = equilibrium(&b.build().unwrap()).unwrap();
+    for i in 0..2 {
+        let [with, without] = [&found, &alone].map(|f| f.points[0].1[i]);
+        assert!((with / without - 1.0).abs() < 1e-9, "{with} {without}");
+    }
+    // The load that a step puts on has no part in where it fails.
+    for step in [0.03, 1.0] {
+        let other = equilibrium_in(&helped(load, Some(extension)), step).unwrap();
+        assert!((other.failures[0].factor / failure.factor - 1.0).abs() < 1e-9, "{other:?}");
+    }
+    let held = equilibrium(&helped(0.5 * load, Some(extension))).unwrap();
+    assert!(held.failures.is_empty() && held.balance.springs[1] > 2e3);
+    assert_in_balance(&held, [0.0, -0.5 * load]);
+}
+
+/// Two girders that clamps hold and a hinge joins; the load is on the first.
+fn joined(strength: Option<f64>) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let first = b.beam(beam("first", [0.0, 0.0], [2.0, 0.0], 4, material, section));
+    let second = b.beam(beam("second", [2.0, 0.0], [3.0, 0.0], 4, material, section));
+    b.support(Support::new("left", at("a", first, 0.0), SupportKind::Clamp));
+    b.support(Support::new("right", at("b", second, 1.0), SupportKind::Clamp));
+    if let Some(force) = strength {
+        let strength = Some(JointStrength { force: Some(force), moment: None });
+        let between = [at("first.end", first, 1.0), at("second.start", second, 0.0)];
+        b.joint(Joint { strength, ..Joint::new("pin", JointKind::Hinge, between) });
+    }
+    let (at, force) = (at("end", first, 1.0), [0.0, -2e3]);
+    b.load(Load::new("weight", LoadKind::Point { at, force, moment: 0.0, follower: false }));
+    b.record_point(self::at("middle", first, 1.0));
+    b.build().unwrap()
+}
+
+#[test]
+fn a_joint_tears_at_its_strength_and_lets_its_load_go() {
+    // Tips of 3 EI / l^3 each share the load: the second, half as long, takes eight ninths.
+    let found = equilibrium(&joined(Some(1e3))).unwrap();
+    let [failure] = &found.failures[..] else { panic!("{:?}", found.failures) };
+    assert_eq!((failure.name.as_str(), failure.kind), ("joint.pin", FailureKind::Torn));
+    assert!((failure.factor / (1e3 / (8.0 / 9.0 * 2e3)) - 1.0).abs() < 1e-3, "{failure:?}");
+    assert_in_balance(&found, [0.0, -2e3]);
+    assert!(found.reactions[1].1.iter().all(|r| r.abs() < 1e-6), "{:?}", found.reactions);
+    let alone = equilibrium(&joined(None)).unwrap();
+    let [with, without] = [&found, &alone].map(|f| f.points[0].1[1]);
+    assert!((with / without - 1.0).abs() < 1e-9, "{with} {without}");
+    // A run starts from it at rest, the joint torn.
+    let model = joined(Some(1e3));
+    let settings = Settings { start: Start::Static, ..Settings::new(0.02, 1e-4) };
+    let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
+    assert_eq!(summary.joints[0].parted.map(|parted| parted.time), Some(0.0));
+    let tip = summary.points[0].displacement_max[1].value;
+    assert!((tip / with - 1.0).abs() < 1e-9, "{tip} {with}");
+}
