@@ -85,8 +85,8 @@ fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
         let found = [
             slender(&name, length, depth, row.half_depth > 0.0),
             section(&name, gyration, row.half_depth),
-            density(&name, row.mass / row.area),
-            young(&name, row.axial / row.area),
+            density(&name, row.density),
+            young(&name, row.young),
         ];
         for (told, found) in told.iter_mut().zip(found) {
             if let (false, Some(found)) = (*told, found) {

@@ -1,7 +1,7 @@
 //! What hand formulas need to know of a beam: its constants, its ends, what disturbs it.
 
 use super::formulas::{Span, SpanKind, UniformBeam, free_bar_mass};
-use percuss::inspect::{BeamView, GaussPointView, LoadView, PointView, SpanView};
+use percuss::inspect::{BeamView, GaussPointView, LoadView, PointView, SectionConstants, SpanView};
 use percuss::math::vec2::{cross, dot, rot90, sub};
 use percuss::{Model, StrainMeasure};
 
@@ -49,6 +49,11 @@ impl<'a> BeamPlace<'a> {
         span.gauss_points(k)[1]
     }
 
+    /// The section at the place.
+    fn here(&self) -> SectionConstants {
+        self.element().0.section_at(self.s)
+    }
+
     /// Length of the element at the place \[m\].
     pub fn element_length(&self) -> f64 {
         let (span, k) = self.element();
@@ -70,7 +75,7 @@ impl<'a> BeamPlace<'a> {
 
     /// Constants per length at the place.
     pub fn section(&self) -> UniformBeam {
-        let here = self.middle().section;
+        let here = self.here();
         UniformBeam {
             axial: here.axial,
             bending: here.bending,
@@ -86,13 +91,12 @@ impl<'a> BeamPlace<'a> {
 
     /// Young's modulus at the place \[Pa\].
     pub fn young(&self) -> f64 {
-        let here = self.middle().section;
-        here.axial / here.area
+        self.here().young
     }
 
     /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
     pub fn half_depth(&self) -> f64 {
-        self.middle().section.half_depth
+        self.here().half_depth
     }
 
     /// Shortest time of a longitudinal wave through an element of the beam \[s\].

@@ -187,13 +187,13 @@ fn tapered(
     }
     let mut out = Vec::new();
     for (&at, section) in stations.iter().zip(sections) {
-        let Section { area, inertia, depth, .. } = *uniform.get(section.as_str())?.as_ref()?;
+        let Section { area, inertia, depth, profile, .. } =
+            uniform.get(section.as_str())?.as_ref()?.clone();
         if area <= 0.0 || inertia <= 0.0 {
             return None; // the named section's own fault
         }
-        out.push(Station { at, area, inertia, depth });
+        out.push(Station { at, area, inertia, depth, profile });
     }
-    let Station { area, inertia, depth, .. } = *out.first()?;
-    let profile = uniform.get(sections.first()?.as_str())?.as_ref()?.profile.clone();
+    let Station { area, inertia, depth, profile, .. } = out.first()?.clone();
     Some(Section { depth, stations: out, profile, ..Section::new(name, area, inertia) })
 }

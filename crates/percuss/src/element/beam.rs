@@ -29,12 +29,6 @@ pub struct GaussRow<S = f64> {
     pub weighed: SectionLaw<S>,
     /// Section constants.
     pub section: SectionLaw<S>,
-    /// Mass rhoA per length \[kg/m\].
-    pub mass: S,
-    /// Area \[m^2\].
-    pub area: S,
-    /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
-    pub half_depth: S,
 }
 
 /// An element: its interpolation, section and mass.
@@ -59,6 +53,12 @@ pub struct SectionValues {
     pub mass: f64,
     /// Area \[m^2\].
     pub area: f64,
+    /// Second moment of area about the centre line \[m^4\].
+    pub inertia: f64,
+    /// Young's modulus; of several materials its mean over the area \[Pa\].
+    pub young: f64,
+    /// Density; of several materials its mean over the area \[kg/m^3\].
+    pub density: f64,
     /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
     pub half_depth: f64,
 }
@@ -114,9 +114,6 @@ impl ElementTable {
                 reference: Reference { tangent, bend, curvature: cross(tangent, bend) },
                 weighed,
                 section: values.law,
-                mass: values.mass,
-                area: values.area,
-                half_depth: values.half_depth,
             }
         });
         let mass = hermite::mass(length, |xi| {

@@ -52,9 +52,6 @@ impl<S: Copy> GaussRow<S> {
             },
             weighed: self.weighed.map(f),
             section: self.section.map(f),
-            mass: f.of(self.mass),
-            area: f.of(self.area),
-            half_depth: f.of(self.half_depth),
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use crate::element::beam::{GaussRow, SectionValues};
+use crate::element::beam::SectionValues;
+use crate::element::point::SectionLaw;
+use crate::math::hermite;
 use crate::model::frozen::{BeamData, Span};
 use crate::model::{Model, StrainMeasure};
 
@@ -69,7 +71,7 @@ impl<'m> SpanView<'m> {
 
     /// Whether its section varies from element to element.
     pub fn varies(&self) -> bool {
-        self.data.sections.len() > 1
+        !self.data.section.is_uniform()
     }
 
     /// Length of the element of number `k` in the span \[m\].
@@ -79,13 +81,22 @@ impl<'m> SpanView<'m> {
 
     /// The beam at the Gauss points of the element of number `k` in the span; the second one is its middle.
     pub fn gauss_points(&self, k: usize) -> [GaussPointView; 3] {
-        self.data.table(k).rows.each_ref().map(GaussPointView::of)
+        let (rows, shares) = (&self.data.table(k).rows, hermite::gauss_points());
+        std::array::from_fn(|j| GaussPointView {
+            weight: rows[j].weight,
+            tangent: rows[j].tangent,
+            section: SectionConstants::of(&self.data.section_at(k, shares[j])),
+        })
     }
 
     /// Constants of the section at both ends of the element of number `k` in the span.
     pub fn end_sections(&self, k: usize) -> [SectionConstants; 2] {
-        let [start, _, end] = self.data.sections(k);
-        [start, end].map(SectionConstants::of)
+        [0.0, 1.0].map(|xi| SectionConstants::of(&self.data.section_at(k, xi)))
+    }
+
+    /// Constants of the section at an arc length from the start of the beam \[m\].
+    pub fn section_at(&self, s: f64) -> SectionConstants {
+        SectionConstants::of(&self.data.section.at(s))
     }
 }
 
@@ -102,14 +113,21 @@ pub struct SectionConstants {
     pub mass: f64,
     /// Area \[m^2\].
     pub area: f64,
+    /// Second moment of area about the centre line \[m^4\].
+    pub inertia: f64,
+    /// Young's modulus; of several materials its mean over the area \[Pa\].
+    pub young: f64,
+    /// Density; of several materials its mean over the area \[kg/m^3\].
+    pub density: f64,
     /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
     pub half_depth: f64,
 }
 
 impl SectionConstants {
     pub(super) fn of(values: &SectionValues) -> Self {
-        let SectionValues { law, mass, area, half_depth } = *values;
-        Self { axial: law.axial, bending: law.bending, rotary: law.rotary, mass, area, half_depth }
+        let SectionValues { law, mass, area, inertia, young, density, half_depth } = *values;
+        let SectionLaw { axial, bending, rotary, .. } = law;
+        Self { axial, bending, rotary, mass, area, inertia, young, density, half_depth }
     }
 }
 
@@ -122,12 +140,4 @@ pub struct GaussPointView {
     pub tangent: [f64; 2],
     /// The section there.
     pub section: SectionConstants,
-}
-
-impl GaussPointView {
-    pub(super) fn of(row: &GaussRow) -> Self {
-        let GaussRow { weight, reference, section: law, mass, area, half_depth, .. } = *row;
-        let section = SectionValues { law, mass, area, half_depth };
-        Self { weight, tangent: reference.tangent, section: SectionConstants::of(&section) }
-    }
 }

@@ -5,13 +5,12 @@ use super::definition::*;
 use super::frozen::*;
 use super::material_points::locate;
 use super::mesh::SpanPlan;
+use super::section_line::SectionLine;
 use super::{
     Fault, bodies, check, connect, constrain, fibres, loads, mesh, outline, pairs, places,
 };
-use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
-use crate::element::point::SectionLaw;
+use crate::element::beam::{ElementTable, NodeFrame};
 use crate::geometry::axis::{AxisElement, AxisElements};
-use crate::math::hermite::{self, GAUSS};
 
 /// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
 #[derive(Clone, Debug, Default)]
@@ -227,20 +226,15 @@ impl ModelBuilder {
             })
             .collect();
         let total = line.length();
-        let values = |k: usize, length: f64, xi: f64| {
-            section_values(&make, (stations[k] + xi * length) / total)
-        };
+        let section_line = SectionLine::new(&make, total);
         let table = |k: usize, length: f64| {
-            let ends = [frames[k], frames[k + 1]];
-            ElementTable::new(length, ends, make.has_fibres(), |xi| values(k, length, xi))
-        };
-        let sections = |k: usize| {
-            let length = stations[k + 1] - stations[k];
-            [0.0, 0.5, 1.0].map(|xi| values(k, length, xi))
+            let (ends, from) = ([frames[k], frames[k + 1]], stations[k]);
+            let at = |xi: f64| section_line.at(from + xi * length);
+            ElementTable::new(length, ends, make.has_fibres(), at)
         };
         let share = |w: &[f64]| n as f64 * (w[1] - w[0]) / (stations[n] - stations[0]);
         let alike = mesh::is_straight(&line.pieces[plan.piece])
-            && section.stations.is_empty()
+            && section_line.is_uniform()
             && stations.windows(2).all(|w| (share(w) - 1.0).abs() < 1e-9);
         let tables: Vec<ElementTable> = if alike {
             vec![table(0, (stations[n] - stations[0]) / n as f64)]
@@ -248,13 +242,12 @@ impl ModelBuilder {
             (0..n).map(|k| table(k, stations[k + 1] - stations[k])).collect()
         };
         let (first, element) = (model.nodes.len(), model.element_count());
-        let sections = (0..tables.len()).map(sections).collect();
         let stretch = fibres::Stretch { stations, total, uniform: tables.len() == 1, count: n };
         let span = Span {
             nodes: first..first + n + 1,
             elements: element..element + n,
             tables,
-            sections,
+            section: section_line,
             stations: stations.clone(),
             measure: material.strain,
             retardation: material.retardation,
@@ -282,55 +275,16 @@ impl ModelBuilder {
     }
 }
 
-fn section_values(make: &fibres::Make, fraction: f64) -> SectionValues {
-    let fibres::Make { material, section, .. } = *make;
-    let station = section.at(fraction);
-    let (area, half_depth) = (station.area, station.depth.map_or(f64::NAN, |d| 0.5 * d));
-    if let Some((law, mass)) = make.law(material.strain) {
-        return SectionValues { law, mass, area, half_depth };
-    }
-    SectionValues {
-        law: SectionLaw {
-            axial: material.young * station.area,
-            bending: material.young * station.inertia,
-            rotary: match section.rotary_inertia {
-                RotaryInertia::Density => material.density * station.inertia,
-                RotaryInertia::Neglected => 0.0,
-                RotaryInertia::Given(value) => value,
-            },
-            measure: material.strain,
-        },
-        mass: material.density * station.area,
-        area,
-        half_depth,
-    }
-}
-
 /// The elements of the spans from `first_span` on, as contact sees them.
 fn axis(model: &Model, first_span: usize) -> AxisElements {
-    let element = |span: &Span, k: usize| {
-        let rows = &span.table(k).rows;
-        // Linear through the outer Gauss points.
-        let (first, last) = (rows[0].half_depth, rows[GAUSS - 1].half_depth);
-        let inset = hermite::gauss_points()[0];
-        let beyond = (last - first) * inset / (1.0 - 2.0 * inset);
-        let known = |depth: f64| if depth.is_nan() { 0.0 } else { depth };
-        AxisElement {
-            node: span.nodes.start + k,
-            length: span.table(k).length,
-            s: span.stations[k],
-            half_depths: [known(first - beyond), known(last + beyond)],
-        }
+    let known = |depth: f64| if depth.is_nan() { 0.0 } else { depth };
+    let element = |span: &Span, k: usize| AxisElement {
+        node: span.nodes.start + k,
+        length: span.table(k).length,
+        s: span.stations[k],
+        half_depths: [0.0, 1.0].map(|xi| known(span.section_at(k, xi).half_depth)),
     };
-    let mut axis = Vec::new();
-    for span in &model.spans[first_span..] {
-        let from = axis.len();
-        axis.extend((0..span.elements.len()).map(|k| element(span, k)));
-        // A station within an element bends its face; where it meets its neighbours both give way.
-        for k in from + 1..axis.len() {
-            let mean = 0.5 * (axis[k - 1].half_depths[1] + axis[k].half_depths[0]);
-            (axis[k - 1].half_depths[1], axis[k].half_depths[0]) = (mean, mean);
-        }
-    }
-    AxisElements::new(axis)
+    let spans = model.spans[first_span..].iter();
+    let axis = spans.flat_map(|span| (0..span.elements.len()).map(move |k| element(span, k)));
+    AxisElements::new(axis.collect())
 }

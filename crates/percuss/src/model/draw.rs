@@ -161,9 +161,7 @@ fn station(model: &Model, span: &Span, k: usize) -> DrawnStation {
     let frame = &model.nodes[span.nodes.start + k];
     let ends = k == span.elements.len();
     let element = if ends { k - 1 } else { k };
-    let sections = span.sections(element);
-    let section = &sections[if ends { 2 } else { 0 }];
-    let young = section.law.axial / section.area;
+    let section = span.section_at(element, if ends { 1.0 } else { 0.0 });
     DrawnStation {
         s: span.stations[k],
         element: span.elements.start + element,
@@ -173,7 +171,7 @@ fn station(model: &Model, span: &Span, k: usize) -> DrawnStation {
         half_depth: section.half_depth,
         area: section.area,
         // Stress does not follow from forces where it may have yielded.
-        inertia: if span.fibres.is_some() { f64::NAN } else { section.law.bending / young },
+        inertia: if span.fibres.is_some() { f64::NAN } else { section.inertia },
     }
 }
 

@@ -1,7 +1,7 @@
 //! Fibres of spans whose material does more than Hooke's law says, or whose section is given by its fibres.
 
 use super::definition::{
-    Material, MaterialId, RotaryInertia, Section, SectionFibre, Station, StrainMeasure,
+    Material, MaterialId, Profile, RotaryInertia, Section, SectionFibre, SectionSize, StrainMeasure,
 };
 use super::frozen::SpanFibres;
 use crate::element::fibre::{Fibre, StressLaw};
@@ -96,12 +96,13 @@ pub(super) fn of_span(make: &Make, stretch: &Stretch, first: usize) -> Option<Sp
         laws.push(law(m));
         laws.len() - 1
     });
+    let layout = Layout::new(make.section);
     let points = hermite::gauss_points();
     let element = |k: usize| -> [Vec<Fibre>; GAUSS] {
         let (a, b) = (stretch.stations[k], stretch.stations[k + 1]);
         points.map(|xi| match &given {
             Some(fibres) => fibres.clone(),
-            None => layout(make.section, (a + xi * (b - a)) / stretch.total),
+            None => layout.at((a + xi * (b - a)) / stretch.total),
         })
     };
     let at: Vec<_> = (0..if stretch.uniform { 1 } else { stretch.count }).map(element).collect();
@@ -124,17 +125,119 @@ fn given(make: &Make, mut add: impl FnMut(&Material) -> usize) -> Option<Vec<Fib
     Some(fibres.map(|f| Fibre { height: f.height, area: f.area, law: number(f) }).collect())
 }
 
-/// Fibres at a fraction of the beam's length: the profile scaled to the area and the radius of gyration there; then those of no area
-/// at both surfaces.
-fn layout(section: &Section, fraction: f64) -> Vec<Fibre> {
-    let (here, base) = (section.at(fraction), section.at(0.0));
-    let gyration = |s: &Station| (s.inertia / s.area).sqrt();
-    let (taller, larger) = (gyration(&here) / gyration(&base), here.area / base.area);
-    let fibre = |[y, area]: [f64; 2]| Fibre { height: y * taller, area: area * larger, law: 0 };
-    let mut out: Vec<Fibre> =
-        section.profile.fibres(section.fibres).into_iter().map(fibre).collect();
-    let most = out.iter().map(|f| f.height).fold(0.0, f64::max);
-    let half = here.depth.map_or(most, |d| 0.5 * d);
-    out.extend([-half, half].map(|height| Fibre { height, area: 0.0, law: 0 }));
-    out
+/// Fibres of a section that follow from its shape.
+struct Layout<'a> {
+    section: &'a Section,
+    /// Fibres of its profiles, each of unit area and unit radius of gyration, as (height, area), shape (profiles, fibres): all stations are
+    /// of one where they are alike but for size.
+    profiles: Vec<Vec<[f64; 2]>>,
+}
+
+/// Heights and areas of two profiles that differ by less, relative, are alike but for size.
+const ALIKE: f64 = 1e-9;
+
+impl<'a> Layout<'a> {
+    fn new(section: &'a Section) -> Self {
+        let most = |count: usize| {
+            section
+                .profiles()
+                .map(|(profile, _)| profile.fibres(count).len())
+                .max()
+                .unwrap_or(count)
+        };
+        // As many fibres at every station, so that one set goes over into the next.
+        let count = most(section.fibres);
+        let unit = |(profile, size): (&Profile, SectionSize)| -> Vec<[f64; 2]> {
+            let scaled = |[y, area]: [f64; 2]| [y / size.gyration(), area / size.area];
+            profile.fibres(count).into_iter().map(scaled).collect()
+        };
+        let mut profiles: Vec<Vec<[f64; 2]>> = section.profiles().map(unit).collect();
+        let alike = |a: &[[f64; 2]], b: &[[f64; 2]]| {
+            let pairs = a.as_flattened().iter().zip(b.as_flattened());
+            a.len() == b.len() && pairs.into_iter().all(|(x, y)| (x - y).abs() <= ALIKE * x.abs())
+        };
+        if profiles.iter().all(|other| alike(&profiles[0], other)) {
+            profiles.truncate(1);
+        }
+        Self { section, profiles }
+    }
+
+    /// Fibres at a fraction of the beam's length: the profiles of the stations before and behind, both scaled to the area and the radius of
+    /// gyration there and weighed by the distances to them; then those of no area at both surfaces.
+    fn at(&self, fraction: f64) -> Vec<Fibre> {
+        let here = self.section.at(fraction);
+        let mut out = Vec::new();
+        let mut add = |unit: &[[f64; 2]], weight: f64| {
+            let (taller, larger) = (here.gyration(), weight * here.area);
+            let fibre =
+                |[y, area]: &[f64; 2]| Fibre { height: y * taller, area: area * larger, law: 0 };
+            out.extend(unit.iter().map(fibre));
+        };
+        match (self.profiles.as_slice(), self.section.stations_about(fraction)) {
+            (profiles @ [_, _, ..], Some(([before, _], share))) => {
+                let stations = &self.section.stations;
+                let first = stations.iter().position(|s| s.at == before.at).unwrap_or(0);
+                add(&profiles[first], 1.0 - share);
+                add(&profiles[(first + 1).min(profiles.len() - 1)], share);
+            }
+            (profiles, _) => profiles.iter().for_each(|unit| add(unit, 1.0)),
+        }
+        let most = out.iter().map(|f| f.height).fold(0.0, f64::max);
+        let half = here.depth.map_or(most, |d| 0.5 * d);
+        out.extend([-half, half].map(|height| Fibre { height, area: 0.0, law: 0 }));
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::definition::Station;
+    use super::*;
+
+    fn tapered(sections: &[(f64, Section)]) -> Section {
+        let station = |(at, s): &(f64, Section)| Station {
+            at: *at,
+            area: s.area,
+            inertia: s.inertia,
+            depth: s.depth,
+            profile: s.profile.clone(),
+        };
+        Section { stations: sections.iter().map(station).collect(), ..sections[0].1.clone() }
+    }
+
+    fn sum(fibres: &[Fibre], f: impl Fn(f64) -> f64) -> f64 {
+        fibres.iter().map(|fibre| fibre.area * f(fibre.height)).sum()
+    }
+
+    /// Plastic moments over the yield stress: `b d^2 / 4` of the rectangle, `b tf (d - tf) + tw (d - 2 tf)^2 / 4` of the I.
+    #[test]
+    fn a_taper_from_one_shape_to_another_has_the_plastic_moment_of_either_at_its_ends() {
+        let [rectangle, i] =
+            [Section::rectangle("r", 0.1, 0.2), Section::i_shape("i", 0.1, 0.1, 0.01, 0.006)];
+        let plastic = [0.1 * 0.2 * 0.2 / 4.0, 0.1 * 0.01 * 0.09 + 0.006 * 0.08 * 0.08 / 4.0];
+        for count in [4, 6, 16] {
+            let taper = tapered(&[(0.0, rectangle.clone()), (1.0, i.clone())]);
+            let section = Section { fibres: count, ..taper };
+            let layout = Layout::new(&section);
+            for (fraction, expected) in [(0.0, plastic[0]), (1.0, plastic[1])] {
+                let found = sum(&layout.at(fraction), f64::abs);
+                assert!((found / expected - 1.0).abs() < 1e-11, "{fraction}: {found:e}");
+            }
+            let number = layout.at(0.0).len();
+            for fraction in [0.1, 0.35, 0.5, 0.9] {
+                let (fibres, size) = (layout.at(fraction), section.at(fraction));
+                assert_eq!(fibres.len(), number);
+                assert!((sum(&fibres, |_| 1.0) / size.area - 1.0).abs() < 1e-12);
+                assert!((sum(&fibres, |y| y * y) / size.inertia - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn tapers_of_one_shape_have_the_fibres_of_that_shape() {
+        let taper =
+            [(0.0, Section::rectangle("a", 0.1, 0.1)), (1.0, Section::rectangle("b", 0.1, 0.3))];
+        let section = tapered(&taper);
+        assert_eq!(Layout::new(&section).at(0.5).len(), section.fibres + 2);
+    }
 }

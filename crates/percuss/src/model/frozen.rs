@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::definition::{InitialMotion, StrainMeasure, Strength};
+pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;
 pub use super::striking::*;
 pub use super::ties::*;
@@ -100,8 +101,8 @@ pub struct Span {
     pub elements: Range<usize>,
     /// One table for all elements, or one for each, shape (1 or elements).
     pub tables: Vec<ElementTable>,
-    /// Sections at the start, in the middle and at the end of the elements, as many as tables, shape (tables, 3).
-    pub sections: Vec<[SectionValues; 3]>,
+    /// Its section along the beam.
+    pub section: SectionLine,
     /// Arc length from the start of the beam at the nodes, shape (nodes of the span) \[m\].
     pub stations: Vec<f64>,
     pub measure: StrainMeasure,
@@ -122,9 +123,16 @@ impl Span {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
     }
 
-    /// Sections of the element of number `k` in the span at its start, in its middle and at its end.
-    pub fn sections(&self, k: usize) -> &[SectionValues; 3] {
-        &self.sections[if self.sections.len() == 1 { 0 } else { k }]
+    /// Section of the element of number `k` in the span a share `xi` of the way.
+    pub fn section_at(&self, k: usize, xi: f64) -> SectionValues {
+        let (from, to) = (self.stations[k], self.stations[k + 1]);
+        let s = if xi == 1.0 { to } else { from + xi * (to - from) };
+        self.section.at(s)
+    }
+
+    /// Whether its extreme fibres are known.
+    pub fn has_depth(&self) -> bool {
+        !self.section.at(self.stations[0]).half_depth.is_nan()
     }
 
     /// Whether anything in it is damped by its material.

@@ -22,6 +22,7 @@ mod pairs;
 mod places;
 mod prescribed;
 pub mod scene;
+mod section_line;
 mod span_fibres;
 #[allow(missing_docs)]
 pub(crate) mod striking;

@@ -1,7 +1,8 @@
 //! Places along beams where a node has to stand: where something acts at a point, section forces jump.
 //!
 //! The slope of a beam's interpolation is continuous at its nodes, and with it the membrane strain. Where the axial force jumps
-//! that is wrong to first order in the element's size: there spans end.
+//! that is wrong to first order in the element's size: there spans end. At a station of a tapered section its constants have a kink,
+//! which quadrature and faces within an element would round off.
 
 use super::builder::ModelBuilder;
 use super::centre_line::CentreLine;
@@ -58,7 +59,25 @@ pub fn of_beam(builder: &ModelBuilder, index: usize, line: &CentreLine) -> Vec<B
             }
         }
     }
+    found.extend(stations(builder, index, line));
     found
+}
+
+/// Stations of tapered sections on the parts of the beam that have them.
+fn stations<'a>(
+    builder: &'a ModelBuilder,
+    index: usize,
+    line: &'a CentreLine,
+) -> impl Iterator<Item = BeamPlace> + 'a {
+    let beam = &builder.beams[index];
+    let parts = std::iter::once((0.0, beam.section))
+        .chain(beam.changes.iter().filter_map(|c| c.section.map(|s| (line.arc(c.at), s))));
+    let ends = beam.changes.iter().filter(|c| c.section.is_some()).map(|c| line.arc(c.at));
+    parts.zip(ends.chain([line.length()])).flat_map(move |((from, id), to)| {
+        let stations = &builder.sections[id.0 as usize].stations;
+        let places = stations.iter().map(move |station| line.arc(Along::Fraction(station.at)));
+        places.filter(move |s| *s > from && *s < to).map(|s| BeamPlace { s, ends_span: false })
+    })
 }
 
 fn acts_along(force: [f64; 2], tangent: [f64; 2]) -> bool {

@@ -198,8 +198,7 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
 
 /// Whether the section at a point has a depth, and so extreme fibres.
 fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
-    let (span, k) = model.element_of(point.node);
-    span.table(k).rows.iter().all(|row| !row.half_depth.is_nan())
+    model.element_of(point.node).0.has_depth()
 }
 
 /// What happened since the row before.

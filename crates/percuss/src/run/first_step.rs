@@ -72,8 +72,11 @@ fn stiffness_after(law: &SmoothLaw, energy: f64) -> f64 {
 }
 
 fn of_beam(model: &Model, beam: &BeamData) -> f64 {
-    let tables = model.spans[beam.spans.clone()].iter().flat_map(|span| &span.sections).flatten();
-    let each = tables.map(|section| {
+    let sections = model.spans[beam.spans.clone()].iter().flat_map(|span| {
+        let count = if span.section.is_uniform() { 1 } else { span.elements.len() };
+        (0..count).flat_map(move |k| [0.0, 0.5, 1.0].map(|xi| span.section_at(k, xi)))
+    });
+    let each = sections.map(|section| {
         let (axial, bending) =
             (section.mass / section.law.axial, section.mass / section.law.bending);
         let transit = beam.length * axial.sqrt() / STEPS_IN_TRANSIT;

@@ -160,9 +160,8 @@ impl StruckPlace {
         if dot(direction, self.tangent).abs() > leans {
             return own;
         }
-        let (span, k) = model.element_of(self.node);
-        let row = &span.table(k).rows[1];
-        let interior = 2.0 * (row.mass * row.section.rotary).sqrt();
+        let section = model.element_of(self.node).0.section.at(self.s);
+        let interior = 2.0 * (section.mass * section.law.rotary).sqrt();
         own + if self.is_free_end(model) {
             0.5 * interior * cross(self.tangent, direction).abs()
         } else {

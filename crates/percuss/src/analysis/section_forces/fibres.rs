@@ -39,30 +39,12 @@ pub fn fibres(
     forces: &SectionForces,
     strained: Option<Strained>,
 ) -> Fibres {
-    let (y, young) = (section.half_depth, section.law.axial / section.area);
+    let y = section.half_depth;
     let pair = |mean: f64, bent: f64| [mean - bent.abs(), mean + bent.abs()];
-    let bent = forces.moment * y * young / section.law.bending;
+    let bent = forces.moment * y / section.inertia;
     let Strained { stretch, turn } =
         strained.unwrap_or_else(|| strained_by(&section.law, curvature, forces));
     Fibres { strain: pair(stretch, turn * y), stress: pair(forces.axial / section.area, bent) }
-}
-
-/// Section of an element at a share of the way.
-pub fn section_at(span: &Span, k: usize, xi: f64) -> SectionValues {
-    let [a, b, c] = span.sections(k);
-    let (from, to, share) = if xi <= 0.5 { (a, b, 2.0 * xi) } else { (b, c, 2.0 * xi - 1.0) };
-    if share == 0.0 {
-        return *from;
-    }
-    let mix = |f: fn(&SectionValues) -> f64| (1.0 - share) * f(from) + share * f(to);
-    let law = SectionLaw {
-        axial: mix(|s| s.law.axial),
-        bending: mix(|s| s.law.bending),
-        rotary: mix(|s| s.law.rotary),
-        measure: from.law.measure,
-    };
-    let (mass, area) = (mix(|s| s.mass), mix(|s| s.area));
-    SectionValues { law, mass, area, half_depth: mix(|s| s.half_depth) }
 }
 
 /// What the section law says of an elastic section under the given forces: stretch and turn from the

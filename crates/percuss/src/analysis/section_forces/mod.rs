@@ -17,7 +17,7 @@ use crate::model::frozen::{BeamData, MaterialPoint, Span};
 use crate::scalar::in_lanes;
 use crate::state::State;
 use crate::summary::{Envelope, SectionForceSummary, SectionPeak, SectionRange};
-use fibres::{Fibres, Strained, section_at};
+use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
 use line::{Inner, Line, SectionForces};
 
@@ -94,12 +94,12 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
 
 /// Whether a span has section forces, but no stresses.
 fn is_plain(span: &Span) -> bool {
-    span.fibres.is_none() && span.sections.iter().all(|at| at[0].half_depth.is_nan())
+    span.fibres.is_none() && !span.has_depth()
 }
 
 /// Strains of a span whose stresses tell of more than strains; else they follow from the forces.
 fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
-    let wanted = span.retardation > 0.0 && !span.sections(k)[0].half_depth.is_nan();
+    let wanted = span.retardation > 0.0 && span.has_depth();
     wanted.then(|| fibres::strained(span, k, state))
 }
 
@@ -144,10 +144,10 @@ impl ElementForces<'_> {
 
     /// Extreme fibres; nothing without a depth.
     fn fibres(&self, xi: f64, forces: &SectionForces) -> Option<Fibres> {
-        if self.span.sections(self.k)[0].half_depth.is_nan() || self.yielded.is_some() {
+        if !self.span.has_depth() || self.yielded.is_some() {
             return None;
         }
-        let section = section_at(self.span, self.k, xi);
+        let section = self.span.section_at(self.k, xi);
         let gauss = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
         let curvature = self.span.table(self.k).rows[gauss].reference.curvature;
         let strained = self.strained.map(|[a, b]| {
@@ -199,7 +199,7 @@ impl ElementForces<'_> {
 
     /// Whether a moment between two places half an element apart may be an extreme, or the stress there.
     fn may_exceed(&self, out: &SectionForceSummary, a: &SectionForces, b: &SectionForces) -> bool {
-        if !self.span.sections(self.k)[0].half_depth.is_nan() {
+        if self.span.has_depth() {
             return true; // stresses depend on more than the moment
         }
         // Further than by its steepest rise it does not get.

@@ -67,9 +67,6 @@ fn widened(row: &GaussRow) -> GaussRow<Wide> {
         },
         weighed: law(&row.weighed),
         section: law(&row.section),
-        mass: w(row.mass),
-        area: w(row.area),
-        half_depth: w(row.half_depth),
     }
 }
 

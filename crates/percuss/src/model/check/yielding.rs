@@ -206,7 +206,7 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
         if m.inelasticity.is_none() {
             continue;
         }
-        if s.profile == Profile::Unknown {
+        if s.profiles().any(|(profile, _)| *profile == Profile::Unknown) {
             let found = format!(
                 "area and second moment alone for `{}` of `{}`, whose material `{}` does more than Hooke's law",
                 s.name, beam.name, m.name

@@ -30,14 +30,14 @@ pub struct Section {
     /// Stations of a tapered section, shape (stations); empty for a uniform one, whose values stand above. Area, inertia and depth vary
     /// linearly between stations.
     pub stations: Vec<Station>,
-    /// How its area lies about the centre line; that of the first station of a tapered one, the others being alike but for size.
+    /// How its area lies about the centre line; that of the first station of a tapered one.
     pub profile: Profile,
     /// Fibres through the depth where it can yield; an even number.
     pub fibres: usize,
 }
 
 /// A tapered section at a fraction of the beam's length.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Station {
     /// Fraction of the beam's arc length.
     pub at: f64,
@@ -47,6 +47,33 @@ pub struct Station {
     pub inertia: f64,
     /// Depth between the extreme fibres \[m\].
     pub depth: Option<f64>,
+    /// How its area lies about the centre line there.
+    pub profile: Profile,
+}
+
+/// The size of a section.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SectionSize {
+    /// Area \[m^2\].
+    pub area: f64,
+    /// Second moment of area \[m^4\].
+    pub inertia: f64,
+    /// Depth between the extreme fibres \[m\].
+    pub depth: Option<f64>,
+}
+
+impl SectionSize {
+    /// Radius of gyration \[m\].
+    pub fn gyration(&self) -> f64 {
+        (self.inertia / self.area).sqrt()
+    }
+}
+
+impl Station {
+    /// The size of the section there.
+    pub(crate) fn size(&self) -> SectionSize {
+        SectionSize { area: self.area, inertia: self.inertia, depth: self.depth }
+    }
 }
 
 impl Section {
@@ -134,25 +161,38 @@ impl Section {
         }
     }
 
-    /// Area, second moment of area and depth at a fraction of the beam's length.
-    pub(crate) fn at(&self, fraction: f64) -> Station {
-        let uniform =
-            Station { at: fraction, area: self.area, inertia: self.inertia, depth: self.depth };
-        let (Some(first), Some(last)) = (self.stations.first(), self.stations.last()) else {
-            return uniform;
+    /// Its size; that of its first station if it is tapered.
+    pub(crate) fn size(&self) -> SectionSize {
+        SectionSize { area: self.area, inertia: self.inertia, depth: self.depth }
+    }
+
+    /// Stations before and behind a fraction of the beam's length and how far it lies from the first to the second; nothing of a uniform
+    /// section.
+    pub(crate) fn stations_about(&self, fraction: f64) -> Option<([&Station; 2], f64)> {
+        let (first, last) = (self.stations.first()?, self.stations.last()?);
+        let next = self.stations.partition_point(|s| s.at < fraction);
+        let (a, b) = match next {
+            0 => (first, first),
+            _ => (&self.stations[next - 1], self.stations.get(next).unwrap_or(last)),
         };
-        if fraction <= first.at {
-            return *first;
-        }
-        let Some(next) = self.stations.iter().position(|s| s.at >= fraction) else { return *last };
-        let (a, b) = (&self.stations[next - 1], &self.stations[next]);
-        let f = (fraction - a.at) / (b.at - a.at);
-        let mix = |a: f64, b: f64| a + f * (b - a);
-        Station {
-            at: fraction,
+        let share = if b.at > a.at { (fraction - a.at) / (b.at - a.at) } else { 0.0 };
+        Some(([a, b], share))
+    }
+
+    /// Its size at a fraction of the beam's length.
+    pub(crate) fn at(&self, fraction: f64) -> SectionSize {
+        let Some(([a, b], share)) = self.stations_about(fraction) else { return self.size() };
+        let mix = |a: f64, b: f64| a + share * (b - a);
+        SectionSize {
             area: mix(a.area, b.area),
             inertia: mix(a.inertia, b.inertia),
             depth: a.depth.zip(b.depth).map(|(a, b)| mix(a, b)),
         }
+    }
+
+    /// Profiles that it is made of, one or one a station, with the sizes they have there.
+    pub(crate) fn profiles(&self) -> impl Iterator<Item = (&Profile, SectionSize)> {
+        let own = self.stations.is_empty().then(|| (&self.profile, self.size()));
+        own.into_iter().chain(self.stations.iter().map(|s| (&s.profile, s.size())))
     }
 }
