@@ -10,13 +10,14 @@ mod mapped;
 mod plastic;
 #[cfg(test)]
 mod tests;
+mod viscous;
 
 use serde::{Deserialize, Serialize};
 
 use crate::scalar::{Mask, Number};
 
 pub use mapped::LawShape;
-use plastic::Viscous;
+use viscous::Viscous;
 
 /// A fibre: a part of a section in which strain and stress are uniform.
 #[derive(Clone, Copy, Debug, PartialEq)]

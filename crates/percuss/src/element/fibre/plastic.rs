@@ -1,7 +1,7 @@
-//! Plastic flow of a fibre, independent of rate or with viscous overstress.
+//! Plastic flow of a fibre, independent of rate.
 
-use super::{FibreState, FibreStep, Overstress, PlasticLaw, Plasticity, StressPath};
-use crate::scalar::{Mask, Number, Task};
+use super::{FibreState, FibreStep, PlasticLaw, Plasticity, StressPath};
+use crate::scalar::{Mask, Number};
 
 impl Plasticity {
     /// Yield stress of the virgin material \[Pa\].
@@ -35,7 +35,7 @@ impl<S: Number> Plasticity<S> {
 
     /// Where the part of the given number ends.
     #[inline(always)]
-    fn end_of(&self, part: usize) -> S {
+    pub(super) fn end_of(&self, part: usize) -> S {
         match self.curve.get(part + 1) {
             Some(next) => next.from,
             None => self.curve[0].from.constant(f64::INFINITY),
@@ -62,18 +62,6 @@ impl<S: Number> Plasticity<S> {
     }
 }
 
-/// Corrections of the root that viscous flow follows from, which converges in some five, and the last of them, relative; the balance
-/// does not depend on it.
-const MOST_ROOTS: usize = 100;
-const ROOT: f64 = 1e-14;
-
-/// A path with viscous overstress.
-struct Overstressed<S> {
-    step: FibreStep<S>,
-    /// Derivative of the stress at the end with respect to the time it takes \[Pa/s\].
-    stress_by_time: S,
-}
-
 /// Stresses this close to the limit at which a fibre yields are on it, relative: what is stiff knows its stress to no more digits.
 const ON_LIMIT: f64 = 1e-6;
 
@@ -87,25 +75,6 @@ impl PlasticLaw {
         }
         let modulus = slope + self.plasticity.kinematic;
         self.young * modulus / (self.young + modulus)
-    }
-}
-
-/// See [`PlasticLaw::viscous`].
-pub(super) struct Viscous<'a, S> {
-    pub law: &'a PlasticLaw<S>,
-    pub overstress: &'a Overstress<S>,
-    pub state: &'a FibreState<S>,
-    /// Strain at both ends of the step, shape (2) \[1\].
-    pub ends: [S; 2],
-    /// Size of the step \[s\].
-    pub h: S,
-}
-
-impl<S: Number> Task for Viscous<'_, S> {
-    type Output = FibreStep<S>;
-    #[inline(always)]
-    fn run(self) -> FibreStep<S> {
-        self.law.viscous(self.overstress, self.state, self.ends, self.h)
     }
 }
 
@@ -183,149 +152,4 @@ impl<S: Number> PlasticLaw<S> {
         end.dissipated += dissipated;
         FibreStep { state: end, dissipated, ..FibreStep::without_flow(path, state) }
     }
-
-    /// With viscous overstress; the path is cut where it reaches the yield stress, as nothing flows before: what flows then does so
-    /// under a relative stress that is never less than the yield stress, and gives no energy.
-    #[inline(always)]
-    fn viscous(
-        &self,
-        overstress: &Overstress<S>,
-        state: &FibreState<S>,
-        [from, to]: [S; 2],
-        h: S,
-    ) -> FibreStep<S> {
-        let (none, one) = (from.constant(0.0), from.constant(1.0));
-        let (start, length) = (self.young * (from - state.plastic), to - from);
-        let back = self.plasticity.kinematic * state.plastic;
-        let (first, last) = (start - back, self.young * (to - state.plastic) - back);
-        let sign = last.if_less(none, -one, one);
-        let limit = sign * self.plasticity.yield_stress(state.accumulated);
-        let beyond = limit.abs().less(last.abs());
-        let yields_from_rest = beyond & none.less((limit - first) * sign);
-        if !yields_from_rest.any() {
-            return self.overstressed(overstress, state, ([from, to], h)).step;
-        }
-        // The others are cut at their start.
-        let share = S::choose(yields_from_rest, (limit - first) / (last - first), none);
-        let middle = from + share * length;
-        let elastic = (start + limit + back) * 0.5;
-        let rest = one - share;
-        let flows = self.overstressed(overstress, state, ([middle, to], rest * h));
-        // The part that flows takes longer where the path does.
-        let longer = S::choose(yields_from_rest, flows.stress_by_time * share * h / length, none);
-        let tangent = flows.step.tangent + longer;
-        let mean = share * elastic + rest * flows.step.mean;
-        // d(s De)/de1 = s2 + De2 ds2/de1.
-        let work = flows.step.mean + rest * length * tangent * 0.5;
-        let slope = S::choose(yields_from_rest, (work - mean) / length, flows.step.slope);
-        FibreStep { mean, slope, tangent, ..flows.step }
-    }
-
-    /// A path beyond yield, or one within: the overstress at its end makes it flow.
-    #[inline(always)]
-    fn overstressed(
-        &self,
-        law: &Overstress<S>,
-        state: &FibreState<S>,
-        ([from, to], h): ([S; 2], S),
-    ) -> Overstressed<S> {
-        let (young, none) = (self.young, from.constant(0.0));
-        let one = from.constant(1.0);
-        let start = young * (from - state.plastic);
-        let trial = young * (to - state.plastic);
-        let relative = trial - self.plasticity.kinematic * state.plastic;
-        let (flow, [slope, by_time]) = self.flow(law, state.accumulated, relative.abs(), h);
-        let sign = relative.if_less(none, -one, one);
-        let mut end = *state;
-        end.plastic += sign * flow;
-        end.accumulated += flow;
-        let stress = young * (to - end.plastic);
-        let tangent = young * (one - young * slope);
-        let mean = (start + stress) * 0.5;
-        let stored = self.plasticity.stored(&end) - self.plasticity.stored(state);
-        let dissipated = S::choose(none.less(flow), mean * sign * flow - stored, none);
-        end.dissipated += dissipated;
-        let slope = tangent * 0.5;
-        let step = FibreStep { mean, slope, stress, tangent, state: end, dissipated };
-        Overstressed { step, stress_by_time: -(young * sign * by_time) }
-    }
-
-    /// Plastic flow in a step of size `h` from the relative stress at its end without flow, and its derivatives with respect to that
-    /// stress and to h: the root z of `|xi| - (E + Hk) h C z^q - Y (1 + z)`, of which the flow is `h C z^q`.
-    #[inline(always)]
-    fn flow(&self, law: &Overstress<S>, accumulated: S, relative: S, h: S) -> (S, [S; 2]) {
-        let (none, one) = (h.constant(0.0), h.constant(1.0));
-        let initial = self.plasticity.yield_stress(accumulated);
-        let over = relative - initial;
-        let flows = none.less(over) & none.less(h);
-        if !flows.any() {
-            return (none, [none; 2]);
-        }
-        let (stiffness, most) = (self.young + self.plasticity.kinematic, law.rate * h);
-        let lowest = initial.max(none.constant(f64::MIN_POSITIVE));
-        // From above; the function is concave there but for kinks of the hardening curve.
-        let free = (over / (stiffness * most)).powf(one / law.exponent);
-        let stiff = over / lowest;
-        let mut high = S::choose(flows, stiff.if_less(free, stiff, free), one);
-        let (mut low, mut z) = (none, high);
-        let mut seeking = flows;
-        let whole = whole(law.exponent);
-        for _ in 0..MOST_ROOTS {
-            let flow = most * power(z, law.exponent, whole);
-            let [limit, modulus] = self.plasticity.limit(accumulated + flow);
-            let rate = law.exponent * flow / z;
-            let left = relative - stiffness * flow - limit * (one + z);
-            let slope = -((stiffness + modulus * (one + z)) * rate + limit);
-            let change = left / slope;
-            let found = change.abs().at_most(z * ROOT);
-            if S::DERIVES && found.any() {
-                z = z - change; // of which the derivatives are those of the root
-            }
-            seeking = seeking & !found;
-            if !seeking.any() {
-                break;
-            }
-            let above = none.less(left);
-            low = S::choose(above, z, low);
-            high = S::choose(above, high, z);
-            let next = z - change;
-            let within = low.less(next) & next.less(high);
-            z = S::choose(seeking, S::choose(within, next, (low + high) * 0.5), z);
-        }
-        let flows = flows & none.less(z);
-        let found = most * power(z, law.exponent, whole);
-        let [limit, modulus] = self.plasticity.limit(accumulated + found);
-        let per_flow = z / (law.exponent * found);
-        let by_stress = one / (stiffness + modulus * (one + z) + limit * per_flow);
-        let by_time = by_stress * limit * z / (law.exponent * h);
-        let by_stress = S::choose(flows, by_stress, none);
-        (S::choose(flows, found, none), [by_stress, S::choose(flows, by_time, none)])
-    }
-}
-
-/// Largest exponent of a power that products make faster than logarithms.
-const MOST_FACTORS: u32 = 16;
-
-/// An exponent that is one small whole number in all lanes, as that of most metals; none where derivatives are wanted.
-#[inline(always)]
-fn whole<S: Number>(exponent: S) -> Option<u32> {
-    let first = exponent.lane(0);
-    let other = !exponent.equals(exponent.constant(first));
-    let small = (1.0..=f64::from(MOST_FACTORS)).contains(&first) && first.fract() == 0.0;
-    (!S::DERIVES && small && !other.any()).then_some(first as u32)
-}
-
-/// `base^exponent` of a positive base.
-#[inline(always)]
-fn power<S: Number>(base: S, exponent: S, whole: Option<u32>) -> S {
-    let Some(whole) = whole else { return base.powf(exponent) };
-    let (mut product, mut square, mut left) = (base.constant(1.0), base, whole);
-    while left > 0 {
-        if left % 2 == 1 {
-            product = product * square;
-        }
-        square = square * square;
-        left /= 2;
-    }
-    product
 }

@@ -1,0 +1,352 @@
+//! Plastic flow of a fibre with viscous overstress.
+
+use super::{FibreState, FibreStep, Hardening, Overstress, PlasticLaw};
+use crate::scalar::{Mask, Number, Task};
+
+/// Corrections of the root that viscous flow follows from, which converges in some five, and the last of them, relative; the balance
+/// does not depend on it.
+const MOST_ROOTS: usize = 100;
+const ROOT: f64 = 1e-14;
+
+/// See [`PlasticLaw::viscous`].
+pub(super) struct Viscous<'a, S> {
+    pub law: &'a PlasticLaw<S>,
+    pub overstress: &'a Overstress<S>,
+    pub state: &'a FibreState<S>,
+    /// Strain at both ends of the step, shape (2) \[1\].
+    pub ends: [S; 2],
+    /// Size of the step \[s\].
+    pub h: S,
+}
+
+impl<S: Number> Task for Viscous<'_, S> {
+    type Output = FibreStep<S>;
+    #[inline(always)]
+    fn run(self) -> FibreStep<S> {
+        self.law.viscous(self.overstress, self.state, self.ends, self.h)
+    }
+}
+
+impl<S: Number> PlasticLaw<S> {
+    /// With viscous overstress. The path is cut where it reaches the yield stress, as nothing flows before, and at every corner of the
+    /// hardening curve: on each part what flows does so under a mean stress that is never less than the mean yield stress, and gives no
+    /// energy.
+    #[inline(always)]
+    fn viscous(
+        &self,
+        overstress: &Overstress<S>,
+        state: &FibreState<S>,
+        [from, to]: [S; 2],
+        h: S,
+    ) -> FibreStep<S> {
+        let (none, one) = (from.constant(0.0), from.constant(1.0));
+        let start = self.young * (from - state.plastic);
+        let back = self.plasticity.kinematic * state.plastic;
+        let (first, last) = (start - back, self.young * (to - state.plastic) - back);
+        let sign = last.if_less(none, -one, one);
+        let limit = sign * self.plasticity.yield_stress(state.accumulated);
+        let beyond = limit.abs().less(last.abs());
+        let yields_from_rest = beyond & none.less((limit - first) * sign);
+        let mut path = ViscousPath::new(self, overstress, state, ([from, to], sign, h));
+        if yields_from_rest.any() {
+            // The longer the path, the earlier.
+            let share = S::choose(yields_from_rest, (limit - first) / (last - first), none);
+            let cut = Cut { at: share, earlier: share / (to - from), stress: limit + back };
+            path.go_on(yields_from_rest, &cut, none);
+        }
+        for (i, part) in self.plasticity.curve.iter().enumerate() {
+            let until = self.plasticity.end_of(i);
+            let here = path.at.less(one) & path.state.accumulated.less(until);
+            if here.any() {
+                let last = i + 1 == self.plasticity.curve.len();
+                path.flow_on(here, part, (!last).then_some(until));
+            }
+        }
+        path.close()
+    }
+}
+
+/// A place at which a path is cut.
+struct Cut<S> {
+    /// Share of the path.
+    at: S,
+    /// By how much the share falls with the length of the path.
+    earlier: S,
+    /// Stress there \[Pa\].
+    stress: S,
+}
+
+/// A path with viscous overstress, gathered from parts on which the yield stress is a straight line; stress is taken as one on each.
+///
+/// What has flowed by a cut does not depend on the length of the path; when it is reached does.
+struct ViscousPath<'a, S> {
+    law: &'a PlasticLaw<S>,
+    overstress: &'a Overstress<S>,
+    /// Strain at both ends, shape (2) \[1\].
+    ends: [S; 2],
+    /// Sign of the flow.
+    sign: S,
+    /// Time it takes \[s\].
+    h: S,
+    /// How far it has been gathered, from 0 to 1, and by how much that falls with the length of the path.
+    at: S,
+    earlier: S,
+    /// Stress there \[Pa\], and its derivative with respect to the strain at the end.
+    stress: S,
+    tangent: S,
+    /// Integral of the stress over the path so far, and its derivative with respect to the strain at the end \[Pa\].
+    mean: S,
+    slope: S,
+    state: FibreState<S>,
+    dissipated: S,
+}
+
+impl<'a, S: Number> ViscousPath<'a, S> {
+    #[inline(always)]
+    fn new(
+        law: &'a PlasticLaw<S>,
+        overstress: &'a Overstress<S>,
+        state: &FibreState<S>,
+        (ends, sign, h): ([S; 2], S, S),
+    ) -> Self {
+        let none = h.constant(0.0);
+        let stress = law.young * (ends[0] - state.plastic);
+        Self {
+            law,
+            overstress,
+            ends,
+            sign,
+            h,
+            at: none,
+            earlier: none,
+            stress,
+            tangent: none,
+            mean: none,
+            slope: none,
+            state: *state,
+            dissipated: none,
+        }
+    }
+
+    /// Goes on to a cut, where the stress has a derivative with respect to the strain at the end.
+    #[inline(always)]
+    fn go_on(&mut self, here: S::Mask, to: &Cut<S>, tangent: S) {
+        let (share, mean) = (to.at - self.at, (self.stress + to.stress) * 0.5);
+        let longer = self.earlier - to.earlier;
+        let slope = longer * mean + share * (self.tangent + tangent) * 0.5;
+        self.mean = S::choose(here, self.mean + share * mean, self.mean);
+        self.slope = S::choose(here, self.slope + slope, self.slope);
+        self.at = S::choose(here, to.at, self.at);
+        self.earlier = S::choose(here, to.earlier, self.earlier);
+        self.stress = S::choose(here, to.stress, self.stress);
+        self.tangent = S::choose(here, tangent, self.tangent);
+    }
+
+    /// Goes on along one part of the hardening curve: to where that ends, if the path gets there.
+    #[inline(always)]
+    fn flow_on(&mut self, here: S::Mask, part: &Hardening<S>, until: Option<S>) {
+        let (none, one) = (self.h.constant(0.0), self.h.constant(1.0));
+        let (young, kinematic) = (self.law.young, self.law.plasticity.kinematic);
+        let (sign, [from, to]) = (self.sign, self.ends);
+        let before = self.state;
+        let trial = young * (to - before.plastic) - kinematic * before.plastic;
+        let line = FlowLine {
+            law: self.overstress,
+            stiffness: young + kinematic,
+            part,
+            accumulated: before.accumulated,
+            until,
+        };
+        let rest = (one - self.at) * self.h;
+        let (mut flow, [by_stress, by_time], crosses) = line.flow(here, sign * trial, rest);
+        let mut end = Cut { at: one, earlier: none, stress: none };
+        let mut tangent = young * (one - young * by_stress);
+        tangent = tangent - young * sign * by_time * self.h * self.earlier;
+        let mut strain = to;
+        let relative = sign * (self.stress - kinematic * before.plastic);
+        if let Some(until) = until.filter(|_| crosses.any()) {
+            let length = to - from;
+            let way = [relative, sign * young * length, self.h, one - self.at];
+            let [share, slope, held] = line.corner(crosses, way);
+            let at = self.at + share;
+            let earlier = (held * self.earlier + sign * young * at) / slope;
+            end.at = S::choose(crosses, at, end.at);
+            end.earlier = S::choose(crosses, earlier, end.earlier);
+            flow = S::choose(crosses, until - before.accumulated, flow);
+            strain = S::choose(crosses, from + at * length, strain);
+            tangent = S::choose(crosses, young * (at - length * earlier), tangent);
+        }
+        let mut after = before;
+        after.plastic += sign * flow;
+        after.accumulated += flow;
+        if let Some(until) = until {
+            after.accumulated = S::choose(crosses, until, after.accumulated);
+        }
+        end.stress = young * (strain - after.plastic);
+        let over = [
+            relative - line.limit(before.accumulated),
+            sign * (end.stress - kinematic * after.plastic) - line.limit(after.accumulated),
+        ];
+        let first = self.law.plasticity.curve[0].stress;
+        let dissipated = flow * (first + (over[0] + over[1]) * 0.5);
+        let dissipated = S::choose(here & none.less(flow), dissipated, none);
+        self.dissipated += dissipated;
+        self.state.plastic = S::choose(here, after.plastic, before.plastic);
+        self.state.accumulated = S::choose(here, after.accumulated, before.accumulated);
+        self.go_on(here, &end, tangent);
+    }
+
+    #[inline(always)]
+    fn close(mut self) -> FibreStep<S> {
+        self.state.dissipated += self.dissipated;
+        let Self { mean, slope, stress, tangent, state, dissipated, .. } = self;
+        FibreStep { mean, slope, stress, tangent, state, dissipated }
+    }
+}
+
+/// Viscous flow while the yield stress is a straight line over accumulated plastic strain.
+struct FlowLine<'a, S> {
+    law: &'a Overstress<S>,
+    /// Fall of the relative stress per plastic strain \[Pa\].
+    stiffness: S,
+    part: &'a Hardening<S>,
+    /// Accumulated plastic strain at the start \[1\].
+    accumulated: S,
+    /// Where the line ends, if it does.
+    until: Option<S>,
+}
+
+impl<S: Number> FlowLine<'_, S> {
+    /// Yield stress at an accumulated plastic strain \[Pa\].
+    #[inline(always)]
+    fn limit(&self, accumulated: S) -> S {
+        self.part.stress + self.part.modulus * (accumulated - self.part.from)
+    }
+
+    /// Plastic flow in a time h from the relative stress at its end without flow, its derivatives with respect to that stress and to h,
+    /// and whether the line ends before: the root z of `xi - (E + Hk) h C z^q - Y (1 + z)`, of which the flow is `h C z^q`.
+    #[inline(always)]
+    fn flow(&self, here: S::Mask, relative: S, h: S) -> (S, [S; 2], S::Mask) {
+        let (none, one) = (h.constant(0.0), h.constant(1.0));
+        let (initial, most) = (self.limit(self.accumulated), self.law.rate * h);
+        let mut lowest = initial.max(none.constant(f64::MIN_POSITIVE));
+        let mut flows = here & none.less(relative - initial) & none.less(h);
+        let mut crosses = none.less(none);
+        if let Some(until) = self.until {
+            let (left, corner) = (until - self.accumulated, self.limit(until));
+            let z = (S::choose(flows, left / most, one)).powf(one / self.law.exponent);
+            crosses = flows & none.less(relative - self.stiffness * left - corner * (one + z));
+            flows = flows & !crosses;
+            lowest = corner.if_less(lowest, corner, lowest);
+        }
+        if !flows.any() {
+            return (none, [none; 2], crosses);
+        }
+        // From above; the function is concave there.
+        let over = relative - lowest;
+        let free = (over / (self.stiffness * most)).powf(one / self.law.exponent);
+        let stiff = over / lowest;
+        let mut high = S::choose(flows, stiff.if_less(free, stiff, free), one);
+        let (mut low, mut z) = (none, high);
+        let mut seeking = flows;
+        let whole = whole(self.law.exponent);
+        for _ in 0..MOST_ROOTS {
+            let flow = most * power(z, self.law.exponent, whole);
+            let limit = self.limit(self.accumulated + flow);
+            let rate = self.law.exponent * flow / z;
+            let left = relative - self.stiffness * flow - limit * (one + z);
+            let slope = -((self.stiffness + self.part.modulus * (one + z)) * rate + limit);
+            let change = left / slope;
+            let found = change.abs().at_most(z * ROOT);
+            if S::DERIVES && found.any() {
+                z = z - change; // of which the derivatives are those of the root
+            }
+            seeking = seeking & !found;
+            if !seeking.any() {
+                break;
+            }
+            let above = none.less(left);
+            low = S::choose(above, z, low);
+            high = S::choose(above, high, z);
+            let next = z - change;
+            let within = low.less(next) & next.less(high);
+            z = S::choose(seeking, S::choose(within, next, (low + high) * 0.5), z);
+        }
+        let flows = flows & none.less(z);
+        let found = most * power(z, self.law.exponent, whole);
+        let limit = self.limit(self.accumulated + found);
+        let per_flow = z / (self.law.exponent * found);
+        let hardens = self.part.modulus * (one + z);
+        let by_stress = one / (self.stiffness + hardens + limit * per_flow);
+        let by_time = by_stress * limit * z / (self.law.exponent * h);
+        let by_stress = S::choose(flows, by_stress, none);
+        let by_time = S::choose(flows, by_time, none);
+        (S::choose(flows, found, none), [by_stress, by_time], crosses)
+    }
+
+    /// Share x of a path after which the line has ended, the root of `xi + rise x - (E + Hk) flow - Y (1 + z)` with
+    /// `flow = h x C z^q` known, from the relative stress xi where the line is entered, its rise and the time over all of the path, and
+    /// what is left of it; with the derivative at the root, and its part by the time.
+    #[inline(always)]
+    fn corner(&self, crosses: S::Mask, [relative, rise, h, rest]: [S; 4]) -> [S; 3] {
+        let (none, one) = (h.constant(0.0), h.constant(1.0));
+        let Some(until) = self.until else { return [none; 3] };
+        let (left, limit) = (until - self.accumulated, self.limit(until));
+        let fallen = relative - self.stiffness * left;
+        let most = S::choose(crosses, left / (self.law.rate * h), one);
+        let mut high = S::choose(crosses, rest, one);
+        let (mut low, mut x) = (none, high);
+        let mut seeking = crosses;
+        let mut held = none;
+        let mut slope = one;
+        for _ in 0..MOST_ROOTS {
+            let z = (most / x).powf(one / self.law.exponent);
+            held = limit * z / (self.law.exponent * x);
+            slope = rise + held;
+            let miss = fallen + rise * x - limit * (one + z);
+            let change = miss / slope;
+            let found = change.abs().at_most(x * ROOT);
+            if S::DERIVES && found.any() {
+                x = x - change; // of which the derivatives are those of the root
+            }
+            seeking = seeking & !found;
+            if !seeking.any() {
+                break;
+            }
+            let beyond = none.less(miss);
+            high = S::choose(beyond, x, high);
+            low = S::choose(beyond, low, x);
+            let next = x - change;
+            let within = low.less(next) & next.less(high);
+            x = S::choose(seeking, S::choose(within, next, (low + high) * 0.5), x);
+        }
+        [x, slope, held]
+    }
+}
+
+/// Largest exponent of a power that products make faster than logarithms.
+const MOST_FACTORS: u32 = 16;
+
+/// An exponent that is one small whole number in all lanes, as that of most metals; none where derivatives are wanted.
+#[inline(always)]
+fn whole<S: Number>(exponent: S) -> Option<u32> {
+    let first = exponent.lane(0);
+    let other = !exponent.equals(exponent.constant(first));
+    let small = (1.0..=f64::from(MOST_FACTORS)).contains(&first) && first.fract() == 0.0;
+    (!S::DERIVES && small && !other.any()).then_some(first as u32)
+}
+
+/// `base^exponent` of a positive base.
+#[inline(always)]
+fn power<S: Number>(base: S, exponent: S, whole: Option<u32>) -> S {
+    let Some(whole) = whole else { return base.powf(exponent) };
+    let (mut product, mut square, mut left) = (base.constant(1.0), base, whole);
+    while left > 0 {
+        if left % 2 == 1 {
+            product = product * square;
+        }
+        square = square * square;
+        left /= 2;
+    }
+    product
+}
