@@ -94,6 +94,13 @@ impl Progress {
         }
     }
 
+    /// So many things are to be done in all.
+    pub fn expect(&self, things: u64) {
+        if let Some(bar) = &self.bar {
+            bar.set_length(things);
+        }
+    }
+
     fn new(name: String, length: usize, wanted: bool, style: ProgressStyle) -> Self {
         let now = Instant::now();
         let bar = (wanted && io::stderr().is_terminal()).then(|| {

@@ -20,9 +20,12 @@ pub fn run(arguments: &Converge) -> Result<Status, Failure> {
         levels: usize::from(arguments.levels),
         accuracy: arguments.accuracy,
     };
-    let runs = 2 * usize::from(arguments.levels) - 1;
-    let bar = (!arguments.quiet).then(|| Progress::of_things("converge", runs));
-    let tell = |done: usize, _| bar.iter().for_each(|bar| bar.reach(done as u64));
+    let bar = (!arguments.quiet).then(|| Progress::of_things("converge", 1));
+    let tell = |done: usize, runs: usize| {
+        let Some(bar) = &bar else { return };
+        bar.expect(runs as u64);
+        bar.reach(done as u64);
+    };
     let found = converge(&ready.scenario, &ladder, &|| !interrupt::requested(), &tell);
     drop(bar);
     let found = match found {
@@ -55,6 +58,7 @@ fn value(found: &Convergence) -> Value {
     json!({
         "steps": found.steps,
         "elements": found.elements,
+        "fibres": found.fibres,
         "results": found.results.iter().map(result).collect::<Vec<_>>(),
         "cheapest": found.cheapest.as_ref().map(cheapest),
     })
@@ -69,6 +73,8 @@ fn result(one: &Converged) -> Value {
         "uncertainty": one.uncertainty,
         "step": sequence(&one.step),
         "mesh": sequence(&one.mesh),
+        "fibres": sequence(&one.fibres),
+        "together": sequence(&one.together),
     })
 }
 
@@ -89,6 +95,7 @@ fn cheapest(one: &Cheapest) -> Value {
         "step": one.step,
         "mesh_factor": one.mesh_factor,
         "elements": one.elements,
+        "fibre_factor": one.fibre_factor,
         "cost": one.cost,
         "out_of_reach": one.out_of_reach,
     })
@@ -98,7 +105,13 @@ fn table(found: &Convergence) -> String {
     let ends = |all: Vec<String>| format!("{} to {}", all[0], all[all.len() - 1]);
     let steps = ends(found.steps.iter().map(|step| number(*step)).collect());
     let elements = ends(found.elements.iter().map(ToString::to_string).collect());
-    let mut text = format!("steps of {steps} s; {elements} elements\n");
+    let yields = found.fibres.len() > 1;
+    let mut text = format!("steps of {steps} s; {elements} elements");
+    if yields {
+        text +=
+            &format!("; {} fibres", ends(found.fibres.iter().map(ToString::to_string).collect()));
+    }
+    text += "\n";
     for one in &found.results {
         let unit = if one.unit == "1" { "" } else { &one.unit };
         let value = format!("{} = {} {unit}", one.path, number(one.value));
@@ -110,6 +123,10 @@ fn table(found: &Convergence) -> String {
             }
         };
         text += &format!("  step: {}\n  mesh: {}\n", one.step.words, one.mesh.words);
+        if yields {
+            text += &format!("  fibres: {}\n", one.fibres.words);
+        }
+        text += &format!("  together: {}\n", one.together.words);
     }
     if let Some(cheapest) = &found.cheapest {
         text += &advice(cheapest, found.results.len());
@@ -119,6 +136,10 @@ fn table(found: &Convergence) -> String {
 
 fn advice(cheapest: &Cheapest, results: usize) -> String {
     let percent = number(100.0 * cheapest.accuracy);
+    let fibres = match cheapest.fibre_factor {
+        1.0 => String::new(),
+        times => format!("{} times the fibres, ", number(times)),
+    };
     let of = match cheapest.out_of_reach.len() {
         0 => String::new(),
         more => format!(" of {} of {results} results", results.saturating_sub(more)),
@@ -126,7 +147,7 @@ fn advice(cheapest: &Cheapest, results: usize) -> String {
     let mut text = match cheapest.step.is_nan() {
         true => format!("no settings are known to give {percent} %\n"),
         false => format!(
-            "cheapest for {percent} %{of}: time.step = {}, {} times the elements ({}), {} times the work\n",
+            "cheapest for {percent} %{of}: time.step = {}, {} times the elements ({}), {fibres}{} times the work\n",
             number(cheapest.step),
             number(cheapest.mesh_factor),
             number(cheapest.elements),
@@ -151,6 +172,7 @@ mod tests {
             step: 1e-4,
             mesh_factor: 1.0,
             elements: 20.0,
+            fibre_factor: 1.0,
             cost: 1.0,
             out_of_reach,
         };

@@ -57,3 +57,12 @@ pub(super) fn paths(
     }
     Ok(found)
 }
+
+/// Values as they are compared. What is largest in magnitude may be so in either direction, at two supports say, and which of them wins is
+/// chance: magnitudes are compared, with the sign that the finest run gives.
+pub(super) fn compared(path: &SummaryPath, values: &[f64], finest: f64) -> Vec<f64> {
+    match path.path().contains("_max.") {
+        true => values.iter().map(|value| value.abs().copysign(finest)).collect(),
+        false => values.to_vec(),
+    }
+}

@@ -1,20 +1,25 @@
 //! A number on finer and finer steps or meshes: observed order, limit, and how sure both are.
 
-/// Ratio of neighbouring changes below which a sequence does not close in on anything that can be told.
-const LEAST_RATIO: f64 = 1.2;
+/// Ratio of neighbouring changes from which on an order is told: that of the first order, less what further terms do to it. Changes that
+/// shrink more slowly are as often a wave or a kink as an order of a half, and what is extrapolated from them is worse than the finest value.
+const LEAST_RATIO: f64 = 1.9;
+/// Roache's safety factor for observed orders (Annu. Rev. Fluid Mech. 29, 1997).
+const SAFETY: f64 = 1.25;
 /// Changes below this share of the value are round-off of runs.
 const ROUND_OFF: f64 = 1e-9;
 
 /// What a sequence of values on steps, or meshes, each twice as fine as the one before, says of its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extrapolation {
-    /// Observed order, from the three finest values; none where neighbouring changes do not shrink steadily, with one sign.
+    /// Observed order, one or more, from the three finest values; none where neighbouring changes do not shrink so fast everywhere, with one
+    /// sign.
     pub order: Option<f64>,
     /// Richardson's extrapolation; the finest value where there is no order.
     pub limit: f64,
-    /// Uncertainty of the limit: with an order, by what the limits of neighbouring triples differ, and a quarter of what is
-    /// extrapolated at least (the safety factor 1.25 of Roache's grid convergence index, Annu. Rev. Fluid Mech. 29, 1997);
-    /// without one, the spread of the values but the coarsest.
+    /// Uncertainty of the limit. With an order that four values or more agree upon, what the limits of neighbouring triples differ by, and
+    /// 1.25 times what is extrapolated at least; else 1.25 times what would still change if changes fell at first order from here on, told by
+    /// the largest of all changes seen, each reduced at that order to the finest level. Over random scenes more than nine of ten limits lie
+    /// within it (`limits_lie_within_their_uncertainty` in the tests).
     pub uncertainty: f64,
     /// Whether the values are the same to round-off.
     pub constant: bool,
@@ -35,18 +40,27 @@ pub fn extrapolate(values: &[f64]) -> Extrapolation {
     if spread(values) <= ROUND_OFF * size {
         return Extrapolation { uncertainty: spread(values), constant: true, ..none };
     }
-    let triples: Vec<Option<[f64; 2]>> = values.windows(3).map(of_three).collect();
-    let steady: Option<Vec<[f64; 2]>> = triples.iter().copied().collect();
-    let Some(steady) = steady else {
-        return Extrapolation { uncertainty: spread(&values[1..]), ..none };
+    let cautious = SAFETY * left_at_first_order(values);
+    let triples: Option<Vec<[f64; 2]>> = values.windows(3).map(of_three).collect();
+    let Some(triples) = triples else {
+        return Extrapolation { uncertainty: cautious, ..none };
     };
-    let [ratio, limit] = steady[steady.len() - 1];
-    let before = steady.len().checked_sub(2).map_or(limit, |k| steady[k][1]);
-    let uncertainty = (limit - before).abs().max(0.25 * (limit - finest).abs());
+    let [ratio, limit] = triples[triples.len() - 1];
+    let uncertainty = match triples.len() {
+        1 => cautious,
+        more => (limit - triples[more - 2][1]).abs().max(SAFETY * (limit - finest).abs()),
+    };
     Extrapolation { order: Some(ratio.log2()), limit, uncertainty, constant: false }
 }
 
-/// Ratio of the changes, and limit, of three values; none where they do not shrink steadily.
+/// What is still to change beyond the finest value if changes fall by a half from level to level: as much as the last change, or as any one
+/// before it would have become.
+fn left_at_first_order(values: &[f64]) -> f64 {
+    let changes = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    changes.fold(0.0, |left, change| change.max(0.5 * left))
+}
+
+/// Ratio of the changes, and limit, of three values; none where they do not shrink at first order or faster.
 fn of_three(values: &[f64]) -> Option<[f64; 2]> {
     let [a, b, c] = values else { return None };
     let ratio = (a - b) / (b - c);
@@ -85,6 +99,7 @@ mod tests {
         for values in [
             [1.0, 2.0, 1.5, 1.7],
             [1.0, 1.1, 1.2, 1.3],
+            [1.0, 1.4, 1.65, 1.8],
             [1.0, 1.0, 1.1, 1.1],
             [5.0, 1.0, 1.1, 1.12],
         ] {
@@ -93,6 +108,15 @@ mod tests {
             assert!(found.uncertainty > 0.0 && !found.constant);
         }
         assert_eq!(extrapolate(&[1.0, f64::NAN, 1.0]).order, None);
+    }
+
+    /// An early change that has not come down at first order weighs as much as a late one.
+    #[test]
+    fn the_largest_change_tells_what_is_left() {
+        let found = extrapolate(&[1.0, 1.8, 1.79, 1.795]);
+        assert!((found.uncertainty - 1.25 * 0.2).abs() < 1e-12, "{found:?}");
+        let found = extrapolate(&[1.0, 1.01, 1.02, 1.22]);
+        assert!((found.uncertainty - 1.25 * 0.2).abs() < 1e-12, "{found:?}");
     }
 
     #[test]

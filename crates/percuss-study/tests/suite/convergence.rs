@@ -51,7 +51,7 @@ fn the_limit_of_a_contact_is_its_closed_form_within_its_uncertainty() {
     let order = force.step.found.order.unwrap_or(f64::NAN);
     // Second order at least; nearly all of this error is that of the instant of touch.
     assert!((1.7..3.5).contains(&order), "{force:?}");
-    assert!((force.limit - exact).abs() <= 1.5 * force.uncertainty, "{exact}: {force:?}");
+    assert!((force.limit - exact).abs() <= force.uncertainty, "{exact}: {force:?}");
     assert!(force.mesh.words.contains("no mesh"), "{}", force.mesh.words);
     // The step told is good for the accuracy wanted, and not much better.
     let cheapest = found.cheapest.unwrap();
@@ -83,4 +83,115 @@ fn what_would_never_end_is_refused_and_a_wish_to_stop_is_heard() {
     let scenario = read(DROP, "drop.toml").unwrap();
     let stopped = converge(&scenario, &ladder(&[], None), &|| false, &|_, _| {});
     assert!(matches!(stopped, Err(ConvergeError::Interrupted)));
+}
+
+/// A cantilever that yields under a heavy blow, with four fibres only.
+const YIELDS: &str = r#"
+[material.m]
+preset = "steel"
+yield = "235 MPa"
+hardening = { isotropic = "2 GPa" }
+[section.s]
+shape = "rectangle"
+width = 0.04
+depth = 0.05
+fibres = 4
+[beam.b]
+points = [[0, 0], [1, 0]]
+elements = 4
+material = "m"
+section = "s"
+[support.a]
+at = "b.start"
+kind = "clamp"
+[projectile.p]
+kind = "elastic"
+mass = 60
+stiffness = 2e5
+velocity = [0, -3]
+strikes = "b.end"
+[time]
+end = 0.08
+step = 1e-3
+"#;
+
+/// Sixteen times the steps, elements and fibres give a set of 25.4278 mm and a velocity of 1.95994 m/s.
+#[test]
+fn fibres_are_refined_where_sections_yield() {
+    let scenario = read(YIELDS, "yields.toml").unwrap();
+    let wanted = ["plastic.b.permanent_set", "projectile.p.velocity_final[1]"];
+    let found = converge(&scenario, &ladder(&wanted, Some(0.03)), &|| true, &|_, _| {}).unwrap();
+    assert_eq!(found.fibres, [4, 8, 16, 32]);
+    for (one, truth) in found.results.iter().zip([0.025_427_783, 1.959_939_6]) {
+        let sequences = [&one.step, &one.mesh, &one.fibres, &one.together];
+        assert!(
+            sequences.iter().all(|one| one.values.len() == 4 && !one.found.constant),
+            "{one:?}"
+        );
+        assert!((one.limit - truth).abs() <= one.uncertainty, "{truth}: {one:?}");
+        assert!(one.uncertainty < 0.01 * truth, "{one:?}");
+    }
+    // The given settings are within 1.5 % of both limits.
+    let cheapest = found.cheapest.unwrap();
+    assert!(cheapest.cost <= 1.0 && cheapest.out_of_reach.is_empty(), "{cheapest:?}");
+    let stays = YIELDS.replace("235 MPa", "2 GPa");
+    let scenario = read(&stays, "stays.toml").unwrap();
+    let found = converge(&scenario, &ladder(&wanted[1..], None), &|| true, &|_, _| {}).unwrap();
+    assert_eq!(found.fibres, [1]);
+    assert!(found.results[0].fibres.words.contains("no section"), "{found:?}");
+}
+
+/// With the given step the largest moment is a hogging one, with half the step and ever after a sagging one; with a thirty-second of the
+/// step, and 320 elements, it is 926.52 N m.
+#[test]
+fn a_largest_magnitude_has_the_sign_of_the_finest_run() {
+    let text = r#"
+[material.m]
+preset = "aluminium"
+retardation = "10 us"
+[section.s]
+shape = "rectangle"
+width = "29.5 mm"
+depth = "39.5 mm"
+[beam.b]
+points = [[0, 0], ["1.429 m", 0]]
+elements = 10
+material = "m"
+section = "s"
+[support.a]
+at = "b.start"
+kind = "clamp"
+[support.z]
+at = "b.end"
+kind = "stop"
+direction = [0, -1]
+gap = "0.99 mm"
+stiffness = "1.45e6 N/m"
+[projectile.p]
+kind = "elastic"
+contact = "surface"
+radius = "0.039 m"
+mass = "1.74 kg"
+stiffness = "2.718e6 N/m"
+position = ["0.7145 m", "0.05884 m"]
+velocity = ["0.852 m/s", "-3.48 m/s"]
+strikes = "b"
+[load.g]
+kind = "gravity"
+acceleration = [0, -9.81]
+[time]
+end = 0.02268
+step = 0.00025
+"#;
+    let scenario = read(text, "hogs.toml").unwrap();
+    let ladder = ladder(&["section_forces.b.moment_max.value"], None);
+    let found = converge(&scenario, &ladder, &|| true, &|_, _| {}).unwrap();
+    let moment = &found.results[0];
+    assert!((-840.0..-839.0).contains(&moment.value), "{moment:?}");
+    assert_eq!(moment.together.values[0], moment.value);
+    assert!((moment.limit - 926.5210526).abs() <= moment.uncertainty, "{moment:?}");
+    assert!(
+        moment.uncertainty < 3.0 && moment.step.words.contains("now of one sign"),
+        "{moment:?}"
+    );
 }

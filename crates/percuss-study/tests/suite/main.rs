@@ -1,6 +1,7 @@
 //! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
 
 mod convergence;
+mod error_bars;
 mod sensitivities;
 mod studies;
 mod yielding;

@@ -5,9 +5,6 @@ use super::super::definition::*;
 use super::super::fibres::{Make, Weighed};
 use super::{Faults, quantity};
 
-/// Most fibres through the depth of a section.
-const MOST_FIBRES: usize = 200;
-
 /// What yields, in its own words.
 struct Words {
     /// What is given of it, `material.steel` or `joint.knee`.
@@ -214,7 +211,7 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
             let expected =
                 "a `shape`, such as \"rectangle\" or \"i\", which tells where its fibres lie";
             out.add(format!("section.{}.shape", s.name), found, expected);
-        } else if !(4..=MOST_FIBRES).contains(&s.fibres) || s.fibres % 2 == 1 {
+        } else if !(4..=Section::MOST_FIBRES).contains(&s.fibres) || s.fibres % 2 == 1 {
             let expected = "an even number of fibres from 4 to 200";
             out.add(format!("section.{}.fibres", s.name), s.fibres.to_string(), expected);
         }
@@ -228,7 +225,7 @@ pub(super) fn check_given_fibres(model: &ModelBuilder, s: &Section, out: &mut Fa
     if !s.stations.is_empty() {
         out.add(path("stations"), "stations of a section of fibres", "none: it does not vary");
     }
-    if !(2..=MOST_FIBRES).contains(&fibres.len()) {
+    if !(2..=Section::MOST_FIBRES).contains(&fibres.len()) {
         let expected = "from 2 to 200 fibres, not all at one height";
         out.add(path("heights"), fibres.len().to_string(), expected);
         return;

@@ -80,6 +80,9 @@ impl Section {
     /// Fibres through the depth unless said otherwise.
     pub const FIBRES: usize = 16;
 
+    /// Most fibres through the depth.
+    pub const MOST_FIBRES: usize = 200;
+
     /// A uniform section of given area and second moment of area.
     pub fn new(name: impl Into<String>, area: f64, inertia: f64) -> Self {
         Self {

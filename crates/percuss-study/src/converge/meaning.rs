@@ -1,0 +1,118 @@
+//! What the values of a result on finer levels mean.
+
+use percuss::{Model, RunSummary};
+
+use super::{Extrapolation, Refined, Sequence, extrapolate};
+
+/// Growth from one level to the next that no sequence with a limit keeps up.
+const GROWS: f64 = 1.3;
+
+/// What is known of a result beside its values.
+pub(super) struct Meaning<'a> {
+    pub path: &'a str,
+    /// Under the given settings.
+    pub model: &'a Model,
+    pub summary: &'a RunSummary,
+}
+
+impl Meaning<'_> {
+    /// A result on finer levels: its values, and the same as they are compared.
+    pub fn sequence(&self, refined: Refined, compared: Vec<f64>, values: Vec<f64>) -> Sequence {
+        let found = match compared[..] {
+            // Nothing of the kind to refine: it takes no part in what is uncertain.
+            [limit] => Extrapolation { order: None, limit, uncertainty: 0.0, constant: true },
+            _ => extrapolate(&compared),
+        };
+        let reason = match refined {
+            Refined::Step => self.impulsive(&values),
+            Refined::Mesh => self.on_a_bare_node(),
+            Refined::Fibres | Refined::Together => None,
+        };
+        let no_limit = reason.is_some() && !found.constant;
+        let mut words = match reason {
+            Some(reason) if no_limit => reason,
+            _ => words(refined, &compared, &found),
+        };
+        if values.windows(2).any(|pair| pair[0] * pair[1] < 0.0) && compared != values {
+            words += "; the largest magnitude is now of one sign, now of the other";
+        }
+        Sequence { values, compared, found, words, no_limit }
+    }
+
+    /// Forces of rigid impacts are impulses spread over a step: they grow as it shrinks.
+    fn impulsive(&self, values: &[f64]) -> Option<String> {
+        let is_force =
+            ["section_forces.", "support."].iter().any(|part| self.path.starts_with(part));
+        let struck = self.summary.contacts.iter().any(|contact| {
+            matches!(&contact.record, percuss::ContactRecord::Nonsmooth { impact_count, .. } if *impact_count > 0)
+        });
+        let grows = values.windows(2).all(|pair| pair[1].abs() > GROWS * pair[0].abs());
+        (is_force && struck && grows).then(|| {
+            "grows as the step shrinks: a rigid impact is an impulse, and this force has no limit".into()
+        })
+    }
+
+    /// What a rigid projectile does to a point whose effective mass is that of the mesh.
+    fn on_a_bare_node(&self) -> Option<String> {
+        let masses = self.model.effective_masses();
+        let contacts = self.summary.contacts.iter().zip(masses);
+        let bare = contacts.into_iter().find(|(contact, mass)| {
+            let rigid = matches!(contact.record, percuss::ContactRecord::Nonsmooth { .. });
+            let own =
+                [format!("contact.{}.", contact.name), format!("projectile.{}.", contact.name)];
+            rigid
+                && mass.depends_on_mesh()
+                && own.iter().any(|part| self.path.starts_with(part.as_str()))
+        });
+        bare.map(|(_, mass)| {
+            format!(
+                "depends on the mesh: the struck point answers a rigid blow with {:.3e} kg here, with {:.3e} kg on ever \
+                 finer meshes; give the contact a local_mass or a compliance of its own",
+                mass.on_mesh, mass.limit
+            )
+        })
+    }
+}
+
+/// What a sequence means.
+fn words(refined: Refined, values: &[f64], found: &Extrapolation) -> String {
+    let (name, these) = match refined {
+        Refined::Step => ("step", "this step is"),
+        Refined::Mesh => ("mesh", "this mesh is"),
+        Refined::Fibres => ("fibres", "these fibres are"),
+        Refined::Together => ("settings", "these settings are"),
+    };
+    if values.len() < 3 {
+        return match refined {
+            Refined::Fibres => "no section whose fibres can be doubled twice yields".into(),
+            _ => format!("there is no {name} to refine"),
+        };
+    }
+    if values.iter().any(|value| !value.is_finite()) {
+        return match refined {
+            Refined::Step | Refined::Mesh => format!("not every {name} has this result"),
+            Refined::Fibres | Refined::Together => format!("not all {name} have this result"),
+        };
+    }
+    if found.constant {
+        return format!("does not depend on the {name}");
+    }
+    let percent = |x: f64| {
+        let share = 100.0 * (x / found.limit).abs();
+        match share {
+            _ if !share.is_finite() => format!("{x:.2e}"),
+            _ if share >= 0.01 => format!("{share:.2} %"),
+            _ => format!("{share:.0e} %"),
+        }
+    };
+    match found.order {
+        Some(order) => format!(
+            "converges with order {order:.2}: {these} off by {}",
+            percent(values[0] - found.limit)
+        ),
+        None => format!(
+            "no order observed: the finest run may still be off by {}",
+            percent(found.uncertainty)
+        ),
+    }
+}
