@@ -84,7 +84,7 @@ impl<'m> SpanView<'m> {
         let (rows, shares) = (&self.data.table(k).rows, hermite::gauss_points());
         std::array::from_fn(|j| GaussPointView {
             weight: rows[j].weight,
-            tangent: rows[j].tangent,
+            tangent: rows[j].reference.tangent,
             section: SectionConstants::of(&self.data.section_at(k, shares[j])),
         })
     }
