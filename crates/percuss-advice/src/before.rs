@@ -8,7 +8,7 @@ use super::expected::{Expected, Trials};
 use super::formulas::{pulse_frequency, reduced_mass};
 use super::structure::{BeamPlace, gravity, gravity_varies};
 use super::words::{digits, quantity, round_down};
-use super::{Advice, Topic, Verdict, end_on, faces, shear};
+use super::{Advice, Topic, Verdict, end_on, faces, shear, touch};
 use percuss::Settings;
 use percuss::math::vec2::dot;
 use percuss::{EffectiveMass, HertzBody, Model, Potential, TouchLaw};
@@ -122,7 +122,7 @@ impl Desk<'_> {
         let lasting = expected.and_then(|expected| expected.lasting);
         let across = struck.across();
         vec![
-            self.touch(struck, contact),
+            touch::finding(self, struck, contact, expected),
             expected.map(|expected| self.duration(expected)),
             contact.filter(|_| across > 0.5).map(|contact| self.bending(struck, contact)),
             self.transit(&struck.place, across < 0.99, contact),
@@ -142,7 +142,7 @@ impl Desk<'_> {
         let blow = rigid_blow(self.case.law, struck.mass, struck.speed, weight);
         let contact = blow.map(|blow| blow.duration);
         vec![
-            self.touch(struck, contact),
+            touch::finding(self, struck, contact, None),
             mass.and_then(|mass| self.effective_mass(mass)),
             self.rear(struck),
         ]
@@ -169,38 +169,6 @@ impl Desk<'_> {
             all.push(contact.and_then(|contact| self.recording(contact)));
         }
         all
-    }
-
-    fn touch(&self, struck: &Struck<'_>, contact: Option<f64>) -> Option<Advice> {
-        let (gap, speed, end) = (struck.gap?, struck.speed, self.settings.end);
-        let pull = struck.pull();
-        let root = (speed * speed + 2.0 * pull * gap).sqrt();
-        let time = 2.0 * gap / (speed + root);
-        if gap == 0.0 || !time.is_finite() || time < 0.0 {
-            return None; // it touches already, or something else has to bring them together
-        }
-        let contact = contact.unwrap_or(0.0);
-        let (first, last) = (quantity(time, "s"), quantity(end, "s"));
-        let (verdict, text) = if time >= end {
-            let enough = quantity(time + 3.0 * contact, "s");
-            let advice = format!("set time.end beyond {enough}");
-            (
-                Verdict::Warning,
-                format!("the run ends at {last}, before the first touch at {first}: {advice}"),
-            )
-        } else if time + contact > end {
-            let over = quantity(time + contact, "s");
-            (
-                Verdict::Note,
-                format!(
-                    "the first touch comes at {first} and its contact lasts beyond the end of the \
-                     run at {last}: set time.end beyond {over}"
-                ),
-            )
-        } else {
-            (Verdict::Fine, format!("the first touch comes at {first} of {last}"))
-        };
-        Some(self.finding(Topic::Touch, [time, end], "s", verdict, text))
     }
 
     fn bending(&self, struck: &Struck<'_>, contact: f64) -> Advice {

@@ -50,6 +50,8 @@ pub struct Expected<'a> {
     pub lasting: Option<&'a Lasting>,
     /// What the modes of the structure say where the trial says something else \[s\].
     pub otherwise: Option<f64>,
+    /// When a trial of the model saw it begin, if it did \[s\].
+    pub begins: Option<f64>,
 }
 
 impl Expected<'_> {
@@ -80,7 +82,9 @@ impl<'m> Trials<'m> {
             return None;
         }
         let guess = lasting.map(|lasting| lasting.duration);
-        let found = match (self.trial(case, guess), guess) {
+        let trial = self.trial(case, guess);
+        let begins = trial.as_ref().and_then(|(_, begins)| *begins);
+        let found = match (trial.map(|(stays, _)| stays), guess) {
             // A trial that ended too early says less than an estimate that holds.
             (Some(Stays::AtLeast(time)), Some(guess))
                 if certain.is_ok() && time < guess && guess < self.settings.end =>
@@ -97,11 +101,11 @@ impl<'m> Trials<'m> {
                     (None, Ok(())) => return None,
                 };
                 let lasting = lasting.filter(|_| matches!(stays, Stays::About(_)));
-                return Some(Expected { stays, lasting, otherwise: None });
+                return Some(Expected { stays, lasting, otherwise: None, begins });
             }
         };
         let (&Stays::About(time), Some(guess)) = (&found, guess) else {
-            return Some(Expected { stays: found, lasting: None, otherwise: None });
+            return Some(Expected { stays: found, lasting: None, otherwise: None, begins });
         };
         let off = (guess / time).max(time / guess) - 1.0;
         let stays = Stays::About(if off < SAME { guess } else { time });
@@ -110,11 +114,12 @@ impl<'m> Trials<'m> {
             stays,
             lasting: lasting.filter(|_| off < ALIKE),
             otherwise: (by_modes && off >= SAME).then_some(guess),
+            begins,
         })
     }
 
-    /// What a trial shows of a contact, if it is worth its time.
-    fn trial(&self, case: &Case<'_>, guess: Option<f64>) -> Option<Stays> {
+    /// What a trial shows of a contact, and when it begins \[s\], if it is worth its time.
+    fn trial(&self, case: &Case<'_>, guess: Option<f64>) -> Option<(Stays, Option<f64>)> {
         let mut guess = guess.or_else(|| alone(case)).unwrap_or(STEPS * self.settings.step);
         let mut found = None;
         for _ in 0..TRIES {
@@ -129,10 +134,10 @@ impl<'m> Trials<'m> {
                         found = None;
                         continue;
                     }
-                    Some(Stays::About(end - start))
+                    Some((Stays::About(end - start), Some(start)))
                 }
-                Some([start, _]) => Some(Stays::AtLeast(made.time - start)),
-                None if made.time >= self.settings.end => Some(Stays::Untouched),
+                Some([start, _]) => Some((Stays::AtLeast(made.time - start), Some(start))),
+                None if made.time >= self.settings.end => Some((Stays::Untouched, None)),
                 None => None,
             };
             break;

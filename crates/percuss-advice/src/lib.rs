@@ -23,6 +23,7 @@ mod taper;
 #[cfg(test)]
 mod tests;
 mod words;
+mod touch;
 
 use percuss::{FirstTouches, Model, RunSummary, SectionForceSummary, Settings, massless};
 use percuss_codes::Code;
@@ -161,6 +162,12 @@ pub fn allow<'r>(advice: &mut [Advice], reason: impl Fn(Code) -> Option<&'r str>
 }
 
 /// What the audit of a finished run warns of: conditions of contacts, things inside each other, blows that were shared, impulses that are
+/// Puts what a run showed of first touches in the place of what was expected of them before it; the reasons of [`allow`] are still to be
+/// given to them.
+pub fn settle(advice: &mut [Advice], settings: &Settings, summary: &RunSummary) {
+    touch::settle(advice, settings, summary);
+}
+
 /// properties of the mesh (unless `advice`, all that was found, has it), balances that do not close. `reason` is that of [`allow`].
 pub fn audit<'r>(
     run: &RunSummary,

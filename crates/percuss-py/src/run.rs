@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination};
-use percuss_advice::{advise, audit, compare, review};
+use percuss_advice::{advise, audit, compare, review, settle};
 use percuss_output::fields::FrameStore;
 use percuss_output::{RunInfo, allowances, summary_value};
 use pyo3::prelude::*;
@@ -122,6 +122,7 @@ fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorde
     let begun = Instant::now();
     let summary = simulation.run(recorder);
     let seconds = begun.elapsed().as_secs_f64();
+    settle(&mut advice, &compiled.settings, &summary);
     advice.extend(review(&compiled.model, &compiled.settings, &summary));
     let content = ready.scenario.content();
     percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
 
 use percuss::{Checkpoint, ResumeError, RunSummary, Simulation, Termination};
-use percuss_advice::{Advice, AuditWarning, advise, audit, compare, review};
+use percuss_advice::{Advice, AuditWarning, advise, audit, compare, review, settle};
 use percuss_codes::{Caution, FileCode, RequestCode};
 use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
@@ -327,6 +327,8 @@ fn judge(
     }
     let mut denied = advisor::denied(&after, &arguments.deny);
     advice.extend(after);
+    settle(advice, &ready.compiled.settings, run);
+    advisor::judge(advice, content);
     let warnings = audit(run, advice, |code| content.reason_to_allow(code));
     denied.extend(advisor::denied_of_audit(&warnings, &arguments.deny));
     if !arguments.quiet && matches!(run.termination, Termination::Completed) {

@@ -23,3 +23,4 @@ mod slips;
 mod spectrum;
 mod statics;
 mod sweep;
+mod told;

@@ -1,0 +1,163 @@
+//! When a contact is touched first: by free flight where nothing else moves the two before, by a short trial of the model else, and by
+//! the run once there is one.
+
+use super::before::Desk;
+use super::case::Struck;
+use super::expected::{Expected, Stays};
+use super::structure::{gravity, gravity_varies};
+use super::surroundings::Surroundings;
+use super::words::quantity;
+use super::{Advice, Topic, Verdict};
+use percuss::math::vec2::norm;
+use percuss::{ContactRecord, ContactSummary, RunSummary, Settings, Start, Termination};
+
+/// Where the time of a first touch is known from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Known {
+    /// Free flight, with nothing that acts before the touch.
+    Flight,
+    /// A trial of the model, which saw it.
+    Trial,
+    /// Free flight, though something else acts as well: an estimate and no more.
+    Guess(&'static str),
+}
+
+/// When a projectile or a disc touches first.
+pub fn finding(
+    desk: &Desk<'_>,
+    struck: &Struck<'_>,
+    contact: Option<f64>,
+    expected: Option<&Expected<'_>>,
+) -> Option<Advice> {
+    let flight = flight(struck)?;
+    let end = desk.settings.end;
+    let seen = expected.and_then(|expected| expected.begins);
+    let untouched = expected.is_some_and(|expected| expected.stays == Stays::Untouched);
+    let (time, known) = match (acts(desk, struck), seen) {
+        (None, _) => (flight, Known::Flight),
+        (Some(_), Some(seen)) => (seen, Known::Trial),
+        (Some(_), None) if untouched => {
+            let text = format!(
+                "a short trial of the model sees no touch before the run ends at {}",
+                quantity(end, "s")
+            );
+            return Some(desk.finding(Topic::Touch, [f64::NAN, end], "s", Verdict::Warning, text));
+        }
+        (Some(why), None) => (flight, Known::Guess(why)),
+    };
+    let (verdict, text) = told(time, end, contact.unwrap_or(0.0), known);
+    Some(desk.finding(Topic::Touch, [time, end], "s", verdict, text))
+}
+
+/// Time of the first touch by the motion both start with and a steady gravity \[s\]; none if they touch already or something else has to
+/// bring them together.
+fn flight(struck: &Struck<'_>) -> Option<f64> {
+    let (gap, speed, pull) = (struck.gap?, struck.speed, struck.pull());
+    let root = (speed * speed + 2.0 * pull * gap).sqrt();
+    let time = 2.0 * gap / (speed + root);
+    (gap > 0.0 && time.is_finite() && time >= 0.0).then_some(time)
+}
+
+/// What else moves one of the two before they touch.
+fn acts(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<&'static str> {
+    let model = desk.model;
+    let around = Surroundings::of(model, struck.place.index);
+    let (pull, loads) = gravity(model);
+    if loads || gravity_varies(model) {
+        return Some("other loads act as well");
+    }
+    if model.supports().any(|support| support.moves) {
+        return Some("a support is moved");
+    }
+    if model.contacts().len() > 1 {
+        return Some("other contacts may act before");
+    }
+    let starts = around.start(model);
+    if starts.is_none_or(|v| around.held && norm(v) > 0.0) {
+        return Some("the beam starts in a motion of its own");
+    }
+    if !around.is_relaxed(model) {
+        return Some("a spring is strained at the start");
+    }
+    if norm(pull) > 0.0 && around.held && desk.settings.start != Start::Static {
+        return Some("the beam starts to swing under its own weight");
+    }
+    None
+}
+
+/// What is said of a touch that is to come.
+fn told(time: f64, end: f64, contact: f64, known: Known) -> (Verdict, String) {
+    let (first, last) = (quantity(time, "s"), quantity(end, "s"));
+    if let Known::Guess(why) = known {
+        let text = format!(
+            "by free flight alone the first touch would come at {first}, where the run ends at {last}; {why}, so that it may come earlier or later"
+        );
+        return (if time >= end { Verdict::Note } else { Verdict::Fine }, text);
+    }
+    let seen = if known == Known::Trial { " in a short trial of the model" } else { "" };
+    if time >= end {
+        let enough = quantity(time + 3.0 * contact, "s");
+        let text = format!(
+            "the run ends at {last}, before the first touch at {first}{seen}: set time.end beyond {enough}"
+        );
+        (Verdict::Warning, text)
+    } else if time + contact > end {
+        let over = quantity(time + contact, "s");
+        let text = format!(
+            "the first touch comes at {first}{seen} and its contact lasts beyond the end of the run at {last}: set time.end beyond {over}"
+        );
+        (Verdict::Note, text)
+    } else {
+        (Verdict::Fine, format!("the first touch comes at {first} of {last}{seen}"))
+    }
+}
+
+/// Puts what a run shows in the place of what was expected.
+pub fn settle(advice: &mut [Advice], settings: &Settings, run: &RunSummary) {
+    for one in advice.iter_mut().filter(|one| one.topic == Topic::Touch) {
+        let Some(contact) = run.contacts.iter().find(|c| c.name == one.contact) else { continue };
+        let expected = one.value;
+        one.reason = None;
+        one.value = first(contact).unwrap_or(f64::NAN);
+        let completed = matches!(run.termination, Termination::Completed);
+        (one.verdict, one.text) = match first(contact) {
+            Some(time) => {
+                let text = format!(
+                    "touched first at {} of {}",
+                    quantity(time, "s"),
+                    quantity(settings.end, "s")
+                );
+                (Verdict::Fine, text)
+            }
+            None if completed => {
+                let (verdict, later) = match expected < settings.end {
+                    true => (Verdict::Note, String::new()),
+                    false if expected.is_nan() => (Verdict::Warning, String::new()),
+                    false => {
+                        let later = format!(
+                            " (expected at {}): set a later time.end",
+                            quantity(expected, "s")
+                        );
+                        (Verdict::Warning, later)
+                    }
+                };
+                let text = format!(
+                    "not touched before the run ended at {}{later}",
+                    quantity(settings.end, "s")
+                );
+                (verdict, text)
+            }
+            None => (Verdict::Fine, format!("not touched up to {}", quantity(run.time, "s"))),
+        };
+    }
+}
+
+/// When a contact closed first \[s\].
+fn first(contact: &ContactSummary) -> Option<f64> {
+    let began = contact.record.intervals().first().map(|interval| interval.start);
+    let struck = match &contact.record {
+        ContactRecord::Nonsmooth { impacts, .. } => impacts.first().map(|impact| impact.time),
+        ContactRecord::Smooth { .. } => None,
+    };
+    began.into_iter().chain(struck).reduce(f64::min)
+}
