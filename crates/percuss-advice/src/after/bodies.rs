@@ -54,6 +54,7 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
             unit: "1",
             by_hand: 1.0 - 2.0 * mass / struck.mass,
             simulated: simulated / struck.speed,
+            of_run: false,
         });
     }
     desk.rows(&formula, quantities)
@@ -93,12 +94,14 @@ fn newton(desk: &Desk<'_>, formula: &Formula, mass: f64, restitution: f64) -> Ve
         unit: "N s",
         by_hand: (1.0 + restitution) * mass * desk.speed,
         simulated: impact.impulse,
+        of_run: false,
     };
     let lost = Quantity {
         name: "energy lost in the first impact",
         unit: "J",
         by_hand: loss,
         simulated: impact.energy.lost,
+        of_run: false,
     };
     let mut quantities = vec![impulse];
     if !desk.rubs() {

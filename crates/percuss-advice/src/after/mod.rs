@@ -2,6 +2,7 @@
 
 mod bodies;
 mod bound;
+mod elastic;
 mod span;
 mod waves;
 
@@ -13,7 +14,9 @@ use super::surroundings::Surroundings;
 use super::words::{digits, quantity};
 use percuss::inspect::MovingPartner;
 use percuss::math::vec2::{dot, norm};
-use percuss::{ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, RunSummary};
+use percuss::{
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, Peak, RunSummary,
+};
 use percuss::{Model, TouchLaw};
 use percuss::{Settings, Start};
 
@@ -123,10 +126,12 @@ pub(super) struct Quantity {
     pub unit: &'static str,
     pub by_hand: f64,
     pub simulated: f64,
+    /// Whether it is of the whole run, not of the first touch alone.
+    pub of_run: bool,
 }
 
 /// Assumptions, and whether each is met.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Assumptions(Vec<String>);
 
 impl Assumptions {
@@ -146,11 +151,35 @@ impl Assumptions {
     fn text(&self) -> String {
         self.0.join("; ")
     }
+
+    /// Whether none is known not to be met.
+    pub fn hold(&self) -> bool {
+        !self.0.iter().any(|one| one.ends_with("(not met)"))
+    }
 }
 
 impl Desk<'_> {
-    /// One row a quantity that both sides know.
+    /// One row a quantity that both sides know, of a formula of linear elasticity.
     pub fn rows(&self, formula: &Formula, quantities: Vec<Quantity>) -> Vec<Comparison> {
+        let elastic = |q: &Quantity| self.elastic(formula.assumptions.clone(), q.of_run);
+        self.rows_that_hold_if(formula, quantities, elastic)
+    }
+
+    /// The same of a formula of anything.
+    pub fn rows_of_anything(
+        &self,
+        formula: &Formula,
+        quantities: Vec<Quantity>,
+    ) -> Vec<Comparison> {
+        self.rows_that_hold_if(formula, quantities, |_| formula.assumptions.clone())
+    }
+
+    fn rows_that_hold_if(
+        &self,
+        formula: &Formula,
+        quantities: Vec<Quantity>,
+        holds_if: impl Fn(&Quantity) -> Assumptions,
+    ) -> Vec<Comparison> {
         let known =
             |q: &Quantity| q.by_hand.is_finite() && q.by_hand != 0.0 && q.simulated.is_finite();
         let row = |q: Quantity| Comparison {
@@ -162,9 +191,17 @@ impl Desk<'_> {
             by_hand: q.by_hand,
             simulated: q.simulated,
             difference_percent: 100.0 * (q.simulated - q.by_hand) / q.by_hand,
-            holds_if: formula.assumptions.text(),
+            holds_if: holds_if(&q).text(),
         };
         quantities.into_iter().filter(known).map(row).collect()
+    }
+
+    /// The largest force of all smooth intervals \[N\], and when \[s\]; none under a set-valued law.
+    pub fn largest_force(&self) -> Option<Peak> {
+        match &self.contact.record {
+            ContactRecord::Smooth { peak_force, .. } => Some(*peak_force),
+            ContactRecord::Nonsmooth { .. } => None,
+        }
     }
 
     /// The interval of the first touch under a smooth law.
@@ -268,8 +305,12 @@ impl Desk<'_> {
 
     /// Whether no other contact of the two was closed before the first touch ended.
     pub fn is_alone(&self) -> bool {
-        let ended = self.interval().map_or(self.touch.time(), |i| i.end);
-        self.others().filter_map(Touch::first).all(|touch| touch.time() > ended)
+        self.is_alone_until(self.interval().map_or(self.touch.time(), |i| i.end))
+    }
+
+    /// Whether no other contact of the two was closed before a time \[s\].
+    pub fn is_alone_until(&self, time: f64) -> bool {
+        self.others().filter_map(Touch::first).all(|touch| touch.time() > time)
     }
 
     /// Acceleration of gravity along a direction \[m/s^2\].
@@ -330,18 +371,25 @@ impl Desk<'_> {
     /// The rows every smooth contact has: largest force, duration.
     pub fn force_and_duration(&self, force: f64, duration: f64) -> Vec<Quantity> {
         let Some(interval) = self.interval() else { return Vec::new() };
+        // Formulas know one touch.
+        let [largest, lasts] = match self.intervals().len() {
+            1 => ["largest contact force", "contact duration"],
+            _ => ["largest force of the first contact", "duration of the first contact"],
+        };
         vec![
             Quantity {
-                name: "largest contact force",
+                name: largest,
                 unit: "N",
                 by_hand: force,
                 simulated: interval.peak_force.value,
+                of_run: false,
             },
             Quantity {
-                name: "contact duration",
+                name: lasts,
                 unit: "s",
                 by_hand: duration,
                 simulated: interval.end - interval.start,
+                of_run: false,
             },
         ]
     }

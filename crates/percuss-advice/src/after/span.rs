@@ -72,12 +72,13 @@ fn deflection(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64, sag: f64) -> Q
         unit: "m",
         by_hand: by_hand + hung,
         simulated: desk.deflection(struck).map_or(f64::NAN, |[value, _]| value),
+        of_run: true,
     }
 }
 
 fn moment(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
     let simulated = desk.moment(struck);
-    Quantity { name: "largest bending moment", unit: "N m", by_hand, simulated }
+    Quantity { name: "largest bending moment", unit: "N m", by_hand, simulated, of_run: true }
 }
 
 /// Adds that shear would let the span give way little more.

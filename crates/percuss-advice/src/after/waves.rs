@@ -56,10 +56,14 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
         quantities.truncate(1);
     }
     quantities.push(Quantity {
-        name: "time from touch to the largest force",
+        name: match desk.intervals().len() {
+            1 => "time from touch to the largest force",
+            _ => "time from the first touch to the largest force of that contact",
+        },
         unit: "s",
         by_hand: blow.peak_time,
         simulated: interval.peak_force.time - interval.start,
+        of_run: false,
     });
     if let (true, Some(after), Some(by_hand)) =
         (undisturbed, desk.release_velocity(struck), blow.restitution)
@@ -69,6 +73,7 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
             unit: "1",
             by_hand: -by_hand,
             simulated: after / desk.speed,
+            of_run: false,
         });
     }
     desk.rows(&formula, quantities)
@@ -142,15 +147,23 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
             unit: "N",
             by_hand: blow.force,
             // Under a set-valued law forces are means over steps.
-            simulated: desk.interval().map_or(f64::NAN, |i| i.peak_force.value),
+            simulated: desk.largest_force().map_or(f64::NAN, |peak| peak.value),
+            of_run: false,
         },
         Quantity {
             name: "time from the first touch to the release",
             unit: "s",
             by_hand: blow.duration,
             simulated: last.end - desk.touch.time(),
+            of_run: false,
         },
-        Quantity { name: "impulse", unit: "N s", by_hand: blow.impulse, simulated: impulse },
+        Quantity {
+            name: "impulse",
+            unit: "N s",
+            by_hand: blow.impulse,
+            simulated: impulse,
+            of_run: false,
+        },
     ];
     desk.rows(&formula, quantities)
 }

@@ -92,3 +92,105 @@ fn a_touch_that_loads_change_is_no_fact_before_the_run() {
         "{guessed}"
     );
 }
+
+/// The rows of hand formulas.
+fn by_hand(summary: &Value) -> &[Value] {
+    summary["hand_formulas"].as_array().map_or(&[], Vec::as_slice)
+}
+
+/// A bound is called one where all that it assumes is so: here a blast acts as well.
+#[test]
+fn a_bound_whose_assumptions_fail_is_not_called_one() {
+    let desk = Desk::empty();
+    let (summary, out, _) = run(&desk, BLAST, &[]);
+    let rows = by_hand(&summary);
+    let force = rows.iter().find(|row| row["quantity"] == "largest contact force").unwrap();
+    assert!(force["holds_if"].as_str().unwrap().contains("(not met)"), "{force}");
+    assert!(!out.contains("upper bound"), "{out}");
+    let quiet = BLAST.replace("-6 kN/m", "0 kN/m");
+    let (summary, ..) = run(&desk, &quiet, &[]);
+    let bound = by_hand(&summary).iter().find(|row| row["formula"] == "upper bound of the force");
+    let [bound, found] =
+        [&bound.unwrap()["by_hand"], &summary["contact"]["p"]["peak_force"]["value"]];
+    assert!(bound.as_f64() > found.as_f64(), "{bound} {found}");
+}
+
+/// A mass of 40 kg on a pinned beam, as fast as it is given.
+const BLOW: &str = r#"
+[material.m]
+young = "210 GPa"
+density = 7850
+yield = "235 MPa"
+[section.s]
+shape = "rectangle"
+width = "50 mm"
+depth = "50 mm"
+fibres = 8
+[beam.b]
+points = [[0, 0], ["2 m", 0]]
+elements = 8
+material = "m"
+section = "s"
+[support.a]
+at = "b.start"
+kind = "pin"
+[support.z]
+at = "b.end"
+kind = "roller"
+[projectile.p]
+kind = "elastic"
+mass = "40 kg"
+stiffness = "2e4 N/m"
+velocity = [0, "-0.5 m/s"]
+strikes = "b.mid"
+[time]
+end = "0.3 s"
+step = "0.2 ms"
+[record]
+points = ["b.mid"]
+"#;
+
+/// Elastic formulas beside a beam that yielded say so; beside one that could have, and did not, too.
+#[test]
+fn elastic_formulas_say_whether_the_beam_stayed_elastic() {
+    let desk = Desk::empty();
+    let (summary, ..) = run(&desk, BLOW, &[]);
+    assert!(summary["plastic"]["b"]["first_yield"].is_null());
+    let rows = by_hand(&summary);
+    assert!(!rows.is_empty());
+    for row in rows.iter().filter(|row| row["formula"] != "upper bound of the force") {
+        assert!(
+            row["holds_if"].as_str().unwrap().contains("elastic, with nothing that tears (met)"),
+            "{row}"
+        );
+    }
+    let (summary, ..) = run(&desk, BLOW, &["projectile.p.velocity=[0, -8]"]);
+    assert!(summary["plastic"]["b"]["first_yield"]["time"].as_f64().is_some());
+    let rows = by_hand(&summary);
+    assert!(!rows.is_empty());
+    for row in rows.iter().filter(|row| row["formula"] != "upper bound of the force") {
+        assert!(row["holds_if"].as_str().unwrap().contains("elastic: beam b yields at "), "{row}");
+    }
+}
+
+/// What a formula of one touch says is set beside that touch, under a name that says so where there were others.
+#[test]
+fn a_largest_force_by_hand_is_named_after_what_it_is_compared_with() {
+    let desk = Desk::empty();
+    let mut seen = [false; 2];
+    for mass in ["4 kg", "40 kg"] {
+        let (summary, ..) = run(&desk, BLOW, &[&format!("projectile.p.mass=\"{mass}\"")]);
+        let contact = &summary["contact"]["p"];
+        let touches = contact["intervals"].as_array().unwrap();
+        seen[usize::from(touches.len() > 1)] = true;
+        for row in by_hand(&summary) {
+            let found = match row["quantity"].as_str().unwrap() {
+                "largest contact force" => &contact["peak_force"]["value"],
+                "largest force of the first contact" => &touches[0]["peak_force"]["value"],
+                _ => continue,
+            };
+            assert_eq!(row["simulated"], *found, "{row}");
+        }
+    }
+    assert_eq!(seen, [true, true], "one touch, and several");
+}
