@@ -20,7 +20,7 @@ _ENERGIES = {
     "work_loads": "work of loads",
     "work_supports": "work of supports",
     "loss_impacts": "lost in impacts",
-    "loss_damping": "lost to damping and crushing",
+    "loss_damping": "lost to damping and in contacts",
     "contact": "contacts",
 }
 

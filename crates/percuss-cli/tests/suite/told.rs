@@ -194,3 +194,63 @@ fn a_largest_force_by_hand_is_named_after_what_it_is_compared_with() {
     }
     assert_eq!(seen, [true, true], "one touch, and several");
 }
+
+/// A cantilever that a moment of 1.2 times that of first yield preloads, and that it leaves in the run.
+const PRELOADED: &str = r#"
+[material.m]
+young = "205 GPa"
+density = 7850
+yield = "275 MPa"
+[section.s]
+shape = "rectangle"
+width = "40 mm"
+depth = "40 mm"
+fibres = 8
+[beam.g]
+points = [[0, 0], [1, 0]]
+elements = 4
+material = "m"
+section = "s"
+[support.a]
+at = "g.start"
+kind = "clamp"
+[load.m]
+kind = "point"
+at = "g.end"
+moment = 3900
+function = { kind = "table", times = [0, 0.01, 0.03], values = [1, 1, -0.9] }
+[time]
+end = 0.04
+step = 0.0002
+start = "static"
+"#;
+
+/// What the preload dissipated and what the run did are told apart: the second is that of the balance of energy.
+#[test]
+fn what_a_preload_dissipated_is_told_apart_from_the_run() {
+    let desk = Desk::empty();
+    let (summary, out, _) = run(&desk, PRELOADED, &[]);
+    let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap();
+    let all = number("/plastic/g/dissipated");
+    let preload = number("/plastic/g/dissipated_by_preload");
+    let in_run = number("/energy/plastic");
+    assert!(preload > 0.1 * all && in_run > 1e-6 * all, "{all} {preload} {in_run}");
+    assert!((all - preload - in_run).abs() < 1e-9 * all, "{all} {preload} {in_run}");
+    assert!(out.contains("J by the preload, "), "{out}");
+    assert!(out.contains("dissipated by plastic flow in the run"), "{out}");
+}
+
+/// Without a damper nothing is said of damping: the contact's own dissipation took what is missing.
+#[test]
+fn what_contacts_dissipate_is_not_called_damping() {
+    let desk = Desk::empty();
+    let dissipates = BLAST.replace("\"1e6 N/m\"", "\"1e6 N/m\"\ndissipation = \"0.3 s/m\"");
+    let dissipates = dissipates.replace("-6 kN/m", "0 kN/m");
+    let (summary, out, _) = run(&desk, &dissipates, &[]);
+    let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap();
+    let (lost, scale) = (number("/energy/loss_damping"), number("/energy/scale"));
+    assert!(lost > 1e-3 * scale, "{lost} of {scale}");
+    assert!((lost - number("/energy/loss_contacts")).abs() < 1e-13 * scale, "{summary}");
+    assert!(out.contains("dissipated in contacts"), "{out}");
+    assert!(!out.contains("taken by damping"), "{out}");
+}

@@ -195,10 +195,24 @@ pub(super) fn crushes(summary: &Value) -> bool {
     })
 }
 
+/// What to call the loss of damping: that of contacts stands with it.
+pub(super) fn damping(summary: &Value) -> &'static str {
+    let energy = &summary["energy"];
+    let all = energy["loss_damping"].as_f64().unwrap_or(0.0);
+    let floor = 1e-12 * energy["scale"].as_f64().unwrap_or(0.0);
+    match energy["loss_contacts"].as_f64() {
+        Some(contacts) if contacts.abs() <= floor => "taken by damping",
+        Some(contacts) if (all - contacts).abs() <= floor => "dissipated in contacts",
+        Some(_) => "taken by damping and in contacts",
+        // Results of earlier versions do not tell the two apart.
+        None if crushes(summary) => "taken by damping and crushing",
+        None => "taken by damping",
+    }
+}
+
 /// Where the energy is, stacked, below all that came in.
 fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
-    let damping =
-        if crushes(summary) { "taken by damping and crushing" } else { "taken by damping" };
+    let damping = damping(summary);
     let mut curves = canvas.curves(&[
         ("energy.kinetic_projectiles", "kinetic, projectiles", 1),
         ("energy.kinetic_beams", "kinetic, beams", 6),

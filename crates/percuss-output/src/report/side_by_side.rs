@@ -8,7 +8,6 @@ use serde_json::{Map, Value};
 use super::ReportData;
 use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::figures;
-use super::figures::crushes;
 use super::html::{self, escape, table};
 use super::page::{fill_holes, frame, page_parts};
 use super::quantity::{Scale, number, quantity, without_round_off};
@@ -26,6 +25,9 @@ pub const MOST_RUNS: usize = 8;
 const STYLES: [usize; MOST_RUNS] = [0, 1, 2, 3, 4, 5, 6, 8];
 /// Curves that get a figure.
 const MOST_FIGURES: usize = 60;
+
+/// Stands in the path of a result for `min` or `max`, whichever is of larger magnitude.
+const LARGEST: &str = "largest";
 
 /// A run and what it is called on the page.
 pub struct Named {
@@ -196,14 +198,25 @@ fn scale(row: &KeyResult, rows: &[KeyResult], runs: &[Named]) -> f64 {
     let owner = |row: &KeyResult| row.pointer.split('/').nth(2).unwrap_or_default().to_owned();
     let alike = rows.iter().filter(|other| other.unit == row.unit && owner(other) == owner(row));
     let values = alike.flat_map(|other| {
-        runs.iter().filter_map(|run| run.data.summary.pointer(&other.pointer)?.as_f64())
+        runs.iter().filter_map(|run| value_at(&run.data.summary, &other.pointer))
     });
     largest(&values.collect::<Vec<f64>>())
 }
 
+/// The result at a path.
+fn value_at(summary: &Value, pointer: &str) -> Option<f64> {
+    let of = |end: &str| {
+        summary.pointer(&pointer.replace(&format!("/{LARGEST}/"), &format!("/{end}/")))?.as_f64()
+    };
+    match (of("min"), of("max")) {
+        (Some(least), Some(most)) if least.abs() > most.abs() => Some(least),
+        (least, most) => most.or(least),
+    }
+}
+
 fn cells(row: &KeyResult, scale: f64, runs: &[Named]) -> Option<Vec<String>> {
     let told = |v: f64| without_round_off(v, scale);
-    let value = |run: &Named| run.data.summary.pointer(&row.pointer)?.as_f64().map(told);
+    let value = |run: &Named| value_at(&run.data.summary, &row.pointer).map(told);
     let values: Vec<Option<f64>> = runs.iter().map(value).collect();
     let mut cells = vec![row.label.clone()];
     let mut any = false;
@@ -295,27 +308,25 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
         );
         row(
             format!("largest stress, {name}"),
-            format!("/section_forces/{key}/stress/max/value"),
+            // Of the largest and the smallest the one of larger magnitude.
+            format!("/section_forces/{key}/stress/{LARGEST}/value"),
             "Pa",
         );
     }
     for (name, key) in named("plastic") {
         row(format!("permanent set, {name}"), format!("/plastic/{key}/permanent_set"), "m");
     }
-    balance_rows(summary, &mut row);
+    balance_rows(&mut row);
     rows
 }
 
 /// Where the energy went, how well the balance closed, and what the run cost.
-fn balance_rows(summary: &Value, row: &mut impl FnMut(String, String, &'static str)) {
-    let damping = match crushes(summary) {
-        true => "energy taken by damping and crushing",
-        false => "energy taken by damping",
-    };
+fn balance_rows(row: &mut impl FnMut(String, String, &'static str)) {
     for (label, pointer) in [
         ("energy lost in impacts", "/energy/loss_impacts"),
         ("energy dissipated by plastic flow", "/energy/plastic"),
-        (damping, "/energy/loss_damping"),
+        ("energy taken by damping and in contacts", "/energy/loss_damping"),
+        ("of that in contacts", "/energy/loss_contacts"),
     ] {
         row(label.to_owned(), pointer.to_owned(), "J");
     }
@@ -336,6 +347,21 @@ fn key(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A strut is stressed by -120.7 MPa and by nothing else.
+    #[test]
+    fn the_largest_stress_is_that_of_largest_magnitude() {
+        let stress = |least: f64, most: f64| {
+            let range = serde_json::json!({ "min": { "value": least }, "max": { "value": most } });
+            let summary = serde_json::json!({ "section_forces": { "b": { "stress": range } } });
+            let rows = key_results(&summary);
+            let row = rows.iter().find(|row| row.label == "largest stress, b").unwrap();
+            value_at(&summary, &row.pointer)
+        };
+        assert_eq!(stress(-120.7e6, 0.0), Some(-120.7e6));
+        assert_eq!(stress(-1.0, 2.0), Some(2.0));
+        assert_eq!(stress(f64::NAN, f64::NAN), None);
+    }
 
     #[test]
     fn differences_are_of_the_size() {

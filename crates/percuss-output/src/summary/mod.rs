@@ -123,6 +123,7 @@ fn energy(run: &RunSummary) -> Value {
         "work_supports": run.energy.work_supports,
         "loss_impacts": run.energy.loss_impacts,
         "loss_damping": run.energy.loss_damping,
+        "loss_contacts": run.loss_contacts(),
         "plastic": run.energy.plastic,
         "hardening": run.energy.hardening,
         "failure": run.energy.failure,

@@ -299,7 +299,7 @@ fn unit(keys: &[&str]) -> &'static str {
         "value" if has("rotation_max") || has("plastic_rotation_max") => "rad",
         "plastic_extension" | "accumulated_extension" => "m",
         "plastic_rotation" | "accumulated_rotation" => "rad",
-        "dissipated" | "hardening" => "J",
+        "dissipated" | "dissipated_by_preload" | "hardening" => "J",
         "value" if has("stress") => "Pa",
         "value" if has("strain") => "1",
         "value" if has("moment") || has("moment_max") => "N*m",

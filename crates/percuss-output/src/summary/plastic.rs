@@ -16,6 +16,7 @@ pub(super) fn value(beam: &PlasticSummary) -> Value {
         "permanent_set_at": beam.permanent_set.map(|set| json!({ "s": set.s, "displacement": set.displacement })),
         "first_yield": beam.first_yield.map(|first| json!({ "time": first.time, "s": first.s })),
         "dissipated": beam.dissipated,
+        "dissipated_by_preload": beam.dissipated_by_preload,
         "hardening": beam.hardening,
         "failed_fibres": beam.failed,
         "parted": beam.parted.iter().map(parting).collect::<Vec<_>>(),
@@ -34,6 +35,7 @@ pub(super) fn yielding(connector: &YieldingSummary) -> Value {
         (format!("{what}_max"), peak(&connector.extension_max)),
         ("first_yield".into(), at(connector.first_yield)),
         ("dissipated".into(), connector.dissipated.into()),
+        ("dissipated_by_preload".into(), connector.dissipated_by_preload.into()),
         ("hardening".into(), connector.hardening.into()),
         ("failure".into(), at(connector.failed)),
     ];

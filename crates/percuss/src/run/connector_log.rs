@@ -15,7 +15,16 @@ pub struct ConnectorRecord {
     /// Its own coordinate, from the one without force.
     extension: Peak,
     first_yield: Option<f64>,
+    /// What the static start dissipated \[J\].
+    preload: f64,
     failed: Option<f64>,
+}
+
+/// Takes what has been dissipated before the run into the records, one a connector that can yield.
+pub fn note_preload(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
+    for ((_, _, own), record) in model.yielding().zip(records) {
+        record.preload = state.memories[own.memory].dissipated;
+    }
 }
 
 /// Takes the state at the end of a step into the records, one a connector that can yield.
@@ -61,6 +70,7 @@ pub fn summaries(
             dissipated: memory.dissipated,
             hardening: own.law.hardening_energy(memory),
             failed: record.failed,
+            dissipated_by_preload: record.preload,
         }
     };
     model.yielding().zip(records).map(summary).collect()

@@ -154,6 +154,8 @@ impl Monitor {
         section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
         yielding::note(model, state, &mut monitor.yielded);
         connector_log::note(model, state, &mut monitor.connectors);
+        yielding::note_preload(model, state, &mut monitor.yielded);
+        connector_log::note_preload(model, state, &mut monitor.connectors);
         monitor.note_start(model, state);
         monitor
     }

@@ -24,6 +24,8 @@ pub struct YieldRecord {
     strain: SectionPeak,
     accumulated: SectionPeak,
     first: Option<FirstYield>,
+    /// What the static start dissipated \[J\].
+    preload: f64,
     /// Where it has parted so far, in the order of time, shape (places).
     parted: Vec<Parting>,
 }
@@ -57,6 +59,14 @@ struct GaussFibres<'a> {
     states: &'a [FibreState],
     /// Membrane and bending strain, shape (2) \[1, 1/m\].
     strains: [f64; 2],
+}
+
+impl GaussFibres<'_> {
+    /// What its fibres have dissipated \[J\].
+    fn dissipated(&self) -> f64 {
+        let lost = |(fibre, s): (&Fibre, &FibreState)| fibre.area * s.dissipated;
+        self.weight * self.fibres.iter().zip(self.states).map(lost).sum::<f64>()
+    }
 }
 
 /// Gauss points of a beam that have fibres, along it; strains are looked at if `strained`.
@@ -113,6 +123,13 @@ pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
     }
 }
 
+/// Takes what has been dissipated before the run into the records, one a beam.
+pub fn note_preload(model: &Model, state: &State, records: &mut [YieldRecord]) {
+    for (beam, record) in model.beams.iter().zip(records) {
+        record.preload = points(model, state, beam, false).map(|point| point.dissipated()).sum();
+    }
+}
+
 /// Takes elements that part at a time into the records.
 pub fn note_parted(
     model: &Model,
@@ -153,6 +170,7 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
             first_yield: record.first,
             hinges: hinges(model, state, beam),
             dissipated: 0.0,
+            dissipated_by_preload: record.preload,
             hardening: 0.0,
             permanent_set: record
                 .first

@@ -60,9 +60,9 @@ pub struct EnergySummary {
     pub work_supports: f64,
     /// Energy lost in impacts.
     pub loss_impacts: f64,
-    /// Energy taken by damping.
+    /// Energy taken by damping and in smooth contacts that dissipate; [`RunSummary::loss_contacts`] tells the two apart.
     pub loss_damping: f64,
-    /// Energy dissipated by plastic flow.
+    /// Energy dissipated by plastic flow in the run, what a preload dissipated before it left out.
     pub plastic: f64,
     /// Energy that hardening has stored.
     pub hardening: f64,
@@ -161,4 +161,16 @@ pub struct RunSummary {
     pub yielding: Vec<YieldingSummary>,
     /// One entry a joint of a given strength, in the model's order, shape (such joints).
     pub joints: Vec<JointSummary>,
+}
+
+impl RunSummary {
+    /// Energy that smooth contacts took, by their dissipation and by what crushed in them: a part of [`EnergySummary::loss_damping`]
+    /// \[J\]. Of a contact with more than [`ContactRecord::IMPACTS_KEPT`] intervals it is that of the intervals kept.
+    pub fn loss_contacts(&self) -> f64 {
+        let smooth = self.contacts.iter().filter_map(|contact| match &contact.record {
+            ContactRecord::Smooth { intervals, .. } => Some(intervals),
+            ContactRecord::Nonsmooth { .. } => None,
+        });
+        smooth.flatten().map(|interval| interval.energy.lost).sum()
+    }
 }

@@ -41,8 +41,10 @@ pub struct PlasticSummary {
     pub first_yield: Option<FirstYield>,
     /// Where it has bent plastically up to the end, in the order along it, shape (hinges).
     pub hinges: Vec<PlasticHinge>,
-    /// Energy dissipated by plastic flow \[J\].
+    /// Energy dissipated by plastic flow, by the preload of a static start and in the run \[J\].
     pub dissipated: f64,
+    /// Of that what the preload dissipated, before the run \[J\].
+    pub dissipated_by_preload: f64,
     /// Energy that hardening has stored \[J\].
     pub hardening: f64,
     /// Largest displacement of a node once the structure is unloaded and at rest; none where it has not yielded, is not held by
@@ -109,10 +111,12 @@ pub struct YieldingSummary {
     pub extension_max: Peak,
     /// End of the step in which it first yielded, if it did \[s\].
     pub first_yield: Option<f64>,
-    /// Energy dissipated by plastic flow \[J\].
+    /// Energy dissipated by plastic flow, by the preload of a static start and in the run \[J\].
     pub dissipated: f64,
     /// Energy that hardening has stored \[J\].
     pub hardening: f64,
     /// End of the step in which it failed, if it did \[s\].
+    /// Of that what the preload dissipated, before the run \[J\].
+    pub dissipated_by_preload: f64,
     pub failed: Option<f64>,
 }

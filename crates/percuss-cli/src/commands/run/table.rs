@@ -108,7 +108,7 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
     let mut parts = vec![
         format!("first at s = {} m, t = {} s", number(first.s), number(first.time)),
         format!("plastic strain up to {}", number(beam.strain_max.value)),
-        format!("{} J dissipated", number(beam.dissipated)),
+        dissipated(beam.dissipated, beam.dissipated_by_preload),
     ];
     let larger =
         |a: &&PlasticHinge, b: &&PlasticHinge| a.rotation.abs().total_cmp(&b.rotation.abs());
@@ -144,6 +144,19 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
 }
 
 /// What became of a joint of a given strength.
+/// What plastic flow dissipated, and how much of it the preload of a static start.
+fn dissipated(all: f64, by_preload: f64) -> String {
+    match by_preload > ROUNDING * all {
+        true => format!(
+            "{} J dissipated ({} J by the preload, {} J in the run)",
+            number(all),
+            number(by_preload),
+            number(all - by_preload)
+        ),
+        false => format!("{} J dissipated", number(all)),
+    }
+}
+
 fn joint(joint: &JointSummary) -> (String, String) {
     let told = |force: f64, moment: f64| {
         let moment =
@@ -171,7 +184,7 @@ fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
         Some(time) => parts.push(format!("failed at t = {} s", number(time))),
         None => parts.push(format!("{} {unit} at the end", number(connector.plastic))),
     }
-    parts.push(format!("{} J dissipated", number(connector.dissipated)));
+    parts.push(dissipated(connector.dissipated, connector.dissipated_by_preload));
     Some((format!("yield of {}", connector.name), parts.join(", ")))
 }
 
@@ -239,12 +252,18 @@ fn steps(control: &StepControl) -> String {
 fn energy(run: &RunSummary) -> String {
     let energy = &run.energy;
     let mut parts = vec![format!("{} J to {} J", number(energy.initial), number(energy.final_))];
-    let crushes = run.contacts.iter().any(|contact| contact.permanent_penetration.is_some());
-    let damping = if crushes { "taken by damping and crushing" } else { "taken by damping" };
+    let in_contacts = run.loss_contacts();
+    let before = run.plastic.iter().map(|beam| beam.dissipated_by_preload);
+    let before = before.chain(run.yielding.iter().map(|one| one.dissipated_by_preload));
+    let plastic = match before.sum::<f64>() > ROUNDING * energy.scale {
+        true => "dissipated by plastic flow in the run",
+        false => "dissipated by plastic flow",
+    };
     let terms = [
         ("lost in impacts", energy.loss_impacts),
-        (damping, energy.loss_damping),
-        ("dissipated by plastic flow", energy.plastic),
+        ("taken by damping", energy.loss_damping - in_contacts),
+        ("dissipated in contacts", in_contacts),
+        (plastic, energy.plastic),
         ("stored by hardening", energy.hardening),
         ("lost with what failed", energy.failure),
         ("work of loads", energy.work_loads),

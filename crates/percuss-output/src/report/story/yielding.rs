@@ -142,7 +142,11 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
             out.push_str(&format!(", keeps a plastic {what} of {}", quantity(plastic, unit)));
         }
     }
-    out.push_str(&format!(", and dissipated {}.", quantity(Some(lost(most)), "J")));
+    let preload = most["dissipated_by_preload"].as_f64().filter(|energy| *energy > 0.0);
+    let preload = preload.map_or(String::new(), |energy| {
+        format!(", {} of it by the preload", quantity(Some(energy), "J"))
+    });
+    out.push_str(&format!(", and dissipated {}{preload}.", quantity(Some(lost(most)), "J")));
     Some(out)
 }
 
