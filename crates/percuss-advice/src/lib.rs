@@ -12,6 +12,7 @@ mod end_on;
 mod expected;
 mod faces;
 pub mod formulas;
+mod millimetres;
 mod resolution;
 mod review;
 mod shear;
@@ -22,8 +23,8 @@ mod surroundings;
 mod taper;
 #[cfg(test)]
 mod tests;
-mod words;
 mod touch;
+mod words;
 
 use percuss::{FirstTouches, Model, RunSummary, SectionForceSummary, Settings, massless};
 use percuss_codes::Code;
@@ -161,13 +162,13 @@ pub fn allow<'r>(advice: &mut [Advice], reason: impl Fn(Code) -> Option<&'r str>
     }
 }
 
-/// What the audit of a finished run warns of: conditions of contacts, things inside each other, blows that were shared, impulses that are
 /// Puts what a run showed of first touches in the place of what was expected of them before it; the reasons of [`allow`] are still to be
 /// given to them.
 pub fn settle(advice: &mut [Advice], settings: &Settings, summary: &RunSummary) {
     touch::settle(advice, settings, summary);
 }
 
+/// What the audit of a finished run warns of: conditions of contacts, things inside each other, blows that were shared, impulses that are
 /// properties of the mesh (unless `advice`, all that was found, has it), balances that do not close. `reason` is that of [`allow`].
 pub fn audit<'r>(
     run: &RunSummary,

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use super::case::{self, Meeting};
 use super::structure::{BeamPlace, gravity};
 use super::words::{digits, quantity};
-use super::{Advice, Topic, Verdict};
+use super::{Advice, Topic, Verdict, millimetres};
 use percuss::Settings;
 use percuss::inspect::{BodyKind, ConnectorCoordinate, ConnectorLaw};
 use percuss::math::vec2::norm;
@@ -30,6 +30,10 @@ const GRAVITY: f64 = 500.0;
 
 /// What looks like a slip.
 pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
+    // What is wrong as a whole is told once.
+    if let Some(whole) = millimetres::finding(model) {
+        return vec![whole];
+    }
     let mut all = Vec::new();
     for index in 0..model.beam_count() {
         beam(&BeamPlace::new(model, index, 0.0), settings, &mut all);
@@ -58,7 +62,7 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     all
 }
 
-fn slip(
+pub(super) fn slip(
     part: &str,
     values: [f64; 2],
     unit: &'static str,

@@ -7,7 +7,8 @@ use serde_json::{Value as Json, json};
 use crate::code::FaultCode;
 use crate::files::{FileAccess, WITHIN, has_sha256, is_within, sha256};
 use crate::format::{Format, Inline, List};
-use crate::measure::Length;
+use crate::header::{self, Column};
+use crate::measure::{self, Length};
 use crate::node::{Node, Reader, count};
 use crate::quantity::Vector;
 use crate::reach::{self, Reached};
@@ -28,7 +29,7 @@ pub(crate) type Loaded = (Vec<Row>, String);
 pub(crate) fn load(
     node: &Node<'_>,
     sum: Option<&str>,
-    columns: &str,
+    columns: (&str, &[Column; 2]),
     reader: &mut Reader<'_>,
 ) -> Option<Loaded> {
     let name = node.value.as_str()?;
@@ -66,8 +67,8 @@ pub(crate) fn load(
     Some((rows, is))
 }
 
-fn read(path: &Path, name: &str, columns: &str) -> Result<Loaded, Clash> {
-    let expected = format!("a CSV file with two columns, {columns}");
+fn read(path: &Path, name: &str, (both, columns): (&str, &[Column; 2])) -> Result<Loaded, Clash> {
+    let expected = format!("a CSV file with two columns, {both}");
     let whole = |what: &str| Err((format!("{name:?}, {what}"), expected.clone()));
     if path.is_dir() {
         return whole("which is a directory");
@@ -84,15 +85,20 @@ fn read(path: &Path, name: &str, columns: &str) -> Result<Loaded, Clash> {
     };
     let sum = sha256(&bytes);
     let Ok(text) = String::from_utf8(bytes) else { return whole("which is not UTF-8") };
-    let rows = parse(&text)
-        .map_err(|(line, found)| (format!("{found} in line {line} of {name:?}"), expected))?;
+    let rows = parse(&text, columns).map_err(|(line, found)| {
+        let more = match found.contains("header") {
+            true => "; a header names units, such as `time [ms]`, or is one of these",
+            false => "",
+        };
+        (format!("{found} in line {line} of {name:?}"), format!("{expected}{more}"))
+    })?;
     Ok((rows, sum))
 }
 
-/// Rows of a text; blank lines and those that begin with `#` are passed over, as is a header.
-fn parse(text: &str) -> Result<Vec<Row>, (usize, String)> {
+/// Rows of a text in SI; blank lines and those that begin with `#` are passed over, and a header says in which units the rows are.
+fn parse(text: &str, columns: &[Column; 2]) -> Result<Vec<Row>, (usize, String)> {
     let mut rows = Vec::new();
-    let mut header = true;
+    let (mut header, mut units) = (true, [None; 2]);
     for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
@@ -100,17 +106,18 @@ fn parse(text: &str) -> Result<Vec<Row>, (usize, String)> {
         }
         let cells: Vec<&str> = cells(line);
         let first = std::mem::take(&mut header);
-        if first && cells.iter().all(|c| c.parse::<f64>().is_err()) {
-            continue;
-        }
         let [a, b] = cells[..] else {
             return Err((i + 1, count(cells.len(), "column")));
         };
-        let number = |cell: &str| {
-            let value = cell.parse().ok().filter(|v: &f64| v.is_finite());
+        if first && cells.iter().all(|c| c.parse::<f64>().is_err()) {
+            units = header::units([a, b], columns).map_err(|found| (i + 1, found))?;
+            continue;
+        }
+        let number = |cell: &str, k: usize| {
+            let value = header::value(cell, units[k]);
             value.ok_or_else(|| (i + 1, format!("{}, which is no finite number,", shown(cell))))
         };
-        rows.push((i + 1, [number(a)?, number(b)?]));
+        rows.push((i + 1, [number(a, 0)?, number(b, 1)?]));
     }
     Ok(rows)
 }
@@ -134,6 +141,12 @@ fn cells(line: &str) -> Vec<&str> {
     }
 }
 
+/// Columns of points.
+const PLACES: [Column; 2] = [
+    Column::of::<measure::Length>(&["x", "x1", "e1"]),
+    Column::of::<measure::Length>(&["y", "z", "x2", "e2"]),
+];
+
 /// Points as a list, or the path of a file that lists them.
 pub(crate) struct Points;
 
@@ -150,7 +163,7 @@ impl Format for Points {
             }
             return Listed::read(node, reader);
         }
-        let (rows, _) = load(node, None, "x and y (m)", reader)?;
+        let (rows, _) = load(node, None, ("x and y (m)", &PLACES), reader)?;
         Some(rows.into_iter().map(|row| row.1).collect())
     }
 

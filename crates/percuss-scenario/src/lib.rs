@@ -27,6 +27,7 @@ mod files;
 mod format;
 mod given;
 mod layout;
+mod header;
 mod measure;
 mod name;
 mod node;

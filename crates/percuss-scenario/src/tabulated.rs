@@ -10,6 +10,8 @@ use serde_json::{Value as Json, json};
 use crate::code::FaultCode;
 use crate::csv::{Row, load};
 use crate::format::{Format, Inline};
+use crate::header::Column;
+use crate::measure;
 use crate::node::{Body, Node, Reader, count};
 use crate::write;
 
@@ -19,6 +21,8 @@ pub(crate) trait Columns: 'static {
     const BOTH: &'static str;
     /// The first, whose values increase, and its unit.
     const FIRST: (&'static str, &'static str);
+    /// What headers say of them.
+    const OF: [Column; 2];
 }
 
 /// A function of time.
@@ -27,6 +31,10 @@ pub(crate) struct Pulse;
 impl Columns for Pulse {
     const BOTH: &'static str = "time (s) and value";
     const FIRST: (&'static str, &'static str) = ("times", "s");
+    const OF: [Column; 2] = [
+        Column::of::<measure::Time>(&["t", "time", "times"]),
+        Column::of::<measure::Ratio>(&["value", "values", "factor", "factors", "ratio", "y", "f"]),
+    ];
 }
 
 /// A contact law.
@@ -35,6 +43,10 @@ pub(crate) struct Characteristic;
 impl Columns for Characteristic {
     const BOTH: &'static str = "penetration (m) and force (N)";
     const FIRST: (&'static str, &'static str) = ("penetrations", "m");
+    const OF: [Column; 2] = [
+        Column::of::<measure::Length>(&["penetration", "penetrations", "p", "displacement", "x"]),
+        Column::of::<measure::Force>(&["force", "forces", "f", "load"]),
+    ];
 }
 
 /// A long table in a file of its own.
@@ -170,7 +182,7 @@ fn columns<C: Columns>(
     sum: Option<&str>,
     reader: &mut Reader<'_>,
 ) -> Option<([Vec<f64>; 2], String)> {
-    let (rows, is) = load(node, sum, C::BOTH, reader)?;
+    let (rows, is) = load(node, sum, (C::BOTH, &C::OF), reader)?;
     let name = node.value.as_str().unwrap_or_default();
     if rows.len() < 2 {
         let found = format!("{name:?} with {}", count(rows.len(), "row"));

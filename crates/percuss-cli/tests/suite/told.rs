@@ -254,3 +254,29 @@ fn what_contacts_dissipate_is_not_called_damping() {
     assert!(out.contains("dissipated in contacts"), "{out}");
     assert!(!out.contains("taken by damping"), "{out}");
 }
+
+/// A beam in millimetres and newtons is told as that, in one sentence, and not as several slips.
+#[test]
+fn a_scenario_in_millimetres_is_recognised_once() {
+    let desk = Desk::empty();
+    let text = |young: &str, width: &str, depth: &str, length: &str| {
+        format!(
+            "[material.m]\nyoung = {young}\ndensity = 7850\n[section.s]\nshape = \"rectangle\"\nwidth = {width}\ndepth = {depth}\n\
+             [beam.b]\npoints = [[0, 0], [{length}, 0]]\nelements = 4\nmaterial = \"m\"\nsection = \"s\"\n\
+             [support.l]\nat = \"b.start\"\nkind = \"pin\"\n[support.r]\nat = \"b.end\"\nkind = \"pin\"\n\
+             [load.p]\nkind = \"point\"\nat = \"b.mid\"\nforce = [0, -1000]\n[time]\nend = 0.1\nstep = 0.001\n"
+        )
+    };
+    desk.put("mm.toml", text("210000", "100", "200", "4000"));
+    let told = desk.percuss(&["check", "mm.toml"]).stderr;
+    assert_eq!(told.matches("warning: ").count(), 1, "{told}");
+    assert!(told.contains("numbers in millimetres and newtons"), "{told}");
+    assert!(told.contains("\"4000 mm\" and \"2.10e5 MPa\""), "{told}");
+    for (young, width, depth, length) in
+        [("210e9", "0.1", "0.2", "4"), ("2e5", "0.01", "0.02", "0.5"), ("210e9", "2", "3", "100")]
+    {
+        desk.put("m.toml", text(young, width, depth, length));
+        let told = desk.percuss(&["check", "m.toml"]).stderr;
+        assert!(!told.contains("millimetres"), "{told}");
+    }
+}

@@ -109,3 +109,30 @@ fn a_checksum_stands_beside_a_file_and_is_one() {
     let told = percuss_scenario::read(&text, "f.toml").unwrap_err().coded();
     assert!(told.contains("found `sha256` without `file`"), "{told}");
 }
+
+/// A header that names units is heeded; one that does not, or names others, is refused.
+#[test]
+fn headers_of_tables_say_in_which_units_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = |text: &str| {
+        fs::write(folder.path().join("pull.csv"), text).unwrap();
+        load(pulled(folder.path(), "pull.csv", ""))
+    };
+    let times = |text: &str| {
+        let scenario = read(text).unwrap_or_else(|faults| panic!("{faults}"));
+        let function = &scenario.content().load[0].table.function;
+        let [times, _] = function.columns().unwrap();
+        times.to_vec()
+    };
+    assert_eq!(times("ms, factor\n0, 0\n20, 1\n"), [0.0, 0.02]);
+    assert_eq!(times("time [us]; value [-]\n0; 0\n20; 1\n"), [0.0, 20e-6]);
+    assert_eq!(times("time (s), factor\n0, 0\n20, 1\n"), [0.0, 20.0]);
+    assert_eq!(times("0, 0\n20, 1\n"), [0.0, 20.0]);
+    let told = read("ms,g\n0, 0\n20, 1\n").unwrap_err().coded();
+    assert!(
+        told.contains("a header in \"g\", which is a mass (kg), in line 1 of \"pull.csv\""),
+        "{told}"
+    );
+    let told = read("frame,acc\n0, 0\n20, 1\n").unwrap_err().coded();
+    assert!(told.contains("a header without a unit that is known in line 1"), "{told}");
+}

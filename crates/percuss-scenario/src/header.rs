@@ -1,0 +1,115 @@
+//! Headers of CSV files: what each column holds, and in which unit.
+
+use crate::measure::{self, Measure};
+use crate::units::{self, Dimension};
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Column {
+    /// Headers that say so without a unit: its values are in SI.
+    pub names: &'static [&'static str],
+    /// What it measures.
+    pub dimension: Dimension,
+}
+
+impl Column {
+    /// A column of a measure.
+    pub const fn of<M: Measure>(names: &'static [&'static str]) -> Self {
+        Self { names, dimension: M::DIMENSION }
+    }
+
+    /// The unit that a header gives, none where it gives none but the name of the column.
+    ///
+    /// # Errors
+    /// What was found, where it is another quantity or not known as one.
+    fn unit<'h>(&self, header: &'h str) -> Result<Option<&'h str>, String> {
+        let (name, unit) = parts(header);
+        let known = self.names.contains(&name.to_lowercase().as_str());
+        let unit = match unit {
+            Some("" | "-" | "1") if self.dimension == Dimension::default() => return Ok(None),
+            Some(unit) => unit,
+            None if known => return Ok(None),
+            None => name,
+        };
+        match units::parse(&format!("1 {unit}")) {
+            Ok(one) if one.dimension == self.dimension => Ok(Some(unit)),
+            Ok(one) => {
+                Err(format!("a header in {unit:?}, which is {},", measure::name(one.dimension)))
+            }
+            Err(_) => Err("a header without a unit that is known".to_owned()),
+        }
+    }
+}
+
+/// Name and unit of a header: `time [ms]`, `time (ms)`, `time / ms`, `time in ms`, `time_ms`.
+fn parts(header: &str) -> (&str, Option<&str>) {
+    let header = header.trim();
+    for [open, close] in [["[", "]"], ["(", ")"]] {
+        if let Some((name, rest)) = header.split_once(open)
+            && let Some(unit) = rest.trim_end().strip_suffix(close)
+        {
+            return (name.trim(), Some(unit.trim()));
+        }
+    }
+    for between in [" / ", " in ", ", ", "_"] {
+        if let Some((name, unit)) = header.rsplit_once(between)
+            && units::parse(&format!("1 {unit}")).is_ok()
+        {
+            return (name.trim(), Some(unit.trim()));
+        }
+    }
+    (header, None)
+}
+
+/// Units of both columns, none where values are in SI.
+///
+/// # Errors
+/// What was found in the header.
+pub(crate) fn units<'h>(
+    cells: [&'h str; 2],
+    columns: &[Column; 2],
+) -> Result<[Option<&'h str>; 2], String> {
+    Ok([columns[0].unit(cells[0])?, columns[1].unit(cells[1])?])
+}
+
+/// A number of a column in SI; `unit` is that of its header.
+pub(crate) fn value(cell: &str, unit: Option<&str>) -> Option<f64> {
+    let plain: f64 = cell.parse().ok().filter(|v: &f64| v.is_finite())?;
+    match unit {
+        None => Some(plain),
+        Some(unit) => units::parse(&format!("{cell} {unit}")).ok().map(|found| found.value),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TIME: Column = Column::of::<measure::Time>(&["t", "time"]);
+    const FACTOR: Column = Column::of::<measure::Ratio>(&["value", "factor"]);
+
+    #[test]
+    fn units_of_headers_are_read_however_they_stand() {
+        for header in ["time [ms]", "time (ms)", "Time / ms", "time in ms", "t_ms", "ms", "[ms]"] {
+            assert_eq!(
+                units([header, "factor"], &[TIME, FACTOR]),
+                Ok([Some("ms"), None]),
+                "{header}"
+            );
+        }
+        for header in ["t", "Time"] {
+            assert_eq!(units([header, "value (-)"], &[TIME, FACTOR]), Ok([None, None]), "{header}");
+        }
+        // To the very bits of a value with its unit in a scenario.
+        assert_eq!(value("20", Some("ms")), Some(0.02));
+    }
+
+    #[test]
+    fn a_header_of_something_else_is_refused() {
+        for header in ["m", "time (mm)", "frames", ""] {
+            assert!(units([header, "factor"], &[TIME, FACTOR]).is_err(), "{header}");
+        }
+        let told = units(["ms", "g"], &[TIME, FACTOR]).unwrap_err();
+        assert!(told.contains("\"g\", which is a mass"), "{told}");
+    }
+}
