@@ -50,7 +50,7 @@ measures! {
     Mass = (0, 1, 0) "a mass", "kg", "\"500 kg\"";
     Time = (0, 0, 1) "a time", "s", "\"0.15 s\"";
     Velocity = (1, 0, -1) "a velocity", "m/s", "\"20 m/s\"";
-    Acceleration = (1, 0, -2) "an acceleration", "m/s^2", "\"9.81 m/s^2\"";
+    Acceleration = (1, 0, -2) "an acceleration", "m/s^2", "\"-9.81 m/s^2\"";
     Density = (-3, 1, 0) "a density", "kg/m^3", "\"3000 kg/m^3\"";
     Pressure = (-1, 1, -2) "a pressure", "Pa", "\"0.2e10 Pa\"";
     Force = (1, 1, -2) "a force", "N", "\"5 kN\"";

@@ -1,19 +1,27 @@
 //! Suggestions for misspelt names.
 
+use crate::foreign;
+
 /// Names that one message lists at most.
 const LISTED: usize = 40;
 
 /// The candidate nearest to `word`, if one is near enough to be what was meant.
 ///
-/// A candidate that differs in case alone wins; among equals the first.
+/// A candidate that differs in case alone wins, then one that other programs call so; among equals the first.
 pub(crate) fn nearest<'c>(
     word: &str,
-    candidates: impl Iterator<Item = &'c str>,
+    candidates: impl Iterator<Item = &'c str> + Clone,
 ) -> Option<&'c str> {
     if word.len() > 64 {
         return None; // no name is that long, and the distance costs the product of the lengths
     }
     let lower = word.to_lowercase();
+    if let Some(same) = candidates.clone().find(|candidate| candidate.to_lowercase() == lower) {
+        return Some(same);
+    }
+    if let Some(ours) = foreign::ours(word, candidates.clone()) {
+        return Some(ours);
+    }
     let reach = match word.chars().count() {
         0 => return None,
         1..=3 => 1,

@@ -16,6 +16,11 @@ use crate::table::{Braces, exclude};
 use crate::words::{Bears, Closed, Curved, OfPreset, OrEndless, Strain, Word};
 use crate::write::Writer;
 
+/// What beams do not have.
+const NO_POISSON: &str = "no Poisson's ratio: beams have none, `young` and `density` say all";
+const NO_SHEAR: &str =
+    "no shear modulus: the beams do not deform by shear, `young` and `density` say all";
+
 table! {
     /// Material of a beam.
     pub struct Material {
@@ -43,6 +48,14 @@ table! {
         bears: Option<Slack> as Word<Bears> = None,
     }
     either preset | young & density
+    not {
+        nu: NO_POISSON,
+        poisson: NO_POISSON,
+        poissons_ratio: NO_POISSON,
+        poisson_ratio: NO_POISSON,
+        G: NO_SHEAR,
+        shear_modulus: NO_SHEAR,
+    }
     then settle_material
 }
 

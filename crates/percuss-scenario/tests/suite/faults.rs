@@ -361,3 +361,38 @@ fn supports_hold_components_by_number_and_by_name() {
     let text = faults(&fix("[]")).to_string();
     assert!(text.contains("support.left.components: found no components"), "{text}");
 }
+
+/// What other programs call a key or a kind is answered by what it is called here.
+#[test]
+fn words_of_other_programs_are_answered_by_ours() {
+    let table = |keys: &str| format!("{ELASTIC}\n[{keys}\n");
+    for (from, to, ours) in [
+        ("young =", "E =", "young"),
+        ("density =", "rho =", "density"),
+        ("area =", "A =", "area"),
+        ("inertia =", "I =", "inertia"),
+        ("step =", "dt =", "step"),
+        ("elements =", "nodes =", "elements"),
+        ("\"clamp\"", "\"fixed\"", "clamp"),
+        ("\"clamp\"", "\"encastre\"", "clamp"),
+        ("\"clamp\"", "\"pinned\"", "pin"),
+        ("\"clamp\"", "\"hinged\"", "pin"),
+    ] {
+        let text = one(ELASTIC, from, to);
+        assert!(text.contains(&format!("(did you mean `{ours}`?)")), "{to}: {text}");
+        assert!(!text.contains(&format!("no `{ours}`")), "told once: {text}");
+    }
+    let told = |text: &str| percuss_scenario::read(text, "f.toml").unwrap_err().coded();
+    let beams = told(&table("nodes.a]\nx = 0"));
+    assert!(beams.contains("did you mean `beam`?"), "{beams}");
+    let poisson = one(ELASTIC, "young =", "nu = 0.3\nyoung =");
+    assert!(poisson.contains("no Poisson's ratio"), "{poisson}");
+}
+
+/// Gravity pulls down, in the example of the message too.
+#[test]
+fn the_example_of_gravity_points_down() {
+    let text = format!("{ELASTIC}\n[load.weight]\nkind = \"gravity\"\n");
+    let told = percuss_scenario::read(&text, "f.toml").unwrap_err().coded();
+    assert!(told.contains("such as [0, \"-9.81 m/s^2\"]"), "{told}");
+}
