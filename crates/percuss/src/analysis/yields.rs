@@ -13,11 +13,12 @@ pub struct StaticYielding {
     pub name: String,
     /// Whether it is a hinge: its extensions are rotations, its force a moment then.
     pub turns: bool,
-    /// Extension from the length without force, or rotation \[m, rad\].
+    /// Extension from the length without force; or rotation, positive where it goes along with a positive bending moment in the first of
+    /// the two beams that begins or ends there \[m, rad\].
     pub extension: f64,
     /// What of it is plastic \[m, rad\].
     pub plastic: f64,
-    /// Its force, positive in tension, or moment \[N, N m\].
+    /// Its force, positive in tension, or moment, which is the bending moment of that beam there \[N, N m\].
     pub force: f64,
     /// Whether it has yielded on the way.
     pub yielded: bool,
@@ -41,9 +42,9 @@ pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticYielding> {
         StaticYielding {
             name: own.name.clone(),
             turns: c.turns(),
-            extension: q - c.law.free(),
-            plastic: memory.plastic,
-            force: c.reached_force(q, &state.memories),
+            extension: own.sign * (q - c.law.free()) + 0.0,
+            plastic: own.sign * memory.plastic + 0.0,
+            force: own.sign * c.reached_force(q, &state.memories) + 0.0,
             yielded: memory.accumulated > 0.0,
             failed: memory.failed,
         }

@@ -96,7 +96,7 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
         let distance = norm(sub(ends[0].reference(), ends[1].reference()));
         let rest = spring.length.unwrap_or(distance);
         let name = format!("spring.{}", spring.name);
-        let yielding = yielding(model, name, spring.stiffness, spring.yielding.as_ref());
+        let yielding = yielding(model, name, spring.stiffness, (spring.yielding.as_ref(), 1.0));
         model.connectors.push(Connector {
             coordinate: Coordinate::Distance { ends },
             law: ConnectorLaw::Linear { stiffness: spring.stiffness, rest },
@@ -110,9 +110,10 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
         if let JointKind::ElasticHinge { stiffness, damping } = joint.kind {
             let [a, b] = joint.between.each_ref().map(|p| locate(model, p));
             let (cosine, sine) = (dot(b.tangent, a.tangent), cross(b.tangent, a.tangent));
+            let sign = as_the_moment(model, [&a, &b]);
             let (a, b) = (Box::new(a), Some(Box::new(b)));
             let name = format!("joint.{}", joint.name);
-            let yielding = yielding(model, name, stiffness, joint.yielding.as_ref());
+            let yielding = yielding(model, name, stiffness, (joint.yielding.as_ref(), sign));
             model.connectors.push(Connector {
                 coordinate: Coordinate::Angle { a, b, cosine, sine },
                 law: ConnectorLaw::Linear { stiffness, rest: 0.0 },
@@ -125,16 +126,35 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
     }
 }
 
-/// How the next connector yields, by the law of a fibre.
+/// Sign with which the turn of the first place against the second goes along with a positive bending moment beside the hinge: in the
+/// first of the two beams that begins or ends there.
+fn as_the_moment(model: &Model, places: [&MaterialPoint; 2]) -> f64 {
+    // Where a beam ends the way leads on into the other one, where it begins it comes from it.
+    for (place, goes_on) in places.into_iter().zip([-1.0, 1.0]) {
+        let length = model.beams[place.beam].length;
+        if place.s <= AT_END * length {
+            return -goes_on;
+        }
+        if place.s >= (1.0 - AT_END) * length {
+            return goes_on;
+        }
+    }
+    -1.0
+}
+
+/// Nearer to an end of a beam than this share of its length is there.
+const AT_END: f64 = 1e-9;
+
+/// How the next connector yields, by the law of a fibre, and the sign that it is told with.
 fn yielding(
     model: &Model,
     name: String,
     stiffness: f64,
-    plasticity: Option<&Plasticity>,
+    (plasticity, sign): (Option<&Plasticity>, f64),
 ) -> Option<YieldingLaw> {
     let plasticity = plasticity?.clone();
     let law = StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity, slack: None });
-    Some(YieldingLaw { name, law, memory: model.memory_count() })
+    Some(YieldingLaw { name, law, sign, memory: model.memory_count() })
 }
 
 impl Model {

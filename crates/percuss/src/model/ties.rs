@@ -250,6 +250,9 @@ pub struct YieldingLaw {
     pub name: String,
     /// Force over extension from the length without force, or moment over rotation.
     pub law: StressLaw,
+    /// What its extension or rotation, and its force or moment, are told with: 1 or, of a hinge, -1 where its coordinate (the turn of the
+    /// first place against the second) counts against the bending moment beside it.
+    pub sign: f64,
     /// Number of what it remembers among [`crate::state::State::memories`].
     pub memory: usize,
 }

@@ -35,9 +35,10 @@ pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
         if record.failed.is_some() {
             continue;
         }
-        take(&mut record.extension, state.coordinates[i] - c.law.free(), state.time);
+        let extension = own.sign * (state.coordinates[i] - c.law.free());
+        take(&mut record.extension, extension, state.time);
         if memory.accumulated > 0.0 {
-            take(&mut record.plastic, memory.plastic, state.time);
+            take(&mut record.plastic, own.sign * memory.plastic, state.time);
             record.first_yield.get_or_insert(state.time);
         }
         record.failed = memory.failed.then_some(state.time);
@@ -62,15 +63,16 @@ pub fn summaries(
         YieldingSummary {
             name: own.name.clone(),
             turns: c.turns(),
-            plastic: memory.plastic,
+            // No -0.
+            plastic: own.sign * memory.plastic + 0.0,
             plastic_max: record.first_yield.map_or(none, |_| record.plastic),
             accumulated: memory.accumulated,
             extension_max: record.extension,
             first_yield: record.first_yield,
             dissipated: memory.dissipated,
+            dissipated_by_preload: record.preload,
             hardening: own.law.hardening_energy(memory),
             failed: record.failed,
-            dissipated_by_preload: record.preload,
         }
     };
     model.yielding().zip(records).map(summary).collect()
@@ -100,6 +102,7 @@ pub fn values(model: &Model, state: &State, row: &mut Vec<f64>) {
     for (i, c, own) in model.yielding() {
         let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
         let force = c.reached_force(q, &state.memories);
-        row.extend([q - c.law.free(), memory.plastic, force]);
+        let values = [q - c.law.free(), memory.plastic, force];
+        row.extend(values.map(|value| own.sign * value + 0.0));
     }
 }

@@ -94,6 +94,9 @@ impl PlasticSummary {
 }
 
 /// What became of a spring or an elastic hinge that can yield.
+///
+/// Extensions are positive where it is longer than without force. A rotation is positive where it goes along with a positive bending
+/// moment in the first of the two beams that begins or ends there: where it turns the tangent counter-clockwise along that beam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct YieldingSummary {
     /// What it is and its name, `spring.brace` or `joint.knee`.
@@ -113,10 +116,10 @@ pub struct YieldingSummary {
     pub first_yield: Option<f64>,
     /// Energy dissipated by plastic flow, by the preload of a static start and in the run \[J\].
     pub dissipated: f64,
+    /// Of that what the preload dissipated, before the run \[J\].
+    pub dissipated_by_preload: f64,
     /// Energy that hardening has stored \[J\].
     pub hardening: f64,
     /// End of the step in which it failed, if it did \[s\].
-    /// Of that what the preload dissipated, before the run \[J\].
-    pub dissipated_by_preload: f64,
     pub failed: Option<f64>,
 }

@@ -249,8 +249,8 @@ fn a_hinge_turns_by_the_energy_it_is_given_over_its_moment() {
         assert!(hinge.turns && hinge.name == "joint.hinge");
         let found = hinge.plastic.abs();
         assert!((found / turned - 1.0).abs() < 5e-3, "{spin}: {found} {turned}");
-        // Counted as the first beam turns against the second.
-        assert!(hinge.plastic * spin < 0.0, "{hinge:?}");
+        // Positive where the tangent turns counter-clockwise from the stub into the bar.
+        assert!(hinge.plastic * spin > 0.0, "{hinge:?}");
     }
 }
 
@@ -291,4 +291,56 @@ fn what_cannot_follow_a_yielding_connector_says_so() {
         "spring.tight.length",
     ];
     assert_eq!(paths, expected, "{faults:?}");
+}
+
+/// Two beams that meet in an elastic hinge, in whatever order the joint names them and whichever way they run: its moment is the bending
+/// moment of the first beam that ends there, and its rotation goes along with it.
+#[test]
+fn rotation_and_moment_of_a_hinge_count_as_the_section_moment_beside_it() {
+    let law = perfect(1e6);
+    for (turned, swapped) in [(false, false), (false, true), (true, false), (true, true)] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("m", 2e11, 7850.0));
+        let section = b.section(Section::rectangle("s", 0.05, 0.05));
+        let left = b.beam(beam("left", [0.0, 0.0], [1.0, 0.0], 4, material, section));
+        let ends = if turned { [[2.0, 0.0], [1.0, 0.0]] } else { [[1.0, 0.0], [2.0, 0.0]] };
+        let right = b.beam(beam("right", ends[0], ends[1], 4, material, section));
+        let (meets, held) = if turned { (1.0, 0.0) } else { (0.0, 1.0) };
+        b.support(Support::new("a", at("a", left, 0.0), SupportKind::Clamp));
+        b.support(Support::new("z", at("z", right, held), SupportKind::Clamp));
+        let mut between = [at("left.end", left, 1.0), at("right", right, meets)];
+        if swapped {
+            between.reverse();
+        }
+        let kind = JointKind::ElasticHinge { stiffness: 2e4, damping: 0.0 };
+        b.joint(Joint { yielding: Some(law.clone()), ..Joint::new("hinge", kind, between) });
+        let force = [0.0, -2e3];
+        let place = at("load", left, 0.7);
+        b.load(Load::new("p", LoadKind::Point { at: place, force, moment: 0.0, follower: false }));
+        b.record_point(at("left.end", left, 1.0));
+        b.record_point(at("right", right, meets));
+        let model = b.build().unwrap();
+        let found = equilibrium(&model).unwrap();
+        let hinge = &found.yielding[0];
+        // The right beam has four elements, the last ones.
+        let split = found.element_forces.len() - 4;
+        let beside = match (swapped, turned) {
+            (false, _) => found.element_forces[split - 1][1][2],
+            (true, false) => found.element_forces[split][0][2],
+            (true, true) => found.element_forces[split + 3][1][2],
+        };
+        assert!(beside.abs() > 10.0, "{beside}");
+        assert!(
+            (hinge.force / beside - 1.0).abs() < 1e-6,
+            "{turned} {swapped}: {hinge:?} {beside}"
+        );
+        assert!((hinge.extension / (hinge.force / 2e4) - 1.0).abs() < 1e-9, "{hinge:?}");
+        // A run says the same.
+        let settings = Settings { start: Start::Static, ..Settings::new(1e-4, 1e-5) };
+        let (summary, rows) = run(&model, &settings);
+        let own = summary.yielding[0].extension_max.value;
+        assert!((own / hinge.extension - 1.0).abs() < 1e-6, "{own} {hinge:?}");
+        let column = rows.column("joint.hinge.moment").unwrap();
+        assert!((column[0] / hinge.force - 1.0).abs() < 1e-6, "{} {hinge:?}", column[0]);
+    }
 }
