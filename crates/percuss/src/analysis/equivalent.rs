@@ -5,7 +5,7 @@
 
 use super::section_forces::{self, Acting, Lines};
 use super::spectrum::{Layout, free_motions};
-use super::static_search::StaticSearch;
+use super::static_search::{RULE, StaticSearch};
 use crate::geometry::row::Row;
 use crate::math::vec2::dot;
 use crate::model::Model;
@@ -96,7 +96,7 @@ pub fn unit_response(model: &Model, projectile: &ProjectileData) -> Option<UnitR
     let state = search.state();
     let Workspace { increment, beams, .. } = &search.work;
     let acting =
-        Acting { state: &search.base, increment, theta: 1.0, beams, forcing: &search.forcing };
+        Acting { state: &search.base, increment, rule: &RULE, beams, forcing: &search.forcing };
     let (mut lines, mut forces) = (Lines::default(), section_forces::unset(structure));
     lines.set(structure, &acting, std::iter::once(([&row; 2], [force, 0.0])));
     section_forces::update(structure, &lines, &state, &mut forces);

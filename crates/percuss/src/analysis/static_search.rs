@@ -40,7 +40,7 @@ const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Inverse iterations for the lowest eigenvalue.
 const INVERSE_ITERATIONS: usize = 40;
 /// Statics has no step size; this one keeps quotients finite.
-const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
+pub(super) const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 
 /// A structure between its reference and an equilibrium.
 pub(super) struct StaticSearch<'m> {

@@ -192,7 +192,7 @@ impl Monitor {
             let acting = Acting {
                 state,
                 increment: &work.increment,
-                theta: rule.theta(),
+                rule: &rule,
                 beams: &work.beams,
                 forcing,
             };

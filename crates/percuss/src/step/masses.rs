@@ -21,10 +21,7 @@ pub fn apply<const TANGENT: bool>(
 ) {
     for (i, mass) in model.masses.iter().enumerate() {
         let p = &mass.point;
-        let (d, v) = (p.value(increment), p.value(&state.velocity));
-        let a = if state.acceleration.is_empty() { [0.0; 2] } else { p.value(&state.acceleration) };
-        let force = [0, 1].map(|k| mass.mass * (rule.inertia(d[k], v[k], a[k]) - gravity[k]));
-        p.spread(force, residual);
+        p.spread(inertia(mass, state, rule, gravity, increment), residual);
         let turning = rotary_response::<TANGENT>(mass, state, i, rule, increment);
         if let Some(response) = &turning {
             p.spread_gradient(response.force_g, residual);
@@ -39,6 +36,31 @@ pub fn apply<const TANGENT: bool>(
             }
         }
     }
+}
+
+/// Inertia of a point mass over a step, less its weight \[N\].
+pub fn inertia(
+    mass: &MassData,
+    state: &State,
+    rule: &Integration,
+    gravity: [f64; 2],
+    increment: &[[f64; 4]],
+) -> [f64; 2] {
+    let p = &mass.point;
+    let (d, v) = (p.value(increment), p.value(&state.velocity));
+    let a = if state.acceleration.is_empty() { [0.0; 2] } else { p.value(&state.acceleration) };
+    [0, 1].map(|k| mass.mass * (rule.inertia(d[k], v[k], a[k]) - gravity[k]))
+}
+
+/// What the rotary inertia of the mass of number `i` exerts along its tangent \[N m\], if it has any.
+pub fn turning(
+    mass: &MassData,
+    state: &State,
+    i: usize,
+    rule: &Integration,
+    increment: &[[f64; 4]],
+) -> Option<[f64; 2]> {
+    rotary_response::<false>(mass, state, i, rule, increment).map(|response| response.force_g)
 }
 
 fn rotary_response<const TANGENT: bool>(

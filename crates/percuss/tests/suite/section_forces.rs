@@ -491,3 +491,67 @@ fn a_clamp_or_a_joint_within_an_element_parts_the_beam_there() {
     assert!(close(force.shear.largest().value.abs(), reaction[1].abs(), 1e3));
     assert!(close(force.moment.largest().value.abs(), reaction[2].abs(), 1e3));
 }
+
+/// The forces at both ends of a beam against the reactions of its supports, in random scenes with weights that hang inside elements,
+/// loads and contacts: every row of every scheme whose reactions are those of the instant of its section forces.
+#[test]
+fn forces_at_supports_are_reactions_in_random_scenes() {
+    for seed in 0..12 {
+        let mut draw = common::numbers::Numbers(seed);
+        let mut between = |a: f64, b: f64| draw.between(a, b);
+        let mut b = ModelBuilder::new();
+        let m = b.material(Material::new("m", between(1e9, 2e11), between(1e3, 8e3)));
+        let s = b.section(Section::rectangle("s", 0.05, between(0.02, 0.06)));
+        let elements = 2 + (seed % 5) as usize;
+        let end = [between(0.8, 1.2), between(-0.6, 0.6)];
+        let arm = b.beam(beam("arm", [0.0, 0.0], end, elements, m, s));
+        hold(&mut b, at("a", arm, 0.0), SupportKind::Clamp);
+        hold(
+            &mut b,
+            at("z", arm, 1.0),
+            [SupportKind::Clamp, SupportKind::Pin][(seed % 2) as usize].clone(),
+        );
+        b.load(Load::new("g", LoadKind::Gravity { acceleration: [between(-5.0, 5.0), -9.81] }));
+        b.load(Load::new("q", line_load(arm, [between(-50.0, 50.0), between(-400.0, 0.0)])));
+        b.point_mass(PointMass {
+            name: "m".into(),
+            at: at("m", arm, between(0.1, 0.9)),
+            mass: between(0.1, 2.0),
+            rotary_inertia: between(0.0, 1e-3),
+        });
+        let kind = ProjectileKind::spring(between(1e4, 1e6));
+        let struck = at("struck", arm, between(0.1, 0.9));
+        b.projectile(Projectile {
+            local_mass: between(0.5, 5.0),
+            ..Projectile::new("p", kind, between(0.5, 5.0), [0.0, -between(0.5, 3.0)], struck)
+        });
+        b.record_point(at("a", arm, 0.0));
+        b.record_point(at("z", arm, 1.0));
+        let model = b.build().unwrap();
+        let scheme =
+            [Scheme::EnergyMomentum, Scheme::StrainRate, Scheme::Midpoint][(seed % 3) as usize];
+        let mut log = Columns::default();
+        let settings = Settings { scheme, ..Settings::new(0.01, 5e-5) };
+        simulate(&model, &settings, &mut log).unwrap();
+        for (end, sign) in [("a", 1.0), ("z", -1.0)] {
+            let own = |what: &str| log.of(&format!("section.{end}.{what}"));
+            let support = |what: &str| log.of(&format!("support.{end}.{what}"));
+            let (axial, shear) = (own("axial"), own("shear"));
+            let (one, two) = (support("force_1"), support("force_2"));
+            let size = |k: usize| one[k].hypot(two[k]);
+            let peak = (1..one.len()).map(size).fold(0.0, f64::max);
+            for k in 1..one.len() {
+                // Whatever way the end points: the resultants have the size of the reaction, and the moments agree.
+                let off = axial[k].hypot(shear[k]) - size(k);
+                assert!(off.abs() < 1e-6 * peak, "{seed} {scheme:?} {end} {k}: {off} of {peak}");
+            }
+            let (moment, reaction) = (own("moment"), support("moment"));
+            let peak = reaction.iter().fold(0.0, |m: f64, r| m.max(r.abs()));
+            for k in 1..moment.len() {
+                let off = moment[k] + sign * reaction[k];
+                let held = peak > 0.0 && !reaction[k].is_nan();
+                assert!(!held || off.abs() < 1e-6 * peak, "{seed} {end} {k}: {off} of {peak}");
+            }
+        }
+    }
+}

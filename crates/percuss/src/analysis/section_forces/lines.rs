@@ -14,6 +14,8 @@ use crate::step::assemble::EndForces;
 use crate::step::columns::Columns;
 use crate::step::external::{tangent_at, turned};
 use crate::step::forcing::Forcing;
+use crate::step::integration::{Integration, Rule};
+use crate::step::masses;
 
 /// Nearer to a node than this share of an element is at the node.
 const AT_NODE: f64 = 1e-9;
@@ -25,8 +27,8 @@ pub struct Acting<'a> {
     pub state: &'a State,
     /// The increment that leads to its end, shape (nodes, 4) \[m, 1\].
     pub increment: &'a [[f64; 4]],
-    /// Where in the step forces are evaluated, as a share of it.
-    pub theta: f64,
+    /// Scheme and size of the step; that of an equilibrium is static.
+    pub rule: &'a Integration,
     /// What acts on the elements, as assembled for that increment.
     pub beams: &'a EndForces,
     /// Loads.
@@ -66,7 +68,8 @@ impl Lines {
         let mut lines = Self::default();
         let forcing = &forcing;
         let pressed = pressed.iter().map(|(row, force)| ([row; 2], [*force, 0.0]));
-        lines.set(model, &Acting { state, increment, theta: 1.0, beams, forcing }, pressed);
+        let rule = &Integration { h: 1.0, rule: Rule::Static };
+        lines.set(model, &Acting { state, increment, rule, beams, forcing }, pressed);
         lines
     }
 
@@ -79,6 +82,7 @@ impl Lines {
     ) {
         self.inner.clear();
         self.distribute(model, acting);
+        self.weigh(model, acting);
         for (rows, forces) in contacts {
             self.push(model, rows, forces);
         }
@@ -91,7 +95,7 @@ impl Lines {
         for (i, span) in model.spans.iter().enumerate() {
             let swept = self.loads.is_empty() && acting.beams.sweep.has_evaluated(i);
             if swept {
-                let (sweep, theta) = (&acting.beams.sweep, acting.theta);
+                let (sweep, theta) = (&acting.beams.sweep, acting.rule.theta());
                 in_lanes(SpanLines { span, number: i, sweep, theta, lines: &mut self.lines });
             }
             for (k, element) in span.elements.clone().enumerate() {
@@ -121,9 +125,9 @@ impl Lines {
             (0..NUMBERS).for_each(|column| self.lines.set(column, element, 0.0));
             return;
         }
-        let share = |n: usize, i: usize| {
-            acting.state.displacement[n][i] + acting.theta * acting.increment[n][i]
-        };
+        let theta = acting.rule.theta();
+        let share =
+            |n: usize, i: usize| acting.state.displacement[n][i] + theta * acting.increment[n][i];
         let (na, nb) = (&model.nodes[a], &model.nodes[a + 1]);
         let shape = ElementShape {
             tangents: [
@@ -188,7 +192,7 @@ impl Lines {
             self.loads.resize(model.element_count(), [[0.0; 4]; 2]);
         }
         let tangent =
-            |p: &MaterialPoint| tangent_at(p, acting.state, acting.increment, acting.theta);
+            |p: &MaterialPoint| tangent_at(p, acting.state, acting.increment, acting.rule.theta());
         for (load, factor) in model.loads.iter().zip(&acting.forcing.factors) {
             if *factor == 0.0 {
                 continue;
@@ -223,9 +227,31 @@ impl Lines {
         }
     }
 
+    /// Inertia and weight of masses inside elements, as forces on the beam.
+    fn weigh(&mut self, model: &Model, acting: &Acting) {
+        let Acting { state, increment, rule, forcing, .. } = *acting;
+        for (i, mass) in model.masses.iter().enumerate() {
+            let p = &mass.point;
+            if is_at_node(p) {
+                continue;
+            }
+            let inertia = masses::inertia(mass, state, rule, forcing.gravity, increment);
+            let turning = masses::turning(mass, state, i, rule, increment);
+            let mut on_nodes = [[0.0; 4]; 2];
+            let force = scale(-1.0, inertia);
+            p.spread_over(force, &mut on_nodes);
+            if let Some(couple) = turning {
+                p.spread_gradient_over(scale(-1.0, couple), &mut on_nodes);
+            }
+            let (element, xi) = (model.element_at(p.node), place_of(p.shape[2]));
+            let has_couple = turning.is_some();
+            self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
+        }
+    }
+
     /// A force and a moment at a point; what acts at a node concerns no element.
     fn act(&mut self, model: &Model, p: &MaterialPoint, force: [f64; 2], moment: f64, g: [f64; 2]) {
-        if p.shape[2] == 0.0 || p.shape[2] == 1.0 {
+        if is_at_node(p) {
             return;
         }
         let mut on_nodes = [[0.0; 4]; 2];
@@ -268,6 +294,11 @@ impl Lines {
             self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
         }
     }
+}
+
+/// Whether a point is a node: what acts there concerns no element.
+fn is_at_node(p: &MaterialPoint) -> bool {
+    p.shape[2] == 0.0 || p.shape[2] == 1.0
 }
 
 fn take(from: &mut OnNodes, what: &OnNodes) {

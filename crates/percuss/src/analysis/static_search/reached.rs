@@ -89,7 +89,7 @@ impl StaticSearch<'_> {
         self.assemble::<false>();
         let Workspace { increment, beams, .. } = &self.work;
         let acting =
-            Acting { state: &self.base, increment, theta: 1.0, beams, forcing: &self.forcing };
+            Acting { state: &self.base, increment, rule: &RULE, beams, forcing: &self.forcing };
         let (mut lines, mut forces) = (Lines::default(), section_forces::unset(self.model));
         let pressed = self.contacts.forces().map(|(_, force, row)| ([row; 2], [force, 0.0]));
         lines.set(self.model, &acting, pressed);
