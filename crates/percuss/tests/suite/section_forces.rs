@@ -555,3 +555,56 @@ fn forces_at_supports_are_reactions_in_random_scenes() {
         }
     }
 }
+
+/// A half-sine of a distributed load on a beam of few elements makes shear and axial forces that are largest between nodes and middles:
+/// the peaks told are those of a close look along the beam.
+#[test]
+fn peaks_of_axial_and_shear_force_are_found_between_nodes() {
+    let mut b = ModelBuilder::new();
+    let m = b.material(Material::new("m", 2e11, 7850.0));
+    // A section without a depth goes element beside element, one with a depth one by one.
+    for (name, section) in [
+        ("plain", Section::new("plain", 1e-3, 1e-7)),
+        ("deep", Section::rectangle("deep", 0.02, 0.05)),
+    ] {
+        let s = b.section(section);
+        let y = if name == "plain" { 0.0 } else { 5.0 };
+        let arm = b.beam(beam(name, [0.0, y], [1.0, y + 0.3], 2, m, s));
+        let label = |place: &str| format!("{name} {place}");
+        hold(&mut b, at(&label("a"), arm, 0.0), SupportKind::Clamp);
+        hold(&mut b, at(&label("z"), arm, 1.0), SupportKind::Pin);
+        let kind = ProjectileKind::spring(1e6);
+        let mut p = Projectile::new(name, kind, 1.0, [0.0, -3.0], at(&label("struck"), arm, 0.31));
+        p.local_mass = 0.4;
+        b.projectile(p);
+        for k in 0..=400 {
+            b.record_point(at(&label(&k.to_string()), arm, f64::from(k) / 400.0));
+        }
+    }
+    let model = b.build().unwrap();
+    let mut log = Columns::default();
+    let run = simulate(&model, &Settings::new(0.01, 1e-5), &mut log).unwrap();
+    for forces in &run.section_forces {
+        for (what, range) in [("axial", &forces.axial), ("shear", &forces.shear)] {
+            let [mut least, mut most] = [f64::INFINITY, f64::NEG_INFINITY];
+            for k in 0..=400 {
+                for value in log.of(&format!("section.{} {k}.{what}", forces.name)) {
+                    (least, most) = (least.min(value), most.max(value));
+                }
+            }
+            let size = most.max(-least);
+            // Points stand a 200th of an element apart and tell no more than that they cannot exceed the peaks.
+            assert!(
+                range.max.value >= most - 1e-9 * size,
+                "{} {what}: {most} {range:?}",
+                forces.name
+            );
+            assert!(
+                range.min.value <= least + 1e-9 * size,
+                "{} {what}: {least} {range:?}",
+                forces.name
+            );
+            assert!(range.max.value - most < 2e-2 * size && least - range.min.value < 2e-2 * size);
+        }
+    }
+}

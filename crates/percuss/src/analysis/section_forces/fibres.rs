@@ -97,6 +97,7 @@ pub fn strained(span: &Span, k: usize, state: &State) -> [Strained; 2] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::line::Rise;
     use super::*;
     use crate::element::point::Reference;
 
@@ -115,7 +116,8 @@ mod tests {
                 let h = 1e-5;
                 let axial = (energy(nu + h, turn) - energy(nu - h, turn)) / (2.0 * h);
                 let moment = (energy(nu, turn + h) - energy(nu, turn - h)) / (2.0 * h);
-                let forces = SectionForces { axial, shear: 0.0, moment, rise: 0.0 };
+                let rise = Rise { axial: 0.0, shear: 0.0, moment: 0.0 };
+                let forces = SectionForces { axial, shear: 0.0, moment, rise };
                 let found = strained_by(&law, curvature, &forces);
                 // Differences of energies know no more.
                 assert!((found.stretch - (nu - 1.0)).abs() < 1e-8, "{measure:?} {nu}: {found:?}");

@@ -4,7 +4,7 @@ use pulp::{Simd, WithSimd};
 
 use super::line::{ElementShape, Line, NUMBERS, SectionForces};
 use super::lines::Lines;
-use super::{ElementForces, PLACES, station, widen};
+use super::{ElementForces, FLAT, PLACES, station, widen};
 use crate::model::frozen::Span;
 use crate::scalar::{Lanes, Mask, Number, Real};
 use crate::state::State;
@@ -104,7 +104,7 @@ impl WithSimd for PlainSpan<'_> {
 }
 
 impl PlainSpan<'_> {
-    /// Whether elements exceed the extremes of the beam so far at the places looked at, and whether their moments may between these.
+    /// Whether elements exceed the extremes of the beam so far at the places looked at, and whether they may between these.
     #[inline(always)]
     fn look_at<P: Simd>(
         &self,
@@ -121,13 +121,12 @@ impl PlainSpan<'_> {
             if j == 0 {
                 continue;
             }
-            // Further than by its steepest rise the moment does not get between two places half an element apart.
             let before = &places[j - 1];
-            let reach = before.rise.abs().max(at.rise.abs()) * 0.5;
-            let most = before.moment.max(at.moment) + reach;
-            let least = -((-before.moment).max(-at.moment)) - reach;
-            let beyond = is_outside(most, &out.moment) | is_outside(least, &out.moment);
-            turns = turns | beyond & (before.rise * at.rise).less(reach.constant(0.0));
+            let (c, d) = (&before.rise, &at.rise);
+            turns = turns
+                | may_exceed([before.axial, at.axial], [c.axial, d.axial], &out.axial)
+                | may_exceed([before.shear, at.shear], [c.shear, d.shear], &out.shear)
+                | may_exceed([before.moment, at.moment], [c.moment, d.moment], &out.moment);
         }
         [exceeds, turns]
     }
@@ -169,7 +168,7 @@ impl PlainSpan<'_> {
         piece.take(self.out, index, state.time);
     }
 
-    /// Takes the largest moments of an element between the places looked at.
+    /// Takes the largest section forces of an element between the places looked at.
     fn take_between(&mut self, k: usize) {
         let Self { span, lines, state, .. } = *self;
         let (line, inner) = lines.of(span.elements.start + k);
@@ -177,6 +176,21 @@ impl PlainSpan<'_> {
         let places = PLACES.map(|xi| piece.line.at(xi, &[], false));
         piece.take_between_places(self.out, &places, state.time);
     }
+}
+
+/// Whether something turns between two places half an element apart, given its values and rises, and may be an extreme there: further
+/// than by its steepest rise it does not get.
+#[inline(always)]
+fn may_exceed<P: Simd>(
+    [a, b]: [Lanes<P>; 2],
+    rise: [Lanes<P>; 2],
+    range: &SectionRange,
+) -> <Lanes<P> as Number>::Mask {
+    let reach = rise[0].abs().max(rise[1].abs()) * 0.5;
+    let (most, least) = (a.max(b) + reach, -((-a).max(-b)) - reach);
+    let beyond = is_outside(most, range) | is_outside(least, range);
+    let flat = a.abs().max(b.abs()) * FLAT;
+    beyond & flat.less(reach) & (rise[0] * rise[1]).less(reach.constant(0.0))
 }
 
 /// Whether values are less than the least or more than the largest so far.

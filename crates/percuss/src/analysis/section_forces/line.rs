@@ -75,8 +75,19 @@ pub struct SectionForces<S = f64> {
     pub shear: S,
     /// Bending moment \[N m\].
     pub moment: S,
-    /// Its derivative with respect to the share of the way \[N m\].
-    pub rise: S,
+    /// Derivatives of these three with respect to the share of the way \[N, N, N m\].
+    pub rise: Rise<S>,
+}
+
+/// How section forces change along an element.
+#[derive(Clone, Copy, Debug)]
+pub struct Rise<S = f64> {
+    /// Of the axial force \[N\].
+    pub axial: S,
+    /// Of the shear force \[N\].
+    pub shear: S,
+    /// Of the bending moment \[N m\].
+    pub moment: S,
 }
 
 // Elements side by side and those with forces inside, one by one, are to agree to the last bit: each product is rounded.
@@ -135,10 +146,9 @@ impl<S: Real> Line<S> {
     /// Section forces at a share of the way that forces inside do not jump at.
     #[inline(always)]
     pub fn smooth(&self, xi: f64) -> SectionForces<S> {
-        let ([a, b, c], f) = (&self.way, &self.force);
-        let (mut way, mut force) = (*a, f[4]);
+        let f = &self.force;
+        let mut force = f[4];
         for i in 0..2 {
-            way[i] = a[i] + (b[i] + c[i] * xi) * xi;
             for k in 0..4 {
                 force[i] = force[i] * xi + f[3 - k][i];
             }
@@ -147,23 +157,41 @@ impl<S: Real> Line<S> {
         for k in 0..7 {
             moment = moment * xi + self.moment[6 - k];
         }
-        self.along(&way, &force, moment)
+        self.along(xi, &force, moment)
     }
 
-    /// Section forces where dx/dxi, force and moment are known.
+    /// Section forces where force and moment are known.
     #[inline(always)]
-    fn along(&self, way: &[S; 2], force: &[S; 2], moment: S) -> SectionForces<S> {
+    fn along(&self, xi: f64, force: &[S; 2], moment: S) -> SectionForces<S> {
+        let ([a, b, c], f) = (&self.way, &self.force);
+        let (mut way, mut turn_of_way, mut more) = (*a, *b, f[4]);
+        for i in 0..2 {
+            way[i] = a[i] + (b[i] + c[i] * xi) * xi;
+            turn_of_way[i] = b[i] + c[i] * (2.0 * xi);
+            more[i] = f[1][i] + (f[2][i] * 2.0 + (f[3][i] * 3.0 + f[4][i] * (4.0 * xi)) * xi) * xi;
+        }
         let inverse = (way[0] * way[0] + way[1] * way[1]).sqrt().recip();
-        let turn = across(way, force);
+        let turn = across(&way, force);
         // What the rotary inertia adds is the difference of the first coefficients.
         let rotary = self.moment[1] + across(&self.way[0], &self.force[0]);
-        SectionForces {
-            axial: (way[0] * force[0] + way[1] * force[1]) * inverse,
-            shear: turn * inverse,
-            moment,
-            rise: rotary - turn,
-        }
+        let (axial, shear) = (within(&way, force) * inverse, turn * inverse);
+        // The length of dx/dxi changes, too.
+        let longer = within(&way, &turn_of_way) * inverse * inverse;
+        let along = within(&turn_of_way, force) + within(&way, &more);
+        let beside = across(&turn_of_way, force) + across(&way, &more);
+        let rise = Rise {
+            axial: along * inverse - axial * longer,
+            shear: beside * inverse - shear * longer,
+            moment: rotary - turn,
+        };
+        SectionForces { axial, shear, moment, rise }
     }
+}
+
+/// `a . b`, each product rounded.
+#[inline(always)]
+fn within<S: Real>(a: &[S; 2], b: &[S; 2]) -> S {
+    a[0] * b[0] + a[1] * b[1]
 }
 
 /// `a x b`, each product rounded.
@@ -242,8 +270,7 @@ impl Line {
         if before.peek().is_none() {
             return smooth;
         }
-        let ([a, b, c], mut moment) = (self.way, smooth.moment);
-        let way = [0, 1].map(|i| a[i] + xi * (b[i] + xi * c[i]));
+        let mut moment = smooth.moment;
         let mut force = [0, 1].map(|i| {
             let f = |k: usize| self.force[k][i];
             f(0) + xi * (f(1) + xi * (f(2) + xi * (f(3) + xi * f(4))))
@@ -252,13 +279,18 @@ impl Line {
             force = sub(force, one.force);
             moment += cross(self.between(one.xi, xi), one.force) - one.couple;
         }
-        self.along(&way, &force, moment)
+        self.along(xi, &force, moment)
     }
 
-    /// Where the moment is largest or smallest between two places, if it is so inside.
-    pub fn stationary(&self, [from, to]: [f64; 2], inner: &[Inner]) -> Option<f64> {
-        let rise = |xi: f64| self.at(xi, inner, false).rise;
-        let (mut a, mut b) = ((from, self.at(from, inner, true).rise), (to, rise(to)));
+    /// Where a section force is largest or smallest between two places, if it is so inside; `of` tells its derivative.
+    pub fn stationary(
+        &self,
+        [from, to]: [f64; 2],
+        inner: &[Inner],
+        of: fn(&Rise) -> f64,
+    ) -> Option<f64> {
+        let rise = |xi: f64| of(&self.at(xi, inner, false).rise);
+        let (mut a, mut b) = ((from, of(&self.at(from, inner, true).rise)), (to, rise(to)));
         if a.1 * b.1 >= 0.0 {
             return None;
         }
