@@ -4,14 +4,16 @@ use std::path::Path;
 
 use percuss::scene::Scene;
 use percuss::{
-    Equilibrium, FailureKind, FollowerStability, LinearBuckling, SectionForceSummary, SectionPeak,
-    SectionRange, StaticBalance, StaticContact, StaticFailure, StaticYielding,
+    Equilibrium, FailureKind, FollowerStability, LinearBuckling, Model, PlasticSummary,
+    SectionForceSummary, SectionPeak, SectionRange, StaticBalance, StaticContact, StaticFailure,
+    StaticYielding, yielded_at_rest,
 };
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;
 use crate::files;
 use crate::report::still;
+use crate::summary::plastic;
 
 /// An equilibrium and what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +26,8 @@ pub struct EquilibriumInfo<'a> {
     pub found: &'a Equilibrium,
     /// Its linear buckling.
     pub linear: &'a LinearBuckling,
+    /// The model it is of.
+    pub model: &'a Model,
 }
 
 /// Writes `static.json` and `static.html` into `dir`.
@@ -33,18 +37,20 @@ pub struct EquilibriumInfo<'a> {
 pub fn write_equilibrium(dir: impl AsRef<Path>, info: &EquilibriumInfo<'_>) -> Result<(), Error> {
     let dir = dir.as_ref();
     files::write(&dir.join("static.html"), still::equilibrium_page(info).as_bytes())?;
-    let value = equilibrium_value(info.found, info.linear);
+    let value = equilibrium_value(info.model, info.found, info.linear);
     files::write(&dir.join("static.json"), format!("{value:#}\n").as_bytes())
 }
 
 /// Everything about an equilibrium; what has no value is `null`.
-pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value {
+pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Value {
     let points = found.points.iter().map(|(name, u)| (name.clone(), json!({ "displacement": u })));
     let supports = found.reactions.iter().map(|(name, [f1, f2, moment])| {
         (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
     });
     let contacts = found.contacts.iter().map(|c| (c.name.clone(), contact(c)));
     let yielding = found.yielding.iter().map(|y| (y.name.clone(), yielding(y)));
+    let yields = yielded_at_rest(model, found);
+    let yields = yields.iter().map(|beam| (beam.name.clone(), plastic(model, found, beam)));
     let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
     json!({
         "stable": found.stable,
@@ -55,6 +61,8 @@ pub fn equilibrium_value(found: &Equilibrium, linear: &LinearBuckling) -> Value 
         "support": supports.collect::<Map<_, _>>(),
         "contact": contacts.collect::<Map<_, _>>(),
         "yielding": yielding.collect::<Map<_, _>>(),
+        "plastic": yields.collect::<Map<_, _>>(),
+        "softening": found.softening,
         "section_forces": forces.collect::<Map<_, _>>(),
         "failures": found.failures.iter().map(failure).collect::<Vec<_>>(),
         "balance": balance(&found.balance),
@@ -120,6 +128,22 @@ fn yielding(found: &StaticYielding) -> Value {
         ("failed".to_owned(), found.failed.into()),
     ];
     Value::Object(Map::from_iter(entries))
+}
+
+/// What a beam that can yield has come to: as after a run, with shares of the loads in the place of times.
+fn plastic(model: &Model, found: &Equilibrium, beam: &PlasticSummary) -> Value {
+    let index = (0..model.beam_count()).find(|k| model.beam(*k).name() == beam.name);
+    let first = index.and_then(|k| found.first_yields.get(k).copied().flatten());
+    let mut value = plastic::value(beam);
+    if let Value::Object(entries) = &mut value {
+        entries.remove("dissipated_by_preload");
+        let at = |s: f64| if s.is_nan() { Value::Null } else { json!({ "s": s }) };
+        entries.insert("strain_max_at".to_owned(), at(beam.strain_max.s));
+        let share = first.map(|first| first.share);
+        let yielded = beam.first_yield.map(|one| json!({ "s": one.s, "load_factor": share }));
+        entries.insert("first_yield".to_owned(), yielded.into());
+    }
+    value
 }
 
 fn section_forces(beam: &SectionForceSummary) -> Value {

@@ -103,12 +103,12 @@ pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bou
     let solved = py.detach(|| {
         if !path {
             let found = equilibrium(model)?;
-            let value = equilibrium_value(&found, &buckling_in_contact(model, &found, 1));
+            let value = equilibrium_value(model, &found, &buckling_in_contact(model, &found, 1));
             return Ok((value, found.state));
         }
         let followed = equilibrium_path(model, &ready.compiled.path)?;
         let mut value =
-            equilibrium_value(&followed.end, &buckling_in_contact(model, &followed.end, 1));
+            equilibrium_value(model, &followed.end, &buckling_in_contact(model, &followed.end, 1));
         value["path"] = path_value(&followed);
         Ok((value, followed.end.state))
     });

@@ -34,10 +34,11 @@ mod summary;
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability, LinearBuckling, Mode,
-    ModeKind, Path, PathPoint, PathRecorder, PathYield, StaticBalance, StaticContact, StaticFailure,
-    StaticYielding, buckling, buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path, equilibrium_path_recorded,
-    mechanisms, modes_about, modes_about_equilibrium, natural_frequencies,
+    BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability, LinearBuckling,
+    Mode, ModeKind, Path, PathPoint, PathRecorder, PathYield, StaticBalance, StaticContact,
+    StaticFailure, StaticFirstYield, StaticYielding, buckling, buckling_in_contact, equilibrium,
+    equilibrium_in, equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about,
+    modes_about_equilibrium, natural_frequencies,
 };
 pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce};
@@ -47,6 +48,7 @@ pub use percuss_codes::{AnalysisCode, Caution};
 pub use run::{
     Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Preview, Recorder,
     ResumeError, Simulation, first_step, massless, preview, reference_state, simulate,
+    yielded_at_rest,
 };
 pub use settings::{
     ImpactResolution, MultipleImpacts, PathEnd, PathSettings, Scheme, Settings, Start,

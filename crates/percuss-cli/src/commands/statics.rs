@@ -5,8 +5,8 @@ mod print;
 use std::path::PathBuf;
 
 use percuss::{
-    AnalysisCode, Equilibrium, Error, LinearBuckling, Path, buckling_in_contact, equilibrium,
-    equilibrium_path_recorded,
+    AnalysisCode, Equilibrium, Error, LinearBuckling, Model, Path, buckling_in_contact,
+    equilibrium, equilibrium_path_recorded,
 };
 use percuss_output::{
     EquilibriumInfo, Extent, PathInfo, PathShapes, Results, equilibrium_value, path_value,
@@ -41,15 +41,16 @@ pub fn run(arguments: &Static) -> Result<Status, Failure> {
         scene: &ready.scenario.scene(model),
         found: &found,
         linear: &linear,
+        model,
     };
     let out = out(arguments, "-static");
     let directory = interrupt::directory(Results::Static, &out)?;
     write_equilibrium(directory.path(), &info)?;
     interrupt::commit(directory, Extent::Complete)?;
     if arguments.json {
-        terminal::print(&format!("{:#}\n", equilibrium_value(&found, &linear)))?;
+        terminal::print(&format!("{:#}\n", equilibrium_value(model, &found, &linear)))?;
     } else {
-        terminal::print(&print::table(&found, &linear))?;
+        terminal::print(&print::table(model, &found, &linear))?;
         terminal::tell(&format!("results  {}", out.display()));
     }
     warn(&ready, &found);
@@ -94,7 +95,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
         }
     };
     let linear = buckling_in_contact(&compiled.model, &path.end, 1);
-    let value = as_json(&path, &linear);
+    let value = as_json(&compiled.model, &path, &linear);
     let out = out(arguments, "-path");
     let directory = interrupt::directory(Results::Path, &out)?;
     let info = PathInfo { title: &compiled.title, scene: &scene, path: &path, linear: &linear };
@@ -104,7 +105,7 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
         terminal::print(&format!("{value:#}\n"))?;
     } else {
         terminal::print(&print::path(&path))?;
-        terminal::print(&print::table(&path.end, &linear))?;
+        terminal::print(&print::table(&compiled.model, &path.end, &linear))?;
         terminal::tell(&format!("results  {}", out.display()));
     }
     warn(ready, &path.end);
@@ -125,8 +126,8 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     Ok(Status::GaveUp)
 }
 
-fn as_json(path: &Path, linear: &LinearBuckling) -> Value {
-    let mut value = equilibrium_value(&path.end, linear);
+fn as_json(model: &Model, path: &Path, linear: &LinearBuckling) -> Value {
+    let mut value = equilibrium_value(model, &path.end, linear);
     value["path"] = path_value(path);
     value
 }

@@ -280,3 +280,53 @@ fn a_scenario_in_millimetres_is_recognised_once() {
         assert!(!told.contains("millimetres"), "{told}");
     }
 }
+
+/// A cantilever that a moment at its end bends 1.2 times as far as to first yield: `static` tells what a run that is loaded as slowly tells.
+#[test]
+fn statics_tells_of_yield_what_a_run_tells() {
+    let desk = Desk::empty();
+    let text = PRELOADED.replace("values = [1, 1, -0.9]", "values = [1, 1, 1]");
+    let (summary, ..) = run(&desk, &text, &["time.end=0.002"]);
+    let outcome = desk.percuss(&["static", "a.toml", "--out", "s"]);
+    outcome.ends_with(0);
+    let found: Value = {
+        let text = std::fs::read_to_string(desk.path("s").join("static.json")).unwrap();
+        serde_json::from_str(&text).unwrap()
+    };
+    let (found, told) = (&found["plastic"]["g"], &summary["plastic"]["g"]);
+    let near = |path: &str| {
+        let of = |value: &Value| value.pointer(path).and_then(Value::as_f64).unwrap();
+        let (a, b) = (of(found), of(told));
+        assert!((a - b).abs() <= 1e-6 * b.abs(), "{path}: {a} {b}");
+    };
+    for path in [
+        "/strain_max",
+        "/accumulated_max",
+        "/rotation",
+        "/permanent_set",
+        "/dissipated",
+        "/hinges/0/rotation",
+    ] {
+        near(path);
+    }
+    // First yield at W sigma = 0.04^3/6 * 275e6 = 2933 N m with the outermost of 8 fibres at 7/8 of the half depth, so beyond it.
+    let share = found["first_yield"]["load_factor"].as_f64().unwrap();
+    assert!((2933.0 / 3900.0..=1.0).contains(&share), "{share}");
+    for words in ["first yield at s = ", "plastic strain up to ", "permanent set (", "bent by "] {
+        assert!(outcome.stdout.contains(words), "{words}: {}", outcome.stdout);
+    }
+    assert!(!outcome.stdout.contains("mechanism"), "{}", outcome.stdout);
+}
+
+/// A cantilever with hardening of a thousandth of its stiffness, loaded 1.7 times as far as to first yield: beyond 1.5 times, its plastic
+/// moment, only hardening holds it.
+#[test]
+fn statics_tells_that_a_plastic_mechanism_was_passed() {
+    let desk = Desk::empty();
+    let hardens = "yield = \"275 MPa\"\nhardening = { isotropic = \"205 MPa\" }";
+    let text = PRELOADED.replace("yield = \"275 MPa\"", hardens).replace("3900", "4700");
+    desk.put("a.toml", text);
+    let outcome = desk.percuss(&["static", "a.toml"]);
+    outcome.ends_with(0);
+    assert!(outcome.stdout.contains("a plastic mechanism was passed"), "{}", outcome.stdout);
+}

@@ -5,7 +5,7 @@ mod contact;
 mod derivative;
 mod every_event;
 mod pick;
-mod plastic;
+pub(crate) mod plastic;
 mod provenance;
 
 use std::path::Path;

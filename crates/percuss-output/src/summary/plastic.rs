@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use super::peak;
 
 /// What became of a beam that can yield.
-pub(super) fn value(beam: &PlasticSummary) -> Value {
+pub(crate) fn value(beam: &PlasticSummary) -> Value {
     json!({
         "strain_max": beam.strain_max.value,
         "strain_max_at": place(&beam.strain_max),

@@ -2,6 +2,7 @@
 
 mod balance;
 mod buckling;
+mod course;
 pub(crate) mod equivalent;
 mod failure;
 mod flutter;
@@ -16,8 +17,9 @@ mod statics;
 mod unloading;
 mod yields;
 
-pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
 pub use balance::StaticBalance;
+pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
+pub use course::StaticFirstYield;
 pub use failure::{FailureKind, StaticFailure};
 pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};

@@ -1,6 +1,7 @@
 //! From rest to the loads in steps; where something fails on the way its load factor is found, it is taken away, and what it gave is let
 //! go at that factor until the rest is in equilibrium.
 
+use super::course::Course;
 use super::failure::{StaticFailure, in_words};
 use super::static_search::{Reached, StaticSearch};
 use super::statics::{is_stable_alone, lost};
@@ -49,13 +50,16 @@ pub(super) struct Loading<'a, 'm> {
     pub steps: usize,
     /// What has failed, in its order.
     pub failures: Vec<StaticFailure>,
+    /// What happens on the way.
+    pub course: Course,
 }
 
 impl<'a, 'm> Loading<'a, 'm> {
     pub fn new(search: &'a mut StaticSearch<'m>, structure: &'a Model, longest: f64) -> Self {
         let accepted = search.reached();
+        let course = Course::new(search);
         let failures = Vec::new();
-        Self { search, structure, accepted, longest, stable: true, steps: 0, failures }
+        Self { search, structure, accepted, longest, stable: true, steps: 0, failures, course }
     }
 
     /// Brings the loads up.
@@ -84,11 +88,13 @@ impl<'a, 'm> Loading<'a, 'm> {
                     reached = if target > 1.0 - 1e-12 { 1.0 } else { target };
                     step = (1.5 * step).min(self.longest);
                     self.accept();
+                    self.course.take(self.search, reached);
                 }
                 Step::Failing(share) => {
                     reached = share;
                     self.accept();
                     self.settle(share)?;
+                    self.course.take(self.search, share);
                 }
                 Step::Nowhere => {
                     if let Some(name) = self.search.contacts.lost(self.search.model) {

@@ -1,9 +1,10 @@
 //! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
 
 use super::balance::{self, StaticBalance};
+use super::course::StaticFirstYield;
+use super::failure::StaticFailure;
 use super::spectrum::{Held, Layout, free_motions, is_stable};
 use super::static_contacts::{StaticContact, takes_part};
-use super::failure::StaticFailure;
 use super::static_loading::Loading;
 use super::static_search::{StaticSearch, largest};
 use super::yields::{StaticYielding, at_rest};
@@ -48,6 +49,11 @@ pub struct Equilibrium {
     pub failures: Vec<StaticFailure>,
     /// What all that acts from outside comes to.
     pub balance: StaticBalance,
+    /// Where and under which share of the loads beams first yielded on the way to it, shape (beams); empty at the end of a path.
+    pub first_yields: Vec<Option<StaticFirstYield>>,
+    /// How many times faster with the loads than in the first load step nodes went where they went fastest: about one of a structure that
+    /// stays elastic, and many of one that passes a plastic mechanism; not a number at the end of a path \[1\].
+    pub softening: f64,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
     /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here, shape (such beams).
@@ -97,9 +103,10 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     search.foresee(true);
     let mut loading = Loading::new(&mut search, &structure, first_step.clamp(1e-3, 1.0));
     loading.bring_up()?;
-    let Loading { stable, steps, failures, .. } = loading;
+    let Loading { stable, steps, failures, course, .. } = loading;
     let mut found = finish(&mut search, steps);
     found.failures = failures;
+    (found.softening, found.first_yields) = (course.softening(), course.first_yields);
     balance::check(&search, &found)?;
     found.stable = if !search.contacts.press() {
         stable || is_stable_alone(&structure, &mut search)
@@ -168,6 +175,8 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
         yielding: at_rest(model, &state),
         failures: Vec::new(),
         balance,
+        first_yields: Vec::new(),
+        softening: f64::NAN,
         stable: true,
         sliding: Vec::new(),
         load_steps,

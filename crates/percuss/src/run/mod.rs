@@ -47,3 +47,4 @@ pub use preview::{Preview, preview};
 pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder};
 pub use simulation::{Simulation, simulate};
 pub use start::{massless, reference_state};
+pub use yielding::yielded_at_rest;

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::unloaded;
+use crate::analysis::{Equilibrium, unloaded};
 use crate::element::beam::ElementValues;
 use crate::element::fibre::{Fibre, FibreState, StressLaw};
 use crate::element::yielding::gauss_strains;
@@ -190,6 +190,28 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
         out
     })
     .collect()
+}
+
+/// What beams that can yield have come to in an equilibrium, one entry each, shape (beams that can yield): as after a run, but without
+/// times.
+pub fn yielded_at_rest(model: &Model, found: &Equilibrium) -> Vec<PlasticSummary> {
+    if !model.has_fibres() {
+        return Vec::new();
+    }
+    let mut records = vec![YieldRecord::default(); model.beams.len()];
+    note(model, &found.state, &mut records);
+    let mut all = summaries(model, &found.state, &records);
+    for beam in &mut all {
+        let index = model.beams.iter().position(|own| own.name == beam.name);
+        let first = index.and_then(|k| found.first_yields.get(k).copied().flatten());
+        if let Some(yielded) = &mut beam.first_yield {
+            yielded.s = first.map_or(beam.accumulated_max.s, |first| first.s);
+            yielded.time = f64::NAN;
+        }
+        beam.strain_max.time = f64::NAN;
+        beam.accumulated_max.time = f64::NAN;
+    }
+    all
 }
 
 /// The node of a beam that stays displaced farthest.

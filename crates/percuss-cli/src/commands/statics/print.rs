@@ -1,8 +1,9 @@
 //! An equilibrium and a path, as text.
 
 use percuss::{
-    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Path, SectionPeak,
-    SectionRange, StaticContact, StaticFailure, StaticYielding,
+    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Model, Path, PlasticHinge,
+    PlasticSummary, SectionPeak, SectionRange, StaticContact, StaticFailure, StaticYielding,
+    yielded_at_rest,
 };
 
 use crate::number::{count, number};
@@ -11,7 +12,7 @@ use crate::number::{count, number};
 const LISTED: usize = 20;
 
 /// An equilibrium for people.
-pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
+pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> String {
     let steps = count(found.load_steps, "load step");
     let mut text =
         format!("equilibrium in {steps}, {} Newton iterations\n", found.newton_iterations);
@@ -48,6 +49,7 @@ pub fn table(found: &Equilibrium, linear: &LinearBuckling) -> String {
     }
     text.push_str(&contacts(&found.contacts));
     text.push_str(&yielding(&found.yielding));
+    text.push_str(&yielded(model, found));
     text.push_str("section forces, smallest to largest\n");
     for beam in &found.section_forces {
         text.push_str(&format!("  {}\n", beam.name));
@@ -136,6 +138,58 @@ fn yielding(found: &[StaticYielding]) -> String {
         ));
     }
     text
+}
+
+/// A structure that becomes so many times softer than at first has passed a plastic mechanism.
+const MECHANISM: f64 = 20.0;
+
+/// Beams that have yielded, and whether the structure has passed a plastic mechanism.
+fn yielded(model: &Model, found: &Equilibrium) -> String {
+    let all = yielded_at_rest(model, found);
+    if all.is_empty() {
+        return String::new();
+    }
+    let mut text = "beams that can yield\n".to_owned();
+    for beam in &all {
+        text.push_str(&format!("  {}: {}\n", beam.name, in_short(model, found, beam)));
+    }
+    let any = all.iter().any(|beam| beam.first_yield.is_some())
+        || found.yielding.iter().any(|one| one.yielded);
+    if any && found.softening > MECHANISM {
+        text.push_str(&format!(
+            "  a plastic mechanism was passed: displacements grew up to {} times faster with the loads than at first\n",
+            number(found.softening)
+        ));
+    }
+    text
+}
+
+/// What a beam that can yield has come to.
+fn in_short(model: &Model, found: &Equilibrium, beam: &PlasticSummary) -> String {
+    let Some(first) = beam.first_yield else { return "elastic".to_owned() };
+    let index = (0..model.beam_count()).find(|k| model.beam(*k).name() == beam.name);
+    let share = index.and_then(|k| found.first_yields.get(k).copied().flatten());
+    let by =
+        share.map_or(String::new(), |one| format!(", by the load factor {}", number(one.share)));
+    let mut parts = vec![
+        format!("first yield at s = {} m{by}", number(first.s)),
+        format!("plastic strain up to {}", number(beam.strain_max.value)),
+    ];
+    let larger =
+        |a: &&PlasticHinge, b: &&PlasticHinge| a.rotation.abs().total_cmp(&b.rotation.abs());
+    if let Some(hinge) = beam.hinges.iter().max_by(larger) {
+        let (turn, s, length) = (number(hinge.rotation), number(hinge.s), number(hinge.length));
+        parts.push(format!("bent by {turn} rad about s = {s} m over {length} m"));
+    }
+    if let Some(set) = beam.permanent_set {
+        let [x, y] = set.displacement.map(|u| beside(set.size(), u));
+        parts.push(format!("permanent set ({x}, {y}) m at s = {} m", number(set.s)));
+    }
+    if beam.failed > 0 {
+        parts.push(format!("{} failed", count(beam.failed, "fibre")));
+    }
+    parts.push(format!("{} J dissipated", number(beam.dissipated)));
+    parts.join(", ")
 }
 
 /// What linear buckling makes of contacts.
