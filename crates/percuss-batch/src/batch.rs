@@ -38,7 +38,10 @@ pub fn simulate_batch(
         if detail == Detail::Motion {
             summary.supports.clear();
             summary.section_forces.clear();
-            summary.contacts.iter_mut().for_each(|contact| contact.equivalent_force = None);
+            for contact in &mut summary.contacts {
+                contact.equivalent_force = None;
+                contact.no_equivalent_force = None;
+            }
         }
         Ok(summary)
     };

@@ -4,6 +4,7 @@ mod balance;
 mod checkpoints;
 mod comparison;
 mod conclude;
+mod equivalent;
 mod recorder;
 mod table;
 
@@ -326,9 +327,9 @@ fn judge(
         advisor::tell(&after);
     }
     let mut denied = advisor::denied(&after, &arguments.deny);
-    advice.extend(after);
     settle(advice, &ready.compiled.settings, run);
     advisor::judge(advice, content);
+    advice.extend(after);
     let warnings = audit(run, advice, |code| content.reason_to_allow(code));
     denied.extend(advisor::denied_of_audit(&warnings, &arguments.deny));
     if !arguments.quiet && matches!(run.termination, Termination::Completed) {

@@ -20,6 +20,9 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
         if let Some(deflection) = force.deflection {
             value["equivalent_force"]["deflection"] = Value::from(deflection);
         }
+        value["equivalent_force"]["as_if_elastic"] = Value::from(force.as_if_elastic);
+    } else if let Some(reason) = contact.no_equivalent_force {
+        value["equivalent_force_note"] = Value::from(reason);
     }
     if let Some(permanent) = contact.permanent_penetration {
         value["permanent_penetration"] = Value::from(permanent);

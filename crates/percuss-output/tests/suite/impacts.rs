@@ -17,6 +17,7 @@ fn contact(name: &str, record: ContactRecord) -> ContactSummary {
         effective_mass: None,
         permanent_penetration: None,
         equivalent_force: None,
+        no_equivalent_force: None,
         record,
     }
 }

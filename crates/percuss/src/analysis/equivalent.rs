@@ -1,52 +1,109 @@
 //! The static force that does to a structure what an impact did to it at most: what engineers design against.
 //!
-//! It acts at the struck point along the line of flight, on the structure in its reference configuration, by linear elasticity:
-//! its largest bending moment in the struck beam, or its deflection of the struck point, is that of the run.
+//! It acts at the struck point along the line of flight, beside the weight if there is any, on the structure in its reference
+//! configuration, by linear elasticity: its largest bending moment in the struck beam, or its deflection of the struck point, is that of
+//! the run. Of a structure that yielded it is the force on the same structure as if it stayed elastic.
 
 use super::section_forces::{self, Acting, Lines};
 use super::spectrum::{Layout, free_motions};
 use super::static_search::{RULE, StaticSearch};
 use crate::geometry::row::Row;
+use crate::inspect::LoadView;
 use crate::math::vec2::dot;
 use crate::model::Model;
 use crate::model::frozen::{Connector, ConnectorLaw, ProjectileData};
-use crate::settings::Scheme;
+use crate::settings::{Scheme, Start};
 use crate::state::State;
 use crate::step::workspace::Workspace;
 use crate::summary::{EquivalentForce, RunSummary};
 
 /// Displacements of the linear solution against the size of the structure: so small that what is of second order is round-off.
 const SMALL: f64 = 1e-7;
+/// A moment that differs from the one looked for by this share is it, and the most secants that lead there.
+const FOUND: f64 = 1e-11;
+const SECANTS: usize = 60;
 
-/// What a unit force at the struck point along the line of flight does to the structure at rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct UnitResponse {
-    /// Deflection of the struck point along the force \[m/N\].
-    pub deflection: f64,
-    /// Largest magnitude of the bending moment in the struck beam \[N m/N\].
-    pub moment: f64,
-}
-
-/// The equivalent static force of a run, if one guided projectile strikes an elastic structure at rest on which nothing else acts:
-/// else its largest moment and deflection are not those of the impact alone. Neither are they where a stop takes part, which no linear
-/// analysis knows, or a spring that is strained from the start.
-pub fn equivalent_force(model: &Model, run: &RunSummary) -> Option<EquivalentForce> {
-    let [projectile] = model.projectiles.as_slice() else { return None };
-    let alone = model.contacts.len() == 1 && model.loads.is_empty() && model.motions.is_empty();
-    let whole = run.joints.iter().all(|joint| joint.parted.is_none());
-    if !whole || !alone || !model.is_still() || model.is_inelastic() || !has_slack_springs(model) {
-        return None;
-    }
-    let unit = unit_response(model, projectile)?;
+/// The equivalent static force of a run in which one guided projectile strikes a structure at rest.
+///
+/// # Errors
+/// Why there is none: more than the impact and a weight acts, or the structure is none that linear analysis knows.
+pub fn equivalent_force(
+    model: &Model,
+    start: Start,
+    run: &RunSummary,
+) -> Result<EquivalentForce, &'static str> {
+    let projectile = striker(model)?;
+    refuse_others(model, start)?;
+    refuse_what_is_not_linear(model, run)?;
+    let mut linear =
+        Linear::new(model, projectile).ok_or("nothing holds the structure against it")?;
     let moment = run.section_forces[projectile.point.beam].moment.largest().value.abs();
+    if moment.is_nan() || moment <= linear.moment(0.0) * (1.0 + FOUND) {
+        return Err("nothing bends the struck beam farther than it was at rest");
+    }
     let along = (0..2).find(|k| projectile.direction[*k].abs() > 1.0 - 1e-12);
     let recorded = run.points.iter().find(|p| p.name == model.contacts[0].between[0]);
-    let deflection = along.zip(recorded).map(|(k, p)| p.displacement_max[k].value.abs());
-    Some(EquivalentForce {
-        moment: moment / unit.moment,
-        deflection: deflection.map(|d| d / unit.deflection),
+    let deflection = along.zip(recorded).map(|(k, p)| match model.loads.is_empty() {
+        true => p.displacement_max[k].value.abs(),
+        false => p.displacement_max[k].value * projectile.direction[k] - linear.sag(),
+    });
+    let yielded = run.plastic.iter().any(|beam| beam.first_yield.is_some())
+        || run.yielding.iter().any(|one| one.first_yield.is_some());
+    Ok(EquivalentForce {
+        moment: linear.force_of(moment),
+        deflection: deflection.filter(|d| *d > 0.0).map(|d| d / linear.deflection),
+        as_if_elastic: yielded,
     })
-    .filter(|force| force.moment > 0.0)
+}
+
+/// The one thing that strikes.
+fn striker(model: &Model) -> Result<&ProjectileData, &'static str> {
+    match (model.projectiles.as_slice(), model.contacts.len()) {
+        ([projectile], 1) => Ok(projectile),
+        ([], _) => Err("no guided projectile strikes"),
+        _ => Err("other contacts may act as well"),
+    }
+}
+
+/// Refuses what moves or loads the structure beside the impact, its weight at rest excepted.
+fn refuse_others(model: &Model, start: Start) -> Result<(), &'static str> {
+    let steady = |load: &LoadView<'_>| {
+        load.gravity().is_some()
+            && [0.0, 1e-3, 1.0, 1e3].iter().all(|t| load.factor(*t, 1e-6) == 1.0)
+    };
+    if !model.loads().all(|load| steady(&load)) {
+        return Err("other loads than a steady weight act as well");
+    }
+    if !model.loads.is_empty() && start != Start::Static {
+        return Err(
+            "the structure swings under its weight from the start: time.start = \"static\" lets it hang at rest",
+        );
+    }
+    if !model.motions.is_empty() {
+        return Err("supports are moved");
+    }
+    if !model.is_still() {
+        return Err("the structure moves from the start");
+    }
+    Ok(())
+}
+
+/// Refuses structures that are no linear ones as long as nothing yields.
+fn refuse_what_is_not_linear(model: &Model, run: &RunSummary) -> Result<(), &'static str> {
+    if run.joints.iter().any(|joint| joint.parted.is_some())
+        || run.plastic.iter().any(|beam| !beam.parted.is_empty() || beam.failed > 0)
+        || run.yielding.iter().any(|one| one.failed.is_some())
+    {
+        return Err("part of the structure failed");
+    }
+    if !has_slack_springs(model) {
+        return Err("stops, or springs that are strained from the start, take part");
+    }
+    let mut laws = model.spans.iter().filter_map(|s| s.fibres.as_ref()).flat_map(|f| &f.laws);
+    if laws.any(|law| law.slack().is_some()) {
+        return Err("a material bears stresses of one sign alone");
+    }
+    Ok(())
 }
 
 /// Whether all springs are linear ones without force at the start.
@@ -60,46 +117,151 @@ fn has_slack_springs(model: &Model) -> bool {
         .all(|(c, &q)| linear(c) && c.potential(q, &start.memories) == 0.0)
 }
 
-/// The response of the beams to a unit force where a projectile strikes; none where they can move freely.
-pub fn unit_response(model: &Model, projectile: &ProjectileData) -> Option<UnitResponse> {
-    let structure = &model.structure();
+/// Displacements, and multipliers of constraints.
+#[derive(Clone, Default)]
+struct Solution {
+    /// Shape (nodes, 4) \[m, 1\].
+    displacement: Vec<[f64; 4]>,
+    /// Shape (constraints) \[N, N m\].
+    multiplier: Vec<f64>,
+}
+
+/// The structure in its reference configuration under small forces.
+struct Linear {
+    structure: Model,
+    projectile: ProjectileData,
+    /// Under a unit force along the line of flight.
+    unit: Solution,
+    /// Under the weight.
+    weight: Solution,
+    /// Deflection of the struck point along a unit force \[m/N\].
+    deflection: f64,
+}
+
+impl Linear {
+    /// None where beams can move freely.
+    fn new(model: &Model, projectile: &ProjectileData) -> Option<Self> {
+        let structure = model.structure();
+        let (unit, weight) = solutions(&structure, projectile)?;
+        let deflection = dot(projectile.direction, projectile.point.value(&unit.displacement));
+        let projectile = projectile.clone();
+        (deflection > 0.0 && deflection.is_finite()).then_some(Self {
+            structure,
+            projectile,
+            unit,
+            weight,
+            deflection,
+        })
+    }
+
+    /// Deflection of the struck point under the weight, along the line of flight \[m\].
+    fn sag(&self) -> f64 {
+        let Self { projectile, weight, .. } = self;
+        dot(projectile.direction, projectile.point.value(&weight.displacement))
+    }
+
+    /// Largest magnitude of the bending moment in the struck beam under a unit force alone \[N m\].
+    fn unit_moment(&self) -> f64 {
+        self.largest_moment([0.0, 1.0])
+    }
+
+    /// The same under the weight and a force \[N\].
+    fn moment(&self, force: f64) -> f64 {
+        self.largest_moment([1.0, force])
+    }
+
+    /// The same under shares of the weight and of a unit force.
+    fn largest_moment(&self, shares: [f64; 2]) -> f64 {
+        let Self { structure, projectile, unit, weight, .. } = self;
+        let both = |w: f64, u: f64| shares[0] * w + shares[1] * u;
+        let moved: Vec<[f64; 4]> = weight
+            .displacement
+            .iter()
+            .zip(&unit.displacement)
+            .map(|(w, u)| std::array::from_fn(|k| both(w[k], u[k])))
+            .collect();
+        let most = moved.iter().map(|u| u[0].abs().max(u[1].abs())).fold(0.0, f64::max);
+        if most == 0.0 {
+            return 0.0;
+        }
+        let rest = State::at_rest(structure, Scheme::EnergyMomentum);
+        let mut search = StaticSearch::at(structure, &rest);
+        let small = SMALL * search.size() / most;
+        search.forcing.set_static(structure, small * shares[0]);
+        for (d, u) in search.work.increment.iter_mut().zip(&moved) {
+            *d = u.map(|u| small * u);
+        }
+        let multipliers = weight.multiplier.iter().zip(&unit.multiplier);
+        for (m, (w, u)) in search.work.multiplier.iter_mut().zip(multipliers) {
+            *m = small * both(*w, *u);
+        }
+        search.assemble::<false>();
+        let (row, force) = (row(projectile), small * shares[1]);
+        let state = search.state();
+        let Workspace { increment, beams, .. } = &search.work;
+        let forcing = &search.forcing;
+        let acting = Acting { state: &search.base, increment, rule: &RULE, beams, forcing };
+        let (mut lines, mut forces) = (Lines::default(), section_forces::unset(structure));
+        lines.set(structure, &acting, std::iter::once(([&row; 2], [force, 0.0])));
+        section_forces::update(structure, &lines, &state, &mut forces);
+        forces[projectile.point.beam].moment.largest().value.abs() / small
+    }
+
+    /// The force that makes a largest moment beside the weight \[N\]: moments are pieces of straight lines over the force.
+    fn force_of(&mut self, moment: f64) -> f64 {
+        let first = moment / self.unit_moment();
+        if self.structure.loads.is_empty() {
+            return first;
+        }
+        let (mut low, mut high) = ([0.0, self.moment(0.0)], [first, self.moment(first)]);
+        while high[1] < moment && high[0].is_finite() {
+            low = high;
+            high = [2.0 * high[0], self.moment(2.0 * high[0])];
+        }
+        for _ in 0..SECANTS {
+            let share = ((moment - low[1]) / (high[1] - low[1])).clamp(0.01, 0.99);
+            let force = low[0] + share * (high[0] - low[0]);
+            let found = [force, self.moment(force)];
+            if (found[1] - moment).abs() <= FOUND * moment {
+                return force;
+            }
+            if found[1] < moment { low = found } else { high = found }
+        }
+        0.5 * (low[0] + high[0])
+    }
+}
+
+/// What a projectile presses on, as a form.
+fn row(projectile: &ProjectileData) -> Row {
+    let (point, [e1, e2]) = (&projectile.point, projectile.direction);
+    let [n0, n1, n2, n3] = point.shape;
+    let mut row = Row::default();
+    row.add(point.node, [n0 * e1, n0 * e2, n1 * e1, n1 * e2]);
+    row.add(point.node + 1, [n2 * e1, n2 * e2, n3 * e1, n3 * e2]);
+    row
+}
+
+/// Linear solutions under a unit force and under the weight; none where beams can move freely.
+fn solutions(structure: &Model, projectile: &ProjectileData) -> Option<(Solution, Solution)> {
     let rest = State::at_rest(structure, Scheme::EnergyMomentum);
-    let (point, direction) = (&projectile.point, projectile.direction);
     let mut search = StaticSearch::at(structure, &rest);
     if !free_motions(&Layout::new(structure), &search).motions.is_empty() {
         return None;
     }
     search.assemble::<true>();
     search.factor_assembled().ok()?;
+    let solve = |search: &mut StaticSearch<'_>| {
+        search.correction();
+        let Workspace { correction, multiplier, .. } = &search.work;
+        Solution { displacement: correction.clone(), multiplier: multiplier.clone() }
+    };
     search.work.residual.fill([0.0; 4]);
-    point.spread(direction.map(|d| -d), &mut search.work.residual);
+    projectile.point.spread(projectile.direction.map(|d| -d), &mut search.work.residual);
     search.work.multiplier.fill(0.0);
-    search.correction();
-    let unit = dot(direction, point.value(&search.work.correction));
-    let most =
-        search.work.correction.iter().map(|u| u[0].abs().max(u[1].abs())).fold(0.0, f64::max);
-    if !(most > 0.0 && most.is_finite()) {
-        return None;
-    }
-    let force = SMALL * search.size() / most;
-    let Workspace { increment, correction, multiplier, .. } = &mut search.work;
-    for (d, u) in increment.iter_mut().zip(correction.iter()) {
-        *d = u.map(|u| force * u);
-    }
-    multiplier.iter_mut().for_each(|m| *m *= force);
+    let unit = solve(&mut search);
+    search.forcing.set_static(structure, 1.0);
+    search.work.multiplier.fill(0.0);
     search.assemble::<false>();
-    let mut row = Row::default();
-    let [n0, n1, n2, n3] = point.shape;
-    let [e1, e2] = direction;
-    row.add(point.node, [n0 * e1, n0 * e2, n1 * e1, n1 * e2]);
-    row.add(point.node + 1, [n2 * e1, n2 * e2, n3 * e1, n3 * e2]);
-    let state = search.state();
-    let Workspace { increment, beams, .. } = &search.work;
-    let acting =
-        Acting { state: &search.base, increment, rule: &RULE, beams, forcing: &search.forcing };
-    let (mut lines, mut forces) = (Lines::default(), section_forces::unset(structure));
-    lines.set(structure, &acting, std::iter::once(([&row; 2], [force, 0.0])));
-    section_forces::update(structure, &lines, &state, &mut forces);
-    let moment = forces[point.beam].moment.largest().value.abs() / force;
-    (unit > 0.0 && moment > 0.0).then_some(UnitResponse { deflection: unit, moment })
+    let weight = solve(&mut search);
+    Some((unit, weight))
 }

@@ -60,6 +60,7 @@ impl Simulation<'_> {
                         between: contact.between.clone(),
                         effective_mass: effective.get(i).copied().or(self.struck_masses[i]),
                         equivalent_force: None,
+                        no_equivalent_force: None,
                         permanent_penetration: contact.law.permanent(pairs),
                         record,
                     }
@@ -83,8 +84,13 @@ impl Simulation<'_> {
             joints: joint_log::summaries(model, &self.monitor.joints),
             section_forces: self.monitor.section_forces,
         };
-        let equivalent = equivalent_force(model, &summary);
-        summary.contacts.iter_mut().for_each(|contact| contact.equivalent_force = equivalent);
+        if !model.projectiles.is_empty() {
+            let found = equivalent_force(model, self.settings.start, &summary);
+            for contact in &mut summary.contacts[..model.projectiles.len()] {
+                contact.equivalent_force = found.ok();
+                contact.no_equivalent_force = found.err();
+            }
+        }
         summary
     }
 

@@ -258,19 +258,24 @@ pub struct ContactSummary {
     pub effective_mass: Option<EffectiveMass>,
     /// What stays pushed in at the end where it is deepest, of a law that crushes \[m\].
     pub permanent_penetration: Option<f64>,
-    /// Static force that does what the impacts did at most, where nothing else acts on the structure.
+    /// Static force that does what the impacts did at most, where nothing but a weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
+    /// Why there is none, of a guided projectile.
+    pub no_equivalent_force: Option<&'static str>,
     /// What happened.
     pub record: ContactRecord,
 }
 
-/// Static force at the struck point along the line of flight that, by linear elasticity, does to the structure what a run did at most.
+/// Static force at the struck point along the line of flight, beside the weight if there is any, that does by linear elasticity to the
+/// structure what a run did at most.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EquivalentForce {
     /// The one that bends the struck beam by the same largest moment \[N\].
     pub moment: f64,
     /// The one that deflects the struck point as far along the line of flight \[N\]; none where that is not recorded.
     pub deflection: Option<f64>,
+    /// Whether something yielded in the run: then it is the force on the same structure as if that stayed elastic.
+    pub as_if_elastic: bool,
 }
 
 /// Impacts at which several touching bodies were struck at once, so that the impact law shared the blow among them.

@@ -254,6 +254,7 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
     assert!(told(&held));
     assert!(!told(&|_, _| ()), "a beam that flies");
     assert!(!told(&|b, girder| {
+        // It swings under its weight from the start.
         held(b, girder);
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     }));
@@ -277,4 +278,76 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
         held(b, girder);
         b.projectile(elastic("other", at("late", girder, 1.0), [0.0, 1.0]));
     }));
+}
+
+/// A beam that hangs under its weight q, struck amidst: a static force F beside it bends a pinned one by q L^2/8 + F L/4 there and
+/// deflects it by 5 q L^4/(384 EI) + F L^3/(48 EI).
+#[test]
+fn an_equivalent_static_force_acts_beside_the_weight() {
+    let (length, bending, mass) = (3.0, 0.2e10 * 8.33e-5, 0.1 * 3e3);
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [length, 0.0], 8, material, section));
+    b.support(Support::new("a", at("a", girder, 0.0), SupportKind::Pin));
+    let roller = SupportKind::Roller { direction: [1.0, 0.0] };
+    b.support(Support::new("z", at("z", girder, 1.0), roller));
+    let pull = 1e-3;
+    b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -pull] }));
+    b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, -0.01]));
+    b.record_point(at("mid", girder, 0.5));
+    let model = b.build().unwrap();
+    let settings = Settings { start: Start::Static, ..Settings::new(0.4, 1e-3) };
+    let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
+    let found = summary.contacts[0].equivalent_force.unwrap();
+    let weight = mass * pull;
+    let moment = summary.section_forces[0].moment.largest();
+    // Where it is largest the beam is bent as by a force amidst.
+    assert!((moment.s - 0.5 * length).abs() < 1e-9, "{moment:?}");
+    let by_moment = (moment.value.abs() - weight * length * length / 8.0) * 4.0 / length;
+    assert!((found.moment / by_moment - 1.0).abs() < 1e-6, "{found:?} {by_moment}");
+    let sag = 5.0 * weight * length.powi(4) / (384.0 * bending);
+    let deflection = summary.points[0].displacement_max[1].value.abs();
+    let by_deflection = (deflection - sag) * 48.0 * bending / length.powi(3);
+    assert!(sag > 1e-3 * deflection, "the weight counts: {sag} of {deflection}");
+    let off = found.deflection.unwrap() / by_deflection - 1.0;
+    assert!(off.abs() < 1e-5, "{found:?} {by_deflection}");
+}
+
+/// Of a beam that yields it is the force that bends the elastic one as far, and of what has none the reason is told.
+#[test]
+fn a_beam_that_yields_has_the_equivalent_force_of_the_elastic_one() {
+    let plasticity = Plasticity {
+        curve: vec![Hardening { from: 0.0, stress: 235e6, modulus: 0.0 }],
+        kinematic: 0.0,
+        overstress: None,
+        failure_strain: None,
+    };
+    let mut b = ModelBuilder::new();
+    let inelasticity = Some(Inelasticity::Plastic(plasticity));
+    let material = Material { inelasticity, ..Material::new("m", 2.1e11, 7850.0) };
+    let material = b.material(material);
+    let section = b.section(Section::rectangle("s", 0.05, 0.05));
+    let girder = b.beam(beam("girder", [0.0, 0.0], [2.0, 0.0], 8, material, section));
+    b.support(Support::new("a", at("a", girder, 0.0), SupportKind::Pin));
+    let roller = SupportKind::Roller { direction: [1.0, 0.0] };
+    b.support(Support::new("z", at("z", girder, 1.0), roller));
+    let kind = ProjectileKind::spring(1e5);
+    b.projectile(Projectile::new("mass", kind, 40.0, [0.0, -6.0], at("mid", girder, 0.5)));
+    let model = b.build().unwrap();
+    let summary = simulate(&model, &Settings::new(0.2, 2e-4), &mut NoRecorder).unwrap();
+    assert!(summary.plastic[0].first_yield.is_some());
+    let found = summary.contacts[0].equivalent_force.unwrap();
+    let moment = summary.section_forces[0].moment.largest().value.abs();
+    assert!(
+        found.as_if_elastic && (found.moment / (moment * 4.0 / 2.0) - 1.0).abs() < 1e-6,
+        "{found:?} {moment}"
+    );
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 4, material, section));
+    b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 1.0]));
+    let model = b.build().unwrap();
+    let summary = simulate(&model, &Settings::new(0.01, 1e-3), &mut NoRecorder).unwrap();
+    let told = summary.contacts[0].no_equivalent_force;
+    assert_eq!(told, Some("nothing holds the structure against it"));
 }

@@ -3,15 +3,16 @@
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, EquivalentForce, Impact, JointSummary,
-    NoRestitution, PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary,
-    Termination, YieldingSummary,
+    ContactInterval, ContactRecord, ContactSummary, Impact, JointSummary, NoRestitution,
+    PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
+    YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
 use serde_json::Value;
 
 use super::Ended;
+use super::equivalent::{equivalent, without_equivalent};
 use crate::effective_mass;
 use crate::number::{count, number, small};
 use crate::terminal::{self, painted};
@@ -143,7 +144,6 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
     Some((format!("yield of {}", beam.name), parts.join(", ")))
 }
 
-/// What became of a joint of a given strength.
 /// What plastic flow dissipated, and how much of it the preload of a static start.
 fn dissipated(all: f64, by_preload: f64) -> String {
     match by_preload > ROUNDING * all {
@@ -157,6 +157,7 @@ fn dissipated(all: f64, by_preload: f64) -> String {
     }
 }
 
+/// What became of a joint of a given strength.
 fn joint(joint: &JointSummary) -> (String, String) {
     let told = |force: f64, moment: f64| {
         let moment =
@@ -309,6 +310,7 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
             }
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
+            lines.extend(contact.no_equivalent_force.map(without_equivalent));
             lines
         }
         ContactRecord::Nonsmooth {
@@ -330,16 +332,10 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
             }
             lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
+            lines.extend(contact.no_equivalent_force.map(without_equivalent));
             lines
         }
     }
-}
-
-/// The static force that does what the impacts did at most.
-fn equivalent(force: &EquivalentForce) -> String {
-    let by_moment = number(force.moment);
-    let by_deflection = force.deflection.map(|f| format!(", {} N by deflection", number(f)));
-    format!("equivalent static force {by_moment} N by moment{}", by_deflection.unwrap_or_default())
 }
 
 /// The first few of `count` items, and how many more there are.

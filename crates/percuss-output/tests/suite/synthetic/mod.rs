@@ -283,6 +283,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             effective_mass: Some(EffectiveMass { on_mesh: 91.2, limit: 17.3 }),
             permanent_penetration: None,
             equivalent_force: None,
+            no_equivalent_force: None,
             record,
         }],
         contact_residual_max: 2e-16,
