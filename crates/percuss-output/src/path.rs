@@ -8,6 +8,7 @@ use percuss::{Equilibrium, LinearBuckling, Path, PathPoint, PathRecorder, PathYi
 use serde_json::{Map, Value, json};
 
 use crate::csv_text;
+use crate::equilibrium::failure;
 use crate::error::Error;
 use crate::fields::{Places, StoredFrame};
 use crate::files;
@@ -124,6 +125,8 @@ pub fn path_value(path: &Path) -> Value {
         "torn": path.torn,
         "points": path.points.len(),
         "factor": path.points.last().map(|p| p.factor),
+        "failures": path.failures.iter().map(failure).collect::<Vec<_>>(),
+        "bifurcations": path.bifurcations.iter().map(at).collect::<Vec<_>>(),
         "limit_points": path.limit_points.iter().map(at).collect::<Vec<_>>(),
         "first_yields": path.yields.iter().map(first_yield).collect::<Vec<_>>(),
     })
@@ -159,13 +162,14 @@ fn csv(path: &Path) -> String {
             let _ = write!(text, ",{column}"); // a String never fails
         }
     }
-    text.push('\n');
+    text.push_str(",stable\n");
     let mut buffer = zmij::Buffer::new();
     for point in &path.points {
         text.push_str(buffer.format(point.factor));
         for value in point.displacements.as_flattened() {
             let _ = write!(text, ",{}", buffer.format(*value));
         }
+        text.push_str(if point.stable { ",1" } else { ",0" });
         text.push('\n');
     }
     text

@@ -88,6 +88,40 @@ enum Part {
     Joint(usize),
 }
 
+/// Looks for where something fails; it is found where the strength is reached to within this share, or the way to it to within that.
+const MOST_LOOKS: usize = 60;
+const ON_STRENGTH: f64 = 1e-11;
+const ON_THE_WAY: f64 = 1e-14;
+
+/// Where on a way the largest use of a strength comes to one, just beyond it: between `range`, where the uses exceed one by `excess`,
+/// below zero at the start alone. `excess_at` goes to a place, and tells the excess there; nothing where it finds no equilibrium.
+pub(super) fn first_failure(
+    range: [f64; 2],
+    excess: [f64; 2],
+    mut excess_at: impl FnMut(f64) -> Option<f64>,
+) -> Option<f64> {
+    let ([mut low, mut high], [mut below, mut above]) = (range, excess);
+    let (mut there, mut last_low, whole) = (above, false, high - low);
+    for look in 0..MOST_LOOKS {
+        if there <= ON_STRENGTH || high - low <= ON_THE_WAY * whole {
+            break;
+        }
+        // Regula falsi, weighed where one end stays (Illinois); halved now and then, for uses may jump.
+        let share = if look % 6 == 5 { 0.5 } else { -below / (above - below) };
+        let middle = low + share.clamp(1e-3, 1.0 - 1e-9) * (high - low);
+        let here = excess_at(middle)?;
+        if here < 0.0 {
+            (low, below) = (middle, here);
+            above *= if last_low { 0.5 } else { 1.0 };
+        } else {
+            (high, above, there) = (middle, here, here);
+            below *= if last_low { 1.0 } else { 0.5 };
+        }
+        last_low = here < 0.0;
+    }
+    Some(high)
+}
+
 impl StaticSearch<'_> {
     /// The largest share of its strength that anything bears where the search stands: one where something fails.
     pub fn largest_use(&self) -> f64 {
@@ -96,9 +130,9 @@ impl StaticSearch<'_> {
         most
     }
 
-    /// The first thing that bears more than its strength where the search stands.
-    pub fn first_beyond(&self) -> Option<String> {
-        let (mut most, mut first) = (1.0, None);
+    /// The name of what fails first where the search stands: what bears its whole strength.
+    pub fn first_to_fail(&self) -> Option<String> {
+        let (mut most, mut first) = (1.0 - SIMULTANEOUS, None);
         self.each_use(|part, share| {
             if share > most {
                 (most, first) = (share, Some(part));

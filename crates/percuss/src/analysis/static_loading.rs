@@ -2,9 +2,9 @@
 //! go at that factor until the rest is in equilibrium.
 
 use super::course::Course;
-use super::failure::{StaticFailure, in_words};
+use super::failure::{StaticFailure, first_failure, in_words};
 use super::static_search::{Reached, StaticSearch};
-use super::statics::{is_stable_alone, lost};
+use super::statics::{lost, stability};
 use crate::error::Error;
 use crate::model::Model;
 
@@ -12,11 +12,6 @@ use crate::model::Model;
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps that lead to an unstable equilibrium are cut down to this share before it is believed.
 const FINEST_SHARE: f64 = 1.0 / 128.0;
-/// Looks for where something fails; it is found where the strength is reached to within this share, or the load to within that.
-const MOST_LOOKS: usize = 60;
-const ON_STRENGTH: f64 = 1e-11;
-const ON_LOAD: f64 = 1e-14;
-
 /// What a step does.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
@@ -39,8 +34,6 @@ enum Step {
 /// A structure on the way to the equilibrium under its loads.
 pub(super) struct Loading<'a, 'm> {
     search: &'a mut StaticSearch<'m>,
-    /// The beams alone, for their stability.
-    structure: &'a Model,
     accepted: Reached,
     /// The longest step \[share of the loads\].
     longest: f64,
@@ -55,15 +48,14 @@ pub(super) struct Loading<'a, 'm> {
 }
 
 impl<'a, 'm> Loading<'a, 'm> {
-    pub fn new(search: &'a mut StaticSearch<'m>, structure: &'a Model, longest: f64) -> Self {
+    pub fn new(search: &'a mut StaticSearch<'m>, longest: f64) -> Self {
         let accepted = search.reached();
-        let course = Course::new(search);
-        let failures = Vec::new();
-        Self { search, structure, accepted, longest, stable: true, steps: 0, failures, course }
+        let (failures, course) = (Vec::new(), Course::new(search));
+        Self { search, accepted, longest, stable: true, steps: 0, failures, course }
     }
 
-    /// Brings the loads up.
-    pub fn bring_up(&mut self) -> Result<(), Error> {
+    /// Brings the loads up; `structure` is the beams alone, for their stability.
+    pub fn bring_up(&mut self, structure: &Model) -> Result<(), Error> {
         let (mut reached, mut step) = (0.0, self.longest);
         while reached < 1.0 {
             let target: f64 = f64::min(reached + step, 1.0);
@@ -73,7 +65,7 @@ impl<'a, 'm> Loading<'a, 'm> {
             if matches!(found, Step::There)
                 && alone
                 && self.stable
-                && !is_stable_alone(self.structure, self.search)
+                && !stability(structure, self.search).stable
             {
                 // A branch that lost its stability may have been jumped to: smaller steps tell.
                 if step > self.longest * FINEST_SHARE {
@@ -119,7 +111,7 @@ impl<'a, 'm> Loading<'a, 'm> {
     }
 
     /// Takes away what fails in the equilibrium reached, and goes on at its share of the loads to one without it.
-    fn settle(&mut self, share: f64) -> Result<(), Error> {
+    pub fn settle(&mut self, share: f64) -> Result<(), Error> {
         self.fail(share);
         let (mut gone, mut step) = (0.0, 1.0_f64);
         while gone < 1.0 {
@@ -176,32 +168,13 @@ impl<'a, 'm> Loading<'a, 'm> {
     }
 
     /// Goes to where the first thing fails, between two places of a step with the uses of strengths above one there.
-    fn locate(&mut self, stage: Stage, range: [f64; 2], uses: [f64; 2]) -> Option<f64> {
-        let ([mut low, mut high], [mut below, mut above]) = (range, uses);
-        let (mut excess, mut last_low) = (above, false);
-        for look in 0..MOST_LOOKS {
-            if excess <= ON_STRENGTH || high - low <= ON_LOAD {
-                break;
-            }
-            // Regula falsi, weighed where one end stays (Illinois); halved now and then, for uses may jump.
-            let share = if look % 6 == 5 { 0.5 } else { -below / (above - below) };
-            let middle = low + share.clamp(1e-3, 1.0 - 1e-9) * (high - low);
+    fn locate(&mut self, stage: Stage, range: [f64; 2], excess: [f64; 2]) -> Option<f64> {
+        let at = first_failure(range, excess, |at| {
             self.search.go_back(&self.accepted);
-            if !self.solve(stage, middle) {
-                return None;
-            }
-            let here = self.search.largest_use() - 1.0;
-            if here < 0.0 {
-                (low, below) = (middle, here);
-                above *= if last_low { 0.5 } else { 1.0 };
-            } else {
-                (high, above, excess) = (middle, here, here);
-                below *= if last_low { 1.0 } else { 0.5 };
-            }
-            last_low = here < 0.0;
-        }
+            self.solve(stage, at).then(|| self.search.largest_use() - 1.0)
+        })?;
         self.search.go_back(&self.accepted);
-        self.solve(stage, high).then_some(high)
+        self.solve(stage, at).then_some(at)
     }
 
     fn solve(&mut self, stage: Stage, at: f64) -> bool {

@@ -54,6 +54,8 @@ pub(super) struct StaticSearch<'m> {
     /// Forces that what has failed gave, shape (nodes, 4) \[N, N m\]; empty where none are held. The share that is let go.
     withheld: Vec<[f64; 4]>,
     pub let_go: f64,
+    /// Whether prescribed motions are left out.
+    pub still: bool,
     /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
     gaps: Option<Chain>,
 }
@@ -84,7 +86,8 @@ impl<'m> StaticSearch<'m> {
         let (work, forcing) = (Workspace::new(model), Forcing::new(model));
         let contacts = StaticContacts::new(model, &base);
         let (withheld, let_go, gaps) = (Vec::new(), 1.0, None);
-        Self { model, base, work, forcing, contacts, iterations: 0, withheld, let_go, gaps }
+        let (iterations, still) = (0, false);
+        Self { model, base, work, forcing, contacts, iterations, withheld, let_go, still, gaps }
     }
 
     /// At an equilibrium: increments count from it. In the reference configuration no load acts.

@@ -3,7 +3,7 @@
 use super::balance::{self, StaticBalance};
 use super::course::StaticFirstYield;
 use super::failure::StaticFailure;
-use super::spectrum::{Held, Layout, free_motions, is_stable};
+use super::spectrum::{Held, Layout, Stability, free_motions, stability_about, stability_loaded};
 use super::static_contacts::{StaticContact, takes_part};
 use super::static_loading::Loading;
 use super::static_search::{StaticSearch, largest};
@@ -101,20 +101,15 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     refuse_overlaps(&search)?;
     search.hold_loose_beams();
     search.foresee(true);
-    let mut loading = Loading::new(&mut search, &structure, first_step.clamp(1e-3, 1.0));
-    loading.bring_up()?;
+    let mut loading = Loading::new(&mut search, first_step.clamp(1e-3, 1.0));
+    loading.bring_up(&structure)?;
     let Loading { stable, steps, failures, course, .. } = loading;
     let mut found = finish(&mut search, steps);
     found.failures = failures;
     (found.softening, found.first_yields) = (course.softening(), course.first_yields);
     balance::check(&search, &found)?;
-    found.stable = if !search.contacts.press() {
-        stable || is_stable_alone(&structure, &mut search)
-    } else if search.contacts.has_discs() {
-        search.is_stable_touching()
-    } else {
-        is_stable(&structure, &found.state.of_structure(&structure), found.held.clone())
-    };
+    found.stable =
+        (stable && !search.contacts.press()) || stability(&structure, &mut search).stable;
     if search.contacts.holds_beams() {
         found.sliding = sliding(&structure, &found);
     }
@@ -142,12 +137,27 @@ pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
     overlaps.first().map_or(Ok(()), |fault| Err(Error::overlap(fault.to_string())))
 }
 
-/// Whether the beams, which touch nothing, return to where they are.
-pub(super) fn is_stable_alone(structure: &Model, search: &mut StaticSearch) -> bool {
-    if search.model.is_inelastic() {
-        return search.is_stable_touching(); // by the tangent of the fibres as they are loaded
+/// Whether the equilibrium reached is stable, by the tangent with which it is loaded on, what presses held closed; `structure` is the
+/// beams alone.
+pub(super) fn stability(structure: &Model, search: &mut StaticSearch) -> Stability {
+    let told = |stable: bool| Stability { stable, negative: None };
+    search.foresee(true);
+    let press = search.contacts.press();
+    if press && search.contacts.has_discs() {
+        return told(search.is_stable_touching());
     }
-    is_stable(structure, &search.state().of_structure(structure), Vec::new())
+    search.assemble::<true>();
+    let state = search.state();
+    let held = if press { search.contacts.held(search.model, &state) } else { Vec::new() };
+    let alone = search.of_structure(structure, &state);
+    if !search.model.is_inelastic() {
+        return stability_about(structure, &alone, held);
+    }
+    if press {
+        return told(search.is_stable_touching());
+    }
+    stability_loaded(structure, &alone, &search.work.tangent)
+        .unwrap_or_else(|| told(search.is_stable_touching()))
 }
 
 /// The result at the increment reached.

@@ -168,8 +168,10 @@ impl ElementFibres<'_> {
         let mut out = SectionResponse::zero(0.0);
         for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.area > 0.0) {
             let strain = membrane + fibre.height * bending;
-            let found = self.laws[fibre.law].at_rest(state, strain);
-            out.add(fibre, found.stress, found.tangent);
+            let law = &self.laws[fibre.law];
+            let found = law.at_rest(state, strain);
+            // Of what stands on its limit the tangent is that of more load, whether it came there in this step or before.
+            out.add(fibre, found.stress, law.loading_tangent(&found));
         }
         out.close()
     }

@@ -159,3 +159,117 @@ fn a_joint_tears_at_its_strength_and_lets_its_load_go() {
     let tip = summary.points[0].displacement_max[1].value;
     assert!((tip / with - 1.0).abs() < 1e-9, "{tip} {with}");
 }
+
+fn to_displacement(component: usize, value: f64, first: f64) -> PathSettings {
+    let end = PathEnd::Displacement { point: "tip".into(), component, value };
+    PathSettings { first, points: 2000, end }
+}
+
+#[test]
+fn a_path_ends_its_arcs_where_a_spring_fails_and_agrees_with_statics() {
+    let (load, extension) = (2e4, 0.05);
+    let model = helped(load, Some(extension));
+    let at_rest = equilibrium(&model).unwrap();
+    for first in [0.05, 0.02, 0.2] {
+        let settings = PathSettings { first, ..PathSettings::default() };
+        let path = equilibrium_path(&model, &settings).unwrap();
+        assert!(path.reached && path.limit_points.is_empty() && path.torn.is_none(), "{path:?}");
+        let [failure] = &path.failures[..] else { panic!("{:?}", path.failures) };
+        assert_eq!((failure.name.as_str(), failure.kind), ("spring.k", FailureKind::Extension));
+        let expected = at_rest.failures[0].factor;
+        assert!((failure.factor / expected - 1.0).abs() < 1e-9, "{failure:?} {expected}");
+        assert!((expected - 0.479).abs() < 2e-3, "{expected}");
+        for i in 0..2 {
+            let [along, alone] = [&path.end, &at_rest].map(|f| f.points[0].1[i]);
+            assert!((along / alone - 1.0).abs() < 1e-9, "{along} {alone}");
+        }
+        assert!(path.points.iter().all(|p| p.stable) && path.end.stable && at_rest.stable);
+    }
+    // With the displacement held the load drops by what the spring gave.
+    let path = equilibrium_path(&model, &to_displacement(2, -0.06, 0.05)).unwrap();
+    let drop = path.points.windows(2).map(|w| w[0].factor - w[1].factor).fold(0.0, f64::max);
+    assert!(path.reached && (drop * load / 3e3 - 1.0).abs() < 0.02, "{drop}");
+}
+
+#[test]
+fn a_path_ends_where_a_bar_parts() {
+    let most = SIDE * SIDE * (YIELD + YOUNG * 1e9 / (YOUNG + 1e9) * (0.01 - YIELD / YOUNG));
+    let mut b = ModelBuilder::new();
+    let g = bar(&mut b, Some(law(YIELD, 1e9, Some(0.01))), 4);
+    pull(&mut b, g, [464e3, 0.0]);
+    let path = equilibrium_path(&b.build().unwrap(), &PathSettings::default()).unwrap();
+    assert!(!path.reached && path.torn.as_deref() == Some("beam.g"), "{:?}", path.torn);
+    let last = path.points.last().unwrap().factor;
+    assert!((last * 464e3 / most - 1.0).abs() < 1e-9, "{last}");
+}
+
+#[test]
+fn a_bar_that_hardens_is_pulled_to_its_load_with_long_arcs() {
+    let mut b = ModelBuilder::new();
+    let g = bar(&mut b, Some(law(YIELD, 1e9, None)), 4);
+    pull(&mut b, g, [452.8e3, 0.0]);
+    let model = b.build().unwrap();
+    let path = equilibrium_path(&model, &PathSettings::default()).unwrap();
+    assert!(path.reached && path.limit_points.is_empty() && path.bifurcations.is_empty());
+    assert!(path.points.len() < 40, "{}", path.points.len());
+    let tangent = YOUNG * 1e9 / (YOUNG + 1e9);
+    let expected = YIELD / YOUNG + (452.8e3 / (SIDE * SIDE) - YIELD) / tangent;
+    let found = equilibrium(&model).unwrap();
+    for tip in [path.points.last().unwrap().displacements[0][0], found.points[0].1[0]] {
+        assert!((tip / expected - 1.0).abs() < 1e-9, "{tip} {expected}");
+    }
+    assert!(found.stable && path.end.stable);
+}
+
+/// A column of 1 m that is pushed down by 80 kN and to the side by a share of that.
+fn column(inelasticity: Option<Plasticity>, aside: f64) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material {
+        strain: StrainMeasure::Engineering,
+        inelasticity: inelasticity.map(Inelasticity::Plastic),
+        ..Material::new("steel", YOUNG, 7850.0)
+    });
+    let section =
+        b.section(Section { fibres: Some(8), ..Section::rectangle("square", SIDE, SIDE) });
+    let g = b.beam(beam("g", [0.0, 0.0], [0.0, 1.0], 8, material, section));
+    b.support(Support::new("foot", at("root", g, 0.0), SupportKind::Clamp));
+    b.record_point(at("tip", g, 1.0));
+    pull(&mut b, g, [80e3 * aside, -80e3]);
+    b.build().unwrap()
+}
+
+#[test]
+fn a_column_that_yields_has_one_limit_point_and_is_unstable_beyond() {
+    let curve = vec![Hardening { from: 0.0, stress: YIELD, modulus: 0.0 }];
+    let law = Plasticity { curve, kinematic: 2e9, overstress: None, failure_strain: None };
+    let model = column(Some(law), 0.01);
+    for first in [0.05, 0.02] {
+        let path = equilibrium_path(&model, &to_displacement(1, 0.15, first)).unwrap();
+        let [limit] = &path.limit_points[..] else { panic!("{:?}", path.limit_points) };
+        assert!((limit.factor / 1.0273 - 1.0).abs() < 1e-4, "{limit:?}");
+        assert!(path.reached && path.bifurcations.is_empty(), "{:?}", path.bifurcations);
+        assert!(path.points.len() < 200, "{}", path.points.len());
+        for point in &path.points {
+            let before = point.displacements[0][0] < 0.99 * limit.displacements[0][0];
+            let behind = point.displacements[0][0] > 1.01 * limit.displacements[0][0];
+            assert!(if before { point.stable } else { !behind || !point.stable }, "{point:?}");
+        }
+        assert!(!path.end.stable);
+    }
+}
+
+#[test]
+fn a_straight_column_branches_at_its_critical_load_and_is_unstable_beyond() {
+    let model = column(None, 0.0);
+    let settings = PathSettings { end: PathEnd::Factor(2.0), ..PathSettings::default() };
+    let path = equilibrium_path(&model, &settings).unwrap();
+    let bending = YOUNG * SIDE.powi(4) / 12.0;
+    let critical = std::f64::consts::PI.powi(2) / 4.0 * bending / 80e3;
+    let [branch] = &path.bifurcations[..] else { panic!("{:?}", path.bifurcations) };
+    assert!((branch.factor / critical - 1.0).abs() < 2e-3, "{branch:?} {critical}");
+    assert!(path.limit_points.is_empty() && path.reached);
+    for point in &path.points {
+        assert_eq!(point.stable, point.factor < branch.factor, "{point:?}");
+    }
+    assert!(!path.end.stable);
+}

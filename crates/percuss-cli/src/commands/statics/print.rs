@@ -272,22 +272,38 @@ pub fn path(path: &Path) -> String {
         let factor = number(first.factor);
         text.push_str(&format!("  {} yields at the load factor {factor}\n", first.name));
     }
-    for point in path.limit_points.iter().take(LISTED) {
-        let places = path.names.iter().zip(&point.displacements);
-        let places: Vec<String> = places
-            .map(|(name, [u1, u2])| format!("{name} at {} m, {} m", number(*u1), number(*u2)))
-            .collect();
-        let places =
-            if places.is_empty() { String::new() } else { format!(": {}", places.join("; ")) };
-        text.push_str(&format!(
-            "  limit point at the load factor {}{places}\n",
-            number(point.factor)
-        ));
+    for (what, points) in [("limit point", &path.limit_points), ("bifurcation", &path.bifurcations)]
+    {
+        for point in points.iter().take(LISTED) {
+            let places = path.names.iter().zip(&point.displacements);
+            let places: Vec<String> = places
+                .map(|(name, [u1, u2])| format!("{name} at {} m, {} m", number(*u1), number(*u2)))
+                .collect();
+            let places =
+                if places.is_empty() { String::new() } else { format!(": {}", places.join("; ")) };
+            let factor = number(point.factor);
+            text.push_str(&format!("  {what} at the load factor {factor}{places}\n"));
+        }
     }
+    text.push_str(&unstable(path));
     match path.limit_points.len() {
         0 => text.push_str("  no limit point\n"),
         n if n > LISTED => text.push_str(&format!("  and {} more limit points\n", n - LISTED)),
         _ => {}
+    }
+    text
+}
+
+/// Stretches of a path that are unstable.
+fn unstable(path: &Path) -> String {
+    let mut text = String::new();
+    let mut points = path.points.as_slice();
+    while let Some(from) = points.iter().position(|p| !p.stable) {
+        let rest = &points[from..];
+        let length = rest.iter().position(|p| p.stable).unwrap_or(rest.len());
+        let [first, last] = [rest[0].factor, rest[length - 1].factor].map(number);
+        text.push_str(&format!("  unstable from the load factor {first} to {last}\n"));
+        points = &rest[length..];
     }
     text
 }

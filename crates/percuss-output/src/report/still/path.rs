@@ -59,7 +59,13 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
         scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)))),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "path", "panels": panels, "chart": chart(path, along) }),
-        tables: format!("{}{}{}", limit_points(path), first_yields(path), tables(&path.end)),
+        tables: format!(
+            "{}{}{}{}",
+            turns(path, "Limit points", &path.limit_points),
+            turns(path, "Bifurcations", &path.bifurcations),
+            first_yields(path),
+            tables(&path.end)
+        ),
         fallback: "<p class=\"warning\">The drawings need JavaScript; the path is in path.csv and path.svg beside this page.</p>".to_owned(),
     };
     page.render()
@@ -136,9 +142,9 @@ fn first_yields(path: &Path) -> String {
     table("First yields, in their order", &["", "load factor"], &rows)
 }
 
-/// A row each limit point.
-fn limit_points(path: &Path) -> String {
-    if path.limit_points.is_empty() {
+/// A row each limit point or bifurcation.
+fn turns(path: &Path, what: &str, points: &[PathPoint]) -> String {
+    if points.is_empty() {
         return String::new();
     }
     let mut header = vec!["load factor".to_owned()];
@@ -146,17 +152,17 @@ fn limit_points(path: &Path) -> String {
         header.extend((1..=2).map(|i| format!("{name}, along e{i}")));
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let moved = largest(path.limit_points.iter().flat_map(|p| p.displacements.as_flattened()));
+    let moved = largest(points.iter().flat_map(|p| p.displacements.as_flattened()));
     let row = |point: &PathPoint| {
         let told = |u: &f64| quantity(Some(without_round_off(*u, moved)), "m");
         let mut row = vec![number(point.factor)];
         row.extend(point.displacements.as_flattened().iter().map(told));
         row
     };
-    let rows: Vec<Vec<String>> = path.limit_points.iter().take(DRAWN).map(row).collect();
-    let shown = match path.limit_points.len() {
-        n if n > DRAWN => format!("Limit points, the first {DRAWN} of {n}"),
-        _ => "Limit points".to_owned(),
+    let rows: Vec<Vec<String>> = points.iter().take(DRAWN).map(row).collect();
+    let shown = match points.len() {
+        n if n > DRAWN => format!("{what}, the first {DRAWN} of {n}"),
+        _ => what.to_owned(),
     };
     table(&shown, &header, &rows)
 }

@@ -11,6 +11,8 @@ use crate::analysis::static_search::largest;
 
 /// Looks for a limit point: to round-off.
 const BISECTIONS: usize = 40;
+/// Looks for a bifurcation.
+const BISECTIONS_OF_STABILITY: usize = 30;
 /// Contacts that are tried as the next to close.
 const MOST_TOUCHES: usize = 5;
 /// Least cosine between the ways of two points an arc longer than the first apart; less and the path turns unseen between them.
@@ -203,6 +205,24 @@ impl Tracer<'_> {
     /// Whether the load factor grows along the path at the current point.
     fn rises(&mut self) -> Option<bool> {
         self.prepare().then(|| self.leads_up())
+    }
+
+    /// Goes to where on an arc from a place before it the number of motions without stiffness is no longer the one there.
+    pub(super) fn bifurcation(&mut self, before: &Mark, arc: f64, number: usize) -> PathPoint {
+        let (mut low, mut high) = (0.0, arc);
+        for _ in 0..BISECTIONS_OF_STABILITY {
+            let middle = 0.5 * (low + high);
+            self.back_to(before);
+            let there = self.advance(middle).is_some();
+            if there && self.stability().negative == Some(number) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        self.back_to(before);
+        let _ = self.advance(if low > 0.0 { low } else { high });
+        self.point()
     }
 
     /// Goes to the limit point within an arc from a place before it, by bisection: of the points looked at the one of the most load, or

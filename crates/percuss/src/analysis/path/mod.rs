@@ -1,10 +1,12 @@
 //! Equilibrium paths by arc length: past limit points, where load control ends.
 
 mod advance;
+mod failing;
 mod tracer;
 mod yielding;
 
 use super::balance;
+use super::failure::StaticFailure;
 use super::static_search::StaticSearch;
 use super::statics::{Equilibrium, finish, refuse_overlaps};
 use super::yields::PathYield;
@@ -31,6 +33,8 @@ pub struct PathPoint {
     pub factor: f64,
     /// Displacements of the recorded points, in their order, shape (points, 2) \[m\].
     pub displacements: Vec<[f64; 2]>,
+    /// Whether the structure returns to it under its loads: no motion about it grows.
+    pub stable: bool,
 }
 
 /// An equilibrium path.
@@ -42,13 +46,18 @@ pub struct Path {
     pub points: Vec<PathPoint>,
     /// Points where the load factor turns, in their order, shape (such points).
     pub limit_points: Vec<PathPoint>,
+    /// Points where a motion loses or gains its stiffness while the load factor goes on, in their order, shape (such points): another
+    /// path may branch off there.
+    pub bifurcations: Vec<PathPoint>,
+    /// What has failed for good, in its order, shape (such failures).
+    pub failures: Vec<StaticFailure>,
     /// First yields of springs and hinges, in their order, shape (springs and hinges that have yielded).
     pub yields: Vec<PathYield>,
     /// The equilibrium at its end.
     pub end: Equilibrium,
     /// Whether the end asked for was reached.
     pub reached: bool,
-    /// What would fail next, where that ends the path: `joint.knee`, `spring.brace`, `beam.girder`.
+    /// What fails at the end of the path and leaves no equilibrium: `joint.knee`, `spring.brace`, `beam.girder`.
     pub torn: Option<String>,
 }
 
@@ -76,7 +85,8 @@ impl PathRecorder for Nothing {
 /// Follows the equilibrium path of `model` under its loads, all growing with one factor, from rest.
 ///
 /// Prescribed motions take no part. A path of [`PathEnd::Displacement`] ends exactly there, one of [`PathEnd::Factor`] where the
-/// factor is first met. Where a joint of a given strength would carry more than that, the path ends before.
+/// factor is first met. Where something fails (fibres, springs, hinges, joints of a given strength) an arc ends, and what it gave is
+/// let go at that load factor, or at that displacement if the path goes to one; where that leads to no equilibrium the path ends.
 ///
 /// # Errors
 /// No point beyond the first found, or an end that names no recorded point.
@@ -96,67 +106,24 @@ pub fn equilibrium_path_recorded(
     refuse_overlaps(&StaticSearch::new(model))?;
     let goal = Goal::new(model, &settings.end).ok_or_else(|| Error::no_equilibrium(0.0))?;
     let mut tracer = Tracer::new(model)?;
-    let mut path = Path::begin(model, tracer.point());
+    let negative = tracer.stability().negative;
+    let path = Path::begin(model, tracer.point());
     tracer.show(recorder, false, 0);
     let first = tracer.first_arc(settings.first).ok_or_else(|| Error::no_equilibrium(0.0))?;
-    let (mut arc, longest) = (first, first.max(LONGEST_ARC));
-    // The arc to go on with where one was cut.
-    let mut whole = None;
-    while path.points.len() <= settings.points {
-        let before = tracer.mark();
-        let advanced = tracer.advance(arc);
-        // Where something would fail the path ends: it comes as near as arcs become short.
-        path.torn = advanced.and_then(|_| tracer.search.first_beyond());
-        let Some(iterations) = advanced.filter(|_| path.torn.is_none()) else {
-            tracer.back_to(&before);
-            arc *= 0.5;
-            if arc < SMALLEST_ARC * first {
-                break;
-            }
-            continue;
-        };
-        let factor_along_arc = tracer.factor_along_arc(&before);
-        // Where the load factor turns, arcs are no longer than the first.
-        if arc > first && (factor_along_arc.turned || !factor_along_arc.resolved) {
-            tracer.back_to(&before);
-            arc = (0.5 * arc).max(first);
-            continue;
-        }
-        let yields = match tracer.yielded(&before, arc, first) {
-            Yielded::Here(yields) => yields,
-            Yielded::Before(shorter) => {
-                tracer.back_to(&before);
-                whole.get_or_insert(arc);
-                arc = shorter;
-                continue;
-            }
-        };
-        if goal.passed(&before, &tracer) {
-            if path.arrive(&mut tracer, &goal, &before, yields) {
-                break;
-            }
-            arc *= 0.5;
-            if arc < SMALLEST_ARC * first {
-                break;
-            }
-            continue;
-        }
-        if factor_along_arc.turned {
-            let after = tracer.mark();
-            if let Some(point) = tracer.limit_point(&before, arc) {
-                tracer.show(recorder, true, path.points.len());
-                path.limit_points.push(point);
-            }
-            tracer.back_to(&after);
-        }
-        path.points.push(tracer.point());
-        path.yields.extend(yields);
-        tracer.show(recorder, false, path.points.len() - 1);
-        let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, EASIEST);
-        // Contacts that close and open one after the other take corrections however short the arc.
-        let ease = if tracer.given { EASIEST } else { ease };
-        arc = (whole.take().unwrap_or(arc) * ease).min(longest);
-    }
+    let longest = first.max(LONGEST_ARC);
+    let mut way = Following {
+        tracer,
+        path,
+        recorder,
+        goal,
+        first,
+        arc: first,
+        longest,
+        whole: None,
+        negative,
+    };
+    while way.path.points.len() <= settings.points && way.go_on() {}
+    let Following { mut tracer, mut path, .. } = way;
     if path.points.len() < 2 {
         return Err(Error::no_equilibrium(0.0));
     }
@@ -165,7 +132,118 @@ pub fn equilibrium_path_recorded(
     tracer.search.reached();
     path.end = finish(&mut tracer.search, steps);
     balance::check(&tracer.search, &path.end)?;
+    path.end.failures.clone_from(&path.failures);
+    path.end.stable = path.points.last().is_some_and(|point| point.stable);
     Ok(path)
+}
+
+/// A path on its way.
+struct Following<'m, 'r> {
+    tracer: Tracer<'m>,
+    path: Path,
+    recorder: &'r mut dyn PathRecorder,
+    goal: Goal,
+    /// The first arc, the one to be tried, the longest, and the one to go on with where one was cut.
+    first: f64,
+    arc: f64,
+    longest: f64,
+    whole: Option<f64>,
+    /// Motions without stiffness at the last point, if they were counted.
+    negative: Option<usize>,
+}
+
+impl Following<'_, '_> {
+    /// Goes on by an arc, or finds it too long; whether the path goes on then.
+    fn go_on(&mut self) -> bool {
+        let (tracer, first) = (&mut self.tracer, self.first);
+        let before = tracer.mark();
+        let Some(iterations) = tracer.advance(self.arc) else {
+            tracer.back_to(&before);
+            return self.halve();
+        };
+        let along = tracer.factor_along_arc(&before);
+        // Where the load factor turns, arcs are no longer than the first.
+        if self.arc > first && (along.turned || !along.resolved) {
+            tracer.back_to(&before);
+            self.arc = (0.5 * self.arc).max(first);
+            return true;
+        }
+        let yields = match tracer.yielded(&before, self.arc, first) {
+            Yielded::Here(yields) => yields,
+            Yielded::Before(shorter) => {
+                tracer.back_to(&before);
+                self.whole.get_or_insert(self.arc);
+                self.arc = shorter;
+                return true;
+            }
+        };
+        let fails = tracer.search.largest_use() >= 1.0;
+        if fails {
+            let Some(arc) = tracer.locate_failure(&before, self.arc) else {
+                tracer.back_to(&before);
+                return self.halve();
+            };
+            self.whole.get_or_insert(self.arc);
+            self.arc = arc;
+        }
+        if self.goal.passed(&before, &self.tracer) {
+            let (path, tracer) = (&mut self.path, &mut self.tracer);
+            return !path.arrive(tracer, &self.goal, &before, yields) && self.halve();
+        }
+        self.accept(&before, along.turned && !fails, yields);
+        if fails && !self.fail() {
+            return false;
+        }
+        let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, EASIEST);
+        // Contacts that close and open one after the other take corrections however short the arc.
+        let ease = if self.tracer.given { EASIEST } else { ease };
+        self.arc = (self.whole.take().unwrap_or(self.arc) * ease).min(self.longest);
+        true
+    }
+
+    /// Halves the arc; whether one is left.
+    fn halve(&mut self) -> bool {
+        self.arc *= 0.5;
+        self.arc >= SMALLEST_ARC * self.first
+    }
+
+    /// Takes in the point at the end of an arc, and the limit point or the bifurcation on it.
+    fn accept(&mut self, before: &Mark, turned: bool, yields: Vec<PathYield>) {
+        let Self { tracer, path, recorder, arc, .. } = self;
+        let found = tracer.stability();
+        let after = tracer.mark();
+        if turned && let Some(point) = tracer.limit_point(before, *arc) {
+            tracer.show(*recorder, true, path.points.len());
+            path.limit_points.push(point);
+        }
+        // A limit point changes the stiffness against one motion.
+        if let (Some(then), Some(now)) = (self.negative, found.negative)
+            && then.abs_diff(now) > usize::from(turned)
+        {
+            path.bifurcations.push(tracer.bifurcation(before, *arc, then));
+        }
+        tracer.back_to(&after);
+        self.negative = found.negative;
+        path.points.push(tracer.point_of(found.stable));
+        path.yields.extend(yields);
+        tracer.show(*recorder, false, path.points.len() - 1);
+    }
+
+    /// What bears its whole strength fails; whether the path goes on without it.
+    fn fail(&mut self) -> bool {
+        let Self { tracer, path, recorder, goal, .. } = self;
+        let Some(failures) = tracer.fail(goal) else {
+            tracer.search.set_share(tracer.factor);
+            path.torn = tracer.search.first_to_fail();
+            return false;
+        };
+        path.failures.extend(failures);
+        let found = tracer.stability();
+        self.negative = found.negative;
+        path.points.push(tracer.point_of(found.stable));
+        tracer.show(*recorder, false, path.points.len() - 1);
+        true
+    }
 }
 
 impl Path {
@@ -175,6 +253,8 @@ impl Path {
             names: model.points.iter().map(|p| p.label.clone()).collect(),
             points: vec![first],
             limit_points: Vec::new(),
+            bifurcations: Vec::new(),
+            failures: Vec::new(),
             yields: Vec::new(),
             end: finish(&mut StaticSearch::new(model), 0),
             reached: false,
@@ -218,6 +298,18 @@ impl Goal {
                 value: *value,
             },
         })
+    }
+
+    /// The same where the path stands now: what is held there.
+    fn here(&self, tracer: &Tracer) -> Self {
+        match self {
+            Self::Factor(_) => Self::Factor(tracer.factor),
+            Self::Displacement { point, component, .. } => {
+                let p = &tracer.search.model.points[*point];
+                let value = p.value(&tracer.search.work.increment)[*component];
+                Self::Displacement { point: *point, component: *component, value }
+            }
+        }
     }
 
     fn passed(&self, before: &Mark, tracer: &Tracer) -> bool {

@@ -1,9 +1,10 @@
 //! A place on an equilibrium path: its corrections, and the response to the loads there.
 
 use super::{Goal, PathPoint, PathRecorder};
+use crate::analysis::spectrum::Stability;
 use crate::analysis::static_contacts::{Pressing, Programme, Response};
 use crate::analysis::static_search::{Reached, StaticSearch, largest};
-use crate::analysis::statics::finish;
+use crate::analysis::statics::{finish, stability};
 use crate::error::Error;
 use crate::model::Model;
 
@@ -35,6 +36,8 @@ pub(super) struct Mark {
 
 pub(super) struct Tracer<'m> {
     pub search: StaticSearch<'m>,
+    /// The beams alone.
+    structure: Model,
     pub factor: f64,
     /// Rate of the load factor along the path where the last arc began.
     pub slope: f64,
@@ -57,6 +60,7 @@ pub(super) struct Tracer<'m> {
 impl<'m> Tracer<'m> {
     pub(super) fn new(model: &'m Model) -> Result<Self, Error> {
         let mut search = StaticSearch::new(model);
+        search.still = true;
         search.hold_loose_beams();
         search.foresee(true);
         // Springs may be stressed before any load acts.
@@ -74,6 +78,7 @@ impl<'m> Tracer<'m> {
         let pressed = search.contacts.pressing();
         Ok(Self {
             search,
+            structure: model.structure(),
             factor,
             slope: 0.0,
             first: 0.0,
@@ -88,10 +93,25 @@ impl<'m> Tracer<'m> {
         })
     }
 
-    pub(super) fn point(&self) -> PathPoint {
+    pub(super) fn point(&mut self) -> PathPoint {
+        let stable = self.stability().stable;
+        self.point_of(stable)
+    }
+
+    /// The point where its stability is known.
+    pub(super) fn point_of(&self, stable: bool) -> PathPoint {
         let d = &self.search.work.increment;
         let displacements = self.search.model.points.iter().map(|p| p.value(d)).collect();
-        PathPoint { factor: self.factor, displacements }
+        PathPoint { factor: self.factor, displacements, stable }
+    }
+
+    /// Whether the equilibrium at hand is stable, under its loads as they are.
+    pub(super) fn stability(&mut self) -> Stability {
+        let here = self.mark();
+        self.search.set_share(self.factor);
+        let found = stability(&self.structure, &mut self.search);
+        self.back_to(&here);
+        found
     }
 
     /// Hands the equilibrium reached after so many steps to a recorder that wants it, and comes back to it.
@@ -101,7 +121,6 @@ impl<'m> Tracer<'m> {
         }
         let here = self.mark();
         self.search.set_share(self.factor);
-        self.search.forcing.rest_motions();
         let found = finish(&mut self.search, steps);
         recorder.equilibrium(self.factor, limit, &found);
         self.back_to(&here);
@@ -130,11 +149,9 @@ impl<'m> Tracer<'m> {
     /// Assembles at the current point; the load that a unit of the factor adds.
     pub(super) fn assemble(&mut self) -> Vec<[f64; 4]> {
         self.search.set_share(self.factor + 1.0);
-        self.search.forcing.rest_motions();
         self.search.assemble::<false>();
         let loaded = self.search.work.residual.clone();
         self.search.set_share(self.factor);
-        self.search.forcing.rest_motions();
         self.search.assemble::<true>();
         let added = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| a[i] - b[i]);
         self.search.work.residual.iter().zip(&loaded).map(added).collect()

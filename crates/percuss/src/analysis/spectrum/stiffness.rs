@@ -76,6 +76,14 @@ impl Layout<'_> {
         matrix
     }
 
+    /// A tangent that was assembled, on the nodes of the beams, with the constraints at the base of a search.
+    pub fn assembled(&self, search: &StaticSearch, tangent: &Tangent) -> Matrix {
+        let mut matrix = self.zeros();
+        self.add_blocks(&mut matrix, tangent);
+        self.add_border(&mut matrix, search);
+        matrix
+    }
+
     /// Stiffness without stress of the same geometry and supports, but of unit bending stiffness throughout: what it leaves
     /// free no stiffness holds, whatever it may be. `length` makes springs as stiff as beams.
     pub fn kinematic(&self, search: &StaticSearch, length: f64) -> Matrix {
@@ -211,7 +219,9 @@ impl Layout<'_> {
     }
 
     fn add_blocks(&self, matrix: &mut Matrix, rest: &Tangent) {
-        for (i, j, block) in rest.blocks() {
+        // Bodies follow the beams.
+        let nodes = self.model.node_count();
+        for (i, j, block) in rest.blocks().filter(|(i, j, _)| *i.max(j) < nodes) {
             let largest = block.as_flattened().iter().fold(0.0_f64, |m, x| m.max(x.abs()));
             matrix.turning = matrix.turning.max(largest);
             self.add(matrix, i, j, &block.map(|row| row.map(Wide::from)));

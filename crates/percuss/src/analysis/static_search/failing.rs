@@ -13,6 +13,9 @@ impl StaticSearch<'_> {
     /// Sets a share of the loads; what has torn stays so.
     pub fn set_share(&mut self, share: f64) {
         self.forcing.set_static(self.model, share);
+        if self.still {
+            self.forcing.rest_motions();
+        }
         self.forcing.part(self.model, &self.base.joints_parted);
     }
 

@@ -4,6 +4,7 @@ use super::{INVERSE_ITERATIONS, RULE, StaticSearch, constraint_step};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::analysis::spectrum::{metric, random, size};
 use crate::math::vec2::{add, cross, scale};
+use crate::model::Model;
 use crate::model::frozen::{Connector, Coordinate, MaterialPoint};
 use crate::state::State;
 use crate::step::connectors::ConnectorStep;
@@ -45,6 +46,14 @@ impl StaticSearch<'_> {
             x = y;
         }
         lowest > -1e-6 * shift
+    }
+
+    /// A search of the beams alone at the state reached, under the same loads.
+    pub fn of_structure<'s>(&self, structure: &'s Model, state: &State) -> StaticSearch<'s> {
+        let mut alone = StaticSearch::at(structure, &state.of_structure(structure));
+        alone.forcing.clone_from(&self.forcing);
+        alone.forcing.hold_motions();
+        alone
     }
 
     /// Loads as they act where the search stands, but weights: nodal forces, shape (nodes, 2) \[N\].
