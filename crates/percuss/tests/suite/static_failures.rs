@@ -229,8 +229,7 @@ fn column(inelasticity: Option<Plasticity>, aside: f64) -> Model {
         inelasticity: inelasticity.map(Inelasticity::Plastic),
         ..Material::new("steel", YOUNG, 7850.0)
     });
-    let section =
-        b.section(Section { fibres: Some(8), ..Section::rectangle("square", SIDE, SIDE) });
+    let section = b.section(Section { fibres: 8, ..Section::rectangle("square", SIDE, SIDE) });
     let g = b.beam(beam("g", [0.0, 0.0], [0.0, 1.0], 8, material, section));
     b.support(Support::new("foot", at("root", g, 0.0), SupportKind::Clamp));
     b.record_point(at("tip", g, 1.0));
