@@ -23,7 +23,7 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
     };
     if !format.is_built() {
         let text = "this build writes no HDF5: take --format pvd, or a build that does (cargo install --path crates/percuss-cli)";
-        return Err(Failure::input(FileCode::Drawing, text.into()));
+        return Err(Failure::input(FileCode::Drawing, text));
     }
     let dir = &arguments.dir;
     refuse_what_is_no_run(dir)?;
