@@ -79,7 +79,7 @@ pub(super) fn in_words<'a>(
 
 /// What can fail.
 #[derive(Clone, Copy, Debug)]
-enum Part {
+enum Breakable {
     /// A fibre: its number in the state, first node and Gauss point of its element.
     Fibre(usize, usize, usize),
     /// A connector: the number of its memory.
@@ -154,9 +154,9 @@ impl StaticSearch<'_> {
         let mut out: Vec<StaticFailure> = Vec::new();
         for part in failing {
             match part {
-                Part::Fibre(fibre, ..) => self.base.fibres[fibre].failed = true,
-                Part::Connector(memory) => self.base.memories[memory].failed = true,
-                Part::Joint(joint) => self.tear(joint),
+                Breakable::Fibre(fibre, ..) => self.base.fibres[fibre].failed = true,
+                Breakable::Connector(memory) => self.base.memories[memory].failed = true,
+                Breakable::Joint(joint) => self.tear(joint),
             }
             let failure = self.failure(part, factor);
             // Fibres of a section come one after the other.
@@ -172,18 +172,18 @@ impl StaticSearch<'_> {
         out
     }
 
-    fn failure(&self, part: Part, factor: f64) -> StaticFailure {
+    fn failure(&self, part: Breakable, factor: f64) -> StaticFailure {
         let model = self.model;
         match part {
-            Part::Fibre(_, node, gauss) => {
+            Breakable::Fibre(_, node, gauss) => {
                 of_section(model, (node, gauss), factor, FailureKind::Fibres)
             }
-            Part::Connector(memory) => {
+            Breakable::Connector(memory) => {
                 let own = model.yielding().find(|(.., own)| own.memory == memory);
                 let name = own.map_or_else(String::new, |(.., own)| own.name.clone());
                 StaticFailure { factor, name, kind: FailureKind::Extension, s: f64::NAN }
             }
-            Part::Joint(joint) => {
+            Breakable::Joint(joint) => {
                 let name = format!("joint.{}", model.joints[joint].name);
                 StaticFailure { factor, name, kind: FailureKind::Torn, s: f64::NAN }
             }
@@ -191,12 +191,12 @@ impl StaticSearch<'_> {
     }
 
     /// Tells of everything that can fail and has not which share of its strength it bears.
-    fn each_use(&self, mut each: impl FnMut(Part, f64)) {
+    fn each_use(&self, mut each: impl FnMut(Breakable, f64)) {
         let model = self.model;
         if !model.joints.is_empty() {
             for (joint, load) in self.joint_loads().enumerate() {
                 if !self.base.joints_parted[joint] {
-                    each(Part::Joint(joint), model.joints[joint].use_under(&load));
+                    each(Breakable::Joint(joint), model.joints[joint].use_under(&load));
                 }
             }
         }
@@ -206,7 +206,7 @@ impl StaticSearch<'_> {
         let displacement = self.displacement();
         for (i, c, own) in model.yielding().filter(|(.., c)| !self.base.memories[c.memory].failed) {
             let extension = c.value(&displacement, self.base.coordinates[i]) - c.law.free();
-            each(Part::Connector(own.memory), own.law.use_of_failure_strain(extension));
+            each(Breakable::Connector(own.memory), own.law.use_of_failure_strain(extension));
         }
         for (span, k, a, _) in model.each_element() {
             let Some(fibres) = &span.fibres else { continue };
@@ -221,7 +221,7 @@ impl StaticSearch<'_> {
                     }
                     let strain = membrane + fibre.height * bending;
                     let share = fibres.laws[fibre.law].use_of_failure_strain(strain);
-                    each(Part::Fibre(number, a, gauss), share);
+                    each(Breakable::Fibre(number, a, gauss), share);
                 }
             }
         }

@@ -22,7 +22,7 @@ enum Stage {
 }
 
 /// Where a step ended.
-enum Step {
+enum StepOutcome {
     /// Where it was to.
     There,
     /// Where something fails.
@@ -41,7 +41,7 @@ pub(super) struct Loading<'a, 'm> {
     pub stable: bool,
     /// Steps taken.
     pub steps: usize,
-    /// What has failed, in its order.
+    /// What has failed, in its order, shape (failures).
     pub failures: Vec<StaticFailure>,
     /// What happens on the way.
     pub course: Course,
@@ -62,7 +62,7 @@ impl<'a, 'm> Loading<'a, 'm> {
             let found = self.go(Stage::Loads, reached, target);
             // What leans on something has not jumped to another branch for want of stability.
             let alone = !self.search.contacts.press();
-            if matches!(found, Step::There)
+            if matches!(found, StepOutcome::There)
                 && alone
                 && self.stable
                 && !stability(structure, self.search).stable
@@ -76,19 +76,19 @@ impl<'a, 'm> Loading<'a, 'm> {
                 self.stable = false;
             }
             match found {
-                Step::There => {
+                StepOutcome::There => {
                     reached = if target > 1.0 - 1e-12 { 1.0 } else { target };
                     step = (1.5 * step).min(self.longest);
                     self.accept();
                     self.course.take(self.search, reached);
                 }
-                Step::Failing(share) => {
+                StepOutcome::Failing(share) => {
                     reached = share;
                     self.accept();
                     self.settle(share)?;
                     self.course.take(self.search, share);
                 }
-                Step::Nowhere => {
+                StepOutcome::Nowhere => {
                     if let Some(name) = self.search.contacts.lost(self.search.model) {
                         return Err(Error::nothing_holds(name.to_owned()));
                     }
@@ -117,17 +117,17 @@ impl<'a, 'm> Loading<'a, 'm> {
         while gone < 1.0 {
             let target: f64 = f64::min(gone + step, 1.0);
             match self.go(Stage::LettingGo(share), gone, target) {
-                Step::There => {
+                StepOutcome::There => {
                     gone = target;
                     step *= 1.5;
                     self.accept();
                 }
-                Step::Failing(_) => {
+                StepOutcome::Failing(_) => {
                     self.accept();
                     self.fail(share);
                     (gone, step) = (0.0, 1.0);
                 }
-                Step::Nowhere => {
+                StepOutcome::Nowhere => {
                     step *= 0.5;
                     self.search.go_back(&self.accepted);
                     if step < SMALLEST_STEP {
@@ -155,16 +155,17 @@ impl<'a, 'm> Loading<'a, 'm> {
     }
 
     /// Goes on from where the last equilibrium was accepted, as far as something fails.
-    fn go(&mut self, stage: Stage, from: f64, to: f64) -> Step {
+    fn go(&mut self, stage: Stage, from: f64, to: f64) -> StepOutcome {
         let start = self.search.largest_use() - 1.0;
         if !self.solve(stage, to) {
-            return Step::Nowhere;
+            return StepOutcome::Nowhere;
         }
         let end = self.search.largest_use() - 1.0;
         if end < 0.0 {
-            return Step::There;
+            return StepOutcome::There;
         }
-        self.locate(stage, [from, to], [start, end]).map_or(Step::Nowhere, Step::Failing)
+        self.locate(stage, [from, to], [start, end])
+            .map_or(StepOutcome::Nowhere, StepOutcome::Failing)
     }
 
     /// Goes to where the first thing fails, between two places of a step with the uses of strengths above one there.

@@ -72,8 +72,9 @@ pub(super) struct Reached {
     fibres: Vec<FibreState>,
     /// What connectors that yield remember, shape (connectors that yield).
     pub memories: Vec<FibreState>,
-    /// Which joints of a given strength have parted, shape (such joints); which elements have, as in [`State`].
+    /// Which joints of a given strength have parted, shape (such joints).
     joints_parted: Vec<bool>,
+    /// Which elements have, as in [`State`], shape (beam nodes); empty while no beam has.
     parted: Vec<bool>,
 }
 
@@ -188,40 +189,6 @@ impl<'m> StaticSearch<'m> {
             self.correction();
         }
         regular
-    }
-
-    /// The place reached, an equilibrium: what has yielded on the way to it stays so.
-    pub fn reached(&mut self) -> Reached {
-        if self.model.is_inelastic() {
-            let displacement = self.displacement();
-            fibres::bring_to_rest(self.model, &displacement, &mut self.base.fibres);
-            let State { coordinates, memories, .. } = &mut self.base;
-            connectors::bring_to_rest(self.model, &displacement, coordinates, memories);
-        }
-        Reached {
-            increment: self.work.increment.clone(),
-            multiplier: self.work.multiplier.clone(),
-            contacts: self.contacts.clone(),
-            fibres: self.base.fibres.clone(),
-            memories: self.base.memories.clone(),
-            joints_parted: self.base.joints_parted.clone(),
-            parted: self.base.parted.clone(),
-        }
-    }
-
-    /// Goes back to a place.
-    pub fn go_back(&mut self, place: &Reached) {
-        self.work.increment.copy_from_slice(&place.increment);
-        self.work.multiplier.copy_from_slice(&place.multiplier);
-        self.contacts.clone_from(&place.contacts);
-        self.base.fibres.clone_from(&place.fibres);
-        self.base.memories.clone_from(&place.memories);
-        self.base.joints_parted.clone_from(&place.joints_parted);
-        if self.base.parted != place.parted {
-            self.base.parted.clone_from(&place.parted);
-            self.weigh_gaps();
-        }
-        self.foresee(true);
     }
 
     pub fn factor_assembled(&mut self) -> Result<(), Singular> {

@@ -1,6 +1,6 @@
 //! What an equilibrium that was reached tells: its state, whether it is stable, section forces and reactions.
 
-use super::{INVERSE_ITERATIONS, RULE, StaticSearch, constraint_step};
+use super::{INVERSE_ITERATIONS, RULE, Reached, StaticSearch, constraint_step};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::analysis::spectrum::{metric, random, size};
 use crate::math::vec2::{add, cross, scale};
@@ -8,12 +8,46 @@ use crate::model::Model;
 use crate::model::frozen::{Connector, Coordinate, MaterialPoint};
 use crate::state::State;
 use crate::step::connectors::ConnectorStep;
-use crate::step::external;
 use crate::step::tangent::{inner, project};
 use crate::step::workspace::Workspace;
+use crate::step::{connectors, external, fibres};
 use crate::summary::SectionForceSummary;
 
 impl StaticSearch<'_> {
+    /// The place reached, an equilibrium: what has yielded on the way to it stays so.
+    pub fn reached(&mut self) -> Reached {
+        if self.model.is_inelastic() {
+            let displacement = self.displacement();
+            fibres::bring_to_rest(self.model, &displacement, &mut self.base.fibres);
+            let State { coordinates, memories, .. } = &mut self.base;
+            connectors::bring_to_rest(self.model, &displacement, coordinates, memories);
+        }
+        Reached {
+            increment: self.work.increment.clone(),
+            multiplier: self.work.multiplier.clone(),
+            contacts: self.contacts.clone(),
+            fibres: self.base.fibres.clone(),
+            memories: self.base.memories.clone(),
+            joints_parted: self.base.joints_parted.clone(),
+            parted: self.base.parted.clone(),
+        }
+    }
+
+    /// Goes back to a place.
+    pub fn go_back(&mut self, place: &Reached) {
+        self.work.increment.copy_from_slice(&place.increment);
+        self.work.multiplier.copy_from_slice(&place.multiplier);
+        self.contacts.clone_from(&place.contacts);
+        self.base.fibres.clone_from(&place.fibres);
+        self.base.memories.clone_from(&place.memories);
+        self.base.joints_parted.clone_from(&place.joints_parted);
+        if self.base.parted != place.parted {
+            self.base.parted.clone_from(&place.parted);
+            self.weigh_gaps();
+        }
+        self.foresee(true);
+    }
+
     /// Whether no motion about the equilibrium reached grows, with what is closed held closed: by the sign of the lowest
     /// eigenvalue of the tangent, found by inverse iteration.
     pub fn is_stable_touching(&mut self) -> bool {
