@@ -139,8 +139,9 @@ class Sweep(Columns[Any]):
 
         Parameters
         ----------
-        role : {"input", "result", "audit"}
-            Parameters, results, or what says how far a run can be trusted.
+        role : {"input", "result", "audit", "open"}
+            Parameters, results, what says how far a run can be trusted, or what results had come to where a contact was still closed at
+            the end.
 
         Returns
         -------

@@ -263,14 +263,12 @@ fn points_of_beams<'a>(
     other: Option<usize>,
     target: &TargetShape,
 ) -> Option<Meeting<'a>> {
-    let place = BeamPlace::new(model, beam, 0.5 * model.beam(beam).length());
+    let place = BeamPlace::in_the_middle(model, beam);
     let wall = match target {
         TargetShape::Line { normal } => Some(*normal),
         _ => None,
     };
-    let nodes = model.beam(beam).nodes();
-    let middle = model.node_position(nodes.start + nodes.len() / 2);
-    let velocity = beam_velocity(model, beam, middle);
+    let velocity = beam_velocity(model, beam, place.position());
     Some(Meeting::Beams(Beams { place, wall, numbers: (beam, other), velocity }))
 }
 

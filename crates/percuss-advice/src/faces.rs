@@ -15,13 +15,10 @@ pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
     let TouchLaw::Smooth(_) = desk.case.law else { return None };
     let (first, second) = (beams.numbers.0, beams.numbers.1?);
     let [one, other] = [first, second].map(|number| desk.model.beam(number));
-    let tangent = BeamPlace::new(desk.model, second, 0.5 * other.length()).tangent();
-    let own = beams.place.tangent();
-    let [middle, opposite] = [one, other].map(|beam| {
-        let nodes = beam.nodes();
-        desk.model.node_position(nodes.start + nodes.len() / 2)
-    });
-    let between = sub(opposite, middle);
+    let opposite = BeamPlace::in_the_middle(desk.model, second);
+    let (own, tangent) = (beams.place.tangent(), opposite.tangent());
+    let middle = BeamPlace::in_the_middle(desk.model, first);
+    let between = sub(opposite.position(), middle.position());
     let along = cross(own, tangent).abs() < ALIGNED;
     let across = dot(own, tangent).abs() < ALIGNED;
     let contact = desk.model.contacts().nth(desk.case.index)?;

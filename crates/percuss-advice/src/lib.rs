@@ -9,6 +9,7 @@ mod before;
 mod case;
 mod duration;
 mod end_on;
+mod ends;
 mod expected;
 mod faces;
 pub mod formulas;
@@ -131,7 +132,9 @@ impl Verdict {
 pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     if !massless(model).is_empty() {
         // No run in time, so no contact either.
-        return slips::findings(model, settings);
+        let mut all = slips::findings(model, settings);
+        all.extend(ends::findings(model));
+        return all;
     }
     let masses = model.effective_masses();
     let modes = duration::Modes::new(model);
@@ -139,6 +142,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     let cases = (0..model.contacts().len()).filter_map(|k| case::read(model, k, None));
     let mut touches = FirstTouches::new(model);
     let mut all = slips::findings(model, settings);
+    all.extend(ends::findings(model));
     all.extend(taper::findings(model));
     all.extend(stability::of_the_start(model, settings));
     for case in cases {
@@ -199,7 +203,13 @@ pub fn beyond_strength(section_forces: &[SectionForceSummary]) -> Vec<Advice> {
 }
 
 /// What is worth knowing of a finished run before its results are used: contacts still closed or never reached at its end,
-/// reactions that no mesh settles, strains beyond what their measure can be trusted with.
-pub fn review(model: &Model, settings: &Settings, summary: &RunSummary) -> Vec<Advice> {
-    review::findings(model, settings, summary)
+/// or of too few steps, reactions that no mesh settles, strains beyond what their measure can be trusted with. What `before` has, the findings
+/// before the run, is not said again.
+pub fn review(
+    model: &Model,
+    settings: &Settings,
+    summary: &RunSummary,
+    before: &[Advice],
+) -> Vec<Advice> {
+    review::findings(model, settings, summary, before)
 }

@@ -1,7 +1,8 @@
 //! Findings after a run: what its results must not be taken for.
 
+use super::before::{STEPS, graded};
 use super::structure::BeamPlace;
-use super::words::{digits, quantity};
+use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
 use percuss::Settings;
 use percuss::inspect::{ContactView, MovingPartner};
@@ -10,19 +11,58 @@ use percuss::{Model, StrainMeasure};
 
 /// Compressive strains from which on strain measures differ by some per cent, and by a tenth.
 const STRAINS: [f64; 2] = [0.05, 0.15];
+/// Jumps of a prescribed velocity above this share of the largest one are worth a word; splines leave smaller ones at their ends.
+const JUMP: f64 = 0.05;
 
-/// What is worth knowing of a finished run.
-pub fn findings(model: &Model, settings: &Settings, run: &RunSummary) -> Vec<Advice> {
+/// What is worth knowing of a finished run; `before` is what was found before it.
+pub fn findings(
+    model: &Model,
+    settings: &Settings,
+    run: &RunSummary,
+    before: &[Advice],
+) -> Vec<Advice> {
     let mut all = Vec::new();
+    if settings.accuracy.is_none() {
+        let coarse = |contact| unresolved(contact, settings, before);
+        all.extend(run.contacts.iter().filter_map(coarse));
+    }
     if matches!(run.termination, Termination::Completed) {
         let untouched = !run.contacts.iter().any(touched);
         let open = |contact| still_to_come(contact, settings, untouched);
         all.extend(run.contacts.iter().filter_map(open));
     }
     all.extend(reactions(model, run));
+    all.extend(jumps(model, run));
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
     all.extend(run.section_forces.iter().filter_map(beyond_strength));
     all
+}
+
+/// A contact that the run shows to last a few steps only, where nothing was said of it before.
+fn unresolved(contact: &ContactSummary, settings: &Settings, before: &[Advice]) -> Option<Advice> {
+    let ContactRecord::Smooth { intervals, .. } = &contact.record else { return None };
+    let whole = intervals.iter().filter(|one| !one.end.is_nan());
+    let hardest = whole.max_by(|a, b| a.impulse.abs().total_cmp(&b.impulse.abs()))?;
+    let (steps, duration) = (hardest.steps as f64, hardest.end - hardest.start);
+    let verdict = graded(steps, STEPS);
+    let mut told = (before.iter())
+        .filter(|one| one.topic == Topic::ContactDuration && one.contact == contact.name);
+    // An estimate that found the steps fine knows more than their number, unless they are next to none.
+    let known = told.any(|one| {
+        one.verdict != Verdict::Fine || one.value.is_finite() && verdict != Verdict::Warning
+    });
+    if known || verdict == Verdict::Fine {
+        return None;
+    }
+    let better = quantity(round_down(duration / STEPS[0]), "s");
+    let text = format!(
+        "the contact lasted {}, {} steps, from {}: its peak force and velocities are hardly resolved; set time.step to {better}",
+        quantity(duration, "s"),
+        digits(steps),
+        quantity(hardest.start, "s")
+    );
+    let values = [duration, settings.step];
+    Some(Advice::new(&contact.name, Topic::ContactDuration, values, "s", verdict, text))
 }
 
 /// A contact that is closed at the end, or that never closed where none did.
@@ -87,6 +127,27 @@ fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
     );
     let values = [largest, f64::NAN];
     Some(Advice::new(&contact.name, Topic::Reactions, values, "N", Verdict::Note, text))
+}
+
+/// Reactions of driven supports whose velocity jumps, at the ends of a ramp say.
+///
+/// A jump gives the end of a beam a velocity at once, as a rigid impact does, and the impulse of the support is its share of the beam's
+/// mass: half an element's.
+fn jumps(model: &Model, run: &RunSummary) -> Option<Advice> {
+    let mut driven = model.supports().zip(&run.supports);
+    let (_, support) = driven.find(|(view, _)| view.jump > JUMP)?;
+    let forces = support.force.iter().flat_map(|f| [f.min.value, f.max.value]);
+    let largest = forces.filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
+    let text = format!(
+        "the velocity of support {} jumps, where a ramp begins and ends say: that strikes the beam like something rigid and sends out \
+         waves as short as its elements. Largest reactions ({} here) and section forces are those of this mesh and step, and finer ones have \
+         larger ones; give the motion a smooth course (a table with smooth = true), or take displacements",
+        support.name,
+        quantity(largest, "N")
+    );
+    let values = [largest, f64::NAN];
+    let subject = format!("support {}", support.name);
+    Some(Advice::new(subject, Topic::Reactions, values, "N", Verdict::Note, text))
 }
 
 /// A beam of Green's strain that is compressed so far that another measure would say something else.

@@ -36,7 +36,8 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     }
     let mut all = Vec::new();
     for index in 0..model.beam_count() {
-        beam(&BeamPlace::new(model, index, 0.0), settings, &mut all);
+        let stub = is_stub(model, index);
+        beam(&BeamPlace::new(model, index, 0.0), stub, settings, &mut all);
     }
     bodies(model, &mut all);
     springs(model, &mut all);
@@ -72,8 +73,21 @@ pub(super) fn slip(
     Advice::new(part, Topic::Slip, values, unit, verdict, text)
 }
 
-/// Length, section, material of a beam, and its lowest period against the step.
-fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
+/// Whether a beam is tied to one that is longer than deep. Where they meet both are given in the same unit, so that a short one is meant: a stub
+/// that carries a hinge, say.
+fn is_stub(model: &Model, index: usize) -> bool {
+    let long = |other: usize| {
+        let place = BeamPlace::in_the_middle(model, other);
+        let (length, half_depth) = (place.beam.length(), place.half_depth());
+        other != index && half_depth > 0.0 && length >= 2.0 * half_depth
+    };
+    let ties = model.constraints().map(|tie| tie.points().map(|p| p.beam).collect::<Vec<_>>());
+    let springs = model.connectors().map(|one| one.points().map(|p| p.beam).collect::<Vec<_>>());
+    ties.chain(springs).any(|all| all.contains(&index) && all.iter().any(|other| long(*other)))
+}
+
+/// Length (unless it is a stub), section, material of a beam, and its lowest period against the step.
+fn beam(place: &BeamPlace<'_>, stub: bool, settings: &Settings, all: &mut Vec<Advice>) {
     let data = place.beam;
     let each = data.spans().flat_map(|span| {
         // The elements of a span without taper are all alike.
@@ -87,7 +101,7 @@ fn beam(place: &BeamPlace<'_>, settings: &Settings, all: &mut Vec<Advice>) {
         let depth =
             if row.half_depth > 0.0 { 2.0 * row.half_depth } else { 12_f64.sqrt() * gyration };
         let found = [
-            slender(&name, length, depth, row.half_depth > 0.0),
+            slender(&name, length, depth, row.half_depth > 0.0).filter(|_| !stub),
             section(&name, gyration, row.half_depth),
             density(&name, row.density),
             young(&name, row.young),

@@ -54,6 +54,20 @@ impl<'a> BeamPlace<'a> {
         self.element().0.section_at(self.s)
     }
 
+    /// The place in the middle of beam number `index`, however many elements it has.
+    pub fn in_the_middle(model: &'a Model, index: usize) -> Self {
+        Self::new(model, index, 0.5 * model.beam(index).length())
+    }
+
+    /// Position in the reference configuration \[m\]; between nodes that of the chord.
+    pub fn position(&self) -> [f64; 2] {
+        let (span, k) = self.element();
+        let [a, b] = [k, k + 1].map(|k| self.model.node_position(span.nodes().start + k));
+        let [from, to] = [k, k + 1].map(|k| span.stations()[k]);
+        let share = ((self.s - from) / (to - from)).clamp(0.0, 1.0);
+        [0, 1].map(|i| a[i] + share * (b[i] - a[i]))
+    }
+
     /// Length of the element at the place \[m\].
     pub fn element_length(&self) -> f64 {
         let (span, k) = self.element();

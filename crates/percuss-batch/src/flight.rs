@@ -1,17 +1,22 @@
 //! One run with its derivatives, in mid-flight.
 
+mod rest;
+
 use super::commit::Accept;
 use super::engine::Engine;
+use super::impact::Strike;
 use super::ledger::LaneLedger;
 use super::log::{Log, Struck};
 use super::newton::LaneNewton;
-use super::numbers::{GuideLaw, Numbers};
+use super::numbers::Numbers;
 use super::sensitivity::{Grazing, Horizon, Onset};
 use super::yield_log::{Noted, YieldLog};
 use percuss::Model;
+use percuss::internals::run::contact_status::STICK;
 use percuss::internals::scalar::{Dual, Real};
 use percuss::internals::settings::{SAME_INSTANT, Settings};
 use percuss::math::roots;
+use rest::Touching;
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;
@@ -35,6 +40,8 @@ pub struct Flight<'a> {
     pub log: Log<Derived>,
     pub search: LaneNewton<Derived>,
     pub solver_steps: usize,
+    /// What the contacts have come to, shape (guided projectiles).
+    touching: Vec<Touching>,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     misses: Vec<(usize, Derived, Derived)>,
 }
@@ -52,8 +59,20 @@ impl<'a> Flight<'a> {
         let mut search = LaneNewton::idle(engine.h);
         search.set_run(0, true);
         let (ledger, log) = (LaneLedger::open(&engine), Log::new(&engine));
+        let touching = vec![Touching::default(); engine.guides.len()];
         let misses = Vec::new();
-        Self { model, settings, end, engine, ledger, log, search, solver_steps: 0, misses }
+        Self {
+            model,
+            settings,
+            end,
+            engine,
+            ledger,
+            log,
+            search,
+            solver_steps: 0,
+            touching,
+            misses,
+        }
     }
 
     /// Runs to the end, or as far as derivatives are known.
@@ -61,6 +80,7 @@ impl<'a> Flight<'a> {
     /// # Errors
     /// How far that is.
     pub fn run(&mut self) -> Result<(), Horizon> {
+        self.close_at_rest();
         let zero = self.engine.h.constant(0.0);
         let (step, end) = (self.settings.step, self.settings.end);
         let (mut offset, count) = (zero, self.settings.step_count());
@@ -134,16 +154,24 @@ impl<'a> Flight<'a> {
             if left.value <= SAME_INSTANT * target.value {
                 return Ok(offset);
             }
-            self.log.begin(&self.engine);
-            self.solve(left, None)?;
-            let struck = self.first_contact(left)?;
-            offset += self.engine.h;
-            self.accept();
-            if self.engine.fibres.failing {
-                return Err(self.horizon("there a fibre fails".into()));
-            }
+            let rests = self.resting()?;
+            let struck = match self.touching_again() {
+                Some(k) => Some(k),
+                None => {
+                    self.log.begin(&self.engine);
+                    let held = rests.map(|k| (k, Strike::Stays));
+                    self.solve(left, held)?;
+                    let struck = self.first_contact(left, held)?;
+                    offset += self.engine.h;
+                    self.accept_part(rests);
+                    if self.engine.fibres.failing {
+                        return Err(self.horizon("there a fibre fails".into()));
+                    }
+                    struck
+                }
+            };
             if let Some(k) = struck {
-                offset += self.impact_interval(k)?;
+                offset += self.impact_interval(k, rests)?;
                 last = struck;
             }
         }
@@ -156,11 +184,11 @@ impl<'a> Flight<'a> {
         Horizon { time: self.log.time.value, why }
     }
 
-    fn solve(&mut self, h: Derived, striking: Option<usize>) -> Result<(), Horizon> {
+    fn solve(&mut self, h: Derived, striking: Option<(usize, Strike)>) -> Result<(), Horizon> {
         self.solver_steps += 1;
         self.engine.h = h;
         self.engine.striking = striking;
-        self.engine.constraints.impulsive = striking.is_some();
+        self.engine.constraints.impulsive = striking.is_some_and(|(_, how)| how != Strike::Stays);
         self.engine.solve(&self.ledger, &mut self.search);
         match self.search.failed {
             true => Err(self.horizon("there the step has to be cut".into())),
@@ -186,9 +214,12 @@ impl<'a> Flight<'a> {
 
     /// The rigid projectile that touches first within the step solved last, if one does; the step up to that instant is then
     /// the one solved last.
-    fn first_contact(&mut self, size: Derived) -> Result<Option<usize>, Horizon> {
-        let rigid = |k: &usize| self.engine.numbers.guides[*k].law == GuideLaw::Rigid;
-        let all: Vec<usize> = (0..self.engine.guides.len()).filter(rigid).collect();
+    fn first_contact(
+        &mut self,
+        size: Derived,
+        held: Option<(usize, Strike)>,
+    ) -> Result<Option<usize>, Horizon> {
+        let all = self.open_rigid();
         let least = |flight: &Self| {
             let each = all.iter().map(|k| (flight.ahead(*k), *k));
             each.min_by(|a, b| a.0.value.total_cmp(&b.0.value))
@@ -210,7 +241,7 @@ impl<'a> Flight<'a> {
             tolerance,
             tolerance * rate,
             |t| {
-                self.solve(size.constant(t), None)?;
+                self.solve(size.constant(t), held)?;
                 let (ahead, k) = least(self).expect("a rigid projectile");
                 let approaches = self.engine.gap_next(k)[1].value < 0.0;
                 let open = ahead.value.max(2.0 * tolerance * rate);
@@ -221,40 +252,49 @@ impl<'a> Flight<'a> {
         // The instant moves with the parameters so that the gap ahead stays what it is.
         let mut h = size.constant(instant);
         h.slope[TOGETHER] = 1.0;
-        self.solve(h, None)?;
+        self.solve(h, held)?;
         let ahead = self.ahead(k).slope;
         for (own, by) in h.slope.iter_mut().zip(ahead) {
             *own = -by / ahead[TOGETHER];
         }
         h.slope[TOGETHER] = 0.0;
-        self.solve(h, None)?;
+        self.solve(h, held)?;
         Ok(Some(k))
     }
 
     /// The impact interval in which the impulse of a projectile acts; returns its length.
-    fn impact_interval(&mut self, k: usize) -> Result<Derived, Horizon> {
+    fn impact_interval(&mut self, k: usize, rests: Option<usize>) -> Result<Derived, Horizon> {
+        if self.touching[rests.unwrap_or(k)].closed {
+            return Err(
+                self.horizon("there something strikes while another contact is closed".into())
+            );
+        }
         let h = self.engine.h.constant(IMPACT_INTERVAL * self.settings.step);
         self.log.begin(&self.engine);
         let start = self.log.time;
-        self.solve(h, Some(k))?;
-        let (guide, state) = (&self.engine.numbers.guides[k], &self.engine.guides[k]);
-        let force = state.impulse / h;
-        let given = [force * guide.along(&self.engine.increment), -(force * state.increment)];
+        let approach = -self.engine.guides[k].rate;
+        let stick = (STICK * self.touching[k].approach_max).max(self.negligible()[0]);
+        let how = if approach.value <= stick { Strike::Sticks } else { Strike::Rebounds };
+        self.solve(h, Some((k, how)))?;
+        let state = &self.engine.guides[k];
         let struck = Struck {
             time: start + h * 0.5,
             impulse: state.impulse,
-            approach: -state.rate,
+            approach,
             separation: self.engine.gap_next(k)[1],
-            given,
+            given: self.given(k),
             place: self.engine.struck(k),
         };
-        self.log.guides[k].impacts[0].push(struck);
+        if struck.impulse.value > 0.0 {
+            self.log.guides[k].impacts[0].push(struck);
+        }
         self.accept();
         self.engine.guides[k].impulse = h.constant(0.0);
-        if self.engine.numbers.guides[k].stiffness.value == 0.0 {
-            let name = &self.model.contacts[k].name;
-            return Err(self.horizon(format!("the contact of `{name}` stays closed from there")));
-        }
+        let restitution = self.engine.numbers.guides[k].stiffness.value;
+        let touching = &mut self.touching[k];
+        touching.approach_max = touching.approach_max.max(approach.value);
+        touching.closed = how == Strike::Sticks || restitution == 0.0;
+        self.close_at_rest();
         Ok(h)
     }
 }

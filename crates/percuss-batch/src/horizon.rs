@@ -7,7 +7,7 @@ use percuss::*;
 /// impulses by less than this share: instants are located to less, which later impacts magnify.
 const SAME: f64 = 1e-3;
 
-/// How far the impacts of a run with derivatives are those of the run itself.
+/// How far the impacts and times of rest of a run with derivatives are those of the run itself.
 pub fn agreeing(
     own: &RunSummary,
     run: &RunSummary,
@@ -16,13 +16,15 @@ pub fn agreeing(
 ) -> Option<Horizon> {
     let mut horizon = reached;
     for (own, run) in own.contacts.iter().zip(&run.contacts) {
-        let (ContactRecord::Nonsmooth { impacts, .. }, Some((all, rests))) =
+        let (ContactRecord::Nonsmooth { impacts, intervals, .. }, Some((all, rests))) =
             (&own.record, rigid(run))
         else {
             continue;
         };
         let until = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);
-        let Some(time) = parting(impacts, all, step).filter(|time| *time < until) else { continue };
+        let parted = [parting(impacts, all, step), parting_rests(intervals, rests, step)];
+        let parted = parted.into_iter().flatten().reduce(f64::min);
+        let Some(time) = parted.filter(|time| *time < until) else { continue };
         let rests = rests.iter().any(|interval| (interval.start - time).abs() <= step);
         let why = if rests {
             format!("the contact of `{}` stays closed from there", run.name)
@@ -51,6 +53,25 @@ fn parting(own: &[Impact], all: &[Impact], step: f64) -> Option<f64> {
     let kept = own.len().min(all.len()) < ContactRecord::IMPACTS_KEPT;
     let time = next(own).min(next(all));
     (time.is_finite() && (kept || same < ContactRecord::IMPACTS_KEPT)).then_some(time)
+}
+
+/// Time of the first beginning or end of a rest that only one of two lists has.
+fn parting_rests(own: &[ContactInterval], all: &[ContactInterval], step: f64) -> Option<f64> {
+    let known = |list: &[ContactInterval], k: usize| {
+        list.get(k).map_or([f64::INFINITY; 2], |one| {
+            [one.start, if one.end.is_nan() { f64::INFINITY } else { one.end }]
+        })
+    };
+    let most = own.len().max(all.len());
+    let (mine, others) =
+        ((0..most).flat_map(|k| known(own, k)), (0..most).flat_map(|k| known(all, k)));
+    let same = |(a, b): &(f64, f64)| a == b || (a - b).abs() <= SAME * step;
+    let pairs = mine.zip(others);
+    pairs
+        .into_iter()
+        .find(|pair| !same(pair))
+        .map(|(a, b)| a.min(b))
+        .filter(|time| time.is_finite())
 }
 
 fn is_same(a: &Impact, b: &Impact, step: f64) -> bool {
@@ -136,11 +157,12 @@ fn withdraw_contact(
             intervals.truncate(done);
         }
         (
-            ContactRecord::Nonsmooth { impacts, impulse_total, .. },
+            ContactRecord::Nonsmooth { impacts, impulse_total, intervals, .. },
             _,
-            ContactRecord::Nonsmooth { impacts: own, .. },
+            ContactRecord::Nonsmooth { impacts: own, intervals: rests, .. },
         ) => {
             *impulse_total = f64::NAN;
+            intervals.truncate(rests.iter().take_while(|rest| rest.end < until).count());
             impacts.truncate(own.iter().take_while(|impact| impact.time < until).count());
         }
         _ => {}

@@ -3,6 +3,17 @@
 use super::engine::Engine;
 use percuss::internals::scalar::{Mask, Number};
 
+/// What the rigid contact of a run with derivatives does in the step at hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Strike {
+    /// It strikes, and parts by Newton's law.
+    Rebounds,
+    /// It strikes too slowly to part again.
+    Sticks,
+    /// It stays closed while it presses.
+    Stays,
+}
+
 /// The rigid contact of runs side by side, which presses in the parts of some of them.
 #[derive(Clone, Debug)]
 pub struct Press<S: Number> {
@@ -49,9 +60,9 @@ impl<S: Number> Engine<S> {
         [state.gap + state.gap_change, state.gap_change * 2.0 / self.h - state.rate]
     }
 
-    /// Adds to the correction what the impulse of the projectile that strikes changes: with it the gap opens at the rate that
-    /// Newton's law asks for.
-    pub fn strike(&mut self, k: usize) {
+    /// Adds to the correction what the impulse of the projectile that strikes, or presses, changes: with it the gap opens at the rate that
+    /// Newton's law asks for, or stays as it is.
+    pub fn strike(&mut self, k: usize, how: Strike) {
         let (correction, guides) = (self.correction.clone(), self.guides.clone());
         let multipliers: Vec<S> = self.constraints.corrections().map(|x| *x).collect();
         let moved = self.numbers.guides[k].along(&correction) - guides[k].correction;
@@ -60,7 +71,13 @@ impl<S: Number> Engine<S> {
         // Impulse over the step, rate at its end.
         let twice = self.h.recip() * 2.0;
         let free = (state.gap_change + moved) * twice - state.rate;
-        let wanted = -(self.numbers.guides[k].stiffness * state.rate);
+        let zero = twice.constant(0.0);
+        let wanted = match how {
+            Strike::Rebounds => -(self.numbers.guides[k].stiffness * state.rate),
+            Strike::Sticks => zero,
+            // As much as it opens at the start: then it is where it was at the end.
+            Strike::Stays => -state.rate.max(zero),
+        };
         let impulse = state.impulse + (wanted - free) / (opening * twice / self.h);
         let impulse = impulse.max(impulse.constant(0.0));
         let force = (impulse - state.impulse) / self.h;

@@ -57,6 +57,24 @@ pub struct Struck<S> {
     pub place: [S; 2],
 }
 
+/// A time in which the rigid projectile of a run with derivatives stayed in contact.
+#[derive(Clone, Copy, Debug)]
+pub struct Rest<S> {
+    pub start: S,
+    /// Start of the part in which it pressed no more; NaN while it presses.
+    pub end: f64,
+    pub impulse: S,
+    pub approach: S,
+    pub separation: f64,
+    /// Work on beam and projectile, shape (2) \[J\].
+    pub given: [S; 2],
+    /// Parts of steps, longer than an impact, in which it pressed.
+    pub steps: usize,
+    /// Where it came to rest, and where it was last, shape (2) \[m\] each.
+    pub place: [S; 2],
+    pub place_end: [S; 2],
+}
+
 /// The record of a guided projectile.
 #[derive(Clone, Debug)]
 pub struct GuideLog<S: Number> {
@@ -70,6 +88,8 @@ pub struct GuideLog<S: Number> {
     pub deepest: Top<S>,
     /// Impacts, by lane, shape (lanes, impacts of one).
     pub impacts: Vec<Vec<Struck<S>>>,
+    /// Times of rest of a run with derivatives, shape (times of rest).
+    pub rests: Vec<Rest<S>>,
     /// Impulse that the projectile gave, and work that it did, shape (2) \[N s, J\].
     pub given: [S; 2],
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
@@ -163,6 +183,7 @@ impl<S: Number> Log<S> {
             closed: vec![Vec::new(); S::LANES],
             deepest: top,
             impacts: vec![Vec::new(); S::LANES],
+            rests: Vec::new(),
             given: [zero; 2],
             free: zero,
             released: zero.less(zero),

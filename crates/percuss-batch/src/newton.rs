@@ -162,8 +162,8 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     fn correct_and_strike(&mut self) {
         self.correct();
-        if let (1, Some(k)) = (S::LANES, self.striking) {
-            self.strike(k);
+        if let (1, Some((k, how))) = (S::LANES, self.striking) {
+            self.strike(k, how);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::ledger::LaneLedger;
-use super::log::{Closed, Log, Struck, Top};
+use super::log::{Closed, Log, Rest, Struck, Top};
 use super::newton::LaneNewton;
 use super::numbers::GuideLaw;
 use super::rigid_log::RigidLog;
@@ -10,6 +10,7 @@ use super::yield_log;
 use percuss::Model;
 use percuss::Scheme;
 use percuss::State;
+use percuss::internals::run::contact_log::opened;
 use percuss::internals::run::crest::{Crest, at_last};
 use percuss::internals::run::yielding;
 use percuss::internals::scalar::Number;
@@ -185,13 +186,14 @@ impl<S: Number> Telling<'_, S> {
         }
         if guide.law == GuideLaw::Rigid {
             let struck = &log.impacts[self.lane];
-            let total = struck.iter().fold(self.engine.h.constant(0.0), |sum, i| sum + i.impulse);
+            let each = struck.iter().map(|i| i.impulse).chain(log.rests.iter().map(|r| r.impulse));
+            let total = each.fold(self.engine.h.constant(0.0), |sum, impulse| sum + impulse);
             return ContactRecord::Nonsmooth {
                 impacts: struck.iter().map(|i| self.impact(k, i, reading)).collect(),
                 impact_count: struck.len(),
                 fallback_count: 0,
                 impulse_total: read(total),
-                intervals: Vec::new(),
+                intervals: log.rests.iter().map(|rest| self.rest(k, rest, reading)).collect(),
                 // What is inside something is so by errors of the instant.
                 penetration: Peak::default(),
             };
@@ -210,6 +212,30 @@ impl<S: Number> Telling<'_, S> {
                 .map(|c| self.interval(k, c, peak(&force(&c.deepest), read), reading))
                 .collect(),
         }
+    }
+
+    fn rest(&self, k: usize, rest: &Rest<S>, reading: &Reading<S>) -> ContactInterval {
+        let read = reading.read;
+        // Steps do not resolve when it lets go.
+        let instant = |value: f64| if reading.derivative { f64::NAN } else { value };
+        let lost = -(rest.given[0] + rest.given[1]);
+        let place = reading.place(k, rest.place);
+        let mut interval = ContactInterval {
+            end: instant(rest.end),
+            impulse: read(rest.impulse),
+            tangential_impulse: 0.0,
+            separation_velocity: instant(rest.separation),
+            steps: rest.steps,
+            place_end: reading.place(k, rest.place_end),
+            energy: EnergySplit {
+                given: rest.given.map(read),
+                lost: read(lost),
+                ..EnergySplit::default()
+            },
+            ..opened(read(rest.start), read(rest.approach), place)
+        };
+        interval.energy.balance();
+        interval
     }
 
     fn interval(

@@ -54,11 +54,11 @@ catalogue! {
         Recording = "W012", "recording",
             "Rows of the history are further apart than the contact lasts: curves and figures may miss it, though peaks and \
              impulses of the summary do not. Give a smaller `record.every`.";
-        /// Largest reactions where rigid impacts make them.
+        /// Largest reactions where rigid impacts, or jumps of prescribed velocities, make them.
         Reactions = "W013", "reactions",
-            "Rigid impacts on a beam send out waves as short as its elements: largest reactions and section forces are those of \
-             this mesh and step, and finer ones have larger ones. Read impulses and displacements, or give the contact a \
-             compliance.";
+            "Rigid impacts on a beam, and driven supports whose velocity jumps, send out waves as short as its elements: largest reactions \
+             and section forces are those of this mesh and step, and finer ones have larger ones. Read impulses and displacements, give \
+             the contact a compliance, or the motion a smooth course.";
         /// A section that varies along a beam, against one whose size does.
         Taper = "W014", "taper",
             "Between two stations of a beam the second moment of area is a straight line. Where it is the size of the section that \
@@ -95,6 +95,10 @@ catalogue! {
              law: two an element. Finer meshes have more of them, so that the contact gets stiffer, its force larger and its \
              duration shorter without limit. Let one of both be a disc or give it round ends; `percuss converge FILE` shows \
              how far results depend on the mesh.";
+        /// Ends of two beams at one place that nothing joins.
+        LooseEnds = "W021", "ends that nothing joins",
+            "The ends of two beams lie at one place, and there is neither a joint nor a spring nor a contact between them: each moves as if \
+             the other were not there. Beams are joined where a `[joint.*]` says so; the message gives the one that is missing.";
     }
 }
 

@@ -123,7 +123,8 @@ fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorde
     let summary = simulation.run(recorder);
     let seconds = begun.elapsed().as_secs_f64();
     settle(&mut advice, &compiled.settings, &summary);
-    advice.extend(review(&compiled.model, &compiled.settings, &summary));
+    let after = review(&compiled.model, &compiled.settings, &summary, &advice);
+    advice.extend(after);
     let content = ready.scenario.content();
     percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));
     let warnings = audit(&summary, &advice, |code| content.reason_to_allow(code));

@@ -15,6 +15,9 @@ pub enum Role {
     Reason,
     /// Whether the run's balances closed, and what it cost.
     Audit,
+    /// What a result has come to where a contact that is still closed at the end leaves it open: the least value of a duration or force, a
+    /// velocity that is not yet the one after it; NaN in all other runs.
+    Open,
 }
 
 /// What stands in a column.
@@ -60,6 +63,7 @@ impl Role {
             Self::Status => "status",
             Self::Reason => "reason",
             Self::Audit => "audit",
+            Self::Open => "open",
         }
     }
 }

@@ -158,6 +158,10 @@ impl Shard {
         row.whole(summary.map_or(0, |s| s.steps as i64));
         row.whole(summary.map_or(0, |s| s.step_cuts as i64));
         row.whole(summary.map_or(0, |s| s.newton_iterations as i64));
+        let ended = summary.filter(|_| status == "completed");
+        for path in paths.iter().filter(|path| path.may_stay_open()) {
+            row.number(ended.map_or(f64::NAN, |summary| path.open_value(summary)));
+        }
     }
 
     /// The shard as a file.

@@ -19,6 +19,9 @@ const LANE_RUNS: u64 = 8;
 /// Shards of a study of middling size, so that every core has some to do and an interruption costs little.
 const SHARDS: u64 = 64;
 
+/// What the columns of values that a closed contact leaves open are called, before the name of the result.
+pub(crate) const OPEN: &str = "open.";
+
 /// Many runs of one scenario, some of whose values change from run to run.
 ///
 /// It needs no file: the text of the base scenario is part of it.
@@ -215,6 +218,14 @@ impl Study {
             ("audit.newton_iterations", "1", "newton_iterations", &whole),
         ] {
             all.push((column(name, unit, Role::Audit, about), values.clone()));
+        }
+        for result in self.results.iter().filter(|result| result.path.may_stay_open()) {
+            let about = match result.path.only_grows() {
+                true => "least value where its contact is still closed at the end",
+                false => "value at the end where a contact is still closed then",
+            };
+            let name = format!("{OPEN}{}", result.name);
+            all.push((column(&name, result.path.unit(), Role::Open, about), number.clone()));
         }
         all
     }

@@ -333,7 +333,7 @@ fn what_a_run_leaves_open_is_told_after_it() {
         let one = Projectile::new("mass", kind, mass, [0.0, -0.5], at("mid", beam, 0.5));
         b.projectile(Projectile { standoff, ..one });
         let (model, settings) = (freeze(&b), Settings::new(5e-3, 2e-5));
-        review(&model, &settings, &run(&model, &settings))
+        review(&model, &settings, &run(&model, &settings), &[])
     };
     let soft = of(ProjectileKind::spring(1e4), 20.0, 0.0);
     assert!(
@@ -363,7 +363,7 @@ fn large_compression_under_greens_strain_is_told() {
         b.load(Load::new("thrust", kind));
         let model = freeze(&b);
         let settings = Settings { start: Start::Static, ..Settings::new(1e-3, 1e-4) };
-        verdict(&review(&model, &settings, &run(&model, &settings)), Topic::Strain)
+        verdict(&review(&model, &settings, &run(&model, &settings), &[]), Topic::Strain)
     };
     assert_eq!(of(StrainMeasure::Green, 1600.0), Some(Verdict::Warning));
     assert_eq!(of(StrainMeasure::Green, 200.0), None);
@@ -406,7 +406,7 @@ fn a_place_that_never_comes_is_not_told_as_struck() {
 fn elements_are_too_few_where_the_force_is_wrong() {
     let of = |elements: usize| {
         let mut b = ModelBuilder::new();
-        let beam = bar(&mut b, 2.0, elements, [0.05, 0.05]);
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
         hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
         b.projectile(mass(at("mid", beam, 0.5), 1.0, 5e7, [0.0, -0.1]));
         let (model, settings) = (freeze(&b), Settings::new(1e-3, 2e-6));
@@ -613,4 +613,134 @@ fn the_advised_step_takes_twenty_steps_of_the_contact() {
         let [_, found] = durations(&b, &Settings::new(0.2, better));
         assert!(steps(found) >= 19.0 && steps(found) < 100.0, "{found}: {told:?}");
     }
+}
+
+/// An end that begins to move at once makes reactions without a limit (of an endless beam they fall with the root of time); one that follows a
+/// smooth course does not.
+#[test]
+fn velocity_jumps_of_driven_supports_are_told() {
+    let of = |function: TimeFunction| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        let driven = Support::new("first", at("start", beam, 0.0), SupportKind::Pin);
+        let motion = Motion { displacement: [0.0, 5e-3], rotation: 0.0, function };
+        b.support(Support { motion: Some(motion), ..driven });
+        b.support(Support::new("second", at("end", beam, 1.0), SupportKind::Pin));
+        let (model, settings) = (freeze(&b), Settings::new(10e-3, 2e-5));
+        let found = review(&model, &settings, &run(&model, &settings), &[]);
+        found.into_iter().find(|one| one.topic == Topic::Reactions)
+    };
+    let told = of(TimeFunction::Ramp { duration: 4e-3 }).expect("told");
+    assert!(told.contact == "support first" && told.verdict == Verdict::Note, "{told:?}");
+    let times: Vec<f64> = (0..=40).map(|k| f64::from(k) * 1e-4).collect();
+    let course = |t: &f64| 0.5 - 0.5 * (std::f64::consts::PI * t / 4e-3).cos();
+    let values = times.iter().map(course).collect();
+    assert_eq!(of(TimeFunction::Table { times, values, smooth: true }), None);
+}
+
+/// The run shows how many steps its contact lasted, whatever could be estimated before.
+#[test]
+fn contacts_of_few_steps_are_told_after_the_run() {
+    let of = |step: f64, before: &[Advice]| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", beam, 0.5), 0.5, 5e7, [0.0, -0.5]));
+        let (model, settings) = (freeze(&b), Settings::new(5e-3, step));
+        let found = review(&model, &settings, &run(&model, &settings), before);
+        found.into_iter().find(|one| one.topic == Topic::ContactDuration)
+    };
+    assert_eq!(of(5e-6, &[]), None);
+    let told = of(1.5e-4, &[]).expect("told");
+    assert!(told.verdict == Verdict::Warning && told.text.contains("time.step"), "{told:?}");
+    assert_eq!(of(1.5e-4, std::slice::from_ref(&told)), None, "once is enough");
+}
+
+/// Rods of one element that meet with round ends have one point each; a stub on a column is meant to be short.
+#[test]
+fn short_beams_are_no_slips() {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+    let section = b.section(Section::circle("rod", 0.03));
+    let rod = |name: &str, points: [[f64; 2]; 2]| {
+        let beam = Beam::new(name, &points, 1, material, section);
+        Beam { ends: Ends::Round, ..beam }
+    };
+    let one = b.beam(rod("a", [[0.0, 0.0], [0.5, 0.0]]));
+    let other = b.beam(rod("b", [[1.001, 0.0], [0.501, 0.0]]));
+    let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 5e7 }));
+    b.contact(Contact::new("c", [ContactPartner::Beam(one), ContactPartner::Beam(other)], law));
+    let found = advise(&freeze(&b), &Settings::new(2e-3, 1e-6));
+    assert_eq!(verdict(&found, Topic::FaceStiffness), None, "{found:#?}");
+
+    let stub = |tied: bool| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("bar", 0.1, 0.1));
+        let points = [[0.0, -0.05], [0.0, 0.0]];
+        let foot = b.beam(Beam::new("foot", &points, 1, material, section));
+        b.support(Support::new("ground", at("ground", foot, 0.0), SupportKind::Clamp));
+        if tied {
+            let points = [[0.0, 0.0], [0.0, 4.0]];
+            let post = b.beam(Beam::new("post", &points, 4, material, section));
+            let kind = JointKind::ElasticHinge { stiffness: 5e7, damping: 0.0 };
+            b.joint(Joint::new("hinge", kind, [at("foot", foot, 1.0), at("post", post, 0.0)]));
+        }
+        verdict(&advise(&freeze(&b), &Settings::new(1e-3, 1e-4)), Topic::Slip)
+    };
+    assert_eq!((stub(false), stub(true)), (Some(Verdict::Warning), None));
+}
+
+/// The roof of a portal whose corners were forgotten is named with the joints that it lacks; with them, or on supports of its own, nothing is said.
+#[test]
+fn ends_that_nothing_joins_are_told() {
+    let of = |joined: usize, held: bool| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("bar", 0.1, 0.1));
+        let mut beam = |name: &str, points: [[f64; 2]; 2]| {
+            b.beam(Beam::new(name, &points, 4, material, section))
+        };
+        let left = beam("left", [[0.0, 0.0], [0.0, 3.0]]);
+        let right = beam("right", [[4.0, 0.0], [4.0, 3.0]]);
+        let top = beam("top", [[0.0, 3.0], [4.0, 3.0]]);
+        let mut support = |name: &str, beam: BeamId, end: f64, kind: SupportKind| {
+            b.support(Support::new(name, at(name, beam, end), kind));
+        };
+        support("a", left, 0.0, SupportKind::Clamp);
+        support("b", right, 0.0, SupportKind::Clamp);
+        if held {
+            support("c", left, 1.0, SupportKind::Pin);
+            support("d", top, 0.0, SupportKind::Pin);
+        }
+        for (name, post, end) in
+            [("first", left, 0.0), ("second", right, 1.0)].into_iter().take(joined)
+        {
+            let between = [at("post", post, 1.0), at("top", top, end)];
+            b.joint(Joint::new(name, JointKind::Rigid, between));
+        }
+        freeze(&b)
+    };
+    let told = |model: &Model| {
+        let found = advise(model, &Settings::new(0.2, 1e-3)).into_iter();
+        found.filter(|one| one.topic == Topic::LooseEnds).map(|one| one.text).collect::<Vec<_>>()
+    };
+    let none = of(0, false);
+    let texts = told(&none);
+    assert!(
+        texts.len() == 2 && texts[0].contains("between = [\"left.end\", \"top.start\"]"),
+        "{texts:?}"
+    );
+    assert!(texts[1].contains("[joint.right-top]"), "{texts:?}");
+    assert_eq!(told(&of(1, false)).len(), 1);
+    assert!(told(&of(2, false)).is_empty());
+    assert_eq!(told(&of(0, true)).len(), 1, "where both are held they cannot part");
+    // Statics names the joint, too.
+    let faults = mechanisms(&none);
+    let text = faults.iter().map(ToString::to_string).collect::<String>();
+    assert!(
+        text.contains("`left.end` and `top.start`") && text.contains("[joint.left-top]"),
+        "{text}"
+    );
+    assert!(mechanisms(&of(2, false)).is_empty());
 }

@@ -321,7 +321,7 @@ fn judge(
     advice: &mut Vec<Advice>,
 ) -> (Vec<AuditWarning>, Vec<String>) {
     let content = ready.scenario.content();
-    let mut after = review(&ready.compiled.model, &ready.compiled.settings, run);
+    let mut after = review(&ready.compiled.model, &ready.compiled.settings, run, advice);
     advisor::judge(&mut after, content);
     if !arguments.quiet {
         advisor::tell(&after);

@@ -157,8 +157,12 @@ fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
     let row = |label: &str, value: String| vec![label.to_owned(), value];
     let spin = projectile["spin_final"].as_f64().filter(|spin| *spin != 0.0);
     let spin = spin.map(|spin| row("spin at the end", quantity(Some(spin), "rad/s")));
+    let note = match projectile["still_touches"].is_array() {
+        true => ", still in contact: not the velocity after it",
+        false => "",
+    };
     let mut rows = vec![
-        row("velocity at the end", format!("({}, {}) m/s", component(0), component(1))),
+        row("velocity at the end", format!("({}, {}) m/s{note}", component(0), component(1))),
         row(
             "momentum given away, along the initial motion",
             quantity(given("momentum_transferred", sizes.momentum), "kg*m/s"),

@@ -4,6 +4,7 @@ mod advice;
 mod contact;
 mod derivative;
 mod every_event;
+mod open;
 mod pick;
 pub(crate) mod plastic;
 mod provenance;
@@ -64,7 +65,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "energy": energy(run),
         "momentum": momentum(run),
         "audit": audit(run),
-        "projectile": named(&run.projectiles, |p| &p.name, projectile),
+        "projectile": projectiles(run),
         "contact": named(&run.contacts, |c| &c.name, contact::value),
         "contact_residual_max": run.contact_residual_max,
         "shared_blows": shared_blows(run),
@@ -228,6 +229,19 @@ fn settings(settings: &Settings) -> Value {
 
 fn named<T>(items: &[T], name: fn(&T) -> &String, value: fn(&T) -> Value) -> Value {
     Value::Object(items.iter().map(|item| (name(item).clone(), value(item))).collect::<Map<_, _>>())
+}
+
+/// Projectiles by name; of one that still touches something at the end the names of those contacts, since its velocity is not that after
+/// them.
+fn projectiles(run: &RunSummary) -> Value {
+    let mut all = named(&run.projectiles, |p| &p.name, projectile);
+    for one in &run.projectiles {
+        let touches: Vec<&str> = run.still_touches(&one.name).collect();
+        if !touches.is_empty() {
+            all[&one.name]["still_touches"] = touches.into();
+        }
+    }
+    all
 }
 
 fn projectile(projectile: &ProjectileSummary) -> Value {

@@ -35,7 +35,7 @@ const NAMED: [&str; 8] =
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SummaryPath {
     path: String,
-    part: String,
+    pub(super) part: String,
     /// Name of the projectile, contact, ...; empty for other parts.
     pub(super) name: String,
     /// Keys and indices within the part.

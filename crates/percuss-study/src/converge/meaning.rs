@@ -46,9 +46,12 @@ impl Meaning<'_> {
         let struck = self.summary.contacts.iter().any(|contact| {
             matches!(&contact.record, percuss::ContactRecord::Nonsmooth { impact_count, .. } if *impact_count > 0)
         });
+        // Jumps of prescribed velocities are impulses, too.
+        let impulsive = |s: &percuss::SupportSummary| s.impulse.iter().any(|i| i.abs() > 0.0);
+        let struck = struck || self.summary.supports.iter().any(impulsive);
         let grows = values.windows(2).all(|pair| pair[1].abs() > GROWS * pair[0].abs());
         (is_force && struck && grows).then(|| {
-            "grows as the step shrinks: a rigid impact is an impulse, and this force has no limit".into()
+            "grows as the step shrinks: a rigid impact, or a jump of a support's velocity, is an impulse, and this force has no limit".into()
         })
     }
 

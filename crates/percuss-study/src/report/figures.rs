@@ -166,7 +166,7 @@ fn exceedance(result: &ResultColumn, population: &Population, spread: &Spread) -
     let all = || first.iter().chain(&steps);
     let x: Vec<f64> = all().map(|(value, _)| *value).collect();
     let below = all().map(|(_, count)| *count as f64 / n).collect();
-    let above = all().map(|(_, count)| (spread.count - count) as f64 / n).collect();
+    let above = |k: usize| all().map(|(value, _)| population.above(*value)[k] as f64 / n).collect();
     let curve = |label: &str, style, y| Curve {
         label: label.into(),
         style,
@@ -185,7 +185,13 @@ fn exceedance(result: &ResultColumn, population: &Population, spread: &Spread) -
         x: quantity(&result.name, result.path.unit()),
         y: quantity(SHARE, "1"),
         from_zero: true,
-        curves: vec![curve("at or below", 1, below), curve("above", 2, above)],
+        curves: match population.open.is_empty() {
+            true => vec![curve("at or below", 1, below), curve("above", 2, above(0))],
+            // Where contacts leave it open nobody knows how many are below.
+            false => {
+                vec![curve("above, at least", 1, above(0)), curve("above, at most", 2, above(1))]
+            }
+        },
     }
 }
 

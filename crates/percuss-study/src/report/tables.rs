@@ -52,6 +52,7 @@ pub(super) fn results(study: &Study, table: &Table) -> Vec<Block> {
     let rows = populations(study, table).map(row).collect();
     let caption = "Over the runs that completed and have a value".to_string();
     let mut blocks = vec![Block::Table { caption, header: texts(&header), rows }];
+    blocks.extend(open(study, table));
     if !study.is_grid() {
         blocks.push(intervals(study, table));
         blocks.push(Block::Note(about_intervals(study)));
@@ -109,34 +110,78 @@ fn about_intervals(study: &Study) -> String {
 pub(super) fn exceedances(study: &Study, table: &Table) -> Vec<Block> {
     let header = texts(&["value", "runs above", "share of completed runs", "from", "to (95 %)"]);
     let one = |(name, unit, population): (&str, &str, Population)| {
-        let s = population.spread.as_ref()?;
+        let s = population.least.as_ref()?;
         let n = population.completed;
-        let mut seen = Vec::new();
+        let mut seen: Vec<(f64, [usize; 2])> = Vec::new();
         for share in SHARES {
             let count = (share * n as f64 + 1e-9).floor() as usize;
             if count == 0 || count >= s.count {
                 continue;
             }
             let value = s.exceeded_by(count);
-            let above = s.above(value);
-            if above > 0 && !seen.iter().any(|(_, other)| *other == above) {
+            let above = population.above(value);
+            if above[0] > 0 && !seen.iter().any(|(_, other)| *other == above) {
                 seen.push((value, above));
             }
         }
-        let row = |(value, above): &(f64, usize)| {
-            let [low, high] = share_interval(*above, n);
+        let row = |(value, [least, most]): &(f64, [usize; 2])| {
+            let [low, high] = [share_interval(*least, n)[0], share_interval(*most, n)[1]];
             let share = |x: f64| in_words(x, "1");
-            let all = [above.to_string(), share(*above as f64 / n as f64), share(low), share(high)];
-            [in_words(*value, unit)].into_iter().chain(all).collect()
+            let both = |text: &dyn Fn(usize) -> String| match least == most {
+                true => text(*least),
+                false => format!("{} to {}", text(*least), text(*most)),
+            };
+            let above = both(&|count| count.to_string());
+            let shares = both(&|count| share(count as f64 / n as f64));
+            vec![in_words(*value, unit), above, shares, share(low), share(high)]
         };
         let rows: Vec<Vec<String>> = seen.iter().map(row).collect();
         let caption = match population.counts() {
             counts if counts.is_empty() => format!("{name}: how often above"),
-            counts => format!("{name}: how often above ({counts}; a run without one is not above)"),
+            counts if population.open.is_empty() => {
+                format!("{name}: how often above ({counts}; a run without one is not above)")
+            }
+            counts => format!(
+                "{name}: how often above ({counts}; these count with what it had come to, and may be above or not beyond that; any other run \
+                 without a value is not above)"
+            ),
         };
         (!rows.is_empty()).then(|| Block::Table { caption, header: header.clone(), rows })
     };
-    populations(study, table).filter_map(one).collect()
+    settled(study, table).filter_map(one).collect()
+}
+
+/// Results that grow while a contact is closed, or that no contact leaves open: of these it is known how often they are above a value.
+fn settled<'s>(
+    study: &'s Study,
+    table: &'s Table,
+) -> impl Iterator<Item = (&'s str, &'s str, Population)> {
+    let open = |name: &str| {
+        let path = study.results().iter().find(|result| result.name == name).map(|r| &r.path);
+        path.is_some_and(|path| path.may_stay_open() && !path.only_grows())
+    };
+    populations(study, table).filter(move |(name, _, all)| all.open.is_empty() || !open(name))
+}
+
+/// What contacts that were still closed at the end leave open of the results.
+fn open(study: &Study, table: &Table) -> Vec<Block> {
+    let note = |(name, unit, population): (&str, &str, Population)| {
+        let (first, last) = (population.open.first()?, population.open.last()?);
+        let path = &study.results().iter().find(|result| result.name == name)?.path;
+        let runs = format!("{} of {} completed runs", population.open.len(), population.completed);
+        let [first, last] = [first, last].map(|value| in_words(*value, unit));
+        Some(Block::Note(match path.only_grows() {
+            true => format!(
+                "{name}: in {runs} a contact was still closed at the end. Its value there is at least what it had come to, {first} to {last} \
+                 (column open.{name}); mean and quantiles leave these runs out or take them as settled. A later time.end settles them."
+            ),
+            false => format!(
+                "{name}: in {runs} a contact was still closed at the end. Its values there, {first} to {last} (column open.{name}), are not those \
+                 after the contact. A later time.end settles them."
+            ),
+        }))
+    };
+    populations(study, table).filter_map(note).collect()
 }
 
 /// Sobol indices of every result.

@@ -120,9 +120,9 @@ pub fn sensitivity(
     let one = differentiate(scenario, parameters, results)?;
     let derivatives = one.derivatives();
     let without = one.without(&derivatives);
-    if let Some(first) =
-        without.first().filter(|_| derivatives.iter().flatten().all(|x| x.is_nan()))
-    {
+    // What nobody asked for is told with its reason; only results that were named are missed.
+    let missed = !results.is_empty() && derivatives.iter().flatten().all(|x| x.is_nan());
+    if let Some(first) = without.first().filter(|_| missed) {
         let why = format!("`{}` has no derivative: {}", first.result, first.why);
         return Err(SensitivityError::Refused(why));
     }
@@ -303,10 +303,10 @@ fn wanted(results: &[String], summary: &percuss::RunSummary) -> Vec<String> {
     summary_paths(summary).into_iter().map(|one| one.path).filter(usual).collect()
 }
 
-/// Whether a result is more than round-off.
+/// Whether a result can have a derivative and is more than round-off.
 fn moves(path: &str, summary: &percuss::RunSummary) -> bool {
-    let found = result(path, summary);
-    found.is_ok_and(|path| pick(&[path], summary)[0].abs() > 1e-12)
+    let found = result(path, summary).ok().filter(|path| !path.is_of_forces());
+    found.is_some_and(|path| pick(&[path], summary)[0].abs() > 1e-12)
 }
 
 /// A parameter, and the models it makes when it changes.

@@ -11,6 +11,7 @@ use super::yields::{StaticYielding, at_rest};
 use crate::error::Error;
 use crate::frame::{Frame, FrameForce};
 use crate::geometry::row::Row;
+use crate::inspect::loose_ends;
 use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model, StrainMeasure, TouchLaw};
 use crate::state::State;
@@ -223,6 +224,7 @@ pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
 /// Beams that have a contact may rest on something; whether they do [`equilibrium`] tells.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let beams = model.beams.len();
+    let apart = loose_ends(model);
     let mut touchable = vec![false; beams];
     for pair in model.pairs.iter().filter(|pair| takes_part(model, pair)) {
         pair.movers.iter().filter(|m| **m < beams).for_each(|m| touchable[*m] = true);
@@ -234,12 +236,18 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let loose = without(&loose, |node, _| {
         model.beams.iter().zip(&touchable).any(|(b, t)| *t && b.nodes.contains(&node))
     });
-    let fault = |beam: &BeamData| {
-        let found = format!("a mechanism: `{}` can move without being strained", beam.name);
-        let expected = "supports and joints that hold every beam";
+    let fault = |(index, beam): (usize, &BeamData)| {
+        let mut found = format!("a mechanism: `{}` can move without being strained", beam.name);
+        let mut expected = "supports and joints that hold every beam".to_owned();
+        if let Some(one) = apart.iter().find(|one| one.beams.contains(&index)) {
+            let [a, b] = &one.ends;
+            found += &format!(", and nothing joins `{a}` and `{b}`, which lie at one place");
+            expected += &format!(": {}", one.joint());
+        }
         Fault::new(format!("beam.{}", beam.name), found, expected)
     };
-    model.beams.iter().filter(|beam| moves(&loose, beam)).map(fault).collect()
+    let all = model.beams.iter().enumerate();
+    all.filter(|(_, beam)| moves(&loose, beam)).map(fault).collect()
 }
 
 /// Those of the motions, or their sums, that leave some components of nodes at rest.

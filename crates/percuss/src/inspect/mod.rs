@@ -5,10 +5,12 @@
 
 mod beams;
 mod contacts;
+mod loose;
 mod ties;
 
 pub use beams::*;
 pub use contacts::*;
+pub use loose::*;
 pub use ties::*;
 
 use crate::math::vec2::{add, rot90, scale, sub};
@@ -54,7 +56,11 @@ impl Model {
 
     /// Supports, in the order of definition.
     pub fn supports(&self) -> impl ExactSizeIterator<Item = SupportView> {
-        self.supports.iter().map(|s| SupportView { until: s.until, moves: s.motion.is_some() })
+        self.supports.iter().map(|s| SupportView {
+            until: s.until,
+            moves: s.motion.is_some(),
+            jump: s.motion.map_or(0.0, |motion| self.motions[motion].largest_jump()),
+        })
     }
 
     /// Constraints.

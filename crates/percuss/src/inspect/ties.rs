@@ -52,6 +52,8 @@ pub struct SupportView {
     pub until: f64,
     /// Whether it moves as prescribed.
     pub moves: bool,
+    /// Largest jump of its prescribed velocity, that from rest at the start included, as a share of the largest velocity \[1\].
+    pub jump: f64,
 }
 
 /// A constraint: a joint, or a support between nodes or for a time.

@@ -238,6 +238,28 @@ impl PreparedFunction {
         (0..=last).filter(|i| jumps(*i)).map(|i| times[i]).collect()
     }
 
+    /// Largest jump of its rate, that from rest before time zero included, as a share of its largest rate; zero of a function given as
+    /// code.
+    pub fn largest_jump(&self) -> f64 {
+        let (mut times, width) = (self.rate_jumps(0.0), f64::MIN_POSITIVE);
+        match &self.function {
+            TimeFunction::Function(_) | TimeFunction::Constant => return 0.0,
+            TimeFunction::Harmonic { phase, .. } => return phase.cos().abs(),
+            _ => times.push(0.0),
+        }
+        let last = self.kinks.last().copied().unwrap_or(0.0);
+        let rate = |share: f64| self.rate(share * last, width).abs();
+        let most = (0..400).map(|k| rate((f64::from(k) + 0.5) / 400.0)).fold(0.0, f64::max);
+        let near = 1e-9 * last;
+        let jump = |t: f64| {
+            let before = if t <= 0.0 { 0.0 } else { self.rate_on(t, t - near, width) };
+            (self.rate_on(t, t + near, width) - before).abs()
+        };
+        let jumps = times.iter().filter(|t| **t >= 0.0).map(|t| jump(*t));
+        let largest = jumps.fold(0.0, f64::max);
+        if largest == 0.0 { 0.0 } else { largest / most.max(largest) }
+    }
+
     /// Mean over `[start, start + h]`: exact but for functions given as code, which are taken at three Gauss points.
     pub fn mean(&self, start: f64, h: f64) -> f64 {
         let end = start + h;

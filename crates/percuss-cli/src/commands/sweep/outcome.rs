@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use percuss_codes::Caution;
-use percuss_study::analysis::{Estimate, NoIndices, SobolIndices};
+use percuss_study::analysis::{Estimate, NoIndices, Population, SobolIndices};
 use percuss_study::{RESULTS, Study, Table};
 use serde_json::{Map, Value, json};
 
@@ -28,8 +28,10 @@ pub fn tell(
     if arguments.json {
         let results: Map<String, Value> = ranges(study, table)
             .map(|(name, unit, values, [min, mean, max])| {
+                let open = open(study, table, name);
                 let range = json!({
-                    "unit": unit, "values": values, "min": min, "mean": mean, "max": max
+                    "unit": unit, "values": values, "min": min, "mean": mean, "max": max,
+                    "open": open.len(), "open_max": open.last()
                 });
                 (name.to_string(), range)
             })
@@ -56,6 +58,14 @@ pub fn tell(
                 _ => format!(" ({} with a value)", count(values, "run")),
             };
             terminal::tell(&format!("  {name}: {min} to {max} {unit}, mean {mean}{of}"));
+            let open = open(study, table, name);
+            if let (Some(first), Some(last)) = (open.first(), open.last()) {
+                let (runs, [first, last]) =
+                    (count(open.len(), "run"), [first, last].map(|value| number(*value)));
+                let text =
+                    format!("in contact at the end in {runs}, by then {first} to {last} {unit}");
+                terminal::tell(&format!("    {}", text.trim_end()));
+            }
         }
         for line in sobol_lines(study, indices) {
             terminal::tell(&line);
@@ -124,6 +134,11 @@ fn statuses(table: &Table) -> BTreeMap<&str, usize> {
         *out.entry(status.as_str()).or_default() += 1;
     }
     out
+}
+
+/// What a result had come to in the runs that ended while a contact that leaves it open was closed, in ascending order.
+fn open(study: &Study, table: &Table, result: &str) -> Vec<f64> {
+    Population::of(study, table, result).map_or_else(Vec::new, |population| population.open)
 }
 
 /// Name, unit, number of values, and smallest, mean and largest one of every result that has values.

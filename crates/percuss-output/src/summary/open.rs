@@ -1,0 +1,66 @@
+//! Numbers that a contact which is still closed at the end of a run leaves open.
+
+use percuss::{ContactRecord, Peak, RunSummary};
+
+use super::{SummaryPath, pick};
+
+impl SummaryPath {
+    /// Whether a contact that is still closed at the end of a run leaves this number open: duration, force and impulse of the contact, velocity
+    /// of what it touches.
+    pub fn may_stay_open(&self) -> bool {
+        let keys: Vec<&str> = self.keys.iter().map(String::as_str).collect();
+        match (self.part.as_str(), &keys[..]) {
+            ("contact", ["duration"] | ["peak_force", "value"]) => true,
+            ("contact", ["intervals", _, "end" | "impulse" | "separation_velocity"]) => true,
+            ("contact", ["intervals", _, "peak_force", "value"]) => true,
+            ("projectile", ["velocity_final", _] | ["spin_final"]) => true,
+            ("projectile", ["momentum_transferred"] | ["energy_transferred"]) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether the number can only grow while a contact stays closed: what it is at the end of the run is its least value.
+    pub fn only_grows(&self) -> bool {
+        let last = self.keys.last().is_some_and(|key| key != "separation_velocity");
+        self.part == "contact" && self.may_stay_open() && last
+    }
+
+    /// What the number has come to at the end of a run in which a contact that is still closed leaves it open: of a duration the time
+    /// since it closed, of a force the largest so far if that is one of the last step; NaN where the number is settled.
+    pub fn open_value(&self, run: &RunSummary) -> f64 {
+        if !self.may_stay_open() {
+            return f64::NAN;
+        }
+        let own = || pick(std::slice::from_ref(self), run)[0];
+        if self.part == "projectile" {
+            return if run.still_touches(&self.name).next().is_some() { own() } else { f64::NAN };
+        }
+        let Some(contact) = run.contacts.iter().find(|one| one.name == self.name) else {
+            return f64::NAN;
+        };
+        if contact.closed_since().is_none() {
+            return f64::NAN;
+        }
+        let step = run.time / run.steps.max(1) as f64;
+        let late = |peak: &Peak| peak.time > run.time - 1.5 * step;
+        let keys: Vec<&str> = self.keys.iter().map(String::as_str).collect();
+        let interval = |k: &str| {
+            let at = contact.record.intervals().get(k.parse::<usize>().ok()?)?;
+            at.end.is_nan().then_some(at)
+        };
+        let found = match &keys[..] {
+            ["duration"] => interval("0").map(|one| run.time - one.start),
+            ["peak_force", "value"] => match &contact.record {
+                ContactRecord::Smooth { peak_force, .. } => late(peak_force).then(own),
+                ContactRecord::Nonsmooth { .. } => None,
+            },
+            ["intervals", k, "end"] => interval(k).map(|_| run.time),
+            ["intervals", k, "peak_force", "value"] => {
+                interval(k).filter(|one| late(&one.peak_force)).map(|_| own())
+            }
+            ["intervals", k, ..] => interval(k).map(|_| own()),
+            _ => None,
+        };
+        found.unwrap_or(f64::NAN)
+    }
+}
