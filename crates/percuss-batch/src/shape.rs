@@ -7,6 +7,7 @@ use super::loads::dead_load;
 use super::numbers::{
     GuideLaw, GuideNumbers, Numbers, PointNumbers, PrescribedNumbers, SpanNumbers,
 };
+use percuss::internals::element::beam::ElementTable;
 use percuss::internals::ledger::RoundOff;
 use percuss::internals::model::frozen::{BodyKind, FibreShape, ProjectileData, SpanFibres};
 use percuss::internals::settings::{ImpactResolution, MultipleImpacts, Scheme, Settings, Start};
@@ -16,9 +17,9 @@ use percuss::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchShape {
-    /// First node and number of elements of every span, its measure, whether it is damped, which tables sample membrane strains,
-    /// shape (spans, tables) \[index of a node, number of elements\].
-    spans: Vec<(usize, usize, StrainMeasure, bool, Vec<bool>)>,
+    /// First node and number of elements of every span, its measure, whether it is damped, where its tables sample membrane strains, if
+    /// they do, shape (spans, tables) \[index of a node, number of elements\].
+    spans: Vec<(usize, usize, StrainMeasure, bool, Vec<Option<bool>>)>,
     /// Layout of the fibres of every span that has some, shape (spans).
     fibres: Vec<Option<FibreShape>>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
@@ -39,7 +40,8 @@ pub struct BatchShape {
 impl BatchShape {
     /// The shape of a set of numbers.
     pub fn of<S: Copy>(numbers: &Numbers<S>) -> Self {
-        let slender = |s: &SpanNumbers<S>| s.tables.iter().map(|t| t.membrane.is_some()).collect();
+        let sampled = |t: &ElementTable<S>| t.membrane.as_ref().map(|m| m.is_nodal);
+        let slender = |s: &SpanNumbers<S>| s.tables.iter().map(sampled).collect();
         Self {
             spans: (numbers.spans.iter())
                 .map(|s| (s.first, s.count, s.measure, s.damped, slender(s)))

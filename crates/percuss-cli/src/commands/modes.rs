@@ -2,7 +2,7 @@
 
 use percuss::{
     AnalysisCode, Caution, Equilibrium, Frame, Mode, ModeKind, Start, equilibrium, modes_about,
-    modes_about_equilibrium, reference_state,
+    modes_about_equilibrium, reference_state, slack_members,
 };
 use percuss_output::{Extent, ModesInfo, Results, modes_value, write_modes};
 
@@ -70,6 +70,14 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
     } else {
         let presses = |found: &Equilibrium| found.contacts.iter().any(|c| c.force > 0.0);
         terminal::print(&table(about, loaded.as_ref().is_some_and(presses), &modes))?;
+        for member in slack_members(model, &state) {
+            terminal::tell(&format!(
+                "slack    {}, {} m of {} m: no stiffness there, its mass alone takes part",
+                member.beam,
+                number(member.slack),
+                number(member.length)
+            ));
+        }
         terminal::tell(&format!("results  {}", out.display()));
     }
     let unstable = modes.iter().filter(|m| m.growth() > 0.0).count();

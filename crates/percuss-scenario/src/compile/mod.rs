@@ -9,6 +9,7 @@ mod function;
 mod law;
 mod locate;
 mod section;
+mod stress_table;
 #[cfg(test)]
 mod tests;
 mod yielding;

@@ -1,8 +1,9 @@
 //! How materials, springs and hinges yield.
 
-use percuss::{Fault, Hardening, Inelasticity, Overstress, Plasticity};
+use percuss::{Fault, Hardening, Inelasticity, Overstress, Plasticity, Slack};
 
-use crate::content::{HingeHardening, JointKind, Material, Spring, SpringHardening};
+use super::stress_table::StressTable;
+use crate::content::{HingeHardening, JointKind, Material, Spring, SpringHardening, TableStress};
 
 /// What a file gives of a hardening curve.
 struct Given<'a> {
@@ -16,12 +17,14 @@ struct Given<'a> {
     isotropic: Option<f64>,
     kinematic: f64,
     table: Option<&'a [[f64; 2]]>,
+    /// The test that the table was measured in; none of springs and hinges.
+    test: Option<&'a Material>,
 }
 
 impl Given<'_> {
     /// How it yields, rates and failure left out.
     fn plasticity(self, faults: &mut Vec<Fault>) -> Plasticity {
-        let Self { path, first, unit, over, isotropic, kinematic, table } = self;
+        let Self { path, first, unit, over, isotropic, kinematic, table, test } = self;
         let virgin = [[0.0, first]];
         let points = table.unwrap_or(&virgin);
         if let Some([flow, limit]) = points.first()
@@ -32,6 +35,18 @@ impl Given<'_> {
             let expected = format!("[0, {first}] first: no {over}");
             faults.push(Fault::new(path, found, expected));
         }
+        let converted = test.filter(|_| table.is_some()).map(|m| converted(m, points));
+        let points = match &converted {
+            None => points,
+            Some(Ok(found)) => found.as_slice(),
+            Some(Err(strain)) => {
+                let path = format!("{path}.hardening.table");
+                let found = format!("a force that falls beyond a nominal strain of {strain:.6}");
+                let expected = "true stresses up to where the bar necks".to_owned();
+                faults.push(Fault::new(path, found, expected));
+                points
+            }
+        };
         let rise = |w: &[[f64; 2]]| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0]);
         let last = if table.is_some() { 0.0 } else { isotropic.unwrap_or(0.0) };
         let moduli = points.windows(2).map(rise).chain([last]);
@@ -42,6 +57,27 @@ impl Given<'_> {
         let curve = points.iter().zip(moduli).map(part).collect();
         Plasticity { curve, kinematic, overstress: None, failure_strain: None }
     }
+}
+
+/// Points of a table in the strain measure of its material, unless they are at fault, which is told elsewhere.
+fn converted(material: &Material, points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, f64> {
+    let hardening = material.hardening.as_ref();
+    let young = material.young.unwrap_or(f64::NAN);
+    let sound = points.as_flattened().iter().all(|x| x.is_finite())
+        && points.windows(2).all(|w| w[1][0] > w[0][0] && w[1][1] >= w[0][1])
+        && points.iter().all(|p| p[1] > 0.0 && p[1] < young);
+    if !sound {
+        return Ok(points.to_vec());
+    }
+    let table = StressTable {
+        points,
+        stress: hardening.map_or(TableStress::Nominal, |h| h.stress),
+        measure: material.strain,
+        young,
+        kinematic: hardening.map_or(0.0, |h| h.kinematic),
+        presses: material.bears == Some(Slack::Tension),
+    };
+    table.converted()
 }
 
 /// What a material does beyond Hooke's law.
@@ -62,6 +98,7 @@ pub(super) fn inelasticity(
         isotropic: hardening.and_then(|h| h.isotropic),
         kinematic: hardening.map_or(0.0, |h| h.kinematic),
         table: hardening.and_then(|h| h.table.as_deref()),
+        test: Some(table),
     };
     let plasticity = Plasticity {
         overstress: table.rate.as_ref().map(|r| Overstress { rate: r.C, exponent: r.q }),
@@ -86,6 +123,7 @@ pub(super) fn of_spring(name: &str, table: &Spring, faults: &mut Vec<Fault>) -> 
         isotropic: hardening.isotropic,
         kinematic: hardening.kinematic,
         table: hardening.table.as_deref(),
+        test: None,
     };
     Some(Plasticity { failure_strain: table.failure_extension, ..given.plasticity(faults) })
 }
@@ -109,6 +147,7 @@ pub(super) fn of_joint(
         isotropic: hardening.isotropic,
         kinematic: hardening.kinematic,
         table: hardening.table.as_deref(),
+        test: None,
     };
     Some(Plasticity { failure_strain: *failure_rotation, ..given.plasticity(faults) })
 }

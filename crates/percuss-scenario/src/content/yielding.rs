@@ -11,7 +11,7 @@ use crate::quantity::Quantity;
 use crate::reach::Reached;
 use crate::reference::Described;
 use crate::table::{Braces, exclude};
-use crate::words::{Endless, OfPreset};
+use crate::words::{Endless, OfPreset, TableStresses, Word};
 use crate::write::Writer;
 
 table! {
@@ -21,14 +21,31 @@ table! {
         isotropic: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
         /// Kinematic plastic modulus: the range between both yield stresses moves (Pa).
         kinematic: f64 as Quantity<measure::Pressure> = 0.0,
-        /// Instead of `isotropic`: [plastic strain, stress (Pa)], from [0, yield stress] on; constant beyond the last.
+        /// Instead of `isotropic`: [plastic strain, stress (Pa)] of a tension test, from [0, yield stress] on; the nominal stress is constant
+        /// beyond the last. It is converted to the measure of `strain`, in which a bar pulled gives it back.
         table: Option<Vec<[f64; 2]>> as Maybe<List<Couple<Quantity<measure::Ratio>, Quantity<measure::Pressure>>>> = None,
+        /// Stresses and strains of `table`.
+        stress: TableStress as Word<TableStresses> = TableStress::Nominal,
     }
     then settle_hardening
 }
 
+/// Which stress and strain a table tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TableStress {
+    /// Force over the area of the free bar, elongation over its length.
+    Nominal,
+    /// Force over the area that is left, logarithm of the stretch.
+    True,
+}
+
 fn settle_hardening(_: &mut Hardening, body: &Body<'_>, reader: &mut Reader<'_>) {
     exclude(body, ["isotropic", "table"], reader);
+    if body.get("stress").is_some() && body.get("table").is_none() && !reader.excuses(body, "table")
+    {
+        let found = "`stress` without a table";
+        reader.missing(body, "table", found, "`table` beside it, whose stresses it tells");
+    }
 }
 
 table! {

@@ -180,7 +180,7 @@ impl<'a, 'm> Loading<'a, 'm> {
 
     fn solve(&mut self, stage: Stage, at: f64) -> bool {
         match stage {
-            Stage::Loads => self.search.solve(at),
+            Stage::Loads => self.search.solve(at) || self.search.relax_from(&self.accepted, at),
             Stage::LettingGo(share) => {
                 self.search.let_go = at;
                 self.search.solve(share)

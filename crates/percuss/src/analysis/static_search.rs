@@ -2,6 +2,7 @@
 
 mod failing;
 mod reached;
+mod relaxed;
 
 use super::spectrum::{Layout, free_motions};
 use super::static_contacts::{Pressing, StaticContacts};

@@ -40,7 +40,8 @@ pub struct ElementTable<S = f64> {
     pub rows: [GaussRow<S>; GAUSS],
     /// Mass matrix of one displacement component, `int rhoA N_a N_b ds`, order (u_a, u_a', u_b, u_b'), shape (4, 4) \[kg, kg m, kg m^2\].
     pub mass: [[S; 4]; 4],
-    /// Membrane strains sampled at the nodes and the middle, in elements long against the radius of gyration.
+    /// Membrane strains sampled at the nodes and the middle, in elements long against the radius of gyration; in others that are made of
+    /// fibres sampled at the Gauss points.
     pub membrane: Option<MembraneTable<S>>,
 }
 
@@ -76,11 +77,12 @@ impl ElementTable {
     /// Table of an element between two nodes, `length` of arc apart; `section` gives constants at a share of the way.
     ///
     /// The reference is interpolated as displacements are, so rigid motions leave strains at zero. Membrane strains are sampled at the
-    /// nodes and the middle where the element is long against the radius of gyration, or `sampled` is said.
+    /// nodes and the middle where the element is long against the radius of gyration, whether it is made of `fibres` or not: what can
+    /// yield is the same element as what cannot.
     pub fn new(
         length: f64,
         ends: [NodeFrame; 2],
-        sampled: bool,
+        fibres: bool,
         section: impl Fn(f64) -> SectionValues,
     ) -> Self {
         let [a, b] = ends;
@@ -89,7 +91,8 @@ impl ElementTable {
         let points = hermite::gauss_points();
         let middle = section(0.5);
         let gyration = (middle.law.bending / middle.law.axial).sqrt();
-        let slender = sampled || length > MembraneTable::SLENDER * gyration;
+        let slender = length > MembraneTable::SLENDER * gyration;
+        let sampled = slender || fibres;
         let rows = std::array::from_fn(|k| {
             let (first, second) = (
                 chord_form(hermite::slope(points[k], length)),
@@ -102,7 +105,7 @@ impl ElementTable {
             let (tangent, bend) = (reference.at(&first), reference.at(&second));
             let weight = GAUSS_WEIGHTS[k] * length * stretch;
             let weighed = SectionLaw {
-                axial: if slender { 0.0 } else { values.law.axial * weight },
+                axial: if sampled { 0.0 } else { values.law.axial * weight },
                 bending: values.law.bending * weight,
                 rotary: values.law.rotary * weight,
                 ..values.law
@@ -119,7 +122,10 @@ impl ElementTable {
         let mass = hermite::mass(length, |xi| {
             section(xi).mass * norm(reference.at(&chord_form(hermite::slope(xi, length))))
         });
-        let membrane = slender.then(|| MembraneTable::new(length, &reference, &rows));
+        let membrane = sampled.then(|| match slender {
+            true => MembraneTable::at_nodes(length, &reference, &rows),
+            false => MembraneTable::at_gauss_points(&rows),
+        });
         Self { length, rows, mass, membrane }
     }
 }

@@ -7,6 +7,7 @@
 //! `s = sigma0 + De int Et (1 - t) dt`, `ds/de1 = int Et t dt`, `sigma1 = sigma0 + De int Et dt`.
 
 mod mapped;
+mod path;
 mod plastic;
 #[cfg(test)]
 mod tests;
@@ -17,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::scalar::{Mask, Number};
 
 pub use mapped::LawShape;
+use path::StressPath;
 use viscous::Viscous;
 
 /// A fibre: a part of a section in which strain and stress are uniform.
@@ -309,6 +311,12 @@ impl<S: Number> StressLaw<S> {
         }
     }
 
+    /// Whether a fibre is strained to the side on which its material bears nothing.
+    pub fn is_slack(&self, state: &FibreState<S>, strain: S) -> bool {
+        let frees = |slack: Slack| slack.frees(strain - state.plastic).any();
+        self.slack().is_some_and(frees)
+    }
+
     /// Stress over that at which a fibre that has not yielded does so; none of one that never yields.
     pub fn use_of_limit(&self, state: &FibreState<S>, strain: S) -> Option<S> {
         let Self::Plastic(law) = self else { return None };
@@ -327,52 +335,6 @@ impl<S: Number> StressLaw<S> {
             Some(slack) => beyond & !slack.frees(strain),
             None => beyond,
         }
-    }
-}
-
-/// Stress along a straight path of strain, gathered from parts of constant tangent modulus.
-struct StressPath<S> {
-    start: S,
-    length: S,
-    /// How far it has been gathered, from 0 to 1.
-    at: S,
-    /// `int Et dt`, `int Et (1 - t) dt`, `int Et t dt`, shape (3) \[Pa\].
-    sums: [S; 3],
-    /// Tangent modulus of the part gathered last.
-    modulus: S,
-}
-
-impl<S: Number> StressPath<S> {
-    #[inline(always)]
-    fn new(start: S, length: S) -> Self {
-        let none = start.constant(0.0);
-        Self { start, length, at: none, sums: [none; 3], modulus: none }
-    }
-
-    /// Goes on to the share `to` of the path with a tangent modulus.
-    #[inline(always)]
-    fn go_on(&mut self, modulus: S, to: S) {
-        let (share, middle) = (to - self.at, (self.at + to) * 0.5);
-        let rise = modulus * share;
-        self.sums[0] += rise;
-        self.sums[1] += rise * (rise.constant(1.0) - middle);
-        self.sums[2] += rise * middle;
-        (self.at, self.modulus) = (to, modulus);
-    }
-
-    /// Goes on to where a fibre begins or ceases to gape, if it does, `rest` of the strain away from the start.
-    #[inline(always)]
-    fn cross(&mut self, gaped: S::Mask, gapes: S::Mask, modulus: S, rest: S) {
-        let crosses = gaped & !gapes | gapes & !gaped;
-        if crosses.any() {
-            self.go_on(modulus, S::choose(crosses, rest / self.length, self.at));
-        }
-    }
-
-    /// Stress where it has been gathered to.
-    #[inline(always)]
-    fn stress(&self) -> S {
-        self.start + self.length * self.sums[0]
     }
 }
 

@@ -72,6 +72,7 @@ impl<S: Copy> MembraneTable<S> {
             tangent: rows(&self.tangent, f),
             stiffness: rows(&self.stiffness, f),
             at_gauss: rows(&self.at_gauss, f),
+            is_nodal: self.is_nodal,
         }
     }
 }

@@ -15,6 +15,9 @@ use crate::scalar::{Real, array};
 pub const SAMPLES: usize = 3;
 
 /// Membrane strains at the sampling points and the stiffness between them.
+///
+/// Elements of fibres that are not slender are sampled at their Gauss points: then all that is said here of quadratics holds of values
+/// at one of these, and forces are those of elements that have no such table.
 #[derive(Clone, Copy, Debug)]
 pub struct MembraneTable<S = f64> {
     /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b'), shape (sampling points, 3) \[1/m, 1, 1\].
@@ -25,6 +28,8 @@ pub struct MembraneTable<S = f64> {
     pub stiffness: [[S; SAMPLES]; SAMPLES],
     /// Values of the L at the Gauss points, shape (Gauss points, sampling points) \[-\].
     pub at_gauss: [[S; SAMPLES]; GAUSS],
+    /// Whether it is sampled at the nodes and the middle, where a node knows its own slope only.
+    pub is_nodal: bool,
 }
 
 /// What a scheme makes of the membrane strain at a sampling point: `deps = alpha g.dg` at the configuration g.
@@ -49,24 +54,50 @@ impl MembraneTable {
     /// with the square of this number, times the fourth power of the angle an element is bent by.
     pub const SLENDER: f64 = 50.0;
 
-    /// Table of an element of the given length with its reference and its Gauss points.
-    pub fn new(length: f64, reference: &ElementValues<f64>, gauss: &[GaussRow; GAUSS]) -> Self {
+    /// Sampled at the nodes and the middle of an element of the given length with its reference and its Gauss points.
+    pub fn at_nodes(
+        length: f64,
+        reference: &ElementValues<f64>,
+        gauss: &[GaussRow; GAUSS],
+    ) -> Self {
         let middle = hermite::slope(0.5, length);
         let middle = [middle[2], middle[1], middle[3]];
         let stretch = norm(reference.at(&middle));
         let rows = [[0.0, 1.0, 0.0], middle.map(|c| c / stretch), [0.0, 0.0, 1.0]];
         let at_gauss = hermite::gauss_points()
             .map(|x| [(1.0 - x) * (1.0 - 2.0 * x), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)]);
-        let mut stiffness = [[0.0; SAMPLES]; SAMPLES];
-        for (row, l) in gauss.iter().zip(&at_gauss) {
-            for i in 0..SAMPLES {
-                for k in 0..SAMPLES {
-                    stiffness[i][k] += row.section.axial * row.weight * l[i] * l[k];
-                }
+        let tangent = rows.map(|row| reference.at(&row));
+        Self { rows, tangent, stiffness: stiffness(gauss, &at_gauss), at_gauss, is_nodal: true }
+    }
+
+    /// Sampled at the Gauss points.
+    pub fn at_gauss_points(gauss: &[GaussRow; GAUSS]) -> Self {
+        let unit = |j: usize| std::array::from_fn(|i| if i == j { 1.0 } else { 0.0 });
+        let at_gauss = std::array::from_fn(unit);
+        Self {
+            rows: gauss.each_ref().map(|row| row.first),
+            tangent: gauss.each_ref().map(|row| row.tangent),
+            stiffness: stiffness(gauss, &at_gauss),
+            at_gauss,
+            is_nodal: false,
+        }
+    }
+}
+
+/// See [`MembraneTable::stiffness`].
+fn stiffness(
+    gauss: &[GaussRow; GAUSS],
+    at_gauss: &[[f64; SAMPLES]; GAUSS],
+) -> [[f64; SAMPLES]; SAMPLES] {
+    let mut stiffness = [[0.0; SAMPLES]; SAMPLES];
+    for (row, l) in gauss.iter().zip(at_gauss) {
+        for i in 0..SAMPLES {
+            for k in 0..SAMPLES {
+                stiffness[i][k] += row.section.axial * row.weight * l[i] * l[k];
             }
         }
-        Self { rows, tangent: rows.map(|row| reference.at(&row)), stiffness, at_gauss }
     }
+    stiffness
 }
 
 impl<S: Real> MembraneTable<S> {
@@ -132,34 +163,28 @@ impl<S: Real> MembraneTable<S> {
                         block[c][c] += turned;
                     }
                 }
-                add_block(i, k, &self.rows, &block, sums);
+                self.add_block(i, k, &block, sums);
             }
         }
     }
-}
 
-/// The values that a sampling point knows: a node its own slope only.
-#[inline(always)]
-fn known(sample: usize) -> std::ops::Range<usize> {
-    [1..2, 0..3, 2..3][sample].clone()
-}
+    /// The values that a sampling point knows: a node its own slope only.
+    #[inline(always)]
+    fn known(&self, sample: usize) -> std::ops::Range<usize> {
+        if self.is_nodal { [1..2, 0..3, 2..3][sample].clone() } else { 0..3 }
+    }
 
-/// Adds `row_i^T block row_k` to the tangent of an element.
-#[inline(always)]
-fn add_block<S: Real>(
-    i: usize,
-    k: usize,
-    rows: &[[S; 3]; SAMPLES],
-    block: &[[S; 2]; 2],
-    sums: &mut ElementSums<S>,
-) {
-    for l in known(i) {
-        for r in known(k) {
-            let factor = rows[i][l] * rows[k][r];
-            for c in 0..2 {
-                for d in 0..2 {
-                    let entry = &mut sums.tangent[2 * l + c][2 * r + d];
-                    *entry = entry.add_product(block[c][d], factor);
+    /// Adds `row_i^T block row_k` to the tangent of an element.
+    #[inline(always)]
+    fn add_block(&self, i: usize, k: usize, block: &[[S; 2]; 2], sums: &mut ElementSums<S>) {
+        for l in self.known(i) {
+            for r in self.known(k) {
+                let factor = self.rows[i][l] * self.rows[k][r];
+                for c in 0..2 {
+                    for d in 0..2 {
+                        let entry = &mut sums.tangent[2 * l + c][2 * r + d];
+                        *entry = entry.add_product(block[c][d], factor);
+                    }
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! An element whose sections are made of fibres: what `EA eps` and `EI kappa` are elsewhere is a sum over them.
 //!
-//! Membrane strains are those of [`MembraneTable`], interpolated to the Gauss points, where the fibres stand: a fibre at the height
+//! Membrane strains are those of [`MembraneTable`] at the Gauss points, where the fibres stand: a fibre at the height
 //! y has the strain `e = eps + y kappa`, an exact function of the configuration. With the mean stress s of each fibre over the step,
 //! `N = sum A s` and `M = sum A y s` act along the discrete gradients of both strains.
 

@@ -58,7 +58,8 @@ impl Simulation<'_> {
         self.solver_steps += 1;
         let h = attempt.h;
         let (time, step) = (self.state.time, self.settings.step);
-        self.forcing.set(self.model, time, h, step, &self.state.followed);
+        let theta = self.integration(attempt).theta();
+        self.forcing.set(self.model, (time, h, theta), step, &self.state.followed);
         self.forcing.part(self.model, &self.state.joints_parted);
         if attempt.jumps {
             self.forcing.set_motions(self.model, time, h, step, &self.state.followed, true);

@@ -133,7 +133,8 @@ impl Simulation<'_> {
     pub(super) fn initial_acceleration(&mut self) {
         let model = self.model;
         let step = self.settings.step;
-        self.forcing.set(model, 0.0, step, step, &self.state.followed);
+        self.forcing.set(model, (0.0, step, 0.5), step, &self.state.followed);
+        self.forcing.set_loads_at(model, 0.0, step);
         let forcing = &self.forcing;
         let (structure, beams) = (model.structure(), model.beam_node_count());
         let state = self.state.of_structure(&structure);

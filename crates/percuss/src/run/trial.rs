@@ -165,7 +165,10 @@ impl Simulation<'_> {
         let of_run = self.state.step == 0;
         let found = rule.at_start(of_run).filter(|_| self.state.instant.is_none());
         let Some(at_start) = found else { return };
-        let (model, state, forcing) = (self.model, &self.state, &self.forcing);
+        let (model, state) = (self.model, &self.state);
+        let mut forcing = self.forcing.clone();
+        forcing.set_loads_at(model, state.time, rule.h);
+        let forcing = &forcing;
         let mut work = self.work.clone();
         work.lead.set(model, state, &at_start, forcing);
         let problem = StepProblem {

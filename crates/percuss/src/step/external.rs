@@ -1,5 +1,5 @@
-//! Loads in a step, constant over it but for what turns with the beam: a load acts with its mean factor, so that its impulse
-//! is exact.
+//! Loads in a step, constant over it but for what turns with the beam: a load acts with its mean factor over a time as long as the step, so
+//! that its impulse is exact.
 
 use super::forcing::Forcing;
 use super::tangent::Tangent;
@@ -159,7 +159,8 @@ impl LoadWork {
     }
 }
 
-/// What the loads did over a step, beams', masses' and projectiles' gravity included.
+/// What the loads did over a step, beams', masses' and projectiles' gravity included: with their means over it, those that turn with the beam
+/// `theta` of the way.
 pub fn work(
     model: &Model,
     state: &State,
@@ -174,7 +175,7 @@ pub fn work(
         let x = std::array::from_fn(|i| p.position[i] + u[i] + 0.5 * d[i]);
         sum.add_force(force, x, d, h);
     };
-    for (load, factor) in model.loads.iter().zip(&forcing.factors) {
+    for (load, factor) in model.loads.iter().zip(&forcing.means) {
         if *factor == 0.0 {
             continue;
         }
@@ -207,10 +208,10 @@ pub fn work(
             }
         }
     }
-    if forcing.gravity != [0.0; 2] {
-        add_gravity(model, state, h, forcing.gravity, increment, &mut sum);
+    if forcing.mean_gravity != [0.0; 2] {
+        add_gravity(model, state, h, forcing.mean_gravity, increment, &mut sum);
         for mass in &model.masses {
-            let force = forcing.gravity.map(|g| mass.mass * g);
+            let force = forcing.mean_gravity.map(|g| mass.mass * g);
             add(&mass.point, force, &mut sum);
         }
     }

@@ -33,7 +33,7 @@ pub fn enter(
     (forcing, damping, losses): (&Forcing, &ModalDamping, &FibreLosses),
     work: &Workspace,
 ) {
-    let done = external::work(model, state, rule.h, rule.theta(), forcing, &work.increment);
+    let done = external::work(model, state, rule.h, 0.5, forcing, &work.increment);
     state.reacting.begin();
     let so_far = state.ledger.set_aside();
     let before = supports_so_far(state);

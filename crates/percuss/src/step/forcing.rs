@@ -10,8 +10,12 @@ use crate::state::Followed;
 pub struct Forcing {
     /// Acceleration of gravity, shape (2) \[m/s^2\].
     pub gravity: [f64; 2],
-    /// Mean factors of the loads, shape (loads) \[-\].
+    /// Factors with which the loads act in the equation of motion, shape (loads) \[-\].
     pub factors: Vec<f64>,
+    /// Mean acceleration of gravity over the step, shape (2) \[m/s^2\].
+    pub mean_gravity: [f64; 2],
+    /// Mean factors of the loads over the step, of which impulse and work are made, shape (loads) \[-\].
+    pub means: Vec<f64>,
     /// Increments of the prescribed motions' time functions, shape (motions) \[-\].
     moved: Vec<f64>,
     /// What the time functions had moved by at the start, shape (motions) \[-\].
@@ -40,6 +44,8 @@ impl Forcing {
         Self {
             gravity: [0.0; 2],
             factors: vec![0.0; model.loads.len()],
+            mean_gravity: [0.0; 2],
+            means: vec![0.0; model.loads.len()],
             moved: vec![0.0; model.motions.len()],
             started: vec![0.0; model.motions.len()],
             rates: vec![0.0; model.motions.len()],
@@ -51,8 +57,23 @@ impl Forcing {
 
     /// Sets what acts over the part `[start, start + h]` of a step of size `step`, motions followed to the values and rates
     /// `reached`.
-    pub fn set(&mut self, model: &Model, start: f64, h: f64, step: f64, reached: &[Followed]) {
+    ///
+    /// Loads act with their mean over a time h about the instant at which forces balance, `theta` of the way: in the middle of the step
+    /// it is the step itself. About any instant the impulse of all steps is that of the load, also of one that begins between two
+    /// of them, and the order of a scheme of second order is kept.
+    pub fn set(
+        &mut self,
+        model: &Model,
+        (start, h, theta): (f64, f64, f64),
+        step: f64,
+        reached: &[Followed],
+    ) {
         self.set_loads(model, start, h, 1.0);
+        if theta != 0.5 {
+            let means = (self.mean_gravity, self.means.clone());
+            self.set_loads(model, start + (theta - 0.5) * h, h, 1.0);
+            (self.mean_gravity, self.means) = means;
+        }
         self.set_motions(model, start, h, step, reached, false);
         let slack = 0.5 * h.min(SHORT * step);
         let holds = |until: f64| start + slack < until;
@@ -105,6 +126,15 @@ impl Forcing {
         self.connected.fill(true);
     }
 
+    /// Sets the loads that act at an instant, from the right at the start of a run and on both sides of it later, over a time h.
+    pub fn set_loads_at(&mut self, model: &Model, time: f64, h: f64) {
+        if time > 0.0 {
+            self.set_loads(model, time - 0.5 * h, h, 1.0);
+        } else {
+            self.set_loads(model, 0.0, INSTANT, 1.0);
+        }
+    }
+
     /// Takes what motions have brought as their start: nothing moves any further.
     pub fn hold_motions(&mut self) {
         for (started, moved) in self.started.iter_mut().zip(&mut self.moved) {
@@ -134,6 +164,8 @@ impl Forcing {
                 self.gravity[1] += *factor * acceleration[1];
             }
         }
+        self.mean_gravity = self.gravity;
+        self.means.clone_from(&self.factors);
     }
 
     /// Rate of a prescribed value at the end of the step, from the left.

@@ -77,8 +77,13 @@ fn a_tapered_beam_is_struck_across_its_leaning_face() {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("stiff", 2e11, 1e3));
     // Half depth from 50 mm to 300 mm over the first two metres, then constant.
-    let station =
-        |at: f64, half: f64| Station { at, area: 0.01, inertia: 1e-4, depth: Some(2.0 * half) };
+    let station = |at: f64, half: f64| Station {
+        at,
+        area: 0.01,
+        inertia: 1e-4,
+        depth: Some(2.0 * half),
+        profile: Profile::Unknown,
+    };
     let stations = vec![station(0.0, 0.05), station(2.0 / 3.0, 0.3), station(1.0, 0.3)];
     let section = b.section(Section { stations, ..Section::new("club", 0.01, 1e-4) });
     let club = b.beam(beam("club", [0.0, 0.0], [3.0, 0.0], 12, material, section));
@@ -107,6 +112,7 @@ fn a_disc_slides_over_the_stations_of_a_tapered_beam() {
         area: 0.02 * half,
         inertia: 2e-3 * half * half,
         depth: Some(2.0 * half),
+        profile: Profile::Unknown,
     };
     let stations =
         vec![station(0.0, 0.03), station(0.3, 0.03), station(0.6, 0.12), station(1.0, 0.08)];

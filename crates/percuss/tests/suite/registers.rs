@@ -9,7 +9,7 @@ use percuss::internals::step::assemble::EndForces;
 use percuss::internals::step::fibres::FibreLosses;
 use percuss::internals::step::integration::Integration;
 use percuss::internals::step::sweep::{AdvanceFibres, SpanStep};
-use percuss::{Beam, Material, Model, ModelBuilder, Section, Station};
+use percuss::{Beam, Material, Model, ModelBuilder, Profile, Section, Station};
 
 /// A beam whose elements differ, a slender one whose elements do not, and one that yields; none fills its registers.
 fn model() -> Model {
@@ -23,7 +23,13 @@ fn model() -> Model {
     let inelasticity = Some(Inelasticity::Plastic(plasticity));
     let steel = b.material(Material { name: "steel".into(), inelasticity, ..material.clone() });
     let material = b.material(material);
-    let at = |at, area| Station { at, area, inertia: 8e-5 * area, depth: None };
+    let at = |at, area| Station {
+        at,
+        area,
+        inertia: 8e-5 * area,
+        depth: None,
+        profile: Profile::Unknown,
+    };
     let stations = vec![at(0.0, 0.1), at(1.0, 0.05)];
     let tapered = b.section(Section { stations, ..Section::new("tapered", 0.1, 8e-6) });
     let slender = b.section(Section::new("slender", 0.1, 8e-9));

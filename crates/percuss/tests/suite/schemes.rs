@@ -233,3 +233,102 @@ fn a_run_that_gives_up_says_where_and_keeps_what_it_has() {
     assert!((summary.time - 0.05).abs() < 1e-12 && summary.steps == 5);
     assert_eq!(memory.column("time").unwrap().len(), 6);
 }
+
+/// Displacements and velocities of the tip of a cantilever at the end of a run, shape (4).
+fn tip(scheme: Scheme, load: &Load, step: f64) -> [f64; 4] {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let arm = b.beam(beam("arm", [0.0, 0.0], [3.0, 0.0], 1, material, section));
+    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+    b.record_point(at("tip", arm, 1.0));
+    b.load(load.clone());
+    let model = b.build().unwrap();
+    let settings = Settings { scheme, ..Settings::new(0.02, step) };
+    let mut rows = MemoryRecorder::default();
+    simulate(&model, &settings, &mut rows).unwrap();
+    let last = |name: &str| *rows.column(&format!("point.tip.{name}")).unwrap().last().unwrap();
+    ["displacement_1", "displacement_2", "velocity_1", "velocity_2"].map(last)
+}
+
+/// Loads of every kind with a harmonic factor, and a force with every function of time, kinks and jumps between steps included.
+fn loads_in_time() -> Vec<(String, Load)> {
+    use TimeFunction::*;
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let arm = b.beam(beam("arm", [0.0, 0.0], [3.0, 0.0], 1, material, section));
+    let point = |force, moment, follower| LoadKind::Point {
+        at: at("tip", arm, 1.0),
+        force,
+        moment,
+        follower,
+    };
+    let spread = |follower| LoadKind::Distributed {
+        beam: arm,
+        stretch: [Along::Fraction(0.0), Along::Fraction(1.0)],
+        force: [[2e3, -5e4]; 2],
+        follower,
+    };
+    let kinds = [
+        ("gravity", LoadKind::Gravity { acceleration: [20.0, -100.0] }),
+        ("force", point([1e4, -5e4], 0.0, false)),
+        ("follower force", point([1e4, -5e4], 0.0, true)),
+        ("moment", point([0.0; 2], 1e5, false)),
+        ("spread force", spread(false)),
+        ("pressure", spread(true)),
+    ];
+    let harmonic = Harmonic { frequency: 40.0, phase: 0.7 };
+    let mut all: Vec<(String, Load)> = (kinds.into_iter())
+        .map(|(name, kind)| {
+            (name.to_owned(), Load { function: harmonic.clone(), ..Load::new(name, kind) })
+        })
+        .collect();
+    // A third of a step before or behind its end, whatever the step.
+    let between = (60.0 + 1.0 / 3.0) * 8e-5;
+    let table = |smooth| Table {
+        times: vec![0.0, 0.5 * between, between, 0.02],
+        values: vec![0.3, 1.0, -0.5, 0.2],
+        smooth,
+    };
+    for (name, function) in [
+        ("constant", Constant),
+        ("step", Step { at: between }),
+        ("ramp", Ramp { duration: between }),
+        ("half sine", HalfSine { duration: between }),
+        ("triangle", Triangle { duration: 2.0 * between }),
+        ("table", table(false)),
+        ("smooth table", table(true)),
+        ("code", TimeFunction::function(|t| (300.0 * t).cos())),
+    ] {
+        let load = Load::new(name, point([0.0, -5e4], 0.0, false));
+        all.push((name.to_owned(), Load { function, ..load }));
+    }
+    let from = Load {
+        from: between,
+        until: 2.0 * between,
+        ..Load::new("f", point([0.0, -5e4], 0.0, false))
+    };
+    all.push(("for a time".to_owned(), from));
+    all
+}
+
+#[test]
+fn every_scheme_is_of_second_order_with_every_load() {
+    let mut wrong = Vec::new();
+    for (name, load) in loads_in_time() {
+        let limit = tip(Scheme::EnergyMomentum, &load, 2e-5);
+        for scheme in SCHEMES {
+            let [coarse, middle, fine] = [8e-5, 4e-5, 2e-5].map(|step| tip(scheme, &load, step));
+            let apart =
+                |a: &[f64; 4], b: &[f64; 4], k: usize| (a[k] - b[k]).hypot(a[k + 1] - b[k + 1]);
+            for k in [0, 2] {
+                let ratio = apart(&coarse, &middle, k) / apart(&middle, &fine, k);
+                let off = apart(&fine, &limit, k) / limit[k].hypot(limit[k + 1]);
+                // Four at second order, two at first.
+                if !(ratio > 3.2 && off < 1e-3) {
+                    wrong.push(format!("{name}, {scheme:?}, {k}: {ratio:.2}, off by {off:.1e}"));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

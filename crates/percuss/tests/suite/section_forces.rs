@@ -179,6 +179,7 @@ fn taper(from: f64, to: f64) -> Section {
         area: 0.02 * depth,
         inertia: 0.02 * depth.powi(3) / 12.0,
         depth: Some(depth),
+        profile: Profile::Unknown,
     };
     let first = Section::rectangle("taper", 0.02, from);
     Section { stations: vec![station(0.0, from), station(1.0, to)], ..first }

@@ -215,3 +215,38 @@ fn an_elastic_bar_tells_when_and_where_it_first_passes_its_strength() {
     assert!(bar(first.time, least, none).beyond.is_some());
     assert!(bar(end, none, 300e6).beyond.unwrap().value < -300e6);
 }
+
+/// The paper's elastic projectile on its plank as a rectangle, of elements no longer than 50 radii of gyration and of longer ones, with a
+/// yield stress that is never reached and without one.
+#[test]
+fn below_yield_a_beam_that_may_yield_is_the_beam_that_may_not() {
+    for (elements, depth) in [(6, 0.1), (6, 0.01), (24, 0.1)] {
+        for strain in [StrainMeasure::Green, StrainMeasure::Engineering] {
+            let run = |inelasticity| {
+                let mut b = ModelBuilder::new();
+                let material = Material { strain, ..Material::new("composite", 0.2e10, 3e3) };
+                let material = b.material(Material { inelasticity, ..material });
+                let section = b.section(Section::rectangle("plank", 1.0, depth));
+                let girder =
+                    b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], elements, material, section));
+                for (name, f) in [("left", 0.0), ("right", 1.0)] {
+                    b.support(Support::new(name, at(name, girder, f), SupportKind::Clamp));
+                }
+                b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 20.0]));
+                let model = b.build().unwrap();
+                let summary = simulate(&model, &Settings::new(0.05, 2e-4), &mut NoRecorder);
+                let summary = summary.unwrap();
+                assert_balances(&summary, "plank");
+                let mid = &summary.points[0];
+                (mid.displacement_max[1].value, summary.projectiles[0].velocity_final[1])
+            };
+            let far = Hardening { from: 0.0, stress: 1.9e9, modulus: 0.0 };
+            let yields = steel(|p| p.curve[0] = far).inelasticity;
+            let (with, without) = (run(yields), run(None));
+            for (a, b) in [(with.0, without.0), (with.1, without.1)] {
+                let name = format!("{elements} elements, {depth} m, {strain:?}");
+                assert!((a / b - 1.0).abs() < 1e-9, "{name}: {a} {b}");
+            }
+        }
+    }
+}

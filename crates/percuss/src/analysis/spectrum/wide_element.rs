@@ -81,5 +81,6 @@ fn widened_samples(samples: &MembraneTable) -> MembraneTable<Wide> {
             std::array::from_fn(|k| w(samples.stiffness[i.min(k)][i.max(k)]))
         }),
         at_gauss: all(&samples.at_gauss),
+        is_nodal: samples.is_nodal,
     }
 }

@@ -5,6 +5,9 @@ use super::super::definition::*;
 use super::super::fibres::{Make, Weighed};
 use super::{Faults, quantity};
 
+/// A force that falls by less, relative, stays the same.
+const LEVEL: f64 = 1e-6;
+
 /// What yields, in its own words.
 struct Words {
     /// What is given of it, `material.steel` or `joint.knee`.
@@ -38,7 +41,7 @@ pub(super) fn check_plasticity(m: &Material, law: &Plasticity, out: &mut Faults)
         let found = format!("{first} Pa, beyond Young's modulus, {} Pa", m.young);
         out.add(words.at("yield"), found, "a yield stress far below Young's modulus");
     }
-    words.check(m.young, law, out);
+    words.check(m.young, law, Some(m.strain), out);
 }
 
 /// What bears stress of one sign only yields under that one alone.
@@ -104,6 +107,27 @@ pub(super) fn check_yielding_joint(joint: &Joint, out: &mut Faults) {
     words.check_connector(stiffness, law, out);
 }
 
+/// Whether the force of a bar that is pulled falls along a part of its hardening curve. With Green strains it is the stress times the
+/// stretch: a force that stays the same is a stress that falls.
+fn force_falls(
+    elastic: f64,
+    law: &Plasticity,
+    part: usize,
+    measure: Option<StrainMeasure>,
+) -> bool {
+    let (from, Some(to)) = (law.curve[part], law.curve.get(part + 1)) else { return true };
+    let force = |plastic: f64, isotropic: f64| {
+        let stress = isotropic + law.kinematic * plastic;
+        let stretch = match measure {
+            Some(StrainMeasure::Green) => (1.0 + 2.0 * (plastic + stress / elastic)).sqrt(),
+            _ => 1.0,
+        };
+        stress * stretch
+    };
+    let end = from.stress + from.modulus * (to.from - from.from);
+    force(to.from, end) < (1.0 - LEVEL) * force(from.from, from.stress)
+}
+
 impl Words {
     fn at(&self, field: &str) -> String {
         format!("{}.{field}", self.path)
@@ -117,10 +141,16 @@ impl Words {
             out.add(self.at(self.elastic), found, expected);
             return;
         }
-        self.check(stiffness, law, out);
+        self.check(stiffness, law, None, out);
     }
 
-    fn check(&self, elastic: f64, law: &Plasticity, out: &mut Faults) {
+    fn check(
+        &self,
+        elastic: f64,
+        law: &Plasticity,
+        measure: Option<StrainMeasure>,
+        out: &mut Faults,
+    ) {
         let [limit_unit, modulus_unit, flow_unit] = self.units;
         let Some(first) = law.curve.first() else {
             out.add(self.at("hardening"), "an empty curve", self.limit[1]);
@@ -129,11 +159,11 @@ impl Words {
         out.positive(self.at(self.limit[0]), first.stress, self.limit[1], limit_unit);
         let path = self.at("hardening.kinematic");
         out.not_negative(path, law.kinematic, self.modulus, modulus_unit);
-        for part in &law.curve {
+        for (i, part) in law.curve.iter().enumerate() {
             if !part.modulus.is_finite() {
                 let found = quantity(part.modulus, modulus_unit);
                 out.add(self.at("hardening"), found, &format!("{}, finite", self.modulus));
-            } else if part.modulus < 0.0 {
+            } else if part.modulus < 0.0 && force_falls(elastic, law, i, measure) {
                 let found = format!("{}: it softens", quantity(part.modulus, modulus_unit));
                 let expected = format!("{} of zero or above: {}", self.modulus, self.softening());
                 out.add(self.at("hardening"), found, &expected);

@@ -217,7 +217,7 @@ impl<P: Simd> Replacement<f64, Lanes<P>> for Each<'_, P> {
 
 /// Numbers of a span's tables, if its elements are alike enough to stand side by side.
 fn tables(span: &Span) -> Option<Columns> {
-    let sampled = |t: &ElementTable| t.membrane.is_some();
+    let sampled = |t: &ElementTable| t.membrane.as_ref().map(|m| m.is_nodal);
     let alike = span.tables.windows(2).all(|t| sampled(&t[0]) == sampled(&t[1]));
     if !alike || !SweptFibres::can_hold(span) {
         return None;

@@ -1,0 +1,48 @@
+//! Members that bear no stress of one sign and are slack.
+
+use crate::element::beam::ElementValues;
+use crate::element::yielding::gauss_strains;
+use crate::model::Model;
+use crate::model::frozen::Span;
+use crate::state::State;
+
+/// A beam that is slack, all of it or in part: sections of which no fibre bears any stress have no stiffness, but their mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlackMember {
+    /// The beam.
+    pub beam: String,
+    /// Length of its elements that are slack \[m\].
+    pub slack: f64,
+    /// Its length \[m\].
+    pub length: f64,
+}
+
+/// Beams that are slack in a state.
+pub fn slack_members(model: &Model, state: &State) -> Vec<SlackMember> {
+    let members = model.beams.iter().map(|beam| {
+        let spans = model.spans[beam.spans.clone()].iter();
+        let elements = spans.flat_map(|span| (0..span.elements.len()).map(move |k| (span, k)));
+        let slack = elements.filter(|(span, k)| is_slack(span, *k, state));
+        SlackMember {
+            beam: beam.name.clone(),
+            slack: slack.map(|(span, k)| span.table(k).length).sum(),
+            length: beam.length,
+        }
+    });
+    members.filter(|member| member.slack > 0.0).collect()
+}
+
+/// Whether none of the fibres at any Gauss point of an element bears stress, strained to the side on which they bear none.
+fn is_slack(span: &Span, k: usize, state: &State) -> bool {
+    let Some(fibres) = &span.fibres else { return false };
+    let (a, u) = (span.nodes.start + k, &state.displacement);
+    let u = ElementValues::new(&u[a], &u[a + 1]);
+    let strains = gauss_strains(span.table(k), span.measure, &u);
+    let of = state.fibres_of(fibres, k);
+    strains.iter().enumerate().all(|(j, [membrane, bending])| {
+        let own = of.at(j).filter(|(fibre, _)| fibre.area > 0.0);
+        own.into_iter().all(|(fibre, memory)| {
+            fibres.laws[fibre.law].is_slack(memory, membrane + fibre.height * bending)
+        })
+    })
+}

@@ -1,0 +1,174 @@
+//! Equilibria of structures with members that may be slack.
+//!
+//! What bears no stress of one sign has no stiffness where it is slack: Newton's iteration finds no correction there, or one that leads
+//! far away. With a stiffness against motion added to the tangent every correction goes down the slope of the energy, as in a
+//! motion without inertia against a drag. The less is left unbalanced, the less is added, and the last corrections are Newton's own: what is found
+//! is an equilibrium of the structure as it is.
+
+use super::{Pressing, Reached, StaticContacts, StaticSearch, constraint_step, largest};
+use crate::analysis::spectrum::{metric, size};
+use crate::element::fibre::StressLaw;
+use crate::model::Model;
+use crate::model::frozen::BodyKind;
+use crate::step::newton::prescribe;
+use crate::step::tangent::{inner, project};
+
+/// Corrections before an equilibrium counts as not found.
+const MOST_ITERATIONS: usize = 3000;
+/// A correction goes no farther than this share of the structure's size.
+const REACH: f64 = 0.02;
+/// Factors by which more and less is added.
+const MORE: f64 = 4.0;
+const LESS: f64 = 0.25;
+/// Corrections whose work is less than foretold by this share end uphill and are not made; those beyond this one are good.
+const UPHILL: f64 = 0.5;
+const GOOD: f64 = 0.2;
+/// Range of what is added, against the bending stiffness of the structure.
+const RANGE: [f64; 2] = [1e-12, 1e12];
+/// Shares of the forces in play left unbalanced below which Newton's iteration takes over, and at which an equilibrium is one where that
+/// finds no correction: a slack member without weight lies anywhere.
+const NEAR: f64 = 1e-3;
+const ROUND_OFF: f64 = 1e-12;
+/// Error of a constraint that is none, against the size of the structure.
+const CLOSED: f64 = 1e-12;
+
+/// Whether any member may be slack.
+fn may_be_slack(model: &Model) -> bool {
+    let slack = |law: &StressLaw| law.slack().is_some();
+    model.spans.iter().filter_map(|span| span.fibres.as_ref()).any(|f| f.laws.iter().any(slack))
+}
+
+/// Increment, multipliers and contacts of a place on the way.
+type Place = (Vec<[f64; 4]>, Vec<f64>, StaticContacts);
+
+impl StaticSearch<'_> {
+    /// The same from an equilibrium that was reached, where members may be slack; elsewhere there is none.
+    pub fn relax_from(&mut self, accepted: &Reached, share: f64) -> bool {
+        if !may_be_slack(self.model) {
+            return false;
+        }
+        self.go_back(accepted);
+        self.relax(share)
+    }
+
+    /// Equilibrium at a share of the loads from the increment that stands in the workspace, with as much stiffness added as it takes.
+    fn relax(&mut self, share: f64) -> bool {
+        self.begin_relaxed(share);
+        let mass = metric(self.model, false);
+        let longest = self.model.beams.iter().map(|b| b.length).fold(0.0, f64::max);
+        let unit = if longest > 0.0 { (size(self.model) / longest).powi(4) } else { 1.0 };
+        let reach = REACH * longest.max(f64::MIN_POSITIVE);
+        let (mut added, mut near) = (1.0, NEAR);
+        for _ in 0..MOST_ITERATIONS {
+            let (left, apart) = (self.left_unbalanced(), self.apart());
+            let together = apart <= CLOSED * self.size();
+            if left <= near && together {
+                // From here on less must be left before it is tried again.
+                near = 0.1 * left;
+                let place = self.place();
+                if self.solve(share) {
+                    return true;
+                }
+                self.put_back(&place);
+                self.begin_relaxed(share);
+                if left <= ROUND_OFF {
+                    self.contacts.accept(self.model);
+                    return true;
+                }
+            }
+            let place = self.place();
+            self.foresee(true);
+            self.assemble::<true>();
+            self.work.tangent.chain_mut().add_scaled(&mass, added * unit);
+            let before = self.relaxed_direction();
+            let length = largest(&self.work.correction);
+            // What is still apart is brought together first.
+            if !together && before.is_some() && self.correct() {
+                continue;
+            }
+            let leads = before.is_some_and(|work| work < 0.0) && length <= reach;
+            let after = if leads && self.correct() { self.slope_after() } else { f64::INFINITY };
+            let before = before.unwrap_or(f64::NAN);
+            if after <= -UPHILL * before {
+                if after <= -GOOD * before {
+                    added = (LESS * added).max(RANGE[0]);
+                }
+                continue;
+            }
+            self.put_back(&place);
+            added *= MORE;
+            if added > RANGE[1] {
+                return false;
+            }
+        }
+        false
+    }
+
+    fn begin_relaxed(&mut self, share: f64) {
+        self.forcing.set_static(self.model, share);
+        prescribe(self.model, &self.forcing, &mut self.work.increment);
+        let beams = self.model.beam_node_count();
+        let bodies = self.work.increment[beams..].iter_mut().zip(&self.model.bodies);
+        bodies.filter(|(_, body)| body.kind == BodyKind::Obstacle).for_each(|(d, _)| *d = [0.0; 4]);
+        self.contacts.begin(Pressing::Exactly);
+        self.contacts.slow_discs();
+    }
+
+    /// Finds the correction for the tangent at hand; its work against the unbalanced forces.
+    fn relaxed_direction(&mut self) -> Option<f64> {
+        if self.contacts.press_exactly() {
+            self.press()?;
+        } else {
+            self.factor_assembled().ok()?;
+            self.correction();
+        }
+        let work = inner(&self.work.residual, &self.work.correction);
+        work.is_finite().then_some(work)
+    }
+
+    /// Work of the unbalanced forces at the end of the correction that was made.
+    fn slope_after(&mut self) -> f64 {
+        self.foresee(true);
+        self.assemble::<false>();
+        inner(&self.work.residual, &self.work.correction)
+    }
+
+    /// What is left unbalanced, as a share of the largest of loads and reactions.
+    fn left_unbalanced(&mut self) -> f64 {
+        self.foresee(true);
+        self.assemble::<false>();
+        let in_play = largest(&self.work.residual).max(self.load());
+        let mut free = self.work.residual.clone();
+        project(self.model, &mut free);
+        if in_play > 0.0 { largest(&free) / in_play } else { 0.0 }
+    }
+
+    /// Largest error of a constraint \[m, 1\].
+    fn apart(&self) -> f64 {
+        let step = constraint_step(&self.base, &self.work.increment, &self.forcing);
+        let error = |c| (step.start_value(c) + step.change(c)).abs();
+        self.model.constraints.iter().map(error).fold(0.0, f64::max)
+    }
+
+    /// Largest force that the loads put on a node \[N\].
+    fn load(&self) -> f64 {
+        let mut loads = vec![[0.0; 4]; self.model.node_count()];
+        for (span, k, a, _) in self.model.each_element() {
+            for (node, force) in span.table(k).uniform_force(a, self.forcing.gravity) {
+                (0..2).for_each(|i| loads[node][i] += force[i]);
+            }
+        }
+        largest(&loads)
+    }
+
+    fn place(&self) -> Place {
+        let work = &self.work;
+        (work.increment.clone(), work.multiplier.clone(), self.contacts.clone())
+    }
+
+    fn put_back(&mut self, place: &Place) {
+        self.work.increment.copy_from_slice(&place.0);
+        self.work.multiplier.copy_from_slice(&place.1);
+        self.contacts.clone_from(&place.2);
+    }
+}
