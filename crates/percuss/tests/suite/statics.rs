@@ -296,7 +296,7 @@ fn an_equivalent_static_force_acts_beside_the_weight() {
     b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, -0.01]));
     b.record_point(at("mid", girder, 0.5));
     let model = b.build().unwrap();
-    let settings = Settings { start: Start::Static, ..Settings::new(0.4, 1e-3) };
+    let settings = Settings { start: Start::Static, ..Settings::new(2.2, 1e-3) };
     let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
     let found = summary.contacts[0].equivalent_force.unwrap();
     let weight = mass * pull;
