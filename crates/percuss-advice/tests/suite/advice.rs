@@ -406,7 +406,7 @@ fn a_place_that_never_comes_is_not_told_as_struck() {
 fn elements_are_too_few_where_the_force_is_wrong() {
     let of = |elements: usize| {
         let mut b = ModelBuilder::new();
-        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        let beam = bar(&mut b, 2.0, elements, [0.05, 0.05]);
         hold(&mut b, beam, &SupportKind::Pin, &[0.0, 1.0]);
         b.projectile(mass(at("mid", beam, 0.5), 1.0, 5e7, [0.0, -0.1]));
         let (model, settings) = (freeze(&b), Settings::new(1e-3, 2e-6));

@@ -77,6 +77,20 @@ between = ["rod", "lath"]
 law = "linear"
 stiffness = "1e5 N/m"
 "#;
+/// Another one begins where it ends, and nothing joins them.
+const LOOSE: &str = r#"
+[support.foot]
+at = "rod.start"
+kind = "clamp"
+[beam.arm]
+points = [[1, 0], [1, 0.5]]
+elements = 4
+material = "steel"
+section = "rod"
+[support.head]
+at = "arm.end"
+kind = "clamp"
+"#;
 
 /// A run that provokes each code: the scenario, and one change.
 fn provocations() -> Vec<(Topic, String, &'static str)> {
@@ -105,6 +119,7 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
                 Topic::Ending => (elastic.clone(), "time.end=0.02"),
                 Topic::StaticStart => ("pendulum.toml".to_owned(), "record.every=1"),
                 Topic::FaceStiffness => ("ram.toml".to_owned(), "record.every=1"),
+                Topic::LooseEnds => ("loose.toml".to_owned(), "record.every=1"),
                 Topic::Strength => (of("disc-chain"), "material.steel.preset=\"concrete\""),
             };
             (topic, file, set)
@@ -121,6 +136,7 @@ fn desk() -> Desk {
     desk.put("rear.toml", text);
     desk.put("pendulum.toml", [ROD, PENDULUM].concat());
     desk.put("ram.toml", [ROD, RAM].concat());
+    desk.put("loose.toml", [ROD, LOOSE].concat());
     desk
 }
 

@@ -58,7 +58,9 @@ const SUPPORTS: [(&str, &str, f64); 7] = [
 /// A beam under a blow or a load: supports, stops, materials that yield or damp, contact laws, discs, gravity.
 fn scene(seed: u64) -> Scene {
     let mut chance = Chance(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-    (0..8).for_each(|_| drop(chance.share()));
+    for _ in 0..8 {
+        chance.share();
+    }
     let (width, depth) = (chance.between(0.02, 0.06), chance.between(0.015, 0.06));
     let (length, elements) = (chance.between(0.8, 2.5), chance.one_of(&[4, 5, 6, 8]));
     let (material, young, density) =

@@ -76,7 +76,7 @@ impl MembraneTable {
         let at_gauss = std::array::from_fn(unit);
         Self {
             rows: gauss.each_ref().map(|row| row.first),
-            tangent: gauss.each_ref().map(|row| row.tangent),
+            tangent: gauss.each_ref().map(|row| row.reference.tangent),
             stiffness: stiffness(gauss, &at_gauss),
             at_gauss,
             is_nodal: false,
