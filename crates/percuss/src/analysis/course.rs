@@ -20,10 +20,11 @@ pub struct StaticFirstYield {
 pub(super) struct Course {
     /// First yields, shape (beams).
     pub first_yields: Vec<Option<StaticFirstYield>>,
-    /// The last place: share of the loads, and increments of the nodes, shape (nodes, 4) \[m, 1\].
+    /// Share of the loads at the last place.
     share: f64,
+    /// Increments of the nodes there, shape (nodes, 4) \[m, 1\].
     increment: Vec<[f64; 4]>,
-    /// How far nodes go at most for the share of the loads in the first step, and in any \[m\].
+    /// How far nodes go at most for the share of the loads in the first step, and in any, shape (2) \[m\].
     rates: [f64; 2],
 }
 

@@ -36,7 +36,7 @@ pub fn equivalent_force(
     refuse_others(model, start)?;
     refuse_what_is_not_linear(model, run)?;
     let mut linear =
-        Linear::new(model, projectile).ok_or("nothing holds the structure against it")?;
+        SmallForces::new(model, projectile).ok_or("nothing holds the structure against it")?;
     let moment = run.section_forces[projectile.point.beam].moment.largest().value.abs();
     if moment.is_nan() || moment <= linear.moment(0.0) * (1.0 + FOUND) {
         return Err("nothing bends the struck beam farther than it was at rest");
@@ -120,14 +120,14 @@ fn has_slack_springs(model: &Model) -> bool {
 /// Displacements, and multipliers of constraints.
 #[derive(Clone, Default)]
 struct Solution {
-    /// Shape (nodes, 4) \[m, 1\].
+    /// Of the nodes, shape (nodes, 4) \[m, 1\].
     displacement: Vec<[f64; 4]>,
-    /// Shape (constraints) \[N, N m\].
+    /// Of the constraints, shape (constraints) \[N, N m\].
     multiplier: Vec<f64>,
 }
 
 /// The structure in its reference configuration under small forces.
-struct Linear {
+struct SmallForces {
     structure: Model,
     projectile: ProjectileData,
     /// Under a unit force along the line of flight.
@@ -138,7 +138,7 @@ struct Linear {
     deflection: f64,
 }
 
-impl Linear {
+impl SmallForces {
     /// None where beams can move freely.
     fn new(model: &Model, projectile: &ProjectileData) -> Option<Self> {
         let structure = model.structure();
