@@ -192,7 +192,7 @@ fn beyond_a_limit_point_the_path_is_told_of_and_followed() {
     let time = &page["columns"][frames["time"].as_u64().unwrap() as usize];
     assert_eq!(time[1].as_u64().unwrap() as usize, kept.len() + 1);
     let csv = std::fs::read_to_string(desk.path("runs/arch-path/path.csv")).unwrap();
-    let header = "factor,point.arch.mid.displacement_1,point.arch.mid.displacement_2";
+    let header = "factor,point.arch.mid.displacement_1,point.arch.mid.displacement_2,stable";
     assert_eq!(csv.lines().next(), Some(header));
     let json =
         desk.percuss(&["static", "arch.toml", "--path", "--json", "--out", "runs/arch-path"]);
@@ -294,4 +294,33 @@ fn a_stress_beyond_the_strength_of_a_known_material_is_told() {
     assert!(stderr.contains("250 MPa at s = 0 m: it stays elastic") && stderr.contains("[W018]"));
     let (_, _, stderr) = found(-500.0, "[allow]\nW018 = \"S355\"\n");
     assert!(!stderr.contains("warning") && stderr.contains("(reason: S355)"), "{stderr}");
+}
+
+/// What fails is told with its load factor, and so is that nothing is left.
+#[test]
+fn what_fails_on_the_way_is_told_with_its_load_factor() {
+    let desk = Desk::empty();
+    let spring = |load: &str| {
+        let spring = "between = [\"arm.end\", [\"2 m\", \"1 m\"]]\nstiffness = \"100 kN/m\"\nyield_force = \"60 N\"\n";
+        let arm = CANTILEVER.replace("-100 N", load);
+        format!("{arm}{CLAMP}\n[spring.k]\n{spring}failure_extension = \"2 mm\"\n")
+    };
+    desk.put("arm.toml", spring("-200 N"));
+    let found = desk.percuss(&["static", "arm.toml", "--json", "--out", "a"]);
+    let value: serde_json::Value = serde_json::from_str(&found.ends_with(0).stdout).unwrap();
+    assert_eq!(value["failures"][0]["name"], "spring.k");
+    assert_eq!(value["failures"][0]["kind"], "extension");
+    let factor = value["failures"][0]["factor"].as_f64().unwrap();
+    // The arm takes 3 EI w / l^3, the spring what it flows at.
+    let expected = (3.0 * 210e9 * 8e-8 * 2e-3 / 8.0 + 60.0) / 200.0;
+    assert!((factor / expected - 1.0).abs() < 1e-3, "{factor} {expected}");
+    let reaction = value["support"]["root"]["force_2"].as_f64();
+    let only = value["support"].as_object().unwrap().values().next().unwrap();
+    let reaction = reaction.or(only["force_2"].as_f64()).unwrap();
+    assert!((reaction / 200.0 - 1.0).abs() < 1e-10, "{reaction}");
+    let left = value["balance"]["unbalanced"][1].as_f64().unwrap();
+    assert!(left.abs() < 1e-9 * 200.0, "{left}");
+    let text = desk.percuss(&["static", "arm.toml", "--path"]);
+    let told = text.ends_with(0);
+    assert!(told.stdout.contains("`spring.k` fails at the load factor"), "{}", told.stdout);
 }

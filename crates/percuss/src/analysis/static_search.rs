@@ -40,6 +40,8 @@ const SETTLED: f64 = 1e-9;
 const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Inverse iterations for the lowest eigenvalue.
 const INVERSE_ITERATIONS: usize = 40;
+/// Forces of springs that are left unbalanced in an equilibrium, relative to the largest.
+const BALANCED: f64 = 1e-6;
 /// Statics has no step size; this one keeps quotients finite.
 pub(super) const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 
@@ -55,6 +57,8 @@ pub(super) struct StaticSearch<'m> {
     /// Forces that what has failed gave, shape (nodes, 4) \[N, N m\]; empty where none are held. The share that is let go.
     withheld: Vec<[f64; 4]>,
     pub let_go: f64,
+    /// Whether springs are stressed as their lengths say.
+    pub stressed: bool,
     /// Whether prescribed motions are left out.
     pub still: bool,
     /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
@@ -88,14 +92,41 @@ impl<'m> StaticSearch<'m> {
         let (work, forcing) = (Workspace::new(model), Forcing::new(model));
         let contacts = StaticContacts::new(model, &base);
         let (withheld, let_go, gaps) = (Vec::new(), 1.0, None);
-        let (iterations, still) = (0, false);
-        Self { model, base, work, forcing, contacts, iterations, withheld, let_go, still, gaps }
+        let (iterations, still, stressed) = (0, false, true);
+        Self {
+            model,
+            base,
+            work,
+            forcing,
+            contacts,
+            iterations,
+            withheld,
+            let_go,
+            still,
+            stressed,
+            gaps,
+        }
     }
 
-    /// At an equilibrium: increments count from it. In the reference configuration no load acts.
+    /// At an equilibrium: increments count from it. In the reference configuration no load acts, and springs drawn shorter or longer than
+    /// they are count as without force where their forces do not balance there: beams bear nothing that would go with them.
     pub fn at(model: &'m Model, state: &State) -> Self {
         let loaded = largest(&state.displacement) > 0.0;
-        Self::at_share(model, state, f64::from(u8::from(loaded)))
+        let mut search = Self::at_share(model, state, f64::from(u8::from(loaded)));
+        let stressed = model.connectors.iter().zip(&search.base.coordinates);
+        let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) > 0.0);
+        search.stressed = loaded || !stressed || search.is_balanced();
+        search
+    }
+
+    /// Whether the forces of springs balance where the search stands, beside the largest of them.
+    fn is_balanced(&mut self) -> bool {
+        self.assemble::<false>();
+        let mut free = self.work.residual.clone();
+        project(self.model, &mut free);
+        let each = self.model.connectors.iter().enumerate();
+        let most = each.map(|(i, c)| self.connector_step(i, c).force.abs()).fold(0.0, f64::max);
+        largest(&free) <= BALANCED * most
     }
 
     /// The same at an equilibrium under a share of the loads.

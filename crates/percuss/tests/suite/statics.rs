@@ -351,3 +351,43 @@ fn a_beam_that_yields_has_the_equivalent_force_of_the_elastic_one() {
     let told = summary.contacts[0].no_equivalent_force;
     assert_eq!(told, Some("nothing holds the structure against it"));
 }
+
+/// A column with springs between its tip and the ground, each so long without force.
+fn tied(springs: &[([f64; 2], Option<f64>)]) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("steel", 210e9, 7850.0));
+    let section = b.section(Section::rectangle("square", 0.06, 0.06));
+    let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 8, material, section));
+    b.support(Support::new("foot", at("foot", column, 0.0), SupportKind::Clamp));
+    for (i, (ground, length)) in springs.iter().enumerate() {
+        b.spring(Spring {
+            name: format!("tie{i}"),
+            between: [Anchor::Point(at("tip", column, 1.0)), Anchor::Ground(*ground)],
+            stiffness: 1e7,
+            damping: 0.0,
+            length: *length,
+            yielding: None,
+        });
+    }
+    b.build().unwrap()
+}
+
+/// A spring that is stretched in the reference configuration, which is no equilibrium then, has no force in modes about it: the force that
+/// the beam would bear against it has none either. Where the forces of springs balance, they count.
+#[test]
+fn modes_about_the_reference_take_no_part_of_a_pretension_that_nothing_balances() {
+    let lowest = |model: &Model| natural_frequencies(model, 1)[0];
+    let foot = [0.0, 0.0];
+    let [stretched, plain] = [Some(2.995), None].map(|length| tied(&[(foot, length)]));
+    assert!((lowest(&stretched) / lowest(&plain) - 1.0).abs() < 1e-12);
+    let about = |model: &Model| {
+        let found = equilibrium(model).unwrap();
+        modes_about_equilibrium(model, &found, 1)[0].frequency()
+    };
+    assert!((about(&plain) / lowest(&plain) - 1.0).abs() < 1e-9);
+    assert!(about(&stretched) < 0.96 * lowest(&stretched), "the column bears the force");
+    // One spring on either side.
+    let sides = [[-2.0, 3.0], [2.0, 3.0]];
+    let balanced = tied(&sides.map(|ground| (ground, Some(1.9))));
+    assert!((lowest(&balanced) / about(&balanced) - 1.0).abs() < 1e-9);
+}

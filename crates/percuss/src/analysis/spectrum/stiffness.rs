@@ -69,8 +69,12 @@ impl Layout<'_> {
         let still = vec![[0.0; 4]; base.displacement.len()];
         self.add_turning(search, &still, &mut rest);
         let add = |c: &Connector, s: &ConnectorStep| self.add_spring(&mut matrix, c, s, s.slope);
-        connectors::apply_turning(self.model, base, &RULE, forcing, &mut rest, add);
+        let mut turning = Tangent::new(self.model);
+        connectors::apply_turning(self.model, base, &RULE, forcing, &mut turning, add);
         self.add_blocks(&mut matrix, &rest);
+        if search.stressed {
+            self.add_blocks(&mut matrix, &turning);
+        }
         self.add_held(&mut matrix, pressed);
         self.add_border(&mut matrix, search);
         matrix
@@ -171,7 +175,9 @@ impl Layout<'_> {
         };
         match stress {
             StressTerms::Taken => {
-                connectors::apply_turning(self.model, base, &RULE, forcing, &mut rest, add);
+                let mut unstressed = Tangent::new(self.model);
+                let turning = if search.stressed { &mut rest } else { &mut unstressed };
+                connectors::apply_turning(self.model, base, &RULE, forcing, turning, add);
                 for (i, j, block) in rest.blocks() {
                     each(dot4(&block::apply(block, &x[j]), &x[i]));
                 }
