@@ -15,8 +15,9 @@ use crate::step::tangent::{inner, project};
 
 /// Corrections before an equilibrium counts as not found.
 const MOST_ITERATIONS: usize = 3000;
-/// A correction goes no farther than this share of the structure's size.
+/// A correction moves no node by more than this share of the longest beam, and changes no slope by more than this.
 const REACH: f64 = 0.02;
+const TURN: f64 = 0.2;
 /// Factors by which more and less is added.
 const MORE: f64 = 4.0;
 const LESS: f64 = 0.25;
@@ -28,7 +29,7 @@ const RANGE: [f64; 2] = [1e-12, 1e12];
 /// Shares of the forces in play left unbalanced below which Newton's iteration takes over, and at which an equilibrium is one where that
 /// finds no correction: a slack member without weight lies anywhere.
 const NEAR: f64 = 1e-3;
-const ROUND_OFF: f64 = 1e-12;
+const ROUND_OFF: f64 = 1e-11;
 /// Error of a constraint that is none, against the size of the structure.
 const CLOSED: f64 = 1e-12;
 
@@ -81,12 +82,11 @@ impl StaticSearch<'_> {
             self.assemble::<true>();
             self.work.tangent.chain_mut().add_scaled(&mass, added * unit);
             let before = self.relaxed_direction();
-            let length = largest(&self.work.correction);
             // What is still apart is brought together first.
             if !together && before.is_some() && self.correct() {
                 continue;
             }
-            let leads = before.is_some_and(|work| work < 0.0) && length <= reach;
+            let leads = before.is_some_and(|work| work < 0.0) && self.correction_within(reach);
             let after = if leads && self.correct() { self.slope_after() } else { f64::INFINITY };
             let before = before.unwrap_or(f64::NAN);
             if after <= -UPHILL * before {
@@ -124,6 +124,14 @@ impl StaticSearch<'_> {
         }
         let work = inner(&self.work.residual, &self.work.correction);
         work.is_finite().then_some(work)
+    }
+
+    /// Whether the correction goes no farther than a distance \[m\], nor changes slopes by more than is followed.
+    fn correction_within(&self, reach: f64) -> bool {
+        let within = |c: &[f64; 4]| {
+            c[0].abs().max(c[1].abs()) <= reach && c[2].abs().max(c[3].abs()) <= TURN
+        };
+        self.work.correction.iter().all(within)
     }
 
     /// Work of the unbalanced forces at the end of the correction that was made.
