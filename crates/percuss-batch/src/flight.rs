@@ -16,7 +16,7 @@ use percuss::internals::run::contact_status::STICK;
 use percuss::internals::scalar::{Dual, Real};
 use percuss::internals::settings::{SAME_INSTANT, Settings};
 use percuss::math::roots;
-use rest::Touching;
+use rest::TouchingBodies;
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;
@@ -41,7 +41,7 @@ pub struct Flight<'a> {
     pub search: LaneNewton<Derived>,
     pub solver_steps: usize,
     /// What the contacts have come to, shape (guided projectiles).
-    touching: Vec<Touching>,
+    touching: Vec<TouchingBodies>,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     misses: Vec<(usize, Derived, Derived)>,
 }
@@ -59,7 +59,7 @@ impl<'a> Flight<'a> {
         let mut search = LaneNewton::idle(engine.h);
         search.set_run(0, true);
         let (ledger, log) = (LaneLedger::open(&engine), Log::new(&engine));
-        let touching = vec![Touching::default(); engine.guides.len()];
+        let touching = vec![TouchingBodies::default(); engine.guides.len()];
         let misses = Vec::new();
         Self {
             model,

@@ -70,8 +70,9 @@ pub struct Rest<S> {
     pub given: [S; 2],
     /// Parts of steps, longer than an impact, in which it pressed.
     pub steps: usize,
-    /// Where it came to rest, and where it was last, shape (2) \[m\] each.
+    /// Where it came to rest, shape (2) \[m\].
     pub place: [S; 2],
+    /// Where it was last, shape (2) \[m\].
     pub place_end: [S; 2],
 }
 

@@ -86,7 +86,7 @@ pub fn cycles() -> Report {
         // these.
         let hardens = iso + kin > 0.0;
         let close = if hardens { 1e-9 } else { 1e-8 };
-        for steps in if hardens { [12, 96] } else { [96, 192] } {
+        for steps in if hardens { [12, 96] } else { [384, 768] } {
             let curve = vec![Hardening { from: 0.0, stress: limit, modulus: iso }];
             let metal = yields(young, 1.0, curve, |p| p.kinematic = kin);
             let path = move |t: f64| largest * (2.0 * PI * t).sin();

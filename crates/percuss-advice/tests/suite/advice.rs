@@ -332,7 +332,7 @@ fn what_a_run_leaves_open_is_told_after_it() {
         hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
         let one = Projectile::new("mass", kind, mass, [0.0, -0.5], at("mid", beam, 0.5));
         b.projectile(Projectile { standoff, ..one });
-        let (model, settings) = (freeze(&b), Settings::new(5e-3, 2e-5));
+        let (model, settings) = (freeze(&b), Settings::new(5e-3, 5e-6));
         review(&model, &settings, &run(&model, &settings), &[])
     };
     let soft = of(ProjectileKind::spring(1e4), 20.0, 0.0);

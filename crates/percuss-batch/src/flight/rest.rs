@@ -9,7 +9,7 @@ use percuss::internals::step::contacts::IMPULSIVE;
 
 /// What a rigid contact has come to.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Touching {
+pub(super) struct TouchingBodies {
     /// Whether it stays closed while it presses.
     pub closed: bool,
     /// Whether it is noted as a time of rest at hand.

@@ -208,7 +208,9 @@ fn check(law: Law, framed: bool, end: f64, tolerance: f64) {
         let derivative = derived(&found.summary, &found.derivatives[i]);
         for (k, what) in RESULTS.iter().enumerate() {
             let difference = if what.starts_with("time of peak") { near[k] } else { all[k] };
-            let scale = difference.abs().max(1e-3 * (single[k] / value).abs());
+            // Times of peaks are known to a few units in the last place, which differences over a change of 5e-6 divide by that.
+            let known = if framed && what.starts_with("time of peak") { 1e-2 } else { 1e-3 };
+            let scale = difference.abs().max(known * (single[k] / value).abs());
             if (derivative[k] - difference).abs() > tolerance * scale {
                 off.push(format!("{what} by {name}: {} {difference}", derivative[k]));
             }
@@ -278,10 +280,10 @@ fn chatter([mass, standoff, restitution]: [f64; 3]) -> Model {
     b.build().unwrap()
 }
 
-/// Where impacts accumulate until the contact stays closed, derivatives go on: impacts, the impulse of all, that of the rest, the velocity at
-/// the end.
+/// Where impacts accumulate until the contact stays closed, derivatives reach to there: what is known by then has derivatives, what
+/// is later has none.
 #[test]
-fn derivatives_go_on_where_impacts_accumulate() {
+fn derivatives_reach_to_where_impacts_accumulate() {
     let base = [3.1, 7.3e-3, 0.3];
     let settings = Settings::new(0.01, 2e-5);
     let moved = |i: usize, by: f64| {
@@ -305,27 +307,25 @@ fn derivatives_go_on_where_impacts_accumulate() {
     };
     let (all, total, rests) = impacts(&found.summary);
     assert_eq!((&all, total), (&impacts(&run(&model)).0, impacts(&run(&model)).1));
-    assert!(!rests.is_empty());
-    assert_eq!(found.horizon, None);
+    let horizon = found.horizon.as_ref().unwrap();
+    assert!(horizon.why.contains("`ball` stays closed"), "{horizon:?}");
+    assert!((horizon.time - rests[0].start).abs() < settings.step, "{horizon:?} {:?}", rests[0]);
     for (i, derivative) in found.derivatives.iter().enumerate() {
-        let (known, total, own_rests) = impacts(derivative);
-        assert_eq!((known.len(), own_rests.len()), (all.len(), rests.len()));
+        let (known, total, _) = impacts(derivative);
+        assert!(known.len() >= 5 && known.len() < all.len(), "{} of {}", known.len(), all.len());
+        assert!(total.is_nan() && derivative.projectiles[0].velocity_final[1].is_nan());
+        assert!(derivative.energy.final_.is_nan() && derivative.time.is_nan());
         let change = 1e-5 * base[i];
-        let ends = [-change, change].map(|by| run(&moved(i, by)));
-        let agrees = |what: &str, own: f64, of: &dyn Fn(&RunSummary) -> f64, value: f64| {
-            let difference = (of(&ends[1]) - of(&ends[0])) / (2.0 * change);
-            let scale = difference.abs().max(1e-3 * (value / base[i]).abs());
-            assert!((own - difference).abs() < 1e-3 * scale, "{i} {what}: {own} {difference}");
-        };
+        let ends = [-change, change].map(|by| impacts(&run(&moved(i, by))).0);
         for k in 0..3 {
-            agrees("time", known[k].time, &|s| impacts(s).0[k].time, all[k].time);
-            agrees("impulse", known[k].impulse, &|s| impacts(s).0[k].impulse, all[k].impulse);
+            let difference =
+                |of: fn(&Impact) -> f64| (of(&ends[1][k]) - of(&ends[0][k])) / (2.0 * change);
+            for of in [|i: &Impact| i.time, |i: &Impact| i.impulse] {
+                let (own, difference) = (of(&known[k]), difference(of));
+                let scale = difference.abs().max(1e-3 * (of(&all[k]) / base[i]).abs());
+                assert!((own - difference).abs() < 1e-3 * scale, "{i} {k}: {own} {difference}");
+            }
         }
-        agrees("total", total, &|s| impacts(s).1, impacts(&found.summary).1);
-        let velocity = |s: &RunSummary| s.projectiles[0].velocity_final[1];
-        agrees("velocity", velocity(derivative), &velocity, velocity(&found.summary));
-        let rest = |s: &RunSummary| impacts(s).2[0].impulse;
-        agrees("rest", rest(derivative), &rest, rest(&found.summary));
     }
 }
 

@@ -39,10 +39,11 @@ pub enum TableStress {
     True,
 }
 
-fn settle_hardening(_: &mut Hardening, body: &Body<'_>, reader: &mut Reader<'_>) {
+fn settle_hardening(hardening: &mut Hardening, body: &Body<'_>, reader: &mut Reader<'_>) {
     exclude(body, ["isotropic", "table"], reader);
-    if body.get("stress").is_some() && body.get("table").is_none() && !reader.excuses(body, "table")
-    {
+    // The default may be written out.
+    let converted = hardening.stress == TableStress::True;
+    if converted && body.get("table").is_none() && !reader.excuses(body, "table") {
         let found = "`stress` without a table";
         reader.missing(body, "table", found, "`table` beside it, whose stresses it tells");
     }

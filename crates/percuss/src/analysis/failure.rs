@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::step::fibres::part_at_rest;
 
 /// Uses of strengths that differ by less are the same: what reaches its limit at the same load fails at the same load.
-pub(super) const SIMULTANEOUS: f64 = 1e-8;
+pub(super) const SIMULTANEOUS: f64 = 1e-6;
 
 /// What has failed for good as the loads on a structure at rest grew.
 #[derive(Clone, Debug, PartialEq)]

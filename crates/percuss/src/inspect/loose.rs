@@ -31,9 +31,10 @@ impl LooseEnds {
 }
 
 /// A place along a beam.
-struct Place {
+struct BeamEnd {
     beam: usize,
     s: f64,
+    /// Where it is, shape (2) \[m\].
     position: [f64; 2],
     /// What is tied has one number.
     group: usize,
@@ -64,31 +65,31 @@ pub fn loose_ends(model: &Model) -> Vec<LooseEnds> {
 }
 
 /// The two ends of every beam, each a group of its own.
-fn ends(model: &Model) -> Vec<Place> {
+fn ends(model: &Model) -> Vec<BeamEnd> {
     let of = |beam: usize| {
         let view = model.beam(beam);
         let nodes = view.nodes();
-        [(0.0, nodes.start), (view.length(), nodes.end - 1)].map(|(s, node)| Place {
+        [(0.0, nodes.start), (view.length(), nodes.end - 1)].map(|(s, node)| BeamEnd {
             beam,
             s,
             position: model.node_position(node),
             group: 0,
         })
     };
-    let mut all: Vec<Place> = (0..model.beam_count()).flat_map(of).collect();
+    let mut all: Vec<BeamEnd> = (0..model.beam_count()).flat_map(of).collect();
     all.iter_mut().enumerate().for_each(|(k, place)| place.group = k);
     all
 }
 
 /// Adds the points of joints, supports between nodes, springs and hinges, and makes groups of what they tie at one place.
-fn tie(model: &Model, places: &mut Vec<Place>, near: f64) {
+fn tie(model: &Model, places: &mut Vec<BeamEnd>, near: f64) {
     let ties = model.constraints().map(|tie| tie.points().collect::<Vec<_>>());
     let springs = model.connectors().map(|spring| spring.points().collect::<Vec<_>>());
     for points in ties.chain(springs) {
         let first = places.len();
         for point in points {
             let (beam, s, position, group) = (point.beam, point.s, point.position, places.len());
-            places.push(Place { beam, s, position, group });
+            places.push(BeamEnd { beam, s, position, group });
             let new = places.len() - 1;
             for k in 0..new {
                 let (a, b) = (&places[k], &places[new]);
@@ -102,13 +103,13 @@ fn tie(model: &Model, places: &mut Vec<Place>, near: f64) {
     }
 }
 
-fn join(places: &mut [Place], [a, b]: [usize; 2]) {
+fn join(places: &mut [BeamEnd], [a, b]: [usize; 2]) {
     let (keep, drop) = (places[a].group, places[b].group);
     places.iter_mut().filter(|place| place.group == drop).for_each(|place| place.group = keep);
 }
 
 /// Whether a support holds both displacements of an end.
-fn is_held(model: &Model, end: &Place) -> bool {
+fn is_held(model: &Model, end: &BeamEnd) -> bool {
     let nodes = model.beam(end.beam).nodes();
     let node = if end.s > 0.0 { nodes.end - 1 } else { nodes.start };
     let places = |held: &PrescribedView<'_>| {
@@ -126,7 +127,7 @@ fn touch(model: &Model, [a, b]: [usize; 2]) -> bool {
     model.contacts().any(|contact| contact.pairs().any(|(partners, _)| is_theirs(&partners)))
 }
 
-fn label(model: &Model, end: &Place) -> String {
+fn label(model: &Model, end: &BeamEnd) -> String {
     let which = if end.s > 0.0 { "end" } else { "start" };
     format!("{}.{which}", model.beam(end.beam).name())
 }

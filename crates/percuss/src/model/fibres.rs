@@ -96,7 +96,7 @@ pub(super) fn of_span(make: &Make, stretch: &Stretch, first: usize) -> Option<Sp
         laws.push(law(m));
         laws.len() - 1
     });
-    let layout = Layout::new(make.section);
+    let layout = ProfileLayout::new(make.section);
     let points = hermite::gauss_points();
     let element = |k: usize| -> [Vec<Fibre>; GAUSS] {
         let (a, b) = (stretch.stations[k], stretch.stations[k + 1]);
@@ -126,9 +126,9 @@ fn given(make: &Make, mut add: impl FnMut(&Material) -> usize) -> Option<Vec<Fib
 }
 
 /// Fibres of a section that follow from its shape.
-struct Layout<'a> {
+struct ProfileLayout<'a> {
     section: &'a Section,
-    /// Fibres of its profiles, each of unit area and unit radius of gyration, as (height, area), shape (profiles, fibres): all stations are
+    /// Fibres of its profiles, each of unit area and unit radius of gyration, as (height, area), shape (profiles, fibres, 2) \[-\]: all stations are
     /// of one where they are alike but for size.
     profiles: Vec<Vec<[f64; 2]>>,
 }
@@ -136,7 +136,7 @@ struct Layout<'a> {
 /// Heights and areas of two profiles that differ by less, relative, are alike but for size.
 const ALIKE: f64 = 1e-9;
 
-impl<'a> Layout<'a> {
+impl<'a> ProfileLayout<'a> {
     fn new(section: &'a Section) -> Self {
         let most = |count: usize| {
             section
@@ -218,7 +218,7 @@ mod tests {
         for count in [4, 6, 16] {
             let taper = tapered(&[(0.0, rectangle.clone()), (1.0, i.clone())]);
             let section = Section { fibres: count, ..taper };
-            let layout = Layout::new(&section);
+            let layout = ProfileLayout::new(&section);
             for (fraction, expected) in [(0.0, plastic[0]), (1.0, plastic[1])] {
                 let found = sum(&layout.at(fraction), f64::abs);
                 assert!((found / expected - 1.0).abs() < 1e-11, "{fraction}: {found:e}");
@@ -238,6 +238,6 @@ mod tests {
         let taper =
             [(0.0, Section::rectangle("a", 0.1, 0.1)), (1.0, Section::rectangle("b", 0.1, 0.3))];
         let section = tapered(&taper);
-        assert_eq!(Layout::new(&section).at(0.5).len(), section.fibres + 2);
+        assert_eq!(ProfileLayout::new(&section).at(0.5).len(), section.fibres + 2);
     }
 }

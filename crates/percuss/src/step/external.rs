@@ -159,8 +159,8 @@ impl LoadWork {
     }
 }
 
-/// What the loads did over a step, beams', masses' and projectiles' gravity included: with their means over it, those that turn with the beam
-/// `theta` of the way.
+/// What the loads did over a step, beams', masses' and projectiles' gravity included; those that turn with the beam act as they stand `theta` of the
+/// way.
 pub fn work(
     model: &Model,
     state: &State,
@@ -175,7 +175,7 @@ pub fn work(
         let x = std::array::from_fn(|i| p.position[i] + u[i] + 0.5 * d[i]);
         sum.add_force(force, x, d, h);
     };
-    for (load, factor) in model.loads.iter().zip(&forcing.means) {
+    for (load, factor) in model.loads.iter().zip(&forcing.factors) {
         if *factor == 0.0 {
             continue;
         }
@@ -208,10 +208,10 @@ pub fn work(
             }
         }
     }
-    if forcing.mean_gravity != [0.0; 2] {
-        add_gravity(model, state, h, forcing.mean_gravity, increment, &mut sum);
+    if forcing.gravity != [0.0; 2] {
+        add_gravity(model, state, h, forcing.gravity, increment, &mut sum);
         for mass in &model.masses {
-            let force = forcing.mean_gravity.map(|g| mass.mass * g);
+            let force = forcing.gravity.map(|g| mass.mass * g);
             add(&mass.point, force, &mut sum);
         }
     }

@@ -12,10 +12,6 @@ pub struct Forcing {
     pub gravity: [f64; 2],
     /// Factors with which the loads act in the equation of motion, shape (loads) \[-\].
     pub factors: Vec<f64>,
-    /// Mean acceleration of gravity over the step, shape (2) \[m/s^2\].
-    pub mean_gravity: [f64; 2],
-    /// Mean factors of the loads over the step, of which impulse and work are made, shape (loads) \[-\].
-    pub means: Vec<f64>,
     /// Increments of the prescribed motions' time functions, shape (motions) \[-\].
     moved: Vec<f64>,
     /// What the time functions had moved by at the start, shape (motions) \[-\].
@@ -44,8 +40,6 @@ impl Forcing {
         Self {
             gravity: [0.0; 2],
             factors: vec![0.0; model.loads.len()],
-            mean_gravity: [0.0; 2],
-            means: vec![0.0; model.loads.len()],
             moved: vec![0.0; model.motions.len()],
             started: vec![0.0; model.motions.len()],
             rates: vec![0.0; model.motions.len()],
@@ -68,12 +62,7 @@ impl Forcing {
         step: f64,
         reached: &[Followed],
     ) {
-        self.set_loads(model, start, h, 1.0);
-        if theta != 0.5 {
-            let means = (self.mean_gravity, self.means.clone());
-            self.set_loads(model, start + (theta - 0.5) * h, h, 1.0);
-            (self.mean_gravity, self.means) = means;
-        }
+        self.set_loads(model, start + (theta - 0.5) * h, h, 1.0);
         self.set_motions(model, start, h, step, reached, false);
         let slack = 0.5 * h.min(SHORT * step);
         let holds = |until: f64| start + slack < until;
@@ -164,8 +153,6 @@ impl Forcing {
                 self.gravity[1] += *factor * acceleration[1];
             }
         }
-        self.mean_gravity = self.gravity;
-        self.means.clone_from(&self.factors);
     }
 
     /// Rate of a prescribed value at the end of the step, from the left.

@@ -207,9 +207,9 @@ fn a_run_that_goes_on_from_a_checkpoint_remembers_what_has_torn() {
     }
 }
 
-/// On a path a joint tears at the load factor at which it carries its strength in an equilibrium, and the path goes on without it.
+/// A path ends just before a joint would tear, at the load factor at which it carries its strength in an equilibrium.
 #[test]
-fn a_path_goes_on_where_a_joint_tears() {
+fn a_path_ends_where_a_joint_would_tear() {
     let built = |strength: JointStrength, factor: f64| {
         let mut b = ModelBuilder::new();
         let (material, section) = plank(&mut b);
@@ -229,23 +229,17 @@ fn a_path_goes_on_where_a_joint_tears() {
     let strength = bears(0.0, 200.0);
     let settings = PathSettings { end: PathEnd::Factor(1.0), ..PathSettings::default() };
     let path = equilibrium_path(&built(strength, 1.0), &settings).unwrap();
-    assert!(path.reached && path.torn.is_none());
-    let [failure] = &path.failures[..] else { panic!("{:?}", path.failures) };
-    assert_eq!((failure.name.as_str(), failure.kind), ("joint.knee", FailureKind::Torn));
-    let last = failure.factor;
+    assert!(!path.reached);
+    assert_eq!(path.torn.as_deref(), Some("joint.knee"));
+    let last = path.points.last().unwrap().factor;
     assert!(last > 0.05 && last < 0.9, "{last}");
-    let at_rest = equilibrium(&built(strength, 1.0)).unwrap();
-    for ((name, along), (_, alone)) in path.end.reactions.iter().zip(&at_rest.reactions) {
-        let close = |i: usize| (along[i] - alone[i]).abs() < 1e-6 * 1e4;
-        assert!((0..3).all(close), "{name}: {along:?} {alone:?}");
-    }
     // There it holds, a thousandth further it tears.
     assert!(equilibrium(&built(strength, 0.999 * last)).unwrap().failures.is_empty());
     let torn = equilibrium(&built(strength, 1.001 * last)).unwrap();
     assert_eq!(torn.failures[0].name, "joint.knee");
-    assert!((torn.failures[0].factor * 1.001 - 1.0).abs() < 1e-9, "{:?}", torn.failures);
+    assert!((torn.failures[0].factor * 1.001 - 1.0).abs() < 1e-6, "{:?}", torn.failures);
     let strong = equilibrium_path(&built(bears(0.0, 1e6), 1.0), &settings).unwrap();
-    assert!(strong.reached && strong.failures.is_empty());
+    assert!(strong.reached && strong.torn.is_none());
 }
 
 /// What a beam keeps is told of a structure that is whole: once a joint has torn there is no place to unload to by the joints there were.

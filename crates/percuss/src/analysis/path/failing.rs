@@ -28,6 +28,10 @@ impl Tracer<'_> {
 
     /// Fails what bears its whole strength at the point at hand, and goes on to an equilibrium without it; nothing where there is none.
     pub(super) fn fail(&mut self, goal: &Goal) -> Option<Vec<StaticFailure>> {
+        // A joint that tears ends the path; `static` goes on without it.
+        if self.search.first_to_fail().is_some_and(|name| name.starts_with("joint.")) {
+            return None;
+        }
         let here = self.mark();
         let held = goal.here(self);
         if let Some(found) = self.let_go(&held) {

@@ -105,7 +105,7 @@ impl StaticSearch<'_> {
     }
 
     fn begin_relaxed(&mut self, share: f64) {
-        self.forcing.set_static(self.model, share);
+        self.set_share(share);
         prescribe(self.model, &self.forcing, &mut self.work.increment);
         let beams = self.model.beam_node_count();
         let bodies = self.work.increment[beams..].iter_mut().zip(&self.model.bodies);
