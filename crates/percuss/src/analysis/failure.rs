@@ -8,10 +8,11 @@ use crate::element::beam::ElementValues;
 use crate::element::yielding::gauss_strains;
 use crate::math::hermite::gauss_points;
 use crate::model::Model;
+use crate::state::State;
 use crate::step::fibres::part_at_rest;
 
 /// Uses of strengths that differ by less are the same: what reaches its limit at the same load fails at the same load.
-pub(super) const SIMULTANEOUS: f64 = 1e-6;
+pub(super) const SIMULTANEOUS: f64 = 1e-8;
 
 /// What has failed for good as the loads on a structure at rest grew.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,7 +166,9 @@ impl StaticSearch<'_> {
                 out.push(failure);
             }
         }
-        for place in part_at_rest(model, &mut self.base.fibres) {
+        let State { fibres, parted, .. } = &mut self.base;
+        let known = |node: usize| parted.get(node).is_some_and(|parted| *parted);
+        for place in part_at_rest(model, known, fibres) {
             self.part_beam(place.0);
             out.push(of_section(model, place, factor, FailureKind::Parted));
         }

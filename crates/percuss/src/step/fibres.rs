@@ -191,20 +191,24 @@ pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreS
     }
 }
 
-/// Fails all fibres of the elements that have none left at a Gauss point; tells the first nodes of those that had some elsewhere, and
-/// the Gauss point.
-pub fn part_at_rest(model: &Model, all: &mut [FibreState]) -> Vec<(usize, usize)> {
-    let mut parted = Vec::new();
+/// Fails all fibres of the elements that have none left at a Gauss point, and had not `parted` before; tells their first nodes, and the
+/// Gauss point.
+pub fn part_at_rest(
+    model: &Model,
+    parted: impl Fn(usize) -> bool,
+    all: &mut [FibreState],
+) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
     for (span, k, a, _) in model.each_element() {
         let Some(fibres) = &span.fibres else { continue };
         let states = &mut all[fibres.range(k)];
         let Some(gauss) = gap(fibres.of(k), states) else { continue };
-        if states.iter().any(|state| !state.failed) {
-            parted.push((a, gauss));
+        if !parted(a) {
+            found.push((a, gauss));
             states.iter_mut().for_each(|state| state.failed = true);
         }
     }
-    parted
+    found
 }
 
 /// The first nodes of the elements that have no fibre left.

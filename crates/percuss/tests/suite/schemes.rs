@@ -324,7 +324,7 @@ fn every_scheme_is_of_second_order_with_every_load() {
                 let ratio = apart(&coarse, &middle, k) / apart(&middle, &fine, k);
                 let off = apart(&fine, &limit, k) / limit[k].hypot(limit[k + 1]);
                 // Four at second order, two at first; axial waves along the one element are just resolved.
-                if !(ratio > 2.8 && off < 1e-3) {
+                if !((ratio > 2.8 || off < 1e-7) && off < 1e-3) {
                     wrong.push(format!("{name}, {scheme:?}, {k}: {ratio:.2}, off by {off:.1e}"));
                 }
             }
