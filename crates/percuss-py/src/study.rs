@@ -292,7 +292,7 @@ impl Study {
     /// >>> study = percuss.sweep("speed.toml").study
     /// >>> study.sweep("kept", 1, lambda done, of: None)
     /// >>> len(study.results("kept"))
-    /// 14
+    /// 15
     fn sweep(
         &self,
         py: Python<'_>,
