@@ -9,14 +9,14 @@ impl SummaryPath {
     /// of what it touches.
     pub fn may_stay_open(&self) -> bool {
         let keys: Vec<&str> = self.keys.iter().map(String::as_str).collect();
-        match (self.part.as_str(), &keys[..]) {
-            ("contact", ["duration"] | ["peak_force", "value"]) => true,
-            ("contact", ["intervals", _, "end" | "impulse" | "separation_velocity"]) => true,
-            ("contact", ["intervals", _, "peak_force", "value"]) => true,
-            ("projectile", ["velocity_final", _] | ["spin_final"]) => true,
-            ("projectile", ["momentum_transferred"] | ["energy_transferred"]) => true,
-            _ => false,
-        }
+        matches!(
+            (self.part.as_str(), &keys[..]),
+            ("contact", ["duration"] | ["peak_force", "value"])
+                | ("contact", ["intervals", _, "end" | "impulse" | "separation_velocity"])
+                | ("contact", ["intervals", _, "peak_force", "value"])
+                | ("projectile", ["velocity_final", _] | ["spin_final"])
+                | ("projectile", ["momentum_transferred"] | ["energy_transferred"])
+        )
     }
 
     /// Whether the number can only grow while a contact stays closed: what it is at the end of the run is its least value.
