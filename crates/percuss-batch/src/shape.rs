@@ -17,9 +17,11 @@ use percuss::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchShape {
-    /// First node and number of elements of every span, its measure, whether it is damped, where its tables sample membrane strains, if
-    /// they do, shape (spans, tables) \[index of a node, number of elements\].
-    spans: Vec<(usize, usize, StrainMeasure, bool, Vec<Option<bool>>)>,
+    /// First node and number of elements of every span, its measure, whether it is damped, shape (spans)
+    /// \[index of a node, number of elements\].
+    spans: Vec<(usize, usize, StrainMeasure, bool)>,
+    /// Whether each table samples membrane strains at nodes or at Gauss points, if it does, shape (spans, tables).
+    sampled: Vec<Vec<Option<bool>>>,
     /// Layout of the fibres of every span that has some, shape (spans).
     fibres: Vec<Option<FibreShape>>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
@@ -41,11 +43,12 @@ impl BatchShape {
     /// The shape of a set of numbers.
     pub fn of<S: Copy>(numbers: &Numbers<S>) -> Self {
         let sampled = |t: &ElementTable<S>| t.membrane.as_ref().map(|m| m.is_nodal);
-        let slender = |s: &SpanNumbers<S>| s.tables.iter().map(sampled).collect();
+        let of_span = |s: &SpanNumbers<S>| s.tables.iter().map(sampled).collect();
         Self {
             spans: (numbers.spans.iter())
-                .map(|s| (s.first, s.count, s.measure, s.damped, slender(s)))
+                .map(|s| (s.first, s.count, s.measure, s.damped))
                 .collect(),
+            sampled: numbers.spans.iter().map(of_span).collect(),
             fibres: numbers
                 .spans
                 .iter()

@@ -18,7 +18,7 @@ struct Scene {
 
 impl Scene {
     fn random(r: &mut Numbers) -> Self {
-        let (turn, rise) = (r.between(0.0, 6.28), r.between(0.1, 0.9));
+        let (turn, rise) = (r.between(0.0, std::f64::consts::TAU), r.between(0.1, 0.9));
         let place = |x: f64, y: f64| {
             let (sine, cosine) = turn.sin_cos();
             [cosine * x - sine * y, sine * x + cosine * y]
