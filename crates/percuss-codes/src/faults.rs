@@ -80,7 +80,8 @@ catalogue! {
              beam; or a beam and a point mass on it are given motions that differ where the mass is: a place has one velocity.";
         /// Damping.
         Damping = "E020", "damping that cannot be",
-            "Modal damping ratios lie from 0 to below 1; the message names what would be right of other values.";
+            "Modal damping ratios lie from 0 to below 1; the message names what would be right of other values. A structure whose \
+             parts move against each other without strain, a mechanism, has no modal damping.";
         /// A study: its parameters, design or results.
         Study = "E021", "a study that cannot be run",
             "A study varies values of its base scenario, with a design that exists, and picks results by paths into summary.json. \

@@ -17,7 +17,8 @@ use crate::write::Writer;
 table! {
     /// Damping of the structure as a whole.
     pub struct Damping {
-        /// Ratios of critical damping of the flexible modes, from the lowest on; or one ratio for `modes` of them.
+        /// Ratios of critical damping of the flexible modes, from the lowest on; or one ratio for `modes` of them. Damped is motion relative to
+        /// the rigid motion of each body and to supports that move; a mechanism cannot be damped so.
         modal: ModalRatios as Modal = ModalRatios::Each(Vec::new()),
         /// Number of modes damped where one ratio is given for all of them; 10 if none is given.
         modes: Option<usize> as Maybe<Count> = None,

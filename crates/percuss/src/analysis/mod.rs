@@ -3,6 +3,7 @@
 mod balance;
 mod buckling;
 mod course;
+pub(crate) mod damped_modes;
 pub(crate) mod equivalent;
 mod failure;
 mod flutter;

@@ -13,8 +13,7 @@ use crate::model::Model;
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::effective_mass::mass_band;
-use crate::step::modal_damping::ModalDamping;
-use crate::step::tangent::{inner, project};
+use crate::step::tangent::inner;
 
 /// Times the shift is raised where modes lie below it.
 const MOST_SHIFTS: usize = 60;
@@ -103,31 +102,6 @@ pub fn natural_frequencies(model: &Model, count: usize) -> Vec<f64> {
     modes_about(model, &rest, count).iter().map(Mode::frequency).collect()
 }
 
-/// Damping of the flexible modes about `state`.
-pub(crate) fn modal_damping(model: &Model, state: &State) -> ModalDamping {
-    let ratios = &model.modal_damping;
-    if ratios.is_empty() {
-        return ModalDamping::default();
-    }
-    let nodes = model.node_count();
-    let model = &model.structure();
-    let state = &state.of_structure(model);
-    let structure = Linearized::new(model, state, Vec::new());
-    // Modes that are orthogonal: of the part of stiffness that has a potential.
-    let found = structure.symmetric(ratios.len(), true);
-    let flexible = found.into_iter().filter(|m| m.eigenvalue > 0.0);
-    let mut damping = ModalDamping::default();
-    for (mode, ratio) in flexible.zip(ratios).filter(|(_, ratio)| **ratio > 0.0) {
-        damping.vectors.push(structure.mass.multiply(&mode.shape));
-        damping.rates.push(2.0 * ratio * mode.eigenvalue.sqrt());
-    }
-    for vector in &mut damping.vectors {
-        project(model, vector);
-        vector.resize(nodes, [0.0; 4]);
-    }
-    damping
-}
-
 /// The `count` lowest modes of a structure.
 pub(super) fn lowest(model: &Model, state: &State, held: Vec<Held>, count: usize) -> Vec<Mode> {
     Linearized::new(model, state, held).lowest(count)
@@ -140,11 +114,11 @@ pub(super) fn lowest_under(model: &Model, state: &State, share: f64, count: usiz
 }
 
 /// A structure linearised about an equilibrium.
-struct Linearized<'m> {
+pub(super) struct Linearized<'m> {
     layout: Layout<'m>,
-    search: StaticSearch<'m>,
+    pub(super) search: StaticSearch<'m>,
     tangent: Matrix,
-    mass: Chain,
+    pub(super) mass: Chain,
     /// Whether anything is stressed.
     stressed: bool,
     /// Unknowns that supports and joints leave free.
@@ -152,7 +126,7 @@ struct Linearized<'m> {
 }
 
 impl<'m> Linearized<'m> {
-    fn new(model: &'m Model, state: &State, held: Vec<Held>) -> Self {
+    pub(super) fn new(model: &'m Model, state: &State, held: Vec<Held>) -> Self {
         Self::about(Layout::holding(model, held), StaticSearch::at(model, state), state)
     }
 
@@ -168,6 +142,11 @@ impl<'m> Linearized<'m> {
         Self { layout, search, tangent, mass, stressed, free }
     }
 
+    /// Number of motions that strain nothing.
+    pub(super) fn free_motions(&self) -> usize {
+        free_motions(&self.layout, &self.search).motions.len()
+    }
+
     fn lowest(&self, count: usize) -> Vec<Mode> {
         let mut modes = if self.layout.is_symmetric(&self.tangent) {
             self.symmetric(count, false)
@@ -180,7 +159,7 @@ impl<'m> Linearized<'m> {
     }
 
     /// Modes where forces have a potential, those that grow first; `flexible` of them beside those of rigid bodies.
-    fn symmetric(&self, count: usize, flexible: bool) -> Vec<Mode> {
+    pub(super) fn symmetric(&self, count: usize, flexible: bool) -> Vec<Mode> {
         let loose = free_motions(&self.layout, &self.search);
         let tangent = self.layout.symmetric(&self.tangent);
         let pencil = Pencil { layout: &self.layout, stiffness: &tangent, mass: &self.mass };

@@ -20,7 +20,6 @@ use crate::state::State;
 use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
-use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::prescribe;
 use crate::step::tangent::{Singular, inner, project};
 use crate::step::workspace::Workspace;
@@ -237,7 +236,7 @@ impl<'m> StaticSearch<'m> {
         project(self.model, &mut work.correction);
         let step = constraint_step(&self.base, &work.increment, &self.forcing);
         let (x, multiplier) = (&mut work.correction, &mut work.multiplier);
-        work.tangent.solve(self.model, &step, &ModalDamping::default(), x, multiplier, Some(1.0));
+        work.tangent.solve(self.model, &step, x, multiplier, Some(1.0));
     }
 
     /// Applies the correction; false if it leads nowhere.

@@ -10,7 +10,7 @@ use super::rows::Rows;
 use super::solve::Encounters;
 use super::start::{Initial, initial_state, massless};
 use super::step_size::StepSizeControl;
-use crate::analysis::modes::modal_damping;
+use crate::analysis::damped_modes::{modal_damping, undampable};
 use crate::analysis::static_contacts::takes_part;
 use crate::contact::search::Search;
 use crate::error::Error;
@@ -120,6 +120,9 @@ impl<'m> Simulation<'m> {
         let overlaps = model.overlaps(&state.displacement, |c| !may_press(c));
         if !overlaps.is_empty() {
             return Err(overlaps);
+        }
+        if let Some(fault) = undampable(model, &state) {
+            return Err(vec![fault]);
         }
         let mut simulation = Self {
             model,

@@ -289,15 +289,13 @@ impl Entry<'_> {
         if damping.is_empty() {
             return;
         }
-        let (h, d) = (self.rule.h, &self.work.increment);
-        let mut force = vec![[0.0; 4]; d.len()];
-        damping.apply(d, h, &mut force);
-        let mut sum = LoadWork::default();
-        for (node, f) in force.iter().enumerate() {
-            let f = f.map(|x| -x);
-            sum.add_nodal(self.model, self.state, d, node, &f, h);
-        }
-        self.damped(&sum);
+        let (model, h, work) = (self.model, self.rule.h, self.work);
+        let flow = work.modal.flow(model, damping, self.state, &work.increment, h);
+        let ledger = &mut self.state.ledger;
+        ledger.loss_damping += flow.loss;
+        ledger.work_supports += flow.brought;
+        ledger.impulse_damping = add(ledger.impulse_damping, flow.done.impulse);
+        ledger.angular_impulse_damping += flow.done.angular_impulse;
     }
 
     /// Springs to rear masses.

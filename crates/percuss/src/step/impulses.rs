@@ -23,7 +23,7 @@ impl StepProblem<'_> {
             multiplier.fill(0.0);
             row.spread(1.0, column);
             let step = self.constraint_step(&work.increment);
-            work.tangent.solve(self.model, &step, self.damping, column, multiplier, None);
+            work.tangent.solve(self.model, &step, column, multiplier, None);
         }
     }
 

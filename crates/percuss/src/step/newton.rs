@@ -12,8 +12,8 @@ use super::contacts::{ActiveContact, ImpulseLaw};
 use super::convergence::ConvergenceMonitor;
 use super::forcing::Forcing;
 use super::integration::Integration;
-use super::modal_damping::ModalDamping;
-use super::tangent::Singular;
+use super::modal_damping::{ModalDamping, StepView};
+use super::tangent::{DampedVectors, Singular};
 use super::workspace::Workspace;
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
@@ -213,7 +213,7 @@ impl StepProblem<'_> {
     }
 
     fn residual_with<const TANGENT: bool>(&self, work: &mut Workspace) {
-        let Workspace { increment, residual, tangent, beams, lead, .. } = work;
+        let Workspace { increment, residual, tangent, beams, lead, modal, .. } = work;
         let (model, state, rule) = (self.model, self.state, &self.integration);
         let gravity = self.forcing.gravity;
         let sums = (tangent.chain_mut(), &mut *beams);
@@ -227,7 +227,8 @@ impl StepProblem<'_> {
         masses::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         connectors::apply::<TANGENT>(model, state, rule, forcing, increment, residual, tangent);
         lead.add_inertia(model, &state.displacement, increment, rule, (residual, beams));
-        self.damping.apply(increment, rule.h, residual);
+        modal.set(self.damping, &StepView { model, state, rule, forcing, increment });
+        modal.apply(self.damping, increment, rule.h, residual);
         let step = self.constraint_step(increment);
         for (i, (c, multiplier)) in model.constraints.iter().zip(&work.multiplier).enumerate() {
             step.add_gradient(c, *multiplier, residual);
@@ -250,10 +251,11 @@ impl StepProblem<'_> {
     }
 
     fn factor(&self, work: &mut Workspace) -> Result<(), Failure> {
-        let Workspace { tangent, increment, .. } = work;
+        let Workspace { tangent, increment, modal, .. } = work;
         let step = self.constraint_step(increment);
-        let damping = Some((self.damping, self.integration.h));
-        tangent.factor(self.model, &step, damping)?;
+        let (vectors, h) = (modal.vectors(self.damping), self.integration.h);
+        let damping = DampedVectors { vectors, rates: &self.damping.rates, h };
+        tangent.factor(self.model, &step, Some(damping))?;
         self.contact_columns(work);
         Ok(())
     }
@@ -266,7 +268,7 @@ impl StepProblem<'_> {
         let Workspace { tangent, correction, multiplier, increment, .. } = work;
         let step = self.constraint_step(increment);
         let feedback = Some(self.feedback);
-        tangent.solve(self.model, &step, self.damping, correction, multiplier, feedback);
+        tangent.solve(self.model, &step, correction, multiplier, feedback);
         self.impact(work)?;
         let (_, size) = largest(&work.correction, self.size);
         let quiet = QUIET * size;

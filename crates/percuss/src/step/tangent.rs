@@ -3,10 +3,10 @@
 
 mod low_rank;
 
+pub use self::low_rank::DampedVectors;
 use self::low_rank::LowRank;
 use super::condensed_bodies::CondensedBodies;
 use super::constraint::{self, ConstraintStep};
-use super::modal_damping::ModalDamping;
 use super::projection::{prescribe_block, project_coupling};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
@@ -274,7 +274,7 @@ impl Tangent {
         &mut self,
         model: &Model,
         step: &ConstraintStep,
-        damping: Option<(&ModalDamping, f64)>,
+        damping: Option<DampedVectors>,
     ) -> Result<(), Singular> {
         for dofs in &model.prescribed {
             prescribe_block(&mut self.matrix.chain, dofs, &self.linked);
@@ -322,7 +322,6 @@ impl Tangent {
         &mut self,
         model: &Model,
         step: &ConstraintStep,
-        damping: &ModalDamping,
         x: &mut [[f64; 4]],
         multiplier: &mut [f64],
         feedback: Option<f64>,
@@ -337,7 +336,7 @@ impl Tangent {
             };
         }
         self.solve_plain(model, x, &mut right);
-        self.correct_for_damping(damping, x, &mut right);
+        self.correct_for_damping(x, &mut right);
         for (m, change) in multiplier.iter_mut().zip(&right) {
             *m += change;
         }

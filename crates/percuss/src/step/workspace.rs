@@ -4,6 +4,7 @@
 use super::assemble::EndForces;
 use super::contacts::{RigidContact, SmoothContact};
 use super::lead::Lead;
+use super::modal_damping::MovingModes;
 use super::tangent::Tangent;
 use crate::contact::impact::ImpactProblem;
 use crate::model::Model;
@@ -35,6 +36,8 @@ pub struct Workspace {
     pub correction: Vec<[f64; 4]>,
     /// The correction before, in iterations that take long, shape (nodes, 4) \[m, 1, rad\].
     pub correction_before: Vec<[f64; 4]>,
+    /// Modal damping in the middle of the step.
+    pub modal: MovingModes,
     /// The factored tangent.
     pub tangent: Tangent,
 
@@ -66,6 +69,7 @@ impl Workspace {
             beams: EndForces::new(model),
             correction: vec![[0.0; 4]; n],
             correction_before: Vec::new(),
+            modal: MovingModes::default(),
             tangent: Tangent::new(model),
             contact_columns: Vec::new(),
             impact: ImpactProblem::default(),

@@ -20,6 +20,7 @@ mod initial_motions;
 mod joints;
 mod layered;
 mod layers;
+mod modal_damping;
 mod multiple_impacts;
 mod parting;
 mod parts_of_steps;

@@ -3,11 +3,12 @@
 use super::{Tangent, inner};
 use crate::linalg::dense::DenseLu;
 use crate::model::Model;
-use crate::step::modal_damping::ModalDamping;
 
 /// Solutions for the vectors of modal damping, and the small system between them (Woodbury).
 #[derive(Clone, Debug, Default)]
 pub(super) struct LowRank {
+    /// The vectors, shape (modes, nodes, 4) \[kg^(1/2), kg^(1/2) m\].
+    vectors: Vec<Vec<[f64; 4]>>,
     /// Nodal values of the solutions, shape (modes, nodes, 4) \[kg^(1/2) m/N, kg^(1/2)/N\].
     columns: Vec<Vec<[f64; 4]>>,
     /// Multipliers of the solutions, shape (modes, constraints) \[kg^(1/2), kg^(1/2) m\].
@@ -17,19 +18,29 @@ pub(super) struct LowRank {
     right: Vec<f64>,
 }
 
+/// Vectors of modal damping in a step of a given size.
+#[derive(Clone, Copy, Debug)]
+pub struct DampedVectors<'a> {
+    /// The vectors, shape (modes, nodes, 4) \[kg^(1/2), kg^(1/2) m\].
+    pub vectors: &'a [Vec<[f64; 4]>],
+    /// Their rates, shape (modes) \[1/s\].
+    pub rates: &'a [f64],
+    /// Size of the step \[s\].
+    pub h: f64,
+}
+
 impl Tangent {
     /// Solutions for the vectors of modal damping; `false` if the system between them is singular.
-    pub(super) fn factor_damping(
-        &mut self,
-        model: &Model,
-        damping: Option<(&ModalDamping, f64)>,
-    ) -> bool {
-        let Some((damping, h)) = damping.filter(|(d, _)| !d.is_empty()) else {
+    pub(super) fn factor_damping(&mut self, model: &Model, damping: Option<DampedVectors>) -> bool {
+        let Some(damping) = damping.filter(|d| !d.vectors.is_empty()) else {
             self.low_rank.columns.clear();
             return true;
         };
         let n = damping.vectors.len();
         let mut low_rank = std::mem::take(&mut self.low_rank);
+        // Kept: those of later increments turn with their bodies, and are not those of this tangent.
+        low_rank.vectors.clear();
+        low_rank.vectors.extend_from_slice(damping.vectors);
         low_rank.columns.resize(n, Vec::new());
         low_rank.multipliers.resize(n, Vec::new());
         let mut matrix = vec![0.0; n * n];
@@ -40,7 +51,7 @@ impl Tangent {
             for (i, other) in damping.vectors.iter().enumerate() {
                 matrix[i * n + j] = inner(other, &low_rank.columns[j]);
             }
-            matrix[j * n + j] += h / damping.rates[j];
+            matrix[j * n + j] += damping.h / damping.rates[j];
         }
         let regular = low_rank.lu.factor(n, &matrix);
         self.low_rank = low_rank;
@@ -48,18 +59,13 @@ impl Tangent {
     }
 
     /// Takes from a solution without modal damping what the damping takes.
-    pub(super) fn correct_for_damping(
-        &mut self,
-        damping: &ModalDamping,
-        x: &mut [[f64; 4]],
-        border: &mut [f64],
-    ) {
+    pub(super) fn correct_for_damping(&mut self, x: &mut [[f64; 4]], border: &mut [f64]) {
         let low_rank = &mut self.low_rank;
         if low_rank.columns.is_empty() {
             return;
         }
         low_rank.right.clear();
-        low_rank.right.extend(damping.vectors.iter().map(|v| inner(v, x)));
+        low_rank.right.extend(low_rank.vectors.iter().map(|v| inner(v, x)));
         low_rank.lu.solve(&mut low_rank.right);
         for ((column, multipliers), share) in
             low_rank.columns.iter().zip(&low_rank.multipliers).zip(&low_rank.right)
