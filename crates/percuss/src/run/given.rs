@@ -8,6 +8,17 @@ use crate::state::State;
 use crate::step::workspace::Workspace;
 use crate::summary::SupportSummary;
 
+/// A part of a step, by its length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PartSize {
+    /// Its length \[s\].
+    pub h: f64,
+    /// Whether it is as short as an impact.
+    pub impulsive: bool,
+    /// Whether contacts or jumps in it give impulses.
+    pub carries_impulses: bool,
+}
+
 /// What supports gave since the last row: mean reactions, and impulses beyond them in impacts and jumps.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct RowReactions {
@@ -71,20 +82,16 @@ impl RowReactions {
         &self.impulses
     }
 
-    /// Adds a part of size `h`, accepted last; impulses beyond the forces of the part before go to the summary.
-    pub fn gather(
-        &mut self,
-        state: &State,
-        h: f64,
-        carries_impulses: bool,
-        summary: &mut [SupportSummary],
-    ) {
+    /// Adds a part accepted last; impulses beyond the forces of the part before go to the summary.
+    pub fn gather(&mut self, state: &State, part_size: &PartSize, summary: &mut [SupportSummary]) {
+        let PartSize { h, impulsive, carries_impulses } = *part_size;
         if carries_impulses {
             self.carries_impulses = true;
         } else {
-            self.part += 1;
             self.time += h;
         }
+        // Only parts longer than impacts tell forces: a gain over less is round-off or an impulse, many times magnified.
+        self.part += u64::from(!impulsive);
         for (support, before) in state.reacting.list() {
             let now = &state.reactions[*support];
             let (mean, part) = &mut self.last[*support];
@@ -95,10 +102,12 @@ impl RowReactions {
                     summary[*support].impulse[i] += gain - h * force;
                 } else {
                     self.sum[*support][i] += gain;
+                }
+                if !impulsive {
                     mean[i] = gain / h;
                 }
             }
-            if !carries_impulses {
+            if !impulsive {
                 *part = self.part;
             }
         }

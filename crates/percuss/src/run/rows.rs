@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::channels::{self, SinceLast};
-use super::given::RowReactions;
+use super::given::{PartSize, RowReactions};
 use super::record::Recorder;
 use super::simulation::Simulation;
 use super::trial::Trial;
@@ -84,9 +84,10 @@ impl Simulation<'_> {
     }
 
     /// Adds what supports and contacts gave in an accepted part of a step; reactions in one that `carries_impulses` are no forces.
-    pub(super) fn gather_row(&mut self, trial: &Trial, carries_impulses: bool) {
+    pub(super) fn gather_row(&mut self, trial: &Trial, impulsive: bool, carries_impulses: bool) {
         let (state, supports) = (&self.state, &mut self.monitor.supports);
-        self.rows.reactions.gather(state, trial.h, carries_impulses, supports);
+        let part = PartSize { h: trial.h, impulsive, carries_impulses };
+        self.rows.reactions.gather(state, &part, supports);
         let contact_of = |pair: usize| self.model.pairs[pair].contact;
         for contact in &self.work.smooth {
             self.rows.impulse[contact_of(contact.pair)][0] += trial.h * contact.force.force;

@@ -116,9 +116,10 @@ impl Simulation<'_> {
         let opened = self.part(&parted);
         let end = PartEnd { trial, impulsive, awake: self.search.awake(), parted: &parted };
         self.monitor.end_step(self.model, &self.state, &self.work, &end);
-        let carries_impulses = impulsive && trial.carries_impulses();
+        // What rests in so short a part may give an impulse in disguise, too: no quotient by its length is a force.
+        let carries_impulses = impulsive && (trial.carries_impulses() || !trial.active.is_empty());
         self.frames.part = (trial.h, carries_impulses);
-        self.gather_row(trial, carries_impulses);
+        self.gather_row(trial, impulsive, carries_impulses);
         self.measure();
         self.weigh_struck(trial);
         self.update_contacts(trial);

@@ -486,3 +486,39 @@ fn the_energy_of_a_contact_adds_up_under_every_scheme() {
         }
     }
 }
+
+/// What supports give beyond their forces is bounded by what contacts gave: parts of a step as short as the instant of an event tell no
+/// forces, by which anything could be multiplied.
+#[test]
+fn a_bar_that_comes_to_rest_gives_its_floor_no_impulse_beyond_those_of_its_contact() {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+    let section = b.section(Section::rectangle("s", 0.03, 0.03));
+    let bar = Beam::new("bar", &[[0.0, 0.1], [0.5, 0.11]], 6, material, section);
+    let bar = b.beam(bar);
+    let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
+    let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
+    let law = RigidLaw { friction: 0.3, ..RigidLaw::frictionless(0.5) };
+    let between = [ContactPartner::Beam(bar), ContactPartner::Obstacle(floor)];
+    b.contact(Contact::new("c", between, TouchLaw::Rigid(law)));
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    let model = b.build().unwrap();
+    let end = 0.3;
+    let (rows, summary) = Rows::of(&model, &Settings::new(end, 5e-4));
+    let [along, up, _] = summary.supports[0].impulse;
+    let ContactRecord::Nonsmooth { impulse_total, .. } = &summary.contacts[0].record else {
+        panic!("a rigid law")
+    };
+    let sum = |name: &str| rows.column(name).iter().sum::<f64>();
+    let gave = sum("contact.c.impulse");
+    assert!((gave - impulse_total).abs() < 1e-9 * impulse_total);
+    // What forces bring in a thousandth of a step is left out of impulses: so much less than the contact's they may be, or turned round.
+    let slack = 1e-3 * impulse_total;
+    assert!(up > -slack && up < impulse_total + slack, "{up} of {impulse_total}");
+    assert!(along.abs() < 0.3 * impulse_total + slack, "{along} of {impulse_total}");
+    // Forces and impulses of the rows make what the contact gave.
+    let (time, force) = (rows.column("time"), rows.column("support.floor.force_2"));
+    let forces: f64 = (1..time.len()).map(|k| (time[k] - time[k - 1]) * force[k]).sum();
+    let total = forces + sum("support.floor.impulse_2");
+    assert!((total - gave).abs() < 1e-9 * gave, "{total} against {gave}");
+}
