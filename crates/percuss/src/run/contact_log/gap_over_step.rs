@@ -32,12 +32,23 @@ impl GapOverStep {
         self.gap.start[0].is_finite() && self.gap.end[0].is_finite()
     }
 
+    /// Gap and rate at a time from the start of the step, on the cubic as far as the rates seen in the step allow.
+    ///
+    /// Where a velocity jumps within the step the cubic overshoots: it supposes rates that nothing had, and depths that nothing reached.
+    fn at(&self, t: f64) -> [f64; 2] {
+        let Cubic { h, start: [g0, v0], end: [g1, v1] } = self.gap;
+        let mean = (g1 - g0) / h;
+        let (slowest, fastest) = (v0.min(v1).min(mean), v0.max(v1).max(mean));
+        let least = (g0 + t * slowest).max(g1 - (h - t) * fastest);
+        [self.gap.value(t).max(least), self.gap.slope(t).clamp(slowest, fastest)]
+    }
+
     /// Force at a time from the start of the step; of a pair that is handed over to another one, only that at the end.
     fn force(&self, law: &SmoothLaw, t: f64) -> f64 {
         let [gap, rate] = if t == self.gap.h {
             self.gap.end
         } else if self.is_known() {
-            [self.gap.value(t), self.gap.slope(t)]
+            self.at(t)
         } else {
             return 0.0;
         };
@@ -123,5 +134,41 @@ fn crossing(gap: &Cubic) -> f64 {
     });
     match search {
         Ok(t) => t,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Potential, SmoothLaw};
+
+    fn over_step(start: [f64; 2], end: [f64; 2], h: f64) -> GapOverStep {
+        let gap = Cubic { h, start, end };
+        GapOverStep { gap, deepest: 0.0, permanent: 0.0 }
+    }
+
+    #[test]
+    fn a_jump_of_velocity_makes_no_force_that_no_state_of_the_step_has() {
+        let law = SmoothLaw {
+            dissipation: 2.0,
+            ..SmoothLaw::elastic(Potential::Linear { stiffness: 2e5 })
+        };
+        // At rest against each other, then one is pulled away at 60 m/s, or thrown against the other at that speed and stopped again.
+        for (end, most) in
+            [([6e-3 - 1e-3, 60.0], 200.0), ([-7e-3, 0.0], 2e5 * 7e-3 * (1.0 + 2.0 * 60.0))]
+        {
+            let gaps = [over_step([-1e-3, 0.0], end, 1e-4)];
+            let peak = highest(&gaps, &law, 0.0);
+            assert!(peak.value <= most * (1.0 + 1e-12), "{peak:?} above {most}");
+        }
+    }
+
+    #[test]
+    fn the_crest_of_a_steady_step_is_that_of_the_cubic() {
+        let law = SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 });
+        // Free fall against a spring: g = -0.01 - 2 t + 500 t^2, deepest at 2 ms by 2 mm.
+        let (h, gap) = (4e-3, |t: f64| [-0.01 - 2.0 * t + 500.0 * t * t, -2.0 + 1000.0 * t]);
+        let peak = highest(&[over_step(gap(0.0), gap(h), h)], &law, 0.0);
+        assert!((peak.value - 1.2e4).abs() < 1e-8 && (peak.time - 2e-3).abs() < 1e-9, "{peak:?}");
     }
 }
