@@ -99,8 +99,8 @@ fn known(
     let share = 100.0 * derivative * 0.01 * parameter.value / result.value;
     let unit = quotient(&result.unit, &parameter.unit);
     let told = format!("{:>13} +- {:<9}", number(*derivative), uncertain(*uncertainty));
-    // Of nothing there is no per cent.
-    if share.is_finite() {
+    // Of nothing there is no per cent, nor of what one per cent of a parameter turns into its opposite or doubles.
+    if share.abs() < 100.0 {
         format!("{told} {unit:<14} 1 % more: {share:+.3} %")
     } else {
         format!("{told} {unit}")

@@ -91,7 +91,14 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
     }
     if let Some(count) = contact["impact_count"].as_u64() {
         row("impacts", count.to_string());
-        row("impulse handed over", quantity(contact["impulse_total"].as_f64(), "N*s"));
+        let rests = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
+        let rested: f64 = rests.iter().filter_map(|i| i["impulse"].as_f64()).sum();
+        let struck = contact["impulse_total"].as_f64().map(|total| (total - rested).max(0.0));
+        row("impulse of the impacts", quantity(struck, "N*s"));
+        if !rests.is_empty() {
+            row("times in resting contact", rests.len().to_string());
+            row("impulse of resting contact", quantity(Some(rested), "N*s"));
+        }
     }
     if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
         row("impacts under Moreau's law instead of Newton's", count.to_string());

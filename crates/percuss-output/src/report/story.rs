@@ -1,6 +1,7 @@
 //! What happened, in a few sentences: who struck what, the largest force, how it ended, the largest deflection, moment and
 //! stress, and how the balance closed. Everything in them stands in `summary.json`.
 
+mod contacts;
 mod yielding;
 
 use serde_json::{Map, Value};
@@ -13,15 +14,12 @@ fn quantity(value: Option<f64>, unit: &str) -> String {
     quantity::quantity(rounded, unit)
 }
 
-/// Beside what they come from, smaller velocities are none.
-const ROUND_OFF: f64 = 1e-9;
-
 /// Relative amounts below this are none.
 const NOTHING: f64 = 1e-12;
 
 /// What happened in a run, in plain text.
 pub fn story(summary: &Value) -> String {
-    let mut out = vec![contacts(summary)];
+    let mut out = vec![contacts::told(summary)];
     out.extend(deflection(summary));
     out.extend(sections(summary));
     out.extend(yielding::joints(summary));
@@ -31,154 +29,6 @@ pub fn story(summary: &Value) -> String {
     out.push(balance(summary));
     out.retain(|sentence| !sentence.is_empty());
     out.join(" ")
-}
-
-/// A contact that closed, with what is told of it.
-struct Touched<'v> {
-    name: &'v str,
-    contact: &'v Value,
-    /// Largest force, or total impulse of a rigid contact: which contact is told first.
-    size: f64,
-}
-
-fn contacts(summary: &Value) -> String {
-    let empty = Map::new();
-    let all = summary["contact"].as_object().unwrap_or(&empty);
-    if all.is_empty() {
-        return String::new();
-    }
-    let mut touched: Vec<Touched<'_>> = all
-        .iter()
-        .filter(|(_, c)| !list(c, "intervals").is_empty() || !list(c, "impacts").is_empty())
-        .map(|(name, contact)| {
-            let force = contact["peak_force"]["value"].as_f64();
-            let size = force.or(contact["impulse_total"].as_f64()).unwrap_or(0.0).abs();
-            Touched { name, contact, size }
-        })
-        .collect();
-    if touched.is_empty() {
-        return match all.len() {
-            1 => "Nothing touched: the one contact never closed.".into(),
-            n => format!("Nothing touched: none of the {n} contacts closed."),
-        };
-    }
-    // Forces and impulses do not compare: contacts with a force come first.
-    let has_force = |t: &Touched<'_>| t.contact["peak_force"].is_object();
-    touched.sort_by(|a, b| has_force(b).cmp(&has_force(a)).then(b.size.total_cmp(&a.size)));
-    let main = &touched[0];
-    let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
-    let mut out = vec![strike(main, projectiles), largest(main), ending(main)];
-    let others: Vec<&str> = touched[1..].iter().map(|t| t.name).collect();
-    match others.as_slice() {
-        [] => {}
-        [one] => out.push(format!("Contact {one} closed as well.")),
-        [some @ .., last] if some.len() < 3 => {
-            out.push(format!("Contacts {} and {last} closed as well.", some.join(", ")));
-        }
-        more => out.push(format!("{} other contacts closed as well.", more.len())),
-    }
-    out.retain(|sentence| !sentence.is_empty());
-    out.join(" ")
-}
-
-/// Who struck what, how fast and when; what flies at something is named first.
-fn strike(main: &Touched<'_>, projectiles: &Map<String, Value>) -> String {
-    let partner = |k: usize| main.contact["between"][k].as_str().unwrap_or("?");
-    let flies = |name: &str| projectiles.contains_key(name);
-    let (a, b) = match (partner(0), partner(1)) {
-        (a, b) if flies(b) && !flies(a) => (b, a),
-        partners => partners,
-    };
-    let first = first_touch(main.contact);
-    let velocity = first["approach_velocity"].as_f64().map(f64::abs).filter(|v| *v > 0.0);
-    let time = first["start"].as_f64().or(first["time"].as_f64()).filter(|t| *t > 0.0);
-    let when = match time {
-        Some(time) => format!("{} after the start", quantity(Some(time), "s")),
-        None => "at the start".into(),
-    };
-    match velocity {
-        Some(v) => format!("{a} struck {b} at {}, {when}.", quantity(Some(v), "m/s")),
-        None if time.is_none() => format!("{a} touched {b} from the start."),
-        None => format!("{a} came to touch {b} {when}."),
-    }
-}
-
-/// The earlier of the first impact and the first interval.
-fn first_touch(contact: &Value) -> &Value {
-    let (impact, interval) = (&contact["impacts"][0], &contact["intervals"][0]);
-    match (impact["time"].as_f64(), interval["start"].as_f64()) {
-        (Some(a), Some(b)) if b < a => interval,
-        (Some(_), _) => impact,
-        _ => interval,
-    }
-}
-
-/// The largest force, or how many impacts gave what.
-fn largest(main: &Touched<'_>) -> String {
-    let peak = &main.contact["peak_force"];
-    if let Some(force) = peak["value"].as_f64() {
-        let (force, time) = (quantity(Some(force), "N"), quantity(peak["time"].as_f64(), "s"));
-        let permanent = main.contact["permanent_penetration"].as_f64().filter(|p| *p > 0.0);
-        let crushed = permanent.map(|p| format!("; {} stay crushed", quantity(Some(p), "m")));
-        let crushed = crushed.unwrap_or_default();
-        return format!("The contact force reached {force} at {time}{crushed}.");
-    }
-    let count = main.contact["impact_count"].as_u64().unwrap_or(0);
-    let total = quantity(main.contact["impulse_total"].as_f64(), "N*s");
-    let by_size = |a: &&Value, b: &&Value| impulse(a).total_cmp(&impulse(b));
-    let greatest = list(main.contact, "impacts").iter().max_by(by_size);
-    match (count, greatest) {
-        (0, _) | (_, None) => String::new(),
-        (1, _) => format!("The impact gave {total}."),
-        (n, Some(one)) => {
-            let (size, time) =
-                (quantity(one["impulse"].as_f64(), "N*s"), quantity(one["time"].as_f64(), "s"));
-            format!("{n} impacts gave {total} in all, the hardest {size} at {time}.")
-        }
-    }
-}
-
-fn impulse(impact: &Value) -> f64 {
-    impact["impulse"].as_f64().map_or(0.0, f64::abs)
-}
-
-/// Whether the two let go, when and how fast.
-fn ending(main: &Touched<'_>) -> String {
-    let (intervals, impacts) = (list(main.contact, "intervals"), list(main.contact, "impacts"));
-    let (last, struck) = (intervals.last(), impacts.last());
-    if last.is_some_and(|i| i["end"].is_null()) {
-        return "They are still in contact at the end.".into();
-    }
-    let parted = |one: &Value, time: &Value| {
-        let velocity = one["separation_velocity"].as_f64()?;
-        let approach = one["approach_velocity"].as_f64().unwrap_or(0.0);
-        if velocity.abs() <= ROUND_OFF * approach.abs() {
-            return Some(format!(
-                "The last impact, at {}, left no velocity of separation.",
-                quantity(time.as_f64(), "s")
-            ));
-        }
-        let (v, t) = (quantity(Some(velocity.abs()), "m/s"), quantity(time.as_f64(), "s"));
-        Some(match times_closed(main.contact) {
-            1 => format!("They parted at {t}, moving apart at {v}."),
-            _ => format!("They last parted at {t}, moving apart at {v}."),
-        })
-    };
-    let after = |i: &&Value| {
-        let end = i["end"].as_f64().unwrap_or(f64::NEG_INFINITY);
-        struck.is_none_or(|s| s["time"].as_f64().is_none_or(|time| time < end))
-    };
-    let told = match last.filter(after) {
-        Some(interval) => parted(interval, &interval["end"]),
-        None => struck.and_then(|impact| parted(impact, &impact["time"])),
-    };
-    told.unwrap_or_default()
-}
-
-/// Impacts and intervals of a contact.
-fn times_closed(contact: &Value) -> usize {
-    let impacts = contact["impact_count"].as_u64().unwrap_or(0) as usize;
-    impacts + list(contact, "intervals").len()
 }
 
 /// When the last contact of all opened; none where one is still closed or none ever was.

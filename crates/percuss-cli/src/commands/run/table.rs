@@ -322,8 +322,12 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
             ..
         } => {
             let counted = count(*impact_count, "impact");
-            let mut lines =
-                vec![format!("{counted}, impulse {} N s in all", number(*impulse_total))];
+            let rested: f64 = intervals.iter().map(|i| i.impulse).sum();
+            let struck = (impulse_total - rested).max(0.0);
+            let mut lines = vec![format!("{counted}, impulse {} N s in all", number(struck))];
+            if !intervals.is_empty() {
+                lines.push(format!("resting contact, impulse {} N s in all", number(rested)));
+            }
             lines.extend(listed(impacts, *impact_count, LISTED, impact));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             if *fallback_count > 0 {
@@ -363,9 +367,10 @@ fn interval(interval: &ContactInterval) -> String {
 }
 
 fn impact(impact: &Impact) -> String {
-    // The round-off of a plastic impact is no velocity worth reading.
-    let round_off = impact.separation_velocity.abs() <= 1e-12 * impact.approach_velocity;
-    let separation = if round_off { 0.0 } else { impact.separation_velocity };
+    // The round-off of a plastic impact, or of a touch without approach, is no velocity worth reading.
+    let beside = |a: f64, b: f64| if a.abs() <= 1e-9 * b.abs() { 0.0 } else { a };
+    let approach = beside(impact.approach_velocity, impact.separation_velocity);
+    let separation = beside(impact.separation_velocity, impact.approach_velocity);
     let friction = match impact.tangential_impulse {
         0.0 => String::new(),
         impulse => format!(", of friction {} N s", number(impulse)),
@@ -378,7 +383,7 @@ fn impact(impact: &Impact) -> String {
         "at {} s: impulse {} N s{points}{friction}, approach {} m/s, separation {} m/s",
         number(impact.time),
         number(impact.impulse),
-        number(impact.approach_velocity),
+        number(approach),
         number(separation)
     )
 }
