@@ -108,7 +108,8 @@ pub fn withdraw(
     for projectile in &mut derivative.projectiles {
         projectile.velocity_final = [nan; 2];
         projectile.momentum_transferred = nan;
-        projectile.energy_transferred = nan;
+        projectile.energy_given = nan;
+        projectile.energy_received_by_others = nan;
     }
     for ((point, run), own) in derivative.points.iter_mut().zip(&run.points).zip(&own.points) {
         let both = run.displacement_max.iter().zip(&own.displacement_max);

@@ -91,8 +91,8 @@ pub struct GuideLog<S: Number> {
     pub impacts: Vec<Vec<Struck<S>>>,
     /// Times of rest of a run with derivatives, shape (times of rest).
     pub rests: Vec<Rest<S>>,
-    /// Impulse that the projectile gave, and work that it did, shape (2) \[N s, J\].
-    pub given: [S; 2],
+    /// Impulse and energy that the projectile gave, and work on what it struck, shape (3) \[N s, J, J\].
+    pub given: [S; 3],
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
     free: S,
     /// Lanes whose last interval ended in the step before.
@@ -185,7 +185,7 @@ impl<S: Number> Log<S> {
             deepest: top,
             impacts: vec![Vec::new(); S::LANES],
             rests: Vec::new(),
-            given: [zero; 2],
+            given: [zero; 3],
             free: zero,
             released: zero.less(zero),
             parted: FreeGap { gap: zero, rate: zero, acceleration: zero },
@@ -253,10 +253,11 @@ impl<S: Number> Log<S> {
         if !self.yields.is_empty() {
             yield_log::note(engine, self.time + engine.h, &mut self.yields);
         }
-        for (log, state) in self.guides.iter_mut().zip(&engine.guides) {
+        for (k, (log, state)) in self.guides.iter_mut().zip(&engine.guides).enumerate() {
             let push = state.force + state.impulse / engine.h;
             log.given[0] += engine.h * push;
             log.given[1] += push * state.increment;
+            log.given[2] += push * engine.numbers.guides[k].along(&engine.increment);
         }
         for k in 0..self.guides.len() {
             if engine.numbers.guides[k].law != GuideLaw::Rigid {

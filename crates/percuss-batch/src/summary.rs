@@ -173,7 +173,8 @@ impl<S: Number> Telling<'_, S> {
             velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
             spin_final: 0.0,
             momentum_transferred: read(log.given[0]) + 0.0,
-            energy_transferred: read(log.given[1]) + 0.0,
+            energy_given: read(log.given[1]) + 0.0,
+            energy_received_by_others: read(log.given[2]) + 0.0,
         });
         each.collect()
     }

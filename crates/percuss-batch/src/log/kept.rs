@@ -22,8 +22,8 @@ pub(super) struct Kept<S: Number> {
 struct KeptGuide<S: Number> {
     open: Closed<S>,
     deepest: Top<S>,
-    /// Impulse that it gave, and work that it did, shape (2) \[N s, J\].
-    given: [S; 2],
+    /// Impulse and energy that it gave, and work on what it struck, shape (3) \[N s, J, J\].
+    given: [S; 3],
     free: S,
     released: S::Mask,
     parted: FreeGap<S>,
@@ -86,8 +86,8 @@ impl<S: Number> GuideLog<S> {
         choose(&mut self.parted.gap, kept.parted.gap);
         choose(&mut self.parted.rate, kept.parted.rate);
         choose(&mut self.parted.acceleration, kept.parted.acceleration);
+        (0..3).for_each(|i| choose(&mut self.given[i], kept.given[i]));
         for i in 0..2 {
-            choose(&mut self.given[i], kept.given[i]);
             choose(&mut self.parted_at[i], kept.parted_at[i]);
         }
         self.released = self.released & go | kept.released & !go;

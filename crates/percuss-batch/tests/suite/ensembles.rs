@@ -98,7 +98,8 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
         ("angular", s.momentum.angular_scale),
         ("velocity", s.projectiles[0].velocity_final[1]),
         ("momentum", s.projectiles[0].momentum_transferred),
-        ("given", s.projectiles[0].energy_transferred),
+        ("given", s.projectiles[0].energy_given),
+        ("received", s.projectiles[0].energy_received_by_others),
     ];
     let ContactRecord::Smooth { peak_force, intervals } = &s.contacts[0].record else { panic!() };
     all.extend([("force", peak_force.value), ("force at", peak_force.time)]);

@@ -98,7 +98,8 @@ fn told(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
         ("loss", s.energy.loss_impacts, energy),
         ("work", s.energy.work_loads, energy),
         ("velocity", s.projectiles[0].velocity_final[1], 10.0),
-        ("given", s.projectiles[0].energy_transferred, energy),
+        ("given", s.projectiles[0].energy_given, energy),
+        ("received", s.projectiles[0].energy_received_by_others, energy),
         ("linear", s.momentum.linear_scale, s.momentum.linear_scale),
         ("angular", s.momentum.angular_scale, s.momentum.angular_scale),
     ];

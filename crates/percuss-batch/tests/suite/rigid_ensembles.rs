@@ -100,7 +100,8 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     for p in &s.projectiles {
         all.push(("velocity", p.velocity_final[1], speed));
         all.push(("momentum", p.momentum_transferred, total));
-        all.push(("given", p.energy_transferred, energy));
+        all.push(("given", p.energy_given, energy));
+        all.push(("received", p.energy_received_by_others, energy));
     }
     for i in impacts.iter().take(FEW) {
         all.extend([("at", i.time, i.time), ("impulse", i.impulse, total)]);

@@ -145,7 +145,7 @@ impl Sizes {
             ends(0).chain(ends(1)).collect(),
         ];
         let momentum: Vec<&Value> = all("projectile").map(|p| &p["momentum_transferred"]).collect();
-        let given: Vec<&Value> = all("projectile").map(|p| &p["energy_transferred"]).collect();
+        let given: Vec<&Value> = all("projectile").map(|p| &p["energy_given"]).collect();
         Self {
             velocity: size(&approach.concat()),
             momentum: size(&momentum),
@@ -174,7 +174,11 @@ fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
             "momentum given away, along the initial motion",
             quantity(given("momentum_transferred", sizes.momentum), "kg*m/s"),
         ),
-        row("kinetic energy given away", quantity(given("energy_transferred", sizes.energy), "J")),
+        row("energy given away", quantity(given("energy_given", sizes.energy), "J")),
+        row(
+            "energy received by what it struck",
+            quantity(given("energy_received_by_others", sizes.energy), "J"),
+        ),
     ];
     rows.extend(spin);
     rows

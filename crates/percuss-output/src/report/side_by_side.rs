@@ -280,9 +280,10 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
             format!("/projectile/{key}/momentum_transferred"),
             "kg*m/s",
         );
+        row(format!("energy given away, {name}"), format!("/projectile/{key}/energy_given"), "J");
         row(
-            format!("energy given away, {name}"),
-            format!("/projectile/{key}/energy_transferred"),
+            format!("energy received by what {name} struck"),
+            format!("/projectile/{key}/energy_received_by_others"),
             "J",
         );
     }

@@ -249,7 +249,8 @@ fn projectile(projectile: &ProjectileSummary) -> Value {
         "velocity_final": projectile.velocity_final,
         "spin_final": projectile.spin_final,
         "momentum_transferred": projectile.momentum_transferred,
-        "energy_transferred": projectile.energy_transferred,
+        "energy_given": projectile.energy_given,
+        "energy_received_by_others": projectile.energy_received_by_others,
     })
 }
 

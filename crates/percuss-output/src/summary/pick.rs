@@ -317,7 +317,9 @@ fn unit(keys: &[&str]) -> &'static str {
         "momentum_transferred" | "linear_scale" => "kg*m/s",
         "angular_scale" => "kg*m^2/s",
         "effective_mass" | "effective_mass_limit" => "kg",
-        "energy_transferred" | "given" | "lost" | "stored" | "scheme" => "J",
+        "energy_given" | "energy_received_by_others" | "given" | "lost" | "stored" | "scheme" => {
+            "J"
+        }
         "residual_max" => "1",
         _ if has("energy") => "J",
         "curvature_drift_max" => "1/m",

@@ -59,7 +59,7 @@ impl Bits {
         self.take([momentum.angular_scale, momentum.angular_residual_max]);
         for projectile in &summary.projectiles {
             self.take(projectile.velocity_final);
-            self.take([projectile.momentum_transferred, projectile.energy_transferred]);
+            self.take([projectile.momentum_transferred, projectile.energy_given]);
         }
         for contact in &summary.contacts {
             match &contact.record {

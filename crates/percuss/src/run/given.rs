@@ -143,8 +143,10 @@ impl RowReactions {
 pub(super) struct Given {
     /// Impulse, shape (2) \[N s\].
     pub impulse: [f64; 2],
-    /// Work \[J\].
+    /// Energy that the contacts took from it \[J\].
     pub work: f64,
+    /// Work of the contacts on the others \[J\].
+    pub received: f64,
 }
 
 impl Given {
@@ -158,7 +160,11 @@ impl Given {
             let c = row.at(node);
             self.impulse[0] -= impulse * c[0];
             self.impulse[1] -= impulse * c[1];
-            self.work -= impulse * (0..4).map(|i| c[i] * d[i]).sum::<f64>() / h;
+            let own: f64 = (0..4).map(|i| c[i] * d[i]).sum();
+            self.work -= impulse * own / h;
+            if c != [0.0; 4] {
+                self.received += impulse * row.on_some(&work.increment, |n| n != node) / h;
+            }
         };
         for contact in &work.smooth {
             add(&contact.row, contact.force.force * h);

@@ -113,7 +113,8 @@ impl Simulation<'_> {
                 } else {
                     plain(-norm(given.impulse))
                 },
-                energy_transferred: plain(given.work),
+                energy_given: plain(given.work),
+                energy_received_by_others: plain(given.received),
             }
         });
         each.collect()

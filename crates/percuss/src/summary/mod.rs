@@ -108,8 +108,11 @@ pub struct ProjectileSummary {
     /// Impulse that it gave to others through its contacts, along its line of flight or its initial velocity: what it lost to them, loads
     /// left out. Of a free body at rest at the start the magnitude, negative: it can only receive \[N s\].
     pub momentum_transferred: f64,
-    /// Work that it did on others through its contacts, negative if they did work on it; loads and losses inside it left out \[J\].
-    pub energy_transferred: f64,
+    /// Energy that its contacts took from it, negative if they gave it some; loads and losses inside it left out \[J\].
+    pub energy_given: f64,
+    /// Work that these contacts did on whatever it touched \[J\]: less than what it gave by what was lost in them, and by what their springs
+    /// still hold.
+    pub energy_received_by_others: f64,
 }
 
 /// The result of a run.

@@ -161,3 +161,28 @@ fn impulses_of_the_rows_add_up_to_the_momentum_handed_over() {
         assert!((sum - given).abs() < 1e-9 * given, "{sum} {given}");
     }
 }
+
+#[test]
+fn what_a_projectile_gave_is_told_apart_from_what_the_structure_received() {
+    // A free beam with a local mass of 20 kg at the struck point: 1 kg at 10 m/s gives nearly all of its 50 J, most of which the impact takes.
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+    let section = b.section(Section::rectangle("s", 0.04, 0.05));
+    let beam = b.beam(Beam::new("b", &[[0.0, 0.0], [1.5, 0.0]], 8, material, section));
+    let flying = rigid("p", at("b.mid", beam, 0.5), [0.0, -10.0], 0.0);
+    b.projectile(Projectile { mass: 1.0, standoff: 0.0, local_mass: 20.0, ..flying });
+    let model = b.build().unwrap();
+    let summary = simulate(&model, &Settings::new(1e-3, 2e-5), &mut NoRecorder).unwrap();
+    let (p, energy) = (&summary.projectiles[0], &summary.energy);
+    let left = 0.5 * p.velocity_final[1] * p.velocity_final[1];
+    assert!((p.energy_given - (50.0 - left)).abs() < 1e-9, "{}", p.energy_given);
+    // Nothing else acts: what the structure has, it has received.
+    let structure = energy.final_ - left;
+    assert!(
+        (p.energy_received_by_others - structure).abs() < 1e-9,
+        "{}",
+        p.energy_received_by_others
+    );
+    assert!((p.energy_given - p.energy_received_by_others - energy.loss_impacts).abs() < 1e-9);
+    assert!(p.energy_given > 45.0 && p.energy_received_by_others < 5.0);
+}

@@ -275,7 +275,8 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             velocity_final: [0.0, -19.10077444],
             spin_final: 0.0,
             momentum_transferred: 19550.3,
-            energy_transferred: 8790.1,
+            energy_given: 8790.1,
+            energy_received_by_others: 8790.1,
         }],
         contacts: vec![ContactSummary {
             name: projectile.to_owned(),
