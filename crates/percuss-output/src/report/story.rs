@@ -4,7 +4,7 @@
 mod contacts;
 mod yielding;
 
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use super::quantity;
 
