@@ -15,7 +15,10 @@ impl SummaryPath {
                 | ("contact", ["intervals", _, "end" | "impulse" | "separation_velocity"])
                 | ("contact", ["intervals", _, "peak_force", "value"])
                 | ("projectile", ["velocity_final", _] | ["spin_final"])
-                | ("projectile", ["momentum_transferred"] | ["energy_given" | "energy_received_by_others"])
+                | (
+                    "projectile",
+                    ["momentum_transferred"] | ["energy_given" | "energy_received_by_others"]
+                )
         )
     }
 

@@ -65,7 +65,7 @@ pub(crate) fn modal_damping(full: &Model, state: &State) -> ModalDamping {
     let damped = flexible.iter().zip(ratios).filter(|(_, ratio)| **ratio > 0.0);
     let (modes, ratios): (Vec<&Mode>, Vec<f64>) = damped.unzip();
     let images: Vec<_> = modes.iter().map(|mode| image(mode)).collect();
-    damping.followed = Following::new(full, &structure, state).of(&modes, &images);
+    damping.followed = SlowSupports::new(full, &structure, state).of(&modes, &images);
     for ((mode, ratio), mut vector) in modes.iter().zip(ratios).zip(images) {
         project(model, &mut vector);
         vector.resize(full.node_count(), [0.0; 4]);
@@ -115,7 +115,7 @@ pub(crate) fn undampable(full: &Model, state: &State) -> Option<Fault> {
 ///
 /// A support moves by one, and the structure follows at rest: K r = -C^T l, C r = 1. With `K phi + C^T m = omega^2 M phi` then
 /// `r . M phi = m / omega^2`: the mode's reaction at the support.
-struct Following<'a> {
+struct SlowSupports<'a> {
     full: &'a Model,
     structure: &'a Linearized<'a>,
     /// Gradients of what is held at nodes and of constraints, with the number of each among the ties, shape (those, nodes, 4)
@@ -127,7 +127,7 @@ struct Following<'a> {
     held: usize,
 }
 
-impl<'a> Following<'a> {
+impl<'a> SlowSupports<'a> {
     fn new(full: &'a Model, structure: &'a Linearized<'a>, state: &State) -> Self {
         let held = tie_count(full) - full.constraints.len() - full.connectors.len();
         let mut own =

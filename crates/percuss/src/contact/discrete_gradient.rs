@@ -60,10 +60,16 @@ impl Pair {
         // The gap to a straight line that does not turn is linear, too.
         let straight = matches!(self.target, Target::Line { .. }) && self.source.is_on_axis();
         if projected && !straight {
-            let miss = (gaps[1] - gaps[0]) - row.on(at.increment);
-            // A difference of gaps is known no better than the positions they are taken from.
-            let place = norm(middle.closest_place) + self.reach;
-            if miss.abs() > ROUND_OFF * place {
+            // A difference of gaps is known no better than the positions they are taken from, that to a line comes from the increments.
+            let (change, rounded) = match &self.target {
+                Target::Line { point, normal } => {
+                    let moves = sub(self.source.moves(at), point.moves(at));
+                    (dot(*normal, moves), row.size_on(at.increment))
+                }
+                _ => (gaps[1] - gaps[0], norm(middle.closest_place) + self.reach),
+            };
+            let miss = change - row.on(at.increment);
+            if miss.abs() > ROUND_OFF * rounded {
                 // The end of the step may know other nodes.
                 end.closest.nodes().for_each(|n| row.add(n, [0.0; 4]));
                 correct(model, &mut row, at, miss);

@@ -84,6 +84,26 @@ impl Centre {
         [self.position[0] + u[0], self.position[1] + u[1]]
     }
 
+    /// How it moves over the whole step of `at`, from the increments: what is small against the positions keeps all its digits.
+    pub fn moves(&self, at: &Configuration) -> [f64; 2] {
+        let d = |node: usize| &at.increment[node];
+        match &self.carrier {
+            Carrier::Body { .. } => [d(self.node)[0], d(self.node)[1]],
+            Carrier::Beam { shape, slope, tangent, offset } => {
+                let moved = combine(shape, d(self.node), d(self.node + 1));
+                if *offset == [0.0; 2] {
+                    return moved;
+                }
+                let (a, b) = (&at.start[self.node], &at.start[self.node + 1]);
+                let before = add(*tangent, combine(slope, a, b));
+                let change = combine(slope, d(self.node), d(self.node + 1));
+                let turned = turned(before, change);
+                let arm = add(scale(offset[0], turned), scale(offset[1], rot90(turned)));
+                add(moved, arm)
+            }
+        }
+    }
+
     /// Adds a force at the point.
     pub fn add_force(&self, row: &mut Row, force: [f64; 2], at: &Configuration) {
         match &self.carrier {
@@ -192,6 +212,14 @@ impl PlacedSection<'_> {
 pub fn carried(g: [f64; 2], offset: [f64; 2]) -> [f64; 2] {
     let t = scale(1.0 / norm(g), g);
     add(scale(offset[0], t), scale(offset[1], rot90(t)))
+}
+
+/// By how much the unit vector along `g` changes with a change of `g`.
+fn turned(g: [f64; 2], change: [f64; 2]) -> [f64; 2] {
+    let after = add(g, change);
+    let lengths = [norm(g), norm(after)];
+    let longer = dot(add(g, after), change) / (lengths[0] + lengths[1]);
+    scale(1.0 / lengths[1], sub(change, scale(longer / lengths[0], g)))
 }
 
 fn combine(n: &[f64; 4], a: &[f64; 4], b: &[f64; 4]) -> [f64; 2] {

@@ -24,6 +24,10 @@ const HANDED: usize = 6;
 const NAMED: usize = 6;
 /// Terms of the balance below this share of the energy scale are nothing but rounding.
 const ROUNDING: f64 = 1e-13;
+/// Impulses beyond forces below this share of the momentum of the run are those of the instants in which a motion begins.
+const SMALL_IMPULSE: f64 = 1e-6;
+/// Instants within less than this share of a step after the start are the start: impacts take as long.
+const AT_START: f64 = 1e-3;
 
 /// What happened, whether the balances closed, where the results lie.
 pub(super) fn table(ended: &Ended, out: &Path) -> String {
@@ -43,7 +47,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
         let label = format!("contact {}", contact.name);
-        let lines = contact_lines(contact);
+        let lines = contact_lines(contact, run);
         let labels = [label].into_iter().chain(std::iter::repeat(String::new()));
         rows.extend(labels.zip(lines));
     }
@@ -199,7 +203,9 @@ fn impulses(run: &RunSummary) -> Vec<String> {
         .fold([0.0_f64; 2], |[force, moment], [a, b, c]| [force.max(a).max(b), moment.max(c)]);
     let gave = |s: &&SupportSummary| {
         let [a, b, c] = parts(s);
-        a.max(b) > ROUNDING * most[0] || c > ROUNDING * most[1]
+        let least =
+            [SMALL_IMPULSE * run.momentum.linear_scale, SMALL_IMPULSE * run.momentum.angular_scale];
+        a.max(b) > least[0].max(ROUNDING * most[0]) || c > least[1].max(ROUNDING * most[1])
     };
     let found: Vec<&SupportSummary> = run.supports.iter().filter(gave).collect();
     listed(&found, found.len(), HANDED, |support| {
@@ -252,7 +258,8 @@ fn steps(control: &StepControl) -> String {
 
 fn energy(run: &RunSummary) -> String {
     let energy = &run.energy;
-    let mut parts = vec![format!("{} J to {} J", number(energy.initial), number(energy.final_))];
+    let plain = |x: f64| number(if x.abs() < ROUNDING * energy.scale { 0.0 } else { x });
+    let mut parts = vec![format!("{} J to {} J", plain(energy.initial), plain(energy.final_))];
     let in_contacts = run.loss_contacts();
     let before = run.plastic.iter().map(|beam| beam.dissipated_by_preload);
     let before = before.chain(run.yielding.iter().map(|one| one.dissipated_by_preload));
@@ -294,7 +301,8 @@ fn touched(contact: &ContactSummary) -> bool {
     }
 }
 
-fn contact_lines(contact: &ContactSummary) -> Vec<String> {
+fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<String> {
+    let interval = |one: &ContactInterval| interval(one, run);
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
             let mut lines = Vec::new();
@@ -328,7 +336,7 @@ fn contact_lines(contact: &ContactSummary) -> Vec<String> {
             if !intervals.is_empty() {
                 lines.push(format!("resting contact, impulse {} N s in all", number(rested)));
             }
-            lines.extend(listed(impacts, *impact_count, LISTED, impact));
+            lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run)));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             if *fallback_count > 0 {
                 let law = "under Moreau's law, where Newton's would have given energy";
@@ -351,12 +359,18 @@ fn listed<T>(items: &[T], count: usize, most: usize, line: impl Fn(&T) -> String
     lines
 }
 
-fn interval(interval: &ContactInterval) -> String {
+/// An instant \[s\]; the first impact of a run that begins in contact ends as the run begins.
+fn instant(time: f64, run: &RunSummary) -> String {
+    let step = run.time / run.steps.max(1) as f64;
+    number(if time < AT_START * step { 0.0 } else { time })
+}
+
+fn interval(interval: &ContactInterval, run: &RunSummary) -> String {
     let end = match interval.end.is_nan() {
         true => "the end".to_owned(),
-        false => format!("{} s", number(interval.end)),
+        false => format!("{} s", instant(interval.end, run)),
     };
-    let (start, impulse) = (number(interval.start), number(interval.impulse));
+    let (start, impulse) = (instant(interval.start, run), number(interval.impulse));
     let why = match interval.restitution() {
         Err(why @ (NoRestitution::Steps(_) | NoRestitution::Unsteady)) => {
             format!(", restitution {why}")
@@ -366,7 +380,7 @@ fn interval(interval: &ContactInterval) -> String {
     format!("closed from {start} s to {end}, impulse {impulse} N s{why}")
 }
 
-fn impact(impact: &Impact) -> String {
+fn impact(impact: &Impact, run: &RunSummary) -> String {
     // The round-off of a plastic impact, or of a touch without approach, is no velocity worth reading.
     let beside = |a: f64, b: f64| if a.abs() <= 1e-9 * b.abs() { 0.0 } else { a };
     let approach = beside(impact.approach_velocity, impact.separation_velocity);
@@ -381,7 +395,7 @@ fn impact(impact: &Impact) -> String {
     };
     format!(
         "at {} s: impulse {} N s{points}{friction}, approach {} m/s, separation {} m/s",
-        number(impact.time),
+        instant(impact.time, run),
         number(impact.impulse),
         number(approach),
         number(separation)

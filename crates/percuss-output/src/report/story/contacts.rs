@@ -135,9 +135,12 @@ fn largest(main: &Touched<'_>) -> String {
         (0, _) | (_, None) => String::new(),
         (1, _) => format!("The impact gave {total}."),
         (n, Some(one)) => {
-            let (size, time) =
-                (quantity(one["impulse"].as_f64(), "N*s"), quantity(one["time"].as_f64(), "s"));
-            format!("{n} impacts gave {total} in all, the hardest {size} at {time}.")
+            let size = quantity(one["impulse"].as_f64(), "N*s");
+            let when = match one["time"].as_f64().filter(|t| *t > main.start) {
+                Some(time) => format!("at {}", quantity(Some(time), "s")),
+                None => "at the start".into(),
+            };
+            format!("{n} impacts gave {total} in all, the hardest {size} {when}.")
         }
     };
     // Neither can be told beside the other where it is round-off of their sum.
