@@ -44,12 +44,17 @@ impl Pair {
     ) -> Option<StepGap> {
         let mid = at.at(0.5);
         let middle = self.touch(model, &mid, memory, Reach::Near)?;
-        let mut row = self.normal_row(&middle, &mid);
-        if let Target::Guided { .. } = self.target {
-            // The gap is linear: its gradient is the same everywhere.
+        if let Target::Guided { .. } | Target::Line { .. } = self.target {
+            let row = match &self.target {
+                // The normal is fixed: only sections that turn make the gap nonlinear.
+                Target::Line { point, normal } => self.line_row(point, *normal, at),
+                // The gap is linear: its gradient is the same everywhere.
+                _ => self.normal_row(&middle, &mid),
+            };
             let end = self.touch(model, &at.at(1.0), memory, Reach::Near)?;
             return Some(StepGap { gaps: [gap_0, end.gap], row, middle, end });
         }
+        let mut row = self.normal_row(&middle, &mid);
         let end = self.at_end_from(model, at, memory, &middle, gap_0, reach)?;
         // A closest point that leaves for an end, or comes from there, opens or closes the pair.
         let finite = |gap: f64| if gap.is_finite() { gap } else { 0.0 };
@@ -57,19 +62,11 @@ impl Pair {
             return None;
         }
         let gaps = [finite(gap_0), finite(end.gap)];
-        // The gap to a straight line that does not turn is linear, too.
-        let straight = matches!(self.target, Target::Line { .. }) && self.source.is_on_axis();
-        if projected && !straight {
-            // A difference of gaps is known no better than the positions they are taken from, that to a line comes from the increments.
-            let (change, rounded) = match &self.target {
-                Target::Line { point, normal } => {
-                    let moves = sub(self.source.moves(at), point.moves(at));
-                    (dot(*normal, moves), row.size_on(at.increment))
-                }
-                _ => (gaps[1] - gaps[0], norm(middle.closest_place) + self.reach),
-            };
-            let miss = change - row.on(at.increment);
-            if miss.abs() > ROUND_OFF * rounded {
+        if projected {
+            let miss = (gaps[1] - gaps[0]) - row.on(at.increment);
+            // A difference of gaps is known no better than the positions they are taken from.
+            let place = norm(middle.closest_place) + self.reach;
+            if miss.abs() > ROUND_OFF * place {
                 // The end of the step may know other nodes.
                 end.closest.nodes().for_each(|n| row.add(n, [0.0; 4]));
                 correct(model, &mut row, at, miss);
@@ -80,6 +77,18 @@ impl Pair {
 }
 
 impl Pair {
+    /// The form of the gap to a line through `point`: exact on the increment.
+    fn line_row(&self, point: &Centre, normal: [f64; 2], at: &Configuration) -> Row {
+        let mut row = Row::default();
+        self.source.add_force_over(&mut row, normal, at);
+        point.add_force(&mut row, scale(-1.0, normal), &at.at(0.5));
+        // The force acts between the places of the source at both ends of the step.
+        let [first, last] = [0.0, 1.0].map(|share| self.source.place(&at.at(share)));
+        let arm = sub(scale(0.5, add(first, last)), point.place(&at.at(0.5)));
+        point.add_couple(&mut row, -cross(arm, normal), at);
+        row
+    }
+
     /// The pair at the end of the step of `at`, from a gap of `gap_0`, as the next step will see it.
     pub fn at_end(
         &self,

@@ -84,26 +84,6 @@ impl Centre {
         [self.position[0] + u[0], self.position[1] + u[1]]
     }
 
-    /// How it moves over the whole step of `at`, from the increments: what is small against the positions keeps all its digits.
-    pub fn moves(&self, at: &Configuration) -> [f64; 2] {
-        let d = |node: usize| &at.increment[node];
-        match &self.carrier {
-            Carrier::Body { .. } => [d(self.node)[0], d(self.node)[1]],
-            Carrier::Beam { shape, slope, tangent, offset } => {
-                let moved = combine(shape, d(self.node), d(self.node + 1));
-                if *offset == [0.0; 2] {
-                    return moved;
-                }
-                let (a, b) = (&at.start[self.node], &at.start[self.node + 1]);
-                let before = add(*tangent, combine(slope, a, b));
-                let change = combine(slope, d(self.node), d(self.node + 1));
-                let turned = turned(before, change);
-                let arm = add(scale(offset[0], turned), scale(offset[1], rot90(turned)));
-                add(moved, arm)
-            }
-        }
-    }
-
     /// Adds a force at the point.
     pub fn add_force(&self, row: &mut Row, force: [f64; 2], at: &Configuration) {
         match &self.carrier {
@@ -119,6 +99,21 @@ impl Centre {
         }
     }
 
+    /// Adds a force at the point over the whole step of `at`: on the increment the row gives the point's way along the force exactly,
+    /// however far its section turns.
+    ///
+    /// With unit tangents t0 and t1 of the axis, t1 - t0 = 2 (n . dg)/(|g0| + |g1|) n, where n is normal to t0 + t1 and dg the
+    /// increment of the derivative g.
+    pub fn add_force_over(&self, row: &mut Row, force: [f64; 2], at: &Configuration) {
+        let Some(section) = self.section_over(at) else {
+            return self.add_force(row, force, at);
+        };
+        if let Carrier::Beam { shape, .. } = &self.carrier {
+            add_weighted(row, self.node, shape, force);
+        }
+        section.add_turn(row, self.node, cross(section.arm, force));
+    }
+
     /// Whether it belongs to no piece of a beam any more: the element that it is on has parted, and at a node the one beside it too.
     pub fn is_parted(&self, at: &Configuration) -> bool {
         let Carrier::Beam { shape, .. } = &self.carrier else { return false };
@@ -129,11 +124,6 @@ impl Centre {
             return self.node.checked_sub(1).is_none_or(|before| at.is_parted(before));
         }
         shape[2] != 1.0 || at.is_parted(self.node + 1)
-    }
-
-    /// Whether it moves as the axis of its beam does, or its body; not one that turns with a section.
-    pub fn is_on_axis(&self) -> bool {
-        !matches!(self.carrier, Carrier::Beam { offset, .. } if offset != [0.0; 2])
     }
 
     /// Adds the turn of the section that the point is off the axis of.
@@ -167,6 +157,18 @@ impl Centre {
         let tangent = scale(1.0 / stretch, g);
         let arm = carried(g, *offset);
         Some(PlacedSection { slope, tangent, normal: rot90(tangent), stretch, arm })
+    }
+
+    /// Its section between start and end of the step, if the point is off the axis.
+    fn section_over(&self, at: &Configuration) -> Option<PlacedSection<'_>> {
+        let [first, last] = [0.0, 1.0].map(|share| self.section(&at.at(share)));
+        let (first, last) = (first?, last?);
+        let along = add(first.tangent, last.tangent);
+        let tangent = scale(1.0 / norm(along), along);
+        let stretch = 0.5 * (first.stretch + last.stretch);
+        let Carrier::Beam { offset, .. } = &self.carrier else { return None };
+        let arm = carried(tangent, *offset);
+        Some(PlacedSection { tangent, normal: rot90(tangent), stretch, arm, ..first })
     }
 
     /// Adds a force that does work on the derivative of the point along its axis; nothing on a body.
@@ -212,14 +214,6 @@ impl PlacedSection<'_> {
 pub fn carried(g: [f64; 2], offset: [f64; 2]) -> [f64; 2] {
     let t = scale(1.0 / norm(g), g);
     add(scale(offset[0], t), scale(offset[1], rot90(t)))
-}
-
-/// By how much the unit vector along `g` changes with a change of `g`.
-fn turned(g: [f64; 2], change: [f64; 2]) -> [f64; 2] {
-    let after = add(g, change);
-    let lengths = [norm(g), norm(after)];
-    let longer = dot(add(g, after), change) / (lengths[0] + lengths[1]);
-    scale(1.0 / lengths[1], sub(change, scale(longer / lengths[0], g)))
 }
 
 fn combine(n: &[f64; 4], a: &[f64; 4], b: &[f64; 4]) -> [f64; 2] {

@@ -63,12 +63,6 @@ impl Row {
         self.iter().map(|(n, c)| product(c, &nodal[n])).sum()
     }
 
-    /// The sum of the magnitudes of what its value on nodal values is the sum of.
-    pub fn size_on(&self, nodal: &[[f64; 4]]) -> f64 {
-        let of = |c: &[f64; 4], x: &[f64; 4]| (0..4).map(|i| (c[i] * x[i]).abs()).sum::<f64>();
-        self.iter().map(|(n, c)| of(c, &nodal[n])).sum()
-    }
-
     /// Its value on the nodes for which `belongs` holds.
     pub fn on_some(&self, nodal: &[[f64; 4]], belongs: impl Fn(usize) -> bool) -> f64 {
         self.iter().filter(|(n, _)| belongs(*n)).map(|(n, c)| product(c, &nodal[n])).sum()
