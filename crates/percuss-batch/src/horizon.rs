@@ -158,11 +158,11 @@ fn withdraw_contact(
             intervals.truncate(done);
         }
         (
-            ContactRecord::Nonsmooth { impacts, impulse_total, intervals, .. },
+            ContactRecord::Nonsmooth { impacts, impulse_total, impulse_resting, intervals, .. },
             _,
             ContactRecord::Nonsmooth { impacts: own, intervals: rests, .. },
         ) => {
-            *impulse_total = f64::NAN;
+            (*impulse_total, *impulse_resting) = (f64::NAN, f64::NAN);
             intervals.truncate(rests.iter().take_while(|rest| rest.end < until).count());
             impacts.truncate(own.iter().take_while(|impact| impact.time < until).count());
         }

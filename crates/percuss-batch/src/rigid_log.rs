@@ -1,6 +1,6 @@
 //! What happens at the rigid contact of a run in a lane: impacts and intervals of rest, as a single run notes them.
 
-use percuss::internals::run::contact_log::opened;
+use percuss::internals::run::contact_log::{opened, rate_of_rest};
 use percuss::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak};
 
 /// What the contact did in a part of a step.
@@ -32,6 +32,8 @@ pub struct RigidLog {
     impact_count: usize,
     /// Impulse of all \[N s\].
     impulse_total: f64,
+    /// Of it, that of rest \[N s\].
+    impulse_resting: f64,
     /// Intervals of rest, shape (intervals).
     intervals: Vec<ContactInterval>,
     /// Number of the interval that is open.
@@ -61,6 +63,7 @@ impl RigidLog {
         let work = deed.given;
         let energy = EnergySplit { given: work, lost: -work[0] - work[1], ..Default::default() };
         if deed.rests {
+            self.impulse_resting += deed.impulse;
             self.rest(deed, &energy);
         } else if deed.impulse > 0.0 {
             self.impact_count += 1;
@@ -86,7 +89,8 @@ impl RigidLog {
             && self.intervals.len() < ContactRecord::IMPACTS_KEPT
         {
             self.open = Some(self.intervals.len());
-            let opened = opened(deed.start, -deed.before, at(deed.places[0]));
+            let approach = (-deed.before).max(0.0);
+            let opened = opened(deed.start, approach, at(deed.places[0]));
             self.intervals.push(ContactInterval { tangential_impulse: 0.0, ..opened });
         }
         let Some(open) = self.open else { return };
@@ -98,7 +102,7 @@ impl RigidLog {
             interval.steps += usize::from(!deed.impulsive);
             interval.place_end = at(deed.places[2]);
         } else {
-            self.end(deed.start, deed.before);
+            self.end(deed.start, rate_of_rest(deed.before, deed.after));
         }
     }
 
@@ -122,6 +126,7 @@ impl RigidLog {
             impact_count: self.impact_count,
             fallback_count: 0,
             impulse_total: self.impulse_total,
+            impulse_resting: self.impulse_resting,
             intervals,
             penetration: self.penetration,
         }

@@ -187,13 +187,15 @@ impl<S: Number> Telling<'_, S> {
         }
         if guide.law == GuideLaw::Rigid {
             let struck = &log.impacts[self.lane];
-            let each = struck.iter().map(|i| i.impulse).chain(log.rests.iter().map(|r| r.impulse));
-            let total = each.fold(self.engine.h.constant(0.0), |sum, impulse| sum + impulse);
+            let zero = self.engine.h.constant(0.0);
+            let resting = log.rests.iter().fold(zero, |sum, rest| sum + rest.impulse);
+            let total = struck.iter().fold(resting, |sum, impact| sum + impact.impulse);
             return ContactRecord::Nonsmooth {
                 impacts: struck.iter().map(|i| self.impact(k, i, reading)).collect(),
                 impact_count: struck.len(),
                 fallback_count: 0,
                 impulse_total: read(total),
+                impulse_resting: read(resting),
                 intervals: log.rests.iter().map(|rest| self.rest(k, rest, reading)).collect(),
                 // What is inside something is so by errors of the instant.
                 penetration: Peak::default(),

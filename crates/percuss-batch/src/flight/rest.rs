@@ -3,6 +3,7 @@
 use super::{Derived, Flight, Horizon, IMPACT_INTERVAL};
 use crate::log::Rest;
 use crate::numbers::GuideLaw;
+use percuss::internals::run::contact_log::rate_of_rest;
 use percuss::internals::run::contact_status::{CREEP, NO_APPROACH};
 use percuss::internals::scalar::Real;
 use percuss::internals::step::contacts::IMPULSIVE;
@@ -71,6 +72,7 @@ impl Flight<'_> {
         let (start, place, given) = (self.log.time, self.engine.struck(k), self.given(k));
         let (impulse, rate) = (self.engine.guides[k].impulse, self.engine.guides[k].rate);
         self.accept();
+        let after = self.engine.guides[k].rate.value;
         let place_end = self.engine.struck(k);
         let (presses, touching) = (impulse.value > 0.0, &mut self.touching[k]);
         let log = &mut self.log.guides[k].rests;
@@ -81,7 +83,7 @@ impl Flight<'_> {
                 start,
                 end: f64::NAN,
                 impulse: zero,
-                approach: -rate,
+                approach: if rate.value > 0.0 { zero } else { -rate },
                 separation: f64::NAN,
                 given: [zero; 2],
                 steps: 0,
@@ -97,7 +99,8 @@ impl Flight<'_> {
                 rest.steps += usize::from(self.engine.h.value >= IMPULSIVE * self.settings.step);
                 rest.place_end = place_end;
             } else {
-                (rest.end, rest.separation) = (start.value, rate.value);
+                rest.end = start.value;
+                rest.separation = rate_of_rest(rate.value, after);
                 touching.noted = false;
             }
         }

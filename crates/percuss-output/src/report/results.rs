@@ -92,7 +92,7 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
     if let Some(count) = contact["impact_count"].as_u64() {
         row("impacts", count.to_string());
         let rests = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
-        let rested: f64 = rests.iter().filter_map(|i| i["impulse"].as_f64()).sum();
+        let rested = contact["impulse_resting"].as_f64().unwrap_or(0.0);
         let struck = contact["impulse_total"].as_f64().map(|total| (total - rested).max(0.0));
         row("impulse of the impacts", quantity(struck, "N*s"));
         if !rests.is_empty() {

@@ -40,6 +40,7 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
             impact_count,
             fallback_count,
             impulse_total,
+            impulse_resting,
             intervals,
             penetration,
         } => {
@@ -47,6 +48,7 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
             value["impact_count"] = Value::from(*impact_count);
             value["fallback_count"] = Value::from(*fallback_count);
             value["impulse_total"] = Value::from(*impulse_total);
+            value["impulse_resting"] = Value::from(*impulse_resting);
             value["penetration"] = peak(penetration);
             value["intervals"] = intervals.iter().map(interval).collect();
         }

@@ -312,7 +312,8 @@ fn unit(keys: &[&str]) -> &'static str {
         "s" | "position" => "m",
         "approach_velocity" | "separation_velocity" | "velocity_final" => "m/s",
         "spin_final" => "rad/s",
-        "impulse" | "tangential_impulse" | "impulse_total" | "impulse_1" | "impulse_2" => "N*s",
+        "impulse" | "tangential_impulse" | "impulse_total" | "impulse_resting" | "impulse_1"
+        | "impulse_2" => "N*s",
         "impulse_moment" => "N*m*s",
         "momentum_transferred" | "linear_scale" => "kg*m/s",
         "angular_scale" => "kg*m^2/s",

@@ -121,6 +121,7 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
         impact_count: 0,
         fallback_count: 0,
         impulse_total: 3.0,
+        impulse_resting: 3.0,
         intervals: vec![interval],
         penetration: Peak::default(),
     };

@@ -99,6 +99,7 @@ impl ContactLog {
                 impact_count: 0,
                 fallback_count: 0,
                 impulse_total: 0.0,
+                impulse_resting: 0.0,
                 intervals: Vec::new(),
                 penetration: Peak { value: 0.0, time: f64::NAN },
             },
@@ -227,6 +228,12 @@ pub fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> Contac
         place_end: place,
         energy: EnergySplit::default(),
     }
+}
+
+/// With what velocity the gap of a contact that stayed closed begins or ends to be closed, from its rates at start and end of a part of a
+/// step. The midpoint rule holds the gap in the mean over a step, so that its rate swings about zero from step to step: only a mean tells.
+pub fn rate_of_rest(before: f64, after: f64) -> f64 {
+    (0.5 * (before + after)).max(0.0)
 }
 
 /// Pair `i` where the state stands.

@@ -8,39 +8,29 @@ use crate::state::State;
 use crate::step::workspace::Workspace;
 use crate::summary::SupportSummary;
 
-/// A part of a step, by its length.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PartSize {
-    /// Its length \[s\].
-    pub h: f64,
-    /// Whether it is as short as an impact.
-    pub impulsive: bool,
-    /// Whether contacts or jumps in it give impulses.
-    pub carries_impulses: bool,
-}
-
-/// What supports gave since the last row: mean reactions, and impulses beyond them in impacts and jumps.
+/// What supports gave: forces as means over steps, and impulses beyond these in impacts and jumps. What both make together is all that the
+/// supports gave, over a row of the history as over the run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct RowReactions {
-    /// Impulses and angular impulse of the parts that were not impulsive, shape (supports, 3) \[N s, N m s\].
+    /// Impulses and angular impulse since the last instant settled, of the parts without impacts and jumps, shape (supports, 3)
+    /// \[N s, N m s\].
     sum: Vec<[f64; 3]>,
     /// The time they took \[s\].
     time: f64,
-    /// Whether a part was impulsive.
+    /// Whether a part had impacts or jumps.
     carries_impulses: bool,
-    /// Mean reactions over the time before the row, shape (supports, 3) \[N, N m\].
+    /// Mean reactions over the time before the last instant settled, shape (supports, 3) \[N, N m\].
     mean: Vec<[f64; 3]>,
-    /// Impulses beyond these since the last row, shape (supports, 3) \[N s, N m s\].
-    impulses: Vec<[f64; 3]>,
-    /// All that supports had given at the last row, shape (supports, 3) \[N s, N m s\].
+    /// All that supports had given at the last instant settled, shape (supports, 3) \[N s, N m s\].
     before: Vec<[f64; 3]>,
+    /// That instant \[s\].
+    settled: f64,
+    /// What forces and impulses gave since the last row, shape (supports, 3) \[N s, N m s\].
+    since_row: [Vec<[f64; 3]>; 2],
     /// When that was \[s\].
     row: f64,
-    /// Reactions in the last part that was not impulsive in which a support gave anything, and that part's number, shape (supports, 3)
-    /// \[N, N m, number of a part\].
-    last: Vec<([f64; 3], u64)>,
-    /// Number of such parts so far.
-    part: u64,
+    /// Mean reactions and impulses of the last row, shape (supports, 3) \[N, N m\] and \[N s, N m s\].
+    told: [Vec<[f64; 3]>; 2],
 }
 
 impl RowReactions {
@@ -51,72 +41,52 @@ impl RowReactions {
             sum: none.clone(),
             time: 0.0,
             carries_impulses: false,
-            last: mean.iter().map(|r| (*r, 0)).collect(),
+            told: [mean.clone(), none.clone()],
             mean,
-            impulses: none.clone(),
-            before: none,
+            before: none.clone(),
+            settled: 0.0,
+            since_row: [none.clone(), none],
             row: 0.0,
-            part: 0,
         }
     }
 
     /// Whether it is one of so many supports.
     pub fn fits(&self, supports: usize) -> bool {
-        let lengths = [
-            self.sum.len(),
-            self.mean.len(),
-            self.impulses.len(),
-            self.before.len(),
-            self.last.len(),
-        ];
-        lengths.iter().all(|n| *n == supports)
+        let pairs = self.since_row.iter().chain(&self.told);
+        [&self.sum, &self.mean, &self.before].into_iter().chain(pairs).all(|v| v.len() == supports)
     }
 
     /// Mean reactions over the time before the row.
     pub fn mean(&self) -> &[[f64; 3]] {
-        &self.mean
+        &self.told[0]
     }
 
     /// Impulses beyond them.
     pub fn impulses(&self) -> &[[f64; 3]] {
-        &self.impulses
+        &self.told[1]
     }
 
-    /// Adds a part accepted last; impulses beyond the forces of the part before go to the summary.
-    pub fn gather(&mut self, state: &State, part_size: &PartSize, summary: &mut [SupportSummary]) {
-        let PartSize { h, impulsive, carries_impulses } = *part_size;
+    /// Adds a part of length `h` accepted last.
+    pub fn gather(&mut self, state: &State, h: f64, carries_impulses: bool) {
         if carries_impulses {
             self.carries_impulses = true;
-        } else {
-            self.time += h;
+            return;
         }
-        // Only parts longer than impacts tell forces: a gain over less is round-off or an impulse, many times magnified.
-        self.part += u64::from(!impulsive);
+        self.time += h;
         for (support, before) in state.reacting.list() {
             let now = &state.reactions[*support];
-            let (mean, part) = &mut self.last[*support];
-            for i in 0..3 {
-                let gain = now[i] - before[i];
-                if carries_impulses {
-                    let force = if *part == self.part { mean[i] } else { 0.0 };
-                    summary[*support].impulse[i] += gain - h * force;
-                } else {
-                    self.sum[*support][i] += gain;
-                }
-                if !impulsive {
-                    mean[i] = gain / h;
-                }
-            }
-            if !impulsive {
-                *part = self.part;
-            }
+            (0..3).for_each(|i| self.sum[*support][i] += now[i] - before[i]);
         }
     }
 
-    /// Means and impulses since the last row; means of the row before if nothing but impacts lies between, and parts of a step of no more
-    /// than `shortest` altogether, between which a mean force is an impulse in disguise. What they make together over the time since then
-    /// is all that the supports gave.
-    pub fn close(&mut self, state: &State, shortest: f64) {
+    /// Tells forces and impulses apart at the end of a step, or at an impact within it, and adds the impulses to the summary. The force is
+    /// the mean over the parts without impacts and jumps; where these take no more than `shortest`, so that a mean over them is an impulse
+    /// in disguise, it is the one before.
+    pub fn settle(&mut self, state: &State, shortest: f64, summary: &mut [SupportSummary]) {
+        let since = state.time - self.settled;
+        if since <= 0.0 {
+            return;
+        }
         if self.time <= shortest {
             self.carries_impulses |= self.time > 0.0;
             self.sum.fill([0.0; 3]);
@@ -126,15 +96,35 @@ impl RowReactions {
                 *sum = [0.0; 3];
             }
         }
-        let since = state.time - self.row;
-        for (k, impulse) in self.impulses.iter_mut().enumerate() {
-            let (now, before, mean) = (&state.reactions[k], &self.before[k], &self.mean[k]);
-            *impulse = std::array::from_fn(|i| {
-                if self.carries_impulses { now[i] - before[i] - since * mean[i] } else { 0.0 }
-            });
+        let [forces, impulses] = &mut self.since_row;
+        for (k, mean) in self.mean.iter().enumerate() {
+            let (now, before) = (&state.reactions[k], &self.before[k]);
+            for i in 0..3 {
+                forces[k][i] += since * mean[i];
+                if self.carries_impulses {
+                    let beyond = now[i] - before[i] - since * mean[i];
+                    impulses[k][i] += beyond;
+                    summary[k].impulse[i] += beyond;
+                }
+            }
         }
         self.before.clone_from(&state.reactions);
-        (self.time, self.row, self.carries_impulses) = (0.0, state.time, false);
+        (self.time, self.settled, self.carries_impulses) = (0.0, state.time, false);
+    }
+
+    /// Ends a row: what was settled since the last one.
+    pub fn close(&mut self) {
+        let since = self.settled - self.row;
+        let ([forces, impulses], [mean, beyond]) = (&mut self.since_row, &mut self.told);
+        if since > 0.0 {
+            for (mean, force) in mean.iter_mut().zip(forces.iter()) {
+                *mean = force.map(|impulse| impulse / since);
+            }
+        }
+        beyond.clone_from(impulses);
+        forces.fill([0.0; 3]);
+        impulses.fill([0.0; 3]);
+        self.row = self.settled;
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::channels::{self, SinceLast};
-use super::given::{PartSize, RowReactions};
+use super::given::RowReactions;
 use super::record::Recorder;
 use super::simulation::Simulation;
 use super::trial::Trial;
@@ -58,10 +58,11 @@ impl Simulation<'_> {
         self.rows.iterations = self.effort.iterations;
         self.rows.count += 1;
         self.rows.time = self.state.time;
+        self.settle_reactions();
+        self.rows.reactions.close();
         recorder.state(&self.state);
         self.show(recorder);
         if recorder.wants_rows() {
-            self.rows.reactions.close(&self.state, IMPULSIVE * self.settings.step);
             let since = SinceLast {
                 impulse: &self.rows.impulse,
                 search: &self.search,
@@ -83,11 +84,15 @@ impl Simulation<'_> {
         Ok(())
     }
 
-    /// Adds what supports and contacts gave in an accepted part of a step; reactions in one that `carries_impulses` are no forces.
-    pub(super) fn gather_row(&mut self, trial: &Trial, impulsive: bool, carries_impulses: bool) {
+    /// Tells forces and impulses of supports apart, up to where the state stands.
+    pub(super) fn settle_reactions(&mut self) {
         let (state, supports) = (&self.state, &mut self.monitor.supports);
-        let part = PartSize { h: trial.h, impulsive, carries_impulses };
-        self.rows.reactions.gather(state, &part, supports);
+        self.rows.reactions.settle(state, IMPULSIVE * self.settings.step, supports);
+    }
+
+    /// Adds what supports and contacts gave in an accepted part of a step; reactions in one that `carries_impulses` are no forces.
+    pub(super) fn gather_row(&mut self, trial: &Trial, carries_impulses: bool) {
+        self.rows.reactions.gather(&self.state, trial.h, carries_impulses);
         let contact_of = |pair: usize| self.model.pairs[pair].contact;
         for contact in &self.work.smooth {
             self.rows.impulse[contact_of(contact.pair)][0] += trial.h * contact.force.force;

@@ -60,7 +60,9 @@ impl Simulation<'_> {
                 return Err(self.give_up(Failure::Endless, part.size));
             }
         }
-        self.close_step(&budget)?;
+        let closed = self.close_step(&budget);
+        self.settle_reactions();
+        closed?;
         Ok(recorder.progress(self.state.time))
     }
 

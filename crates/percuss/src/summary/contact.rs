@@ -151,11 +151,13 @@ fn quotient_derivative(coefficient: f64, approach: f64, by: [f64; 2]) -> f64 {
     (by[1] - coefficient * by[0]) / approach
 }
 
-/// Separation over approach, where something approached.
+/// Separation over approach, where something approached; what is left of a plastic impact by round-off is none.
 fn quotient(approach: f64, separation: f64) -> Result<f64, NoRestitution> {
     // What comes to rest and is thrown off later has approached by round-off.
     let approached = approach > 1e-9 * separation.abs();
-    if approached { Ok(separation / approach) } else { Err(NoRestitution::NoApproach) }
+    let coefficient = separation / approach;
+    let plain = if coefficient.abs() < 1e-8 { 0.0 } else { coefficient };
+    if approached { Ok(plain) } else { Err(NoRestitution::NoApproach) }
 }
 
 /// One impact of rigid bodies: all points of a contact that strike at one instant.
@@ -220,6 +222,8 @@ pub enum ContactRecord {
         fallback_count: usize,
         /// Impulse of all impacts and of persistent contact \[N s\].
         impulse_total: f64,
+        /// Impulse of persistent contact alone \[N s\].
+        impulse_resting: f64,
         /// Intervals in which the contact stayed closed (persistent contact), shape (intervals); impulse included.
         intervals: Vec<ContactInterval>,
         /// How deep one thing was inside the other at most \[m\]: next to nothing where impacts are located, the way of a step

@@ -326,15 +326,18 @@ fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<String> {
             impact_count,
             fallback_count,
             impulse_total,
+            impulse_resting,
             intervals,
             ..
         } => {
             let counted = count(*impact_count, "impact");
-            let rested: f64 = intervals.iter().map(|i| i.impulse).sum();
-            let struck = (impulse_total - rested).max(0.0);
+            let struck = (impulse_total - impulse_resting).max(0.0);
             let mut lines = vec![format!("{counted}, impulse {} N s in all", number(struck))];
             if !intervals.is_empty() {
-                lines.push(format!("resting contact, impulse {} N s in all", number(rested)));
+                lines.push(format!(
+                    "resting contact, impulse {} N s in all",
+                    number(*impulse_resting)
+                ));
             }
             lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run)));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));

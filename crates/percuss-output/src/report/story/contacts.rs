@@ -22,9 +22,9 @@ struct Touched<'v> {
 }
 
 impl Touched<'_> {
-    /// A velocity that is more than round-off.
+    /// A velocity that is more than round-off, in the sense of its name.
     fn velocity(&self, of: &Value, key: &str) -> Option<f64> {
-        of[key].as_f64().map(f64::abs).filter(|v| *v > self.still)
+        of[key].as_f64().filter(|v| *v > self.still)
     }
 }
 
@@ -125,7 +125,7 @@ fn largest(main: &Touched<'_>) -> String {
         return format!("The contact force reached {force} at {time}{crushed}.");
     }
     let count = main.contact["impact_count"].as_u64().unwrap_or(0);
-    let rested = list(main.contact, "intervals").iter().map(impulse).sum::<f64>();
+    let rested = main.contact["impulse_resting"].as_f64().unwrap_or(0.0);
     let struck = main.contact["impulse_total"].as_f64().map(|total| (total - rested).max(0.0));
     let total = quantity(struck, "N*s");
     let resting = quantity(Some(rested), "N*s");
@@ -164,7 +164,8 @@ fn ending(main: &Touched<'_>) -> String {
     }
     let parted = |one: &Value, time: &Value| {
         one["separation_velocity"].as_f64()?;
-        let t = quantity(time.as_f64(), "s");
+        let time = time.as_f64().filter(|t| *t > main.start);
+        let t = time.map_or_else(|| "the start".into(), |t| quantity(Some(t), "s"));
         let last = if times_closed(main.contact) == 1 { "" } else { "last " };
         Some(match main.velocity(one, "separation_velocity") {
             Some(v) => {
@@ -209,6 +210,7 @@ mod tests {
             "contact": { "p": {
                 "between": ["b", "p"], "impact_count": list(&json!({ "i": impacts }), "i").len(),
                 "impulse_total": total, "impacts": impacts, "intervals": intervals,
+                "impulse_resting": list(&json!({ "i": intervals }), "i").iter().map(impulse).sum::<f64>(),
             } },
             "energy": { "residual_max": 0.0, "scale": 400.0 },
             "momentum": { "linear_scale": 400.0 },

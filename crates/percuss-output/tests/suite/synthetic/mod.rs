@@ -400,6 +400,7 @@ pub fn impacts(count: usize) -> ContactRecord {
         impact_count: count,
         fallback_count: 0,
         impulse_total: 3814.98 * count as f64,
+        impulse_resting: 0.0,
         intervals: Vec::new(),
         penetration: Peak { value: 1e-12, time: 1e-3 },
     }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{ContactLog, StepViews, opened};
+use super::{ContactLog, StepViews, opened, rate_of_rest};
 use crate::run::monitor::PartEnd;
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
@@ -38,14 +38,16 @@ impl ContactLog {
     pub(super) fn rigid_contacts(&mut self, seen: StepViews<'_>, part: &PartEnd) {
         for k in 0..part.trial.active.len() {
             let deed = deed(seen, part, k);
-            let ContactRecord::Nonsmooth { impulse_total, .. } = &mut self.records[deed.contact]
+            let rests = !matches!(deed.phase, Phase::Impact { .. })
+                || part.trial.persistent().get(k).is_some_and(|rests| *rests);
+            let ContactRecord::Nonsmooth { impulse_total, impulse_resting, .. } =
+                &mut self.records[deed.contact]
             else {
                 continue;
             };
             *impulse_total += deed.impulse[0];
-            let rests = !matches!(deed.phase, Phase::Impact { .. })
-                || part.trial.persistent().get(k).is_some_and(|rests| *rests);
             if rests {
+                *impulse_resting += deed.impulse[0];
                 self.rest(seen, &deed);
             } else if deed.impulse[0] > 0.0 {
                 self.strike(seen, part.trial.fallback_law, &deed);
@@ -65,7 +67,8 @@ impl ContactLog {
         if resting.interval.is_none() && deed.impulse[0] > 0.0 && kept {
             resting.interval = Some(intervals.len());
             self.resting.push(deed.contact);
-            let opened = opened(span.start, -deed.before, seen.place(deed.pair, 1.0));
+            let approach = (-deed.before).max(0.0);
+            let opened = opened(span.start, approach, seen.place(deed.pair, 1.0));
             intervals.push(ContactInterval { tangential_impulse: 0.0, ..opened });
         }
         let Some(open) = resting.interval else { return };
@@ -82,7 +85,10 @@ impl ContactLog {
         }
         // Nothing has pressed since the step began; an impact interval is the end of what pressed before it.
         let settles = matches!(deed.phase, Phase::PlasticPostStep { .. });
-        let end = if settles { [seen.state.time, deed.after] } else { [span.start, deed.before] };
+        let end = match settles {
+            true => [seen.state.time, deed.after.max(0.0)],
+            false => [span.start, rate_of_rest(deed.before, deed.after)],
+        };
         if resting.ceased != now || end[1] < resting.end[1] {
             (resting.ceased, resting.end) = (now, end);
         }
@@ -100,7 +106,7 @@ impl ContactLog {
             let [end, rate] = if resting.ceased == now {
                 resting.end
             } else {
-                [seen.span.start, seen.state.pairs[resting.pair].rate]
+                [seen.span.start, seen.state.pairs[resting.pair].rate.max(0.0)]
             };
             let open = resting.interval.take();
             if let (ContactRecord::Nonsmooth { intervals, .. }, Some(open)) =
