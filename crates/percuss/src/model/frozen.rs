@@ -204,6 +204,11 @@ impl LoadData {
         let (lo, length) = if share == 1.0 { (start, h) } else { (lo, hi - lo) };
         share * self.function.mean(lo - self.from, length)
     }
+
+    /// Factor at the start of a run, from the right.
+    pub fn factor_at_start(&self) -> f64 {
+        if self.from > 0.0 || self.until <= 0.0 { 0.0 } else { self.function.value(-self.from) }
+    }
 }
 
 /// Share of the step `[start, start + h]` in which a load that acts in `[from, until]` acts.

@@ -5,7 +5,6 @@ use super::simulation::Simulation;
 use crate::frame::{Frame, FrameForce};
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};
-use crate::step::forcing::INSTANT;
 
 /// What frames are made in.
 #[derive(Clone, Debug, Default)]
@@ -40,7 +39,7 @@ impl Simulation<'_> {
         frames.load_factors.clone_from(&self.forcing.factors);
         if self.state.time == 0.0 {
             // Before the first step no mean over one is known: what acts at that instant.
-            let at_once = self.model.loads.iter().map(|load| load.factor(0.0, INSTANT));
+            let at_once = self.model.loads.iter().map(|load| load.factor_at_start());
             frames.load_factors.splice(.., at_once);
         }
         recorder.frame(&Frame {

@@ -1,7 +1,7 @@
 //! What acts from outside over a step, known before it is solved: factors of loads, prescribed motions, what holds.
 
 use crate::model::Model;
-use crate::model::frozen::{Drive, LoadAction};
+use crate::model::frozen::{Drive, LoadAction, LoadData};
 use crate::settings::SAME_INSTANT;
 use crate::state::Followed;
 
@@ -29,8 +29,6 @@ pub struct Forcing {
 /// Parts of a step below this share of it take the increments of motions from their rates: differences of values would be
 /// round-off, and round-off over so short a time a velocity. What they leave out or add the next longer part makes good.
 const SHORT: f64 = 1e-3;
-/// What acts at an instant is taken for the mean over so short a time \[s\].
-pub(crate) const INSTANT: f64 = 1e-9;
 /// Derivatives of motions given as code are taken over this share of a step.
 pub(crate) const WIDTH: f64 = 0.02;
 
@@ -62,7 +60,7 @@ impl Forcing {
         step: f64,
         reached: &[Followed],
     ) {
-        self.set_loads(model, start + (theta - 0.5) * h, h, 1.0);
+        self.set_loads(model, start + (theta - 0.5) * h, h);
         self.set_motions(model, start, h, step, reached, false);
         let slack = 0.5 * h.min(SHORT * step);
         let holds = |until: f64| start + slack < until;
@@ -106,7 +104,7 @@ impl Forcing {
 
     /// Sets a share of what acts at time zero.
     pub fn set_static(&mut self, model: &Model, share: f64) {
-        self.set_loads(model, 0.0, INSTANT, share);
+        self.set_factors(model, |load| share * load.factor_at_start());
         for (i, function) in model.motions.iter().enumerate() {
             self.started[i] = 0.0;
             self.moved[i] = share * function.value(0.0);
@@ -118,9 +116,9 @@ impl Forcing {
     /// Sets the loads that act at an instant, from the right at the start of a run and on both sides of it later, over a time h.
     pub fn set_loads_at(&mut self, model: &Model, time: f64, h: f64) {
         if time > 0.0 {
-            self.set_loads(model, time - 0.5 * h, h, 1.0);
+            self.set_loads(model, time - 0.5 * h, h);
         } else {
-            self.set_loads(model, 0.0, INSTANT, 1.0);
+            self.set_factors(model, LoadData::factor_at_start);
         }
     }
 
@@ -144,10 +142,15 @@ impl Forcing {
         self.moved.fill(0.0);
     }
 
-    fn set_loads(&mut self, model: &Model, start: f64, h: f64, share: f64) {
+    /// Sets the mean of the loads over a time h.
+    fn set_loads(&mut self, model: &Model, start: f64, h: f64) {
+        self.set_factors(model, |load| load.factor(start, h));
+    }
+
+    fn set_factors(&mut self, model: &Model, of: impl Fn(&LoadData) -> f64) {
         self.gravity = [0.0; 2];
         for (factor, load) in self.factors.iter_mut().zip(&model.loads) {
-            *factor = share * load.factor(start, h);
+            *factor = of(load);
             if let LoadAction::Gravity { acceleration } = load.kind {
                 self.gravity[0] += *factor * acceleration[0];
                 self.gravity[1] += *factor * acceleration[1];

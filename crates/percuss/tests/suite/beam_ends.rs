@@ -552,3 +552,37 @@ fn a_round_end_meets_a_node_head_on_with_one_force() {
         assert!((ahead - beside).abs() < 1e-3 * beside, "{elements} elements: {ahead} {beside}");
     }
 }
+
+#[test]
+fn a_stiff_block_that_rocks_on_its_corner_takes_few_iterations() {
+    // Its section turns by much and strains by next to nothing: the form of the gap of its corner must be that of the turn.
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material { retardation: 2e-5, ..Material::new("m", 3e11, 2e3) });
+    let section = b.section(Section::rectangle("s", 0.3, 0.2));
+    let (foot, head) = ([-0.099680170630, 0.007991469397], [-0.019765476661, 1.004793175700]);
+    let block = b.beam(beam("block", foot, head, 2, material, section));
+    let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
+    let law = TouchLaw::Rigid(RigidLaw { friction: 1.0, ..RigidLaw::frictionless(0.0) });
+    b.contact(Contact::new("c", [ContactPartner::Beam(block), floor], law));
+    b.record_point(at("head", block, 1.0));
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    let summary = run(&b, 0.1, 2e-4).unwrap();
+    assert!(residual(&summary) < 1e-12, "{:e}", residual(&summary));
+    assert_eq!(summary.step_cuts, 0);
+    assert!(summary.newton_iterations < 10 * summary.steps, "{}", summary.newton_iterations);
+    // A rigid block about its corner: phi'' = m g r sin(phi)/(m r^2 + m (L^2 + d^2)/12), phi from the vertical to the middle.
+    let middle = [0.5 * (foot[0] + head[0]), 0.5 * (foot[1] + head[1])];
+    let arm = middle[0].hypot(middle[1]);
+    let rate = 9.81 * arm / (arm * arm + (1.0 + 0.04) / 12.0);
+    let start = -middle[0].atan2(middle[1]);
+    let (mut angle, mut speed, h) = (start, 0.0, 1e-6);
+    for _ in 0..100_000 {
+        let halfway = angle + 0.5 * h * speed;
+        speed += h * rate * halfway.sin();
+        angle = halfway + 0.5 * h * speed;
+    }
+    let turn = angle - start;
+    let moved = head[0] * turn.cos() - head[1] * turn.sin() - head[0];
+    let told = summary.points[0].displacement_max[0].value;
+    assert!((told / moved - 1.0).abs() < 1e-3, "{told} {moved}");
+}

@@ -609,3 +609,76 @@ fn peaks_of_axial_and_shear_force_are_found_between_nodes() {
         }
     }
 }
+
+/// Rows of a run, and its columns by name.
+#[derive(Default)]
+struct Rows {
+    names: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Recorder for Rows {
+    fn begin(&mut self, channels: &[Channel]) -> Result<(), Failed> {
+        self.names = channels.iter().map(|c| c.name.clone()).collect();
+        Ok(())
+    }
+
+    fn row(&mut self, row: &[f64]) -> Result<(), Failed> {
+        self.rows.push(row.to_vec());
+        Ok(())
+    }
+}
+
+/// An arc or a straight free beam, struck by a rigid projectile, with points recorded all along it.
+fn struck_beam(arc: bool) -> ModelBuilder {
+    let mut b = ModelBuilder::new();
+    let young = if arc { 2.1e11 } else { 7e10 };
+    let retardation = if arc { 0.0 } else { 1e-4 };
+    let material = b.material(Material { retardation, ..Material::new("m", young, 3e3) });
+    let section = b.section(Section::rectangle("s", 0.05, 0.02));
+    let middle = if arc { [0.4, 0.09] } else { [0.4, 0.0] };
+    let mut beam = Beam::new("b", &[[0.0, 0.0], middle, [0.8, 0.0]], 8, material, section);
+    beam.curve = if arc { Curve::Arc } else { Curve::Polyline };
+    let beam = b.beam(beam);
+    if arc {
+        hold(&mut b, at("a", beam, 0.0), SupportKind::Clamp);
+        hold(&mut b, at("z", beam, 1.0), SupportKind::Clamp);
+    }
+    for k in 0..=40 {
+        b.record_point(at(&format!("p{k}"), beam, f64::from(k) / 40.0));
+    }
+    let struck = at("struck", beam, 0.5493);
+    b.projectile(Projectile { mass: 1.0, standoff: 0.0, ..rigid("p", struck, [2.0, -4.0], 0.7) });
+    b
+}
+
+#[test]
+fn no_recorded_point_shows_more_than_the_extremes_of_its_beam() {
+    for arc in [false, true] {
+        let model = struck_beam(arc).build().unwrap();
+        let mut rows = Rows::default();
+        let run = simulate(&model, &Settings::new(2e-3, 2e-5), &mut rows).unwrap();
+        let told = &run.section_forces[0];
+        let ranges = [
+            ("axial", &told.axial),
+            ("shear", &told.shear),
+            ("moment", &told.moment),
+            ("stress", &told.stress),
+        ];
+        for (what, range) in ranges {
+            let size = range.max.value.abs().max(range.min.value.abs());
+            let columns = rows.names.iter().enumerate().filter(|(_, name)| {
+                name.starts_with("section.") && name.ends_with(&format!(".{what}"))
+            });
+            let mut count = 0;
+            for (k, name) in columns {
+                count += 1;
+                for row in &rows.rows {
+                    let beyond = (row[k] - range.max.value).max(range.min.value - row[k]);
+                    assert!(beyond <= 1e-4 * size, "{name}: {} beyond {range:?}", row[k]);
+                }
+            }
+            assert_eq!(count, 41, "{what}");
+        }
+    }
+}

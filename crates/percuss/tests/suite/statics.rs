@@ -391,3 +391,27 @@ fn modes_about_the_reference_take_no_part_of_a_pretension_that_nothing_balances(
     let balanced = tied(&sides.map(|ground| (ground, Some(1.9))));
     assert!((lowest(&balanced) / about(&balanced) - 1.0).abs() < 1e-9);
 }
+
+#[test]
+fn a_load_that_begins_at_zero_does_not_act_at_time_zero() {
+    let functions = [
+        TimeFunction::Ramp { duration: 1e-3 },
+        TimeFunction::HalfSine { duration: 1e-3 },
+        TimeFunction::Table { times: vec![0.0, 1e-3], values: vec![0.0, 1.0], smooth: false },
+    ];
+    for function in functions {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let arm = b.beam(beam("arm", [0.0, 0.0], [1.0, 0.0], 4, material, section));
+        b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+        let force = LoadKind::Point {
+            at: at("tip", arm, 1.0),
+            force: [0.0, -1e3],
+            moment: 0.0,
+            follower: false,
+        };
+        b.load(Load { function: function.clone(), ..Load::new("push", force) });
+        let found = equilibrium(&b.build().unwrap()).unwrap();
+        assert_eq!(found.reactions[0].1, [0.0; 3], "{function:?}");
+    }
+}

@@ -190,7 +190,11 @@ fn may_exceed<P: Simd>(
     let (most, least) = (a.max(b) + reach, -((-a).max(-b)) - reach);
     let beyond = is_outside(most, range) | is_outside(least, range);
     let flat = a.abs().max(b.abs()) * FLAT;
-    beyond & flat.less(reach) & (rise[0] * rise[1]).less(reach.constant(0.0))
+    // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
+    let half_way = (b - a) * 3.0 - (rise[0] + rise[1]) * 0.25;
+    let turn = (rise[0] * rise[1]).less(reach.constant(0.0));
+    let turns = turn | (rise[0] * half_way).less(reach.constant(0.0));
+    beyond & flat.less(reach) & turns
 }
 
 /// Whether values are less than the least or more than the largest so far.

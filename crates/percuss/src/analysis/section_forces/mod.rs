@@ -4,6 +4,7 @@
 //! inertia ([`line`]), not from its strains: they agree with the reactions of supports, and jump only where something acts.
 //! Of a step they are those of its middle, where the scheme has its balance, as reactions are means over the step.
 
+mod between;
 mod fibres;
 mod lanes;
 mod line;
@@ -19,7 +20,7 @@ use crate::state::State;
 use crate::summary::{Envelope, SectionForceSummary, SectionPeak, SectionRange};
 use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
-use line::{Inner, Line, Rise, SectionForces};
+use line::{Inner, Line, SectionForces};
 
 pub use lines::{Acting, Lines};
 
@@ -28,9 +29,6 @@ const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 
 /// What changes by less than this share of itself along half an element does not change.
 const FLAT: f64 = 1e-12;
-
-/// Derivatives of axial force, shear force and moment.
-const RISES: [fn(&Rise) -> f64; 3] = [|rise| rise.axial, |rise| rise.shear, |rise| rise.moment];
 
 /// Nothing seen yet, one entry a beam.
 pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
@@ -185,76 +183,6 @@ impl ElementForces<'_> {
             self.take_between_forces(out, time);
         } else {
             self.take_between_places(out, &places, time);
-        }
-    }
-
-    /// Takes section forces where they are largest between two places.
-    fn take_between_places(
-        &self,
-        out: &mut SectionForceSummary,
-        places: &[SectionForces; 3],
-        time: f64,
-    ) {
-        for j in 1..PLACES.len() {
-            let [a, b] = [&places[j - 1], &places[j]];
-            let may = self.may_exceed(out, a, b);
-            for (of, _) in RISES
-                .into_iter()
-                .zip(may)
-                .filter(|(of, may)| *may && of(&a.rise) * of(&b.rise) < 0.0)
-            {
-                self.take_stationary(out, [PLACES[j - 1], PLACES[j]], of, time);
-            }
-        }
-    }
-
-    /// Whether axial force, shear force and moment between two places half an element apart may be an extreme, or the stress there,
-    /// shape (3).
-    fn may_exceed(
-        &self,
-        out: &SectionForceSummary,
-        a: &SectionForces,
-        b: &SectionForces,
-    ) -> [bool; 3] {
-        // Further than by its steepest rise it does not get.
-        let beyond = |range: &SectionRange, [a, b]: [f64; 2], rise: [f64; 2]| {
-            let reach = 0.5 * rise[0].abs().max(rise[1].abs());
-            let turns = reach > FLAT * a.abs().max(b.abs());
-            turns && (a.max(b) + reach > range.max.value || a.min(b) - reach < range.min.value)
-        };
-        let (c, d) = (&a.rise, &b.rise);
-        // Stresses depend on more than the moment.
-        let stressed = self.span.has_depth();
-        [
-            beyond(&out.axial, [a.axial, b.axial], [c.axial, d.axial]),
-            beyond(&out.shear, [a.shear, b.shear], [c.shear, d.shear]),
-            stressed || beyond(&out.moment, [a.moment, b.moment], [c.moment, d.moment]),
-        ]
-    }
-
-    /// Takes what is behind and ahead of every force inside, and where section forces are largest between them.
-    fn take_between_forces(&self, out: &mut SectionForceSummary, time: f64) {
-        let mut from = 0.0;
-        while from < 1.0 {
-            let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
-            let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
-            RISES.into_iter().for_each(|of| self.take_stationary(out, [from, to], of, time));
-            for ahead in [false, true] {
-                self.take_at(out, to, &self.line.at(to, self.inner, ahead), time);
-            }
-            from = to;
-        }
-    }
-
-    fn take_stationary(
-        &self,
-        out: &mut SectionForceSummary,
-        between: [f64; 2],
-        of: fn(&Rise) -> f64,
-        time: f64,
-    ) {
-        if let Some(xi) = self.line.stationary(between, self.inner, of) {
-            self.take_at(out, xi, &self.line.at(xi, self.inner, false), time);
         }
     }
 

@@ -1,0 +1,150 @@
+//! Extremes of section forces and stresses between the places at which every element is looked at.
+
+use super::fibres::Fibres;
+use super::line::{Rise, SectionForces};
+use super::{ElementForces, FLAT, PLACES, station};
+use crate::summary::{SectionForceSummary, SectionRange};
+
+/// Pieces in which extremes between two places are looked for.
+const PIECES: usize = 4;
+
+/// Derivatives of axial force, shear force and moment.
+const RISES: [fn(&Rise) -> f64; 3] = [|rise| rise.axial, |rise| rise.shear, |rise| rise.moment];
+
+impl ElementForces<'_> {
+    /// Takes section forces where they are largest between two places.
+    pub(super) fn take_between_places(
+        &self,
+        out: &mut SectionForceSummary,
+        places: &[SectionForces; 3],
+        time: f64,
+    ) {
+        let stressed = self.stress_may_exceed(out, places);
+        for j in 1..PLACES.len() {
+            let wanted = may_exceed(out, &places[j - 1], &places[j]);
+            self.take_within(out, [PLACES[j - 1], PLACES[j]], wanted, stressed, time);
+        }
+    }
+
+    /// Whether the stress may be an extreme between the places: further beyond them than they differ it hardly gets.
+    fn stress_may_exceed(&self, out: &SectionForceSummary, places: &[SectionForces; 3]) -> bool {
+        if !self.span.has_depth() || self.yielded.is_some() {
+            return false;
+        }
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for (xi, forces) in PLACES.iter().zip(places) {
+            if let Some(Fibres { stress: [least, most], .. }) = self.fibres(*xi, forces) {
+                range = [range[0].min(least), range[1].max(most)];
+            }
+        }
+        let reach = range[1] - range[0];
+        range[1] + reach > out.stress.max.value || range[0] - reach < out.stress.min.value
+    }
+
+    /// Takes what is behind and ahead of every force inside, and where section forces are largest between them.
+    pub(super) fn take_between_forces(&self, out: &mut SectionForceSummary, time: f64) {
+        let mut from = 0.0;
+        while from < 1.0 {
+            let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
+            let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
+            self.take_within(out, [from, to], [true; 3], self.span.has_depth(), time);
+            for ahead in [false, true] {
+                self.take_at(out, to, &self.line.at(to, self.inner, ahead), time);
+            }
+            from = to;
+        }
+    }
+
+    /// Takes the wanted of axial force, shear force and moment, and the stress, where they are largest between two places with nothing
+    /// inside: in pieces, for each may turn more than once.
+    fn take_within(
+        &self,
+        out: &mut SectionForceSummary,
+        [from, to]: [f64; 2],
+        wanted: [bool; 3],
+        stressed: bool,
+        time: f64,
+    ) {
+        if !stressed && wanted == [false; 3] {
+            return;
+        }
+        let at: [f64; PIECES + 1] =
+            std::array::from_fn(|k| station(from, to, k as f64 / PIECES as f64));
+        let forces: [SectionForces; PIECES + 1] =
+            std::array::from_fn(|k| self.line.at(at[k], self.inner, k == 0));
+        for (of, _) in RISES.into_iter().zip(wanted).filter(|(_, wanted)| *wanted) {
+            for k in 1..=PIECES {
+                if of(&forces[k - 1].rise) * of(&forces[k].rise) < 0.0 {
+                    self.take_stationary(out, [at[k - 1], at[k]], of, time);
+                }
+            }
+        }
+        if stressed {
+            self.take_stresses(out, &at, &forces, time);
+        }
+    }
+
+    /// Takes stresses at places as far apart, and at the crest of the parabola through the largest and the least of them.
+    fn take_stresses(
+        &self,
+        out: &mut SectionForceSummary,
+        at: &[f64; PIECES + 1],
+        forces: &[SectionForces; PIECES + 1],
+        time: f64,
+    ) {
+        let seen: [Option<Fibres>; PIECES + 1] =
+            std::array::from_fn(|k| self.fibres(at[k], &forces[k]));
+        for (fibres, xi) in seen.iter().zip(at) {
+            if let Some(fibres) = fibres {
+                self.take_fibres(out, *xi, fibres, time);
+            }
+        }
+        for side in 0..2 {
+            let sign = if side == 0 { -1.0 } else { 1.0 };
+            let value = |k: usize| seen[k].map_or(f64::NAN, |f| sign * f.stress[side]);
+            let most = (1..=PIECES).fold(0, |m, k| if value(k) > value(m) { k } else { m });
+            let middle = most.clamp(1, PIECES - 1);
+            let [a, b, c] = [middle - 1, middle, middle + 1].map(value);
+            let way = 0.5 * (a - c) / (a - 2.0 * b + c);
+            if a - 2.0 * b + c < 0.0 && way.abs() < 1.0 {
+                let xi = at[middle] + way * (at[1] - at[0]);
+                let crest = self.line.at(xi, self.inner, false);
+                if let Some(fibres) = self.fibres(xi, &crest) {
+                    self.take_fibres(out, xi, &fibres, time);
+                }
+            }
+        }
+    }
+
+    fn take_stationary(
+        &self,
+        out: &mut SectionForceSummary,
+        between: [f64; 2],
+        of: fn(&Rise) -> f64,
+        time: f64,
+    ) {
+        if let Some(xi) = self.line.stationary(between, self.inner, of) {
+            self.take_at(out, xi, &self.line.at(xi, self.inner, false), time);
+        }
+    }
+}
+
+/// Whether axial force, shear force and moment between two places half an element apart may be an extreme there, shape (3).
+fn may_exceed(out: &SectionForceSummary, a: &SectionForces, b: &SectionForces) -> [bool; 3] {
+    let beyond = |range: &SectionRange, [a, b]: [f64; 2], rise: [f64; 2]| {
+        // Further than by its steepest rise it does not get.
+        let reach = 0.5 * rise[0].abs().max(rise[1].abs());
+        // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
+        let half_way = 3.0 * (b - a) - 0.25 * (rise[0] + rise[1]);
+        let turns = rise[0] * rise[1] < 0.0 || rise[0] * half_way < 0.0;
+        turns
+            && reach > FLAT * a.abs().max(b.abs())
+            && (a.max(b) + reach > range.max.value || a.min(b) - reach < range.min.value)
+    };
+    let (c, d) = (&a.rise, &b.rise);
+    [
+        beyond(&out.axial, [a.axial, b.axial], [c.axial, d.axial]),
+        beyond(&out.shear, [a.shear, b.shear], [c.shear, d.shear]),
+        beyond(&out.moment, [a.moment, b.moment], [c.moment, d.moment]),
+    ]
+}
