@@ -25,11 +25,11 @@ pub(super) struct RowReactions {
     before: Vec<[f64; 3]>,
     /// That instant \[s\].
     settled: f64,
-    /// What forces and impulses gave since the last row, shape (supports, 3) \[N s, N m s\].
+    /// What forces and impulses gave since the last row, shape (2, supports, 3) \[N s, N m s\].
     since_row: [Vec<[f64; 3]>; 2],
     /// When that was \[s\].
     row: f64,
-    /// Mean reactions and impulses of the last row, shape (supports, 3) \[N, N m\] and \[N s, N m s\].
+    /// Mean reactions and impulses of the last row, shape (2, supports, 3) \[N, N m\] and \[N s, N m s\].
     told: [Vec<[f64; 3]>; 2],
 }
 

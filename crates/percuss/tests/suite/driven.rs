@@ -2,41 +2,8 @@
 
 use crate::common;
 
-use common::at;
+use common::{at, rows::Rows};
 use percuss::*;
-
-/// Rows of a run, and its columns by name.
-#[derive(Default)]
-struct Rows {
-    names: Vec<String>,
-    rows: Vec<Vec<f64>>,
-}
-
-impl Recorder for Rows {
-    fn begin(&mut self, channels: &[Channel]) -> Result<(), Failed> {
-        self.names = channels.iter().map(|c| c.name.clone()).collect();
-        Ok(())
-    }
-
-    fn row(&mut self, row: &[f64]) -> Result<(), Failed> {
-        self.rows.push(row.to_vec());
-        Ok(())
-    }
-}
-
-impl Rows {
-    fn column(&self, name: &str) -> Vec<f64> {
-        let k = self.names.iter().position(|n| n == name).unwrap_or_else(|| panic!("no {name}"));
-        self.rows.iter().map(|r| r[k]).collect()
-    }
-
-    fn of(model: &Model, settings: &Settings) -> (Self, RunSummary) {
-        let mut rows = Self::default();
-        let summary = simulate(model, settings, &mut rows).unwrap();
-        assert!(matches!(summary.termination, Termination::Completed), "{:?}", summary.termination);
-        (rows, summary)
-    }
-}
 
 /// A stocky cantilever of one element, length 1 m, EI = 1 N m^2, rhoA = 1 kg/m, rhoI = 0.01 kg m, its clamp moved across by
 /// so little that everything is linear.
@@ -117,8 +84,6 @@ fn reference(course: &dyn Fn(f64) -> [f64; 2], h: f64, steps: usize) -> Vec<f64>
     }
     means
 }
-
-type Failed = Box<dyn std::error::Error + Send + Sync>;
 
 const PI: f64 = std::f64::consts::PI;
 

@@ -2,6 +2,7 @@
 
 use crate::common;
 
+use common::rows::Rows;
 use common::*;
 use percuss::*;
 
@@ -610,25 +611,6 @@ fn peaks_of_axial_and_shear_force_are_found_between_nodes() {
     }
 }
 
-/// Rows of a run, and its columns by name.
-#[derive(Default)]
-struct Rows {
-    names: Vec<String>,
-    rows: Vec<Vec<f64>>,
-}
-
-impl Recorder for Rows {
-    fn begin(&mut self, channels: &[Channel]) -> Result<(), Failed> {
-        self.names = channels.iter().map(|c| c.name.clone()).collect();
-        Ok(())
-    }
-
-    fn row(&mut self, row: &[f64]) -> Result<(), Failed> {
-        self.rows.push(row.to_vec());
-        Ok(())
-    }
-}
-
 /// An arc or a straight free beam, struck by a rigid projectile, with points recorded all along it.
 fn struck_beam(arc: bool) -> ModelBuilder {
     let mut b = ModelBuilder::new();
@@ -656,8 +638,7 @@ fn struck_beam(arc: bool) -> ModelBuilder {
 fn no_recorded_point_shows_more_than_the_extremes_of_its_beam() {
     for arc in [false, true] {
         let model = struck_beam(arc).build().unwrap();
-        let mut rows = Rows::default();
-        let run = simulate(&model, &Settings::new(2e-3, 2e-5), &mut rows).unwrap();
+        let (rows, run) = Rows::of(&model, &Settings::new(2e-3, 2e-5));
         let told = &run.section_forces[0];
         let ranges = [
             ("axial", &told.axial),
@@ -678,7 +659,7 @@ fn no_recorded_point_shows_more_than_the_extremes_of_its_beam() {
                     assert!(beyond <= 1e-4 * size, "{name}: {} beyond {range:?}", row[k]);
                 }
             }
-            assert_eq!(count, 41, "{what}");
+            assert_eq!(count, 42, "{what}");
         }
     }
 }

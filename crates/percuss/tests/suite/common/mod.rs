@@ -2,6 +2,7 @@
 #![allow(dead_code)] // each test file uses its own part
 
 pub mod numbers;
+pub mod rows;
 pub mod straight;
 
 use percuss::*;
