@@ -37,7 +37,7 @@ class Run:
     def __init__(self, scene: dict, folder: Path, done: subprocess.CompletedProcess):
         self.scene = scene
         self.status = done.returncode
-        self.text, self.warned = done.stdout, done.stderr
+        self.text = done.stderr
         self.folder = folder
         self.summary = json.loads((folder / "summary.json").read_text())
         with (folder / "history.csv").open() as file:
@@ -46,6 +46,8 @@ class Run:
         self.time = self.columns["time"]
         self.every = scene["record"]["every"]
         self.step = scene["time"]["step"]
+        # The time of an instant at the end may be a unit in the last place behind it.
+        self.end = self.time[-1] * (1 + SAME)
 
     def column(self, name: str) -> list[float]:
         return self.columns.get(name, [0.0] * len(self.time))
@@ -58,9 +60,9 @@ class Run:
         """The sum of a column of amounts since the row before."""
         return math.fsum(self.column(name))
 
-    def over_time(self, name: str) -> float:
-        """The integral of a column of means since the row before."""
-        values = self.column(name)
+    def over_time(self, name: str, size: bool = False) -> float:
+        """The integral of a column of means since the row before, or of its magnitude."""
+        values = [abs(x) for x in self.column(name)] if size else self.column(name)
         return math.fsum(values[k] * (self.time[k] - self.time[k - 1]) for k in range(1, len(values)))
 
     def largest(self, name: str) -> float:
