@@ -126,6 +126,8 @@ MASS_ERROR = {"polyline": 0.0, "arc": 1e-5, "spline": 2e-3}
 
 
 def weight_error(run: Run) -> float:
-    """What the impulse of the weight may be off by for the curvature of beams."""
+    """What the impulse of weight and loads along beams may be off by for the curvature of beams."""
     error = max(MASS_ERROR[beam["curve"]] for beam in run.scene["beam"].values())
-    return error * beam_mass(run) * math.hypot(*gravity(run)) * run.time[-1]
+    along = run.scene["load"].get("along")
+    spread = math.hypot(*resultant(run, along)) if along else 0.0
+    return error * (beam_mass(run) * math.hypot(*gravity(run)) + spread) * run.time[-1]

@@ -23,7 +23,7 @@ def check(run: Run) -> list[str]:
     behind = run.text.split(f"{run.scene['title']}\n", 1)[-1].split("\n  status", 1)
     if len(behind) < 2:
         return ["the terminal has no table"]
-    story, table = " ".join(behind[0].split()), "  status" + behind[1]
+    story, table = " ".join(behind[0].split()), "  status" + behind[1].split("\n  results", 1)[0]
     known = numbers(run)
     out = sentences(run, story)
     out += strangers(story, known, STORY, "story") + strangers(without_hand(table), known, TABLE, "table")
@@ -31,12 +31,12 @@ def check(run: Run) -> list[str]:
 
 
 def without_hand(table: str) -> str:
-    """The table without residuals, and without what comes from elsewhere: times of computing, formulas, directories."""
+    """The table without residuals, and without what comes from elsewhere: times of computing, formulas."""
     rows, label = [], ""
     for line in table.splitlines():
         if line[2:3].strip():
             label = line[2:].split("  ")[0]
-        if label not in ("by hand", "results", "drift", "momentum") and "Newton iteration" not in line:
+        if label not in ("by hand", "drift", "momentum") and "Newton iteration" not in line:
             rows.append(line)
     return "\n".join(rows)
 
@@ -86,7 +86,9 @@ def round_off(run: Run, text: str, where: str) -> list[str]:
     scale = scales(run)
     out = []
     for value, unit, words in quantities(text):
-        if unit in scale and 0 < abs(value) < ROUND_OFF * scale[unit]:
+        # An energy is told wherever the balance is finer than it.
+        share = max(1e-13, run.summary["energy"]["residual_max"]) if unit == "J" else ROUND_OFF
+        if unit in scale and 0 < abs(value) < share * scale[unit]:
             out.append(f"{where}: {words} is round-off of {scale[unit]:.3g} {unit}")
         if unit == "s" and 0 < value < 1e-3 * run.step:
             out.append(f"{where}: {words} is an instant of less than a thousandth of a step")
