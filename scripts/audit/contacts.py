@@ -106,9 +106,15 @@ def peak_between(run: Run, name: str, contact: dict) -> list[str]:
         fastest = max([fastest] + [abs(r) for r, d in zip(laws.rates(run.time, depths), depths) if d > 0])
         high *= 1 + law["dissipation"] * fastest
     few = min(one["steps"] for one in contact["intervals"]) < 8
-    slack = steepest(run.time, force) if few or "dissipation" in law else BETWEEN_ROWS * high
+    slack = steepest(run.time, force) if few or "dissipation" in law else BETWEEN_ROWS * high + sharpest(force)
     high = min(high + slack, max(force) + steepest(run.time, force)) if "dissipation" in law else high + slack
     return outside("peak_force against rows and law", peak["value"], low, high)
+
+
+def sharpest(force: list[float]) -> float:
+    """What the crest of a parabola through three rows has beyond them, at the largest row: an eighth of the second difference at most."""
+    k = min(max(force.index(max(force)), 1), len(force) - 2)
+    return abs(force[k - 1] - 2 * force[k] + force[k + 1]) / 8
 
 
 def steepest(times: list[float], force: list[float]) -> float:

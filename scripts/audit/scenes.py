@@ -156,7 +156,8 @@ def striker(chance: random.Random, made: dict, step: float, number: int) -> dict
     mass, speed = chance.choice([0.2, 1.0, 5.0]), chance.uniform(0.3, 6.0)
     rigid, free = chance.random() < 0.4, chance.random() < 0.5
     at = [0.5, 0.25, 0.7][number] + chance.uniform(-0.1, 0.1)
-    tilt = chance.uniform(-0.5, 0.5)
+    # Towards the beam, half a radian to either side of its normal where it is straight.
+    tilt = chance.uniform(-0.5, 0.5) + (math.atan2(0.6, 0.8) if made["title"].endswith("slanted") else 0.0)
     made = {
         "kind": "rigid" if rigid else "elastic", "mass": mass,
         "velocity": [speed * math.sin(tilt), -speed * math.cos(tilt)],
@@ -170,7 +171,7 @@ def striker(chance: random.Random, made: dict, step: float, number: int) -> dict
         made |= law(chance, mass, speed, step)
     if free:
         # Beside its line of flight a curved beam may be nearer to a disc than along it.
-        made |= {"contact": "surface", "radius": chance.choice([0.02, 0.05]), "standoff": chance.choice([2e-3, 5e-3])}
+        made |= {"contact": "surface", "radius": chance.choice([0.02, 0.05]), "standoff": chance.choice([5e-3, 1e-2])}
         if rigid and chance.random() < 0.5:
             made["friction"] = chance.choice([0.2, 0.6])
         if chance.random() < 0.3:
@@ -252,7 +253,9 @@ def settings(chance: random.Random, made: dict, step: float) -> None:
     held = "support" in made and all("motion" not in s for s in made["support"].values())
     if held and made["load"] and chance.random() < 0.35:
         made["time"]["start"] = "static"
-    if held and chance.random() < 0.15 and all(s["kind"] != "stop" for s in made["support"].values()):
+    # What a stop holds, or a joint that may tear, can be a mechanism, whose modes are not damped.
+    stands = all(s["kind"] != "stop" for s in made.get("support", {}).values()) and all("strength" not in j for j in made.get("joint", {}).values())
+    if held and stands and chance.random() < 0.15:
         made["damping"] = {"modal": 0.02, "modes": 3}
     points = [f"{name}.{place}" for name in made["beam"] for place in ("start", "mid", "end")] + ["b@0.35"]
     made["record"] = {"every": chance.choice([1, 1, 1, 1, 3]), "points": points, "shapes": 1}

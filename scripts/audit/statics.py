@@ -8,8 +8,9 @@ from pathlib import Path
 from . import forces
 from .results import CLOSED, Run, differs, outside
 
-# `static` takes the mean of a load over a nanosecond about time zero: its share of a rise within 23 steps of 10 us, the shortest here.
-INSTANT = 5e-6
+# `static` takes the mean of a load over a nanosecond from time zero on: half of that beside the steepest rise here, a half sine over
+# 23 steps of 10 us.
+INSTANT = 0.5e-9 * math.pi / 233e-6
 
 
 def equilibrium(program: str, file: Path, out: Path) -> tuple[int, dict | None, str]:

@@ -169,7 +169,7 @@ def by_hand(run: Run) -> list[str]:
     out = []
     for one in run.summary["hand_formulas"]:
         hand, simulated = one["by_hand"], one["simulated"]
-        right = 100 * (simulated - hand) / abs(hand) if hand else 0.0
+        right = 100 * (simulated - hand) / hand if hand else 0.0
         out += outside(f"difference of {one['formula']}", one["difference_percent"], right - 1e-6 * abs(right) - 1e-9, right + 1e-6 * abs(right) + 1e-9)
         if "upper bound" in one["formula"]:
             out += outside(f"{one['formula']}, {one['quantity']}", abs(simulated), 0.0, abs(hand) * 1.01)
