@@ -7,7 +7,7 @@ from .results import CLOSED, SAME, Run, contacts, differs, events, outside, part
 
 
 def check(run: Run) -> list[str]:
-    return forces.check(run) + rows(run) + energy_parts(run) + energy_balance(run) + losses(run) + momentum(run) + projectiles(run)
+    return forces.check(run) + rows(run) + energy_parts(run) + energy_balance(run) + losses(run) + momentum(run) + turning(run) + projectiles(run)
 
 
 def rows(run: Run) -> list[str]:
@@ -116,6 +116,32 @@ def momentum(run: Run) -> list[str]:
     return out
 
 
+def turning(run: Run) -> list[str]:
+    """The change of angular momentum about the origin is that of the supports, where they stand still and nothing else acts: guided
+    projectiles have a guide that takes couples, and loads and springs to the ground have places of their own."""
+    scene = run.scene
+    held = scene.get("support", {})
+    fixed = all(one["kind"] in ("clamp", "pin") and "motion" not in one for one in held.values())
+    guided = any(forces.is_guided(one) for one in scene["projectile"].values())
+    damped = scene["material"]["m"].get("mass_damping") or "damping" in scene
+    if not fixed or guided or damped or scene["load"] or "obstacle" in scene:
+        return []
+    outer = 0.0
+    for name, one in held.items():
+        x, y = end_of(scene, one["at"])
+        given = [run.over_time(f"support.{name}.force_{k}") + run.total(f"support.{name}.impulse_{k}") for k in (1, 2)]
+        outer += x * given[1] - y * given[0] + run.over_time(f"support.{name}.moment") + run.total(f"support.{name}.impulse_moment")
+    column = run.column("momentum.angular")
+    scale = max(run.summary["momentum"]["angular_scale"], run.largest("momentum.angular"))
+    return differs("change of angular momentum", column[-1] - column[0], outer, CLOSED * scale)
+
+
+def end_of(scene: dict, at: str) -> list[float]:
+    """Where an end of a beam lies."""
+    beam, place = at.split(".")
+    return scene["beam"][beam]["points"][0 if place == "start" else -1]
+
+
 def projectiles(run: Run) -> list[str]:
     out = []
     for name, one in run.scene["projectile"].items():
@@ -147,4 +173,9 @@ def given(run: Run, name: str, one: dict, told: dict) -> list[str]:
         if (side := partner(contact, name)) is not None
         for event in events(contact)
     )
+    if forces.is_guided(one):
+        own = [other for other, contact in contacts(run) if partner(contact, name) is not None]
+        impulse = math.fsum(run.total(f"contact.{other}.impulse") for other in own)
+        what = f"projectile {name}: momentum_transferred as impulse of its contact"
+        out += differs(what, told["momentum_transferred"], impulse, CLOSED * max(impulse, 1e-9))
     return out + differs(f"projectile {name}: energy_received_by_others", told["energy_received_by_others"], others, CLOSED * scale)

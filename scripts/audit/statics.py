@@ -5,7 +5,7 @@ import math
 import subprocess
 from pathlib import Path
 
-from . import forces
+from . import balances, forces
 from .results import CLOSED, Run, differs, outside
 
 # `static` takes the mean of a load over a nanosecond from time zero on: half of that beside the steepest rise here, a half sine over
@@ -26,7 +26,7 @@ def applies(scene: dict) -> bool:
 
 
 def check(run: Run, told: dict) -> list[str]:
-    return sums(run, told) + sections(told) + start(run, told)
+    return sums(run, told) + moments(run, told) + sections(told) + start(run, told)
 
 
 def at_zero(run: Run) -> tuple[list[float], float]:
@@ -61,6 +61,25 @@ def sums(run: Run, told: dict) -> list[str]:
     if not acts and largest > 0:
         out.append(f"static: nothing acts at time zero, but reactions of {largest:.3g} N are told")
     return out
+
+
+def moments(run: Run, told: dict) -> list[str]:
+    """Moments about the origin cancel, of a straight beam under a load at a point, in the deformed configuration."""
+    scene = run.scene
+    if list(scene["load"]) != ["push"] or scene["beam"]["b"]["curve"] != "polyline" or "obstacle" in scene:
+        return []
+    load = scene["load"]["push"]
+    factor = forces.course_value(load.get("function"), 0.0)
+    (x0, y0), (x1, y1) = scene["beam"]["b"]["points"]
+    moved = told["point"]["b@0.4"]["displacement"]
+    x, y = x0 + 0.4 * (x1 - x0) + moved[0], y0 + 0.4 * (y1 - y0) + moved[1]
+    parts = [factor * (x * load["force"][1] - y * load["force"][0]), factor * load.get("moment", 0.0)]
+    for name, one in scene["support"].items():
+        place, moved, given = balances.end_of(scene, one["at"]), told["point"][one["at"]]["displacement"], told["support"][name]
+        x, y = place[0] + moved[0], place[1] + moved[1]
+        parts += [x * given["force_2"] - y * given["force_1"], given["moment"]]
+    scale = max(map(abs, parts)) + math.hypot(*load["force"])
+    return differs("static: moments of load and reactions", math.fsum(parts), 0.0, INSTANT * scale + CLOSED * scale)
 
 
 def sections(told: dict) -> list[str]:

@@ -7,7 +7,7 @@ among the numbers of the summary and their sums.
 import math
 import re
 
-from .results import Run, contacts, events, outside
+from .results import Run, contacts, differs, events, outside
 
 PREFIX = {"p": 1e-12, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "": 1.0, "k": 1e3, "M": 1e6, "G": 1e9, "T": 1e12}
 UNITS = ["N m s", "N m", "N s", "m/s", "rad/s", "rad", "Pa", "1/m", "kg", "N", "J", "s", "m", "%"]
@@ -20,14 +20,20 @@ ROUND_OFF = 1e-10
 
 
 def check(run: Run) -> list[str]:
-    behind = run.text.split(f"{run.scene['title']}\n", 1)[-1].split("\n  status", 1)
-    if len(behind) < 2:
+    story, table = story_and_table(run)
+    if not table:
         return ["the terminal has no table"]
-    story, table = " ".join(behind[0].split()), "  status" + behind[1].split("\n  results", 1)[0]
     known = numbers(run)
     out = sentences(run, story)
     out += strangers(story, known, STORY, "story") + strangers(without_hand(table), known, TABLE, "table")
     return out + round_off(run, story, "story") + round_off(run, without_hand(table), "table") + by_hand(run)
+
+
+def story_and_table(run: Run) -> tuple[str, str]:
+    """What the terminal shows behind the title: some sentences, and lines from `status` to `results`."""
+    shown = run.text.split(f"{run.scene['title']}\n", 1)[-1].split("\n  results", 1)[0]
+    story, _, table = shown.partition("\n  status")
+    return " ".join(story.split()), "  status" + table if table else ""
 
 
 def without_hand(table: str) -> str:
@@ -97,13 +103,12 @@ def round_off(run: Run, text: str, where: str) -> list[str]:
 
 def scales(run: Run) -> dict[str, float]:
     """The largest of each kind in the run."""
-    forces = [run.largest(name) for name in run.columns if name.startswith(("contact.", "support.", "section.")) and name.split(".")[-1] in ("force", "force_1", "force_2", "axial", "shear")]
-    speeds = [run.largest(name) for name in run.columns if "velocity" in name]
-    moments = [run.largest(name) for name in run.columns if name.endswith(".moment")]
-    return {
-        "N": max(forces, default=0.0), "m/s": max(speeds, default=0.0), "J": run.energy_scale(), "N m": max(moments, default=0.0),
-        "N s": max(run.summary["momentum"]["linear_scale"], 0.0),
+    endings = {"N": ("force", "force_1", "force_2", "axial", "shear"), "m/s": ("velocity_1", "velocity_2"), "N m": ("moment",)}
+    found = {
+        unit: max((run.largest(name) for name in run.columns if name.split(".")[-1] in last), default=0.0)
+        for unit, last in endings.items()
     }
+    return found | {"J": run.energy_scale(), "N s": run.summary["momentum"]["linear_scale"]}
 
 
 def quantity_after(story: str, words: str) -> float | None:
@@ -170,7 +175,7 @@ def by_hand(run: Run) -> list[str]:
     for one in run.summary["hand_formulas"]:
         hand, simulated = one["by_hand"], one["simulated"]
         right = 100 * (simulated - hand) / hand if hand else 0.0
-        out += outside(f"difference of {one['formula']}", one["difference_percent"], right - 1e-6 * abs(right) - 1e-9, right + 1e-6 * abs(right) + 1e-9)
+        out += differs(f"difference of {one['formula']}", one["difference_percent"], right, 1e-6 * abs(right) + 1e-9)
         if "upper bound" in one["formula"]:
             out += outside(f"{one['formula']}, {one['quantity']}", abs(simulated), 0.0, abs(hand) * 1.01)
     return out
