@@ -135,7 +135,7 @@ def plastic(run: Run) -> list[str]:
             out += outside(f"place of a hinge in {beam}", hinge["s"], 0.0, forces.lengths(run)[beam] * (1 + SAME))
         for point in points_of(run, beam):
             first = told["first_yield"]["time"] if told["first_yield"] else math.inf
-            before = [abs(x) for x, t in zip(run.column(f"section.{point}.stress"), run.time) if t < first]
+            before = [abs(x) for x, t in zip(run.column(f"section.{point}.stress"), run.time) if t < first * (1 - SAME)]
             out += outside(f"stress at {point} before {beam} yields", max(before, default=0.0), 0.0, material["yield"] * (1 + 1e-6))
     return out
 
