@@ -1,4 +1,4 @@
-"""Where and when largest values are told: the columns have them there and then. For runs whose rows are the steps."""
+"""Where and when largest values are told: the columns have them there and then, in runs that have a row for every part of a step."""
 
 import math
 
@@ -14,9 +14,9 @@ CURVED = 0.05
 
 def check(run: Run) -> list[str]:
     out = settings(run) + strains(run) + plastic(run)
-    if run.every > 1 or not run.is_whole():
-        return out
-    return out + displacements(run) + reactions(run) + sections(run) + connectors(run) + joints(run) + scale(run)
+    if run.has_rows_of_all_parts():
+        out += displacements(run) + reactions(run) + sections(run) + connectors(run) + joints(run)
+    return out + (scale(run) if run.every == 1 and run.is_whole() else [])
 
 
 def settings(run: Run) -> list[str]:
@@ -30,8 +30,13 @@ def settings(run: Run) -> list[str]:
 
 
 def row_at(run: Run, time: float) -> int:
-    """The row before an instant."""
+    """The row before an instant, or at it."""
     return max(k for k, t in enumerate(run.time) if t <= time * (1 + SAME))
+
+
+def has_row(run: Run, time: float) -> bool:
+    """Whether an instant is that of a row: a part of a step that ends where a contact was looked for, and none was, has none."""
+    return abs(run.time[row_at(run, time)] - time) <= SAME * run.end
 
 
 def displacements(run: Run) -> list[str]:
@@ -64,7 +69,7 @@ def reactions(run: Run) -> list[str]:
         for part in ("force_1", "force_2", "moment"):
             column = run.column(f"support.{name}.{part}")
             size = max(map(abs, column)) + 1e-9
-            for end in told[part].values():
+            for end in [one for one in told[part].values() if has_row(run, one["time"])]:
                 right = column[row_at(run, end["time"])]
                 out += differs(f"{part} of {name} at {end['time']:.6g} s", end["value"], right, CLOSED * size)
     return out
@@ -78,7 +83,7 @@ def sections(run: Run) -> list[str]:
         for part in ("axial", "shear", "moment"):
             for end, peak in told[part].items():
                 at = [point for s, point in places.items() if abs(s - peak["s"]) < 1e-9 and not jumps(run, point)]
-                if not at:
+                if not at or not has_row(run, peak["time"]):
                     continue
                 right = run.column(f"section.{at[0]}.{part}")[row_at(run, peak["time"])]
                 size = run.largest(f"section.{at[0]}.{part}")
@@ -151,7 +156,7 @@ def connectors(run: Run) -> list[str]:
             peak, column = one[f"{part}_max"], run.column(f"{name}.{part}")
             size = max(map(abs, column))
             out += differs(f"{part}_max of {name}", abs(peak["value"]), size, CLOSED * size + 1e-15)
-            if size > 0:
+            if size > 0 and has_row(run, peak["time"]):
                 there = column[row_at(run, peak["time"])]
                 out += differs(f"{part} of {name} at {peak['time']:.6g} s", peak["value"], there, CLOSED * size)
         column = run.column(f"{name}.plastic_{what}")
@@ -172,6 +177,8 @@ def joints(run: Run) -> list[str]:
         force = [math.hypot(n, v) for n, v in zip(run.column(f"section.{beside}.axial"), run.column(f"section.{beside}.shear"))]
         moment = [abs(m) for m in run.column(f"section.{beside}.moment")]
         for part, column in (("force_max", force), ("moment_max", moment)):
+            if not has_row(run, told[part]["time"]):
+                continue
             right, there = max(column), column[row_at(run, told[part]["time"])]
             allowed = AT_JOINTS * right + 1e-6
             out += differs(f"{part} of joint {name}", told[part]["value"], right, allowed)

@@ -26,9 +26,7 @@ def displacements(run: Run) -> list[str]:
         for k in (1, 2):
             values, rates = run.column(f"point.{name}.displacement_{k}"), run.column(f"point.{name}.velocity_{k}")
             low = max(map(abs, values))
-            # Steps that were cut, or in which impacts accumulate, have parts without a row.
-            seen = run.every == 1 and run.summary["step_cuts"] == 0 and run.summary["accumulated_steps"] == 0
-            high = max(low, between(run.time, values, rates)) if seen else math.inf
+            high = max(low, between(run.time, values, rates)) if run.has_rows_of_all_parts() else math.inf
             size = abs(told["displacement_max"][f"component_{k}"]["value"])
             out += outside(f"displacement_max {k} of {name}", size, low * (1 - SAME), high * (1 + CLOSED) + 1e-15)
             out += outside(f"time of displacement_max {k} of {name}", told["displacement_max"][f"component_{k}"]["time"], 0, run.end)

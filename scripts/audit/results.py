@@ -73,6 +73,10 @@ class Run:
         names = ["energy.total", "energy.work_loads", "energy.work_supports", "energy.loss_impacts", "energy.loss_damping", "energy.plastic"]
         return max(self.largest(name) for name in names)
 
+    def has_rows_of_all_parts(self) -> bool:
+        """Whether nothing happened between two rows: steps that were cut, or in which impacts accumulate, have parts without one."""
+        return self.every == 1 and self.summary["step_cuts"] == 0 and self.summary["accumulated_steps"] == 0
+
     def is_whole(self) -> bool:
         """Whether every row ends a whole step: nothing was located or cut within one."""
         whole = [abs((b - a) / self.step - self.every) for a, b in zip(self.time, self.time[1:-1])]

@@ -33,7 +33,7 @@ def places(run: Run, name: str, contact: dict) -> list[str]:
     events += [(one, "place", one["time"]) for one in contact.get("impacts", [])]
     for event, key, time in events:
         out += differs(f"{key} at {time:.6g} s", event[key]["s"], right, CLOSED * right)
-        if run.every == 1 and run.summary["accumulated_steps"] == 0 and run.scene["beam"][beam]["curve"] == "polyline":
+        if run.has_rows_of_all_parts() and run.scene["beam"][beam]["curve"] == "polyline":
             out += position(run, strikes, time, event[key]["position"])
     return out
 
