@@ -74,8 +74,9 @@ class Run:
         return max(self.largest(name) for name in names)
 
     def has_rows_of_all_parts(self) -> bool:
-        """Whether nothing happened between two rows: steps that were cut, or in which impacts accumulate, have parts without one."""
-        return self.every == 1 and self.summary["step_cuts"] == 0 and self.summary["accumulated_steps"] == 0
+        """Whether nothing happened between two rows: where a contact was looked for and none was, a step has parts without one, and
+        so have those that were cut or in which impacts accumulate."""
+        return self.every == 1 and self.summary["solver_steps"] == len(self.time) - 1
 
     def is_whole(self) -> bool:
         """Whether every row ends a whole step: nothing was located or cut within one."""
