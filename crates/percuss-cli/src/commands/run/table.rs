@@ -169,6 +169,7 @@ fn joint(joint: &JointSummary) -> (String, String) {
         format!("{} N{moment}", number(force))
     };
     let text = match joint.parted {
+        Some(one) if one.force.is_nan() => "parted in the static start".to_owned(),
         Some(one) => {
             format!("parted at t = {} s under {}", number(one.time), told(one.force, one.moment))
         }

@@ -75,11 +75,15 @@ pub(super) fn joints(summary: &Value) -> Option<String> {
     };
     let under: Vec<String> =
         [under("force", "N"), under("moment", "N*m")].into_iter().flatten().collect();
-    let told = format!(
-        "The joint {name} parted after {} under {}.",
-        quantity(time(first), "s"),
-        under.join(" and ")
-    );
+    let told = match &under[..] {
+        // Of what parts in a static start no load is known.
+        [] => format!("The joint {name} parted in the static start."),
+        under => format!(
+            "The joint {name} parted after {} under {}.",
+            quantity(time(first), "s"),
+            under.join(" and ")
+        ),
+    };
     Some(match parted.len() - 1 {
         0 => told,
         1 => format!("{told} So did another joint, later."),
