@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, Impact, JointSummary, NoRestitution,
-    PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
-    YieldingSummary,
+    AuditSummary, ContactInterval, ContactRecord, ContactSummary, Impact, JointSummary,
+    NoRestitution, PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary,
+    Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
@@ -39,6 +39,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
         ),
     ));
     rows.push(("drift".into(), drift(run)));
+    rows.extend(unresolved(run));
     let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| touched(c));
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
@@ -279,10 +280,22 @@ fn energy(run: &RunSummary) -> String {
 fn drift(run: &RunSummary) -> String {
     let audit = &run.audit;
     format!(
-        "curvature {} 1/m, membrane strain {}",
+        "curvature {} 1/m, membrane strain {}, angular rates {} (relative)",
         small(audit.curvature_drift_max),
-        small(audit.membrane_drift_max)
+        small(audit.membrane_drift_max),
+        small(audit.angular_rate_drift_max)
     )
+}
+
+/// Said where the step does not resolve the motion.
+fn unresolved(run: &RunSummary) -> Option<(String, String)> {
+    let drift = run.audit.angular_rate_drift_max;
+    let said = format!(
+        "the step does not resolve the motion: kinetic energy by the slopes' velocities and by the sections' angular rates, which is conserved, differ \
+         by {} % of the energy; take a smaller step",
+        number(100.0 * drift)
+    );
+    (drift > AuditSummary::UNRESOLVED).then(|| ("resolution".to_owned(), said))
 }
 
 fn touched(contact: &ContactSummary) -> bool {
