@@ -3,15 +3,16 @@
 use std::path::Path;
 
 use percuss::{
-    AuditSummary, ContactInterval, ContactRecord, ContactSummary, Impact, JointSummary,
-    NoRestitution, PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary,
-    Termination, YieldingSummary,
+    ContactInterval, ContactRecord, ContactSummary, Impact, JointSummary, NoRestitution,
+    PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
+    YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
 use serde_json::Value;
 
 use super::Ended;
+use super::drift::{drift, unresolved};
 use super::equivalent::{equivalent, without_equivalent};
 use crate::effective_mass;
 use crate::number::{count, number, small};
@@ -275,27 +276,6 @@ fn energy(run: &RunSummary) -> String {
     parts.extend(present.map(|(label, value)| format!("{label} {} J", number(*value))));
     parts.push(format!("residual {} (relative)", small(energy.residual_max)));
     parts.join(", ")
-}
-
-fn drift(run: &RunSummary) -> String {
-    let audit = &run.audit;
-    format!(
-        "curvature {} 1/m, membrane strain {}, angular rates {} (relative)",
-        small(audit.curvature_drift_max),
-        small(audit.membrane_drift_max),
-        small(audit.angular_rate_drift_max)
-    )
-}
-
-/// Said where the step does not resolve the motion.
-fn unresolved(run: &RunSummary) -> Option<(String, String)> {
-    let drift = run.audit.angular_rate_drift_max;
-    let said = format!(
-        "the step does not resolve the motion: kinetic energy by the slopes' velocities and by the sections' angular rates, which is conserved, differ \
-         by {} % of the energy; take a smaller step",
-        number(100.0 * drift)
-    );
-    (drift > AuditSummary::UNRESOLVED).then(|| ("resolution".to_owned(), said))
 }
 
 fn touched(contact: &ContactSummary) -> bool {
