@@ -27,6 +27,9 @@ class Fields:
         (u1, u2, u1', u2') of the stations of all beams [m, 1], then (u1, u2, angle, 0) of the bodies [m, rad].
     velocity : ndarray of shape (n_frame, n_node, 4)
         Velocities of the same [m/s, 1/s, rad/s]; no nodes where they were not kept.
+    angular_velocity : ndarray of shape (n_frame, n_interval, 3)
+        Angular velocity of the sections at the start, in the middle and at the end of every interval [rad/s], the one whose energy
+        is conserved with that of `velocity`; no intervals where it was not kept.
     section_forces : ndarray of shape (n_frame, n_interval, 2, 3)
         (axial force [N], shear force [N], moment [N m]) at both ends of every interval.
     load_factors : ndarray of shape (n_frame, n_load)
@@ -44,6 +47,7 @@ class Fields:
         self.time: Floats = native["time"]
         self.displacement: Singles = native["displacement"]
         self.velocity: Singles = native["velocity"]
+        self.angular_velocity: Singles = native["angular_velocity"]
         self.section_forces: Singles = native["section_forces"]
         self.load_factors: Singles = native["load_factors"]
 

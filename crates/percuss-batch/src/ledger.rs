@@ -4,7 +4,7 @@ use super::engine::{Engine, interpolate};
 use super::numbers::SpanNumbers;
 use percuss::internals::element::beam::ElementValues;
 use percuss::internals::element::energy_momentum::End;
-use percuss::internals::element::rotary::Turn;
+use percuss::internals::element::rotary::{Turn, spin_of_slope};
 use percuss::internals::scalar::{Number, array};
 use percuss::math::hermite::GAUSS;
 use percuss::math::vec2::{add, cross, dot4, sub};
@@ -23,6 +23,8 @@ pub struct LaneMeasures<S> {
     /// Angular momentum about the origin, and the sum of its magnitudes \[kg m^2/s\].
     pub angular: S,
     pub angular_size: S,
+    /// As [`Measures::angular_rate_drift`](percuss::Measures::angular_rate_drift) \[J\].
+    pub angular_rate_drift: S,
 }
 
 /// What entered and left since the start, and the largest residuals.
@@ -59,6 +61,8 @@ pub struct LaneLedger<S> {
     pub energy_residual: S,
     pub linear_residual: S,
     pub angular_residual: S,
+    /// Largest magnitude of the drift of angular rates \[J\].
+    pub angular_rate_drift: S,
 }
 
 impl<S: Number> LaneLedger<S> {
@@ -89,6 +93,7 @@ impl<S: Number> LaneLedger<S> {
             energy_residual: zero,
             linear_residual: zero,
             angular_residual: zero,
+            angular_rate_drift: zero,
         };
         ledger.rescale();
         ledger
@@ -109,7 +114,7 @@ impl<S: Number> LaneLedger<S> {
             let [l1, l2] = &mut m.linear;
             let (energy, size) = (&mut m.energy, &mut m.linear_size);
             all.extend([energy, l1, l2, size, &mut m.angular, &mut m.angular_size]);
-            all.push(&mut m.hardening);
+            all.extend([&mut m.hardening, &mut m.angular_rate_drift]);
         }
         let [i1, i2] = &mut self.impulse;
         let [l1, l2] = &mut self.impulse_loads;
@@ -120,7 +125,7 @@ impl<S: Number> LaneLedger<S> {
         all.extend([&mut self.energy_scale, &mut self.linear_scale, &mut self.angular_scale]);
         all.extend([i1, i2, &mut self.angular_impulse, &mut self.loss_impacts]);
         all.extend([&mut self.energy_residual, &mut self.linear_residual]);
-        all.push(&mut self.angular_residual);
+        all.extend([&mut self.angular_residual, &mut self.angular_rate_drift]);
         all.extend(&mut self.passed);
         all.extend(&mut self.before);
         all
@@ -268,6 +273,7 @@ impl<S: Number> LaneLedger<S> {
         self.energy_residual = self.energy_residual.max(energy.abs());
         self.linear_residual = self.linear_residual.max(hypot(linear));
         self.angular_residual = self.angular_residual.max(angular.abs());
+        self.angular_rate_drift = self.angular_rate_drift.max(now.angular_rate_drift.abs());
     }
 }
 
@@ -297,11 +303,12 @@ impl<S: Number> Engine<S> {
             linear_size: zero,
             angular: zero,
             angular_size: zero,
+            angular_rate_drift: zero,
         };
         let mut element = 0;
         for span in &self.numbers.spans {
             let (mut twice, mut linear, mut angular) = (zero, [zero; 2], zero);
-            let (mut linear_size, mut angular_size) = (zero, zero);
+            let (mut linear_size, mut angular_size, mut drift) = (zero, zero, zero);
             for k in 0..span.count {
                 let (a, table) = (span.first + k, span.table(k));
                 let (va, vb) = (&self.velocity[a], &self.velocity[a + 1]);
@@ -319,12 +326,16 @@ impl<S: Number> Engine<S> {
                     angular_size += size(at(0), at(1)) * size(p[0], p[1])
                         + size(at(2), at(3)) * size(p[2], p[3]);
                 }
+                let rates = ElementValues::new(va, vb);
                 for j in 0..GAUSS {
                     let (row, at) = (&table.rows[j], &self.start[element][j]);
                     let spin = self.spin[element][j];
                     let law = &row.weighed;
                     let turning = law.rotary * spin;
                     twice = twice.add_product(turning, spin);
+                    let tangent = add(row.reference.tangent, at.slope);
+                    let of_slope = spin_of_slope(tangent, rates.at(&row.first));
+                    drift += law.rotary * (of_slope - spin) * (of_slope + spin);
                     if span.fibres.is_none() {
                         let bending = at.bent(span.measure, &row.reference).strain;
                         twice = twice
@@ -350,6 +361,7 @@ impl<S: Number> Engine<S> {
             m.angular += angular;
             m.linear_size += linear_size;
             m.angular_size += angular_size;
+            m.angular_rate_drift += drift * 0.5;
         }
         if !self.springs.is_empty() {
             m.energy += self.spring_energy();

@@ -110,7 +110,11 @@ impl<S: Number> Telling<'_, S> {
                 angular_scale: read(angular_scale),
                 angular_residual_max: relative(ledger.angular_residual, angular_scale),
             },
-            audit: AuditSummary { curvature_drift_max: error(0.0), membrane_drift_max: error(0.0) },
+            audit: AuditSummary {
+                curvature_drift_max: error(0.0),
+                membrane_drift_max: error(0.0),
+                angular_rate_drift_max: relative(ledger.angular_rate_drift, energy_scale),
+            },
             projectiles: self.projectiles(read),
             contacts: (model.contacts.iter().enumerate())
                 .map(|(k, contact)| ContactSummary {

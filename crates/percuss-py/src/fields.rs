@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 use crate::error::output_error;
 
-/// `scene` (JSON), `time`, and lists of the frames: `displacement`, `velocity`, `section_forces`, `load_factors`, and
+/// `scene` (JSON), `time`, and lists of the frames: `displacement`, `velocity`, `angular_velocity`, `section_forces`, `load_factors`, and
 /// `contact_forces` of all frames one behind the other with their `contact_counts`.
 pub fn to_python<'py>(py: Python<'py>, fields: &Fields) -> PyResult<Bound<'py, PyDict>> {
     let frames = &fields.frames;
@@ -30,6 +30,9 @@ pub fn to_python<'py>(py: Python<'py>, fields: &Fields) -> PyResult<Bound<'py, P
     let velocity = all(|f| &f.velocity);
     let nodes = each(&velocity, 4);
     out.set_item("velocity", array(py, velocity, &[n, nodes, 4])?)?;
+    let spins = all(|f| &f.angular_velocity);
+    let intervals = each(&spins, 3);
+    out.set_item("angular_velocity", array(py, spins, &[n, intervals, 3])?)?;
     let forces = all(|f| &f.section_forces);
     let intervals = each(&forces, 6);
     out.set_item("section_forces", array(py, forces, &[n, intervals, 2, 3])?)?;
@@ -64,11 +67,11 @@ fn from_python(fields: &Bound<'_, PyDict>) -> PyResult<Fields> {
     let times = numbers::<f64>(&item("time")?)?;
     let counts = numbers::<i64>(&item("contact_counts")?)?;
     let n = times.len();
-    let lists = ["displacement", "velocity", "section_forces", "load_factors"];
+    let lists = ["displacement", "velocity", "angular_velocity", "section_forces", "load_factors"];
     let lists = lists.map(|key| item(key).and_then(|list| numbers::<f32>(&list)));
-    let [displacement, velocity, section_forces, load_factors] = lists;
+    let [displacement, velocity, angular_velocity, section_forces, load_factors] = lists;
     let contacts = numbers::<f32>(&item("contact_forces")?)?;
-    let all = [displacement?, velocity?, section_forces?, load_factors?];
+    let all = [displacement?, velocity?, angular_velocity?, section_forces?, load_factors?];
     let (mut frames, mut at) = (Vec::with_capacity(n), 0);
     for (k, time) in times.into_iter().enumerate() {
         let part = |list: &Vec<f32>| {
@@ -78,11 +81,13 @@ fn from_python(fields: &Bound<'_, PyDict>) -> PyResult<Fields> {
         let count = 6 * usize::try_from(counts[k]).unwrap_or(0);
         let contact_forces = contacts.get(at..at + count).unwrap_or_default().to_vec();
         at += count;
-        let [displacement, velocity, section_forces, load_factors] = all.each_ref().map(part);
+        let [displacement, velocity, angular_velocity, section_forces, load_factors] =
+            all.each_ref().map(part);
         frames.push(StoredFrame {
             time,
             displacement,
             velocity,
+            angular_velocity,
             section_forces,
             contact_forces,
             load_factors,

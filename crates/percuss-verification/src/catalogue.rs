@@ -278,7 +278,7 @@ const OWN: &[Case] = &[
     },
     Case {
         id: "paper-forms",
-        title: "What the paper's own forms do: midpoint force, time-stepping",
+        title: "What the paper's forms do: midpoint force, time-stepping",
         source: "independent implementation of the same forms",
         run: conservation::paper_forms,
     },

@@ -63,7 +63,7 @@ pub fn paper_balances() -> Report {
     c.into_report()
 }
 
-/// The paper's own forms err where they must: opening and closing steps, whole steps of contact.
+/// The paper's forms err where they must: opening and closing steps, whole steps of contact.
 pub fn paper_forms() -> Report {
     let mut c = Checks::new();
     let text = |wanted: &str| PAPER.iter().find(|(name, _)| *name == wanted).map_or("", |p| p.1);

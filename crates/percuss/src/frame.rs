@@ -1,5 +1,7 @@
 //! What is drawn of an instant: configuration and forces.
 
+use crate::math::hermite::GAUSS;
+
 /// A force, or in an impact an impulse, of one contact at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameForce {
@@ -22,6 +24,9 @@ pub struct Frame<'a> {
     pub displacement: &'a [[f64; 4]],
     /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: &'a [[f64; 4]],
+    /// Angular rates of the sections at the Gauss points of every element, shape (elements, 3) \[rad/s\]: with `velocity` they make up the
+    /// kinetic energy. Empty where nothing moves.
+    pub spin: &'a [[f64; GAUSS]],
     /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an impact,
     /// shape (elements, 2, 3) \[N, N, N m\].
     pub section_forces: &'a [[[f64; 3]; 2]],

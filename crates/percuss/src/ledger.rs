@@ -119,6 +119,9 @@ pub struct Measures {
     pub curvature_drift: f64,
     /// Largest distance of a stored membrane strain from that of the configuration \[1\].
     pub membrane_drift: f64,
+    /// Kinetic energy with the angular rates that follow from the slopes' velocities, less that with the sections' own rates, which is
+    /// conserved \[J\].
+    pub angular_rate_drift: f64,
     /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: where things move against each
     /// other, momenta vanish together that do not vanish alone.
     pub linear_size: f64,

@@ -2,6 +2,7 @@
 
 use crate::element::beam::ElementValues;
 use crate::element::motion::ElementMeasures;
+use crate::element::rotary::spin_of_slope;
 use crate::element::strain::strains;
 use crate::ledger::Measures;
 use crate::math::vec2::{add, cross, dot, scale};
@@ -56,6 +57,10 @@ impl Measures {
                 &velocity,
                 &state.spin[e],
             );
+            if state.has_parted(a) {
+                // Nothing turns its sections any more.
+                own.rate_drift = 0.0;
+            }
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
             if let Some(fibres) = &span.fibres {
                 let stored = energies(state, (span, fibres), k, &u);
@@ -95,6 +100,7 @@ impl Measures {
 
     fn add_beams(&mut self, sums: &ElementMeasures<f64>) {
         self.kinetic_beams += 0.5 * (sums.translation + sums.rotation);
+        self.angular_rate_drift += 0.5 * sums.rate_drift;
         self.strain_axial += 0.5 * sums.axial;
         self.strain_bending += 0.5 * sums.bending;
         self.linear = add(self.linear, sums.linear);
@@ -116,6 +122,12 @@ impl Measures {
             let v = p.value(&state.velocity);
             let turning = mass.rotary_inertia * spin;
             self.kinetic_beams += 0.5 * (mass.mass * (v[0] * v[0] + v[1] * v[1]) + turning * spin);
+            let of_slope = spin_of_slope(
+                add(p.tangent, p.gradient(&state.displacement)),
+                p.gradient(&state.velocity),
+            );
+            let drift = (of_slope - spin) * (of_slope + spin);
+            self.angular_rate_drift += 0.5 * mass.rotary_inertia * drift;
             let linear = scale(mass.mass, v);
             let x = add(p.position, p.value(&state.displacement));
             self.add_momentum(x, linear, turning);

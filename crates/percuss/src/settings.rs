@@ -49,7 +49,7 @@ pub enum MultipleImpacts {
     /// All contacts obey the impact law at once: one problem for all impulses.
     #[default]
     Simultaneous,
-    /// One after another, the fastest approach first: the blow is passed on from body to body.
+    /// One after another, the fastest approach first: the blow is passed on from body to body. Those equally fast strike together.
     Sequential,
 }
 

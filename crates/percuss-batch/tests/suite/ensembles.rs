@@ -145,6 +145,8 @@ fn agree(model: &Model, settings: &Settings, found: &RunSummary, tolerance: f64)
     let single = simulate(model, settings, &mut NoRecorder).unwrap();
     assert!(matches!(found.termination, Termination::Completed));
     assert!(found.supports.is_empty(), "this run was not stepped by an ensemble");
+    let [own, other] = [&single, found].map(|run| run.audit.angular_rate_drift_max);
+    assert!(own > 0.0 && (own - other).abs() < tolerance * own.max(1e-3), "{own:e} {other:e}");
     assert!(found.energy.residual_max < 1e-11 && found.momentum.linear_residual_max < 1e-11);
     assert!(found.momentum.angular_residual_max < 1e-11);
     assert_eq!(counts(&single), counts(found));

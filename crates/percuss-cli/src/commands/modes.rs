@@ -58,6 +58,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         time: 0.0,
         displacement: &state.displacement,
         velocity: &[],
+        spin: &[],
         section_forces: &[],
         contact_forces: &[],
         load_factors: &[],

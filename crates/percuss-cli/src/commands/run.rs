@@ -4,6 +4,7 @@ mod balance;
 mod checkpoints;
 mod comparison;
 mod conclude;
+mod drift;
 mod equivalent;
 mod recorder;
 mod table;

@@ -44,6 +44,7 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
         "/momentum/linear_residual_max",
         "/momentum/angular_residual_max",
         "/audit/curvature_drift_max",
+        "/audit/angular_rate_drift_max",
         "/projectile/mass/velocity_final/0",
         "/projectile/mass/momentum_transferred",
         "/projectile/mass/energy_given",

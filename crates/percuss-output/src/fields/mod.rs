@@ -66,6 +66,9 @@ pub struct StoredFrame {
     pub displacement: Vec<f32>,
     /// Velocities of the same, shape (n_node, 4) \[m/s, 1/s; m/s, rad/s for bodies\]; empty in runs that kept none.
     pub velocity: Vec<f32>,
+    /// Angular velocity of the sections at the start, in the middle and at the end of every interval between two stations, shape
+    /// (n_interval, 3) \[rad/s\]; empty in runs that kept none.
+    pub angular_velocity: Vec<f32>,
     /// Axial force, shear force, moment at the start and at the end of every interval between two stations of a beam,
     /// shape (n_interval, 2, 3) \[N, N, N m\].
     pub section_forces: Vec<f32>,

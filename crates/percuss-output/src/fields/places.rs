@@ -33,12 +33,22 @@ impl Places {
 
     /// Memory that a frame takes \[bytes\], about.
     pub(super) fn bytes(&self) -> usize {
-        32 * self.nodes.len() + 24 * self.intervals.len() + 64
+        32 * self.nodes.len() + 36 * self.intervals.len() + 64
     }
 
     /// A frame as it is kept.
     pub(super) fn stored(&self, frame: &Frame<'_>) -> StoredFrame {
-        StoredFrame { velocity: self.of_nodes(frame.velocity), ..self.still(frame) }
+        let at = |element: usize| quadratic(frame.spin.get(element).copied().unwrap_or_default());
+        let spins = self.intervals.iter().flat_map(|[a, b]| {
+            // With an even number of elements the middle is the end of one.
+            let middle = at((a + b) / 2)[1 + (b - a) % 2];
+            [at(*a)[0], middle, at(*b)[2]]
+        });
+        StoredFrame {
+            velocity: self.of_nodes(frame.velocity),
+            angular_velocity: spins.map(single).collect(),
+            ..self.still(frame)
+        }
     }
 
     /// The same of a structure at rest. Section forces that are not given are none.
@@ -55,6 +65,7 @@ impl Places {
             time: frame.time,
             displacement: self.of_nodes(frame.displacement),
             velocity: Vec::new(),
+            angular_velocity: Vec::new(),
             section_forces: forces.map(single).collect(),
             contact_forces: contacts.map(single).collect(),
             load_factors: (0..self.loads)
@@ -68,6 +79,7 @@ impl Places {
         let nodes = 4 * self.nodes.len();
         frame.displacement.len() == nodes
             && frame.velocity.len() == nodes
+            && frame.angular_velocity.len() == 3 * self.intervals.len()
             && frame.section_forces.len() == 6 * self.intervals.len()
             && frame.contact_forces.len().is_multiple_of(6)
             && frame.load_factors.len() == self.loads
@@ -90,6 +102,13 @@ impl Places {
         let row = |n: &usize| rows.get(*n).copied().unwrap_or([0.0; 4]);
         self.nodes.iter().flat_map(row).map(single).collect()
     }
+}
+
+/// The quadratic through values at the three Gauss points: at the start, in the middle and at the end of the element.
+fn quadratic([first, middle, last]: [f64; 3]) -> [f64; 3] {
+    let d = 0.6_f64.sqrt();
+    let end = |near: f64, far: f64| ((1.0 + d) * near + (1.0 - d) * far) / 1.2 - middle / 1.5;
+    [end(first, last), middle, end(last, first)]
 }
 
 fn single(x: f64) -> f32 {

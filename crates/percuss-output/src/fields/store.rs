@@ -190,6 +190,7 @@ mod tests {
                     time,
                     displacement: &[],
                     velocity: &[],
+                    spin: &[],
                     section_forces: &[],
                     contact_forces: &[],
                     load_factors: &[force(k)],

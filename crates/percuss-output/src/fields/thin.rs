@@ -73,9 +73,14 @@ impl Fields {
                 let all = &frame.section_forces;
                 [&all[6 * a..6 * a + 3], &all[6 * b + 3..6 * b + 6]].concat()
             };
+            let spins = |(a, b): &(usize, usize)| {
+                let at = |k: usize, i: usize| frame.angular_velocity.get(3 * k + i).copied();
+                Some([at(*a, 0)?, at((a + b) / 2, 1 + (b - a) % 2)?, at(*b, 2)?])
+            };
             StoredFrame {
                 displacement: of(&frame.displacement),
                 velocity: of(&frame.velocity),
+                angular_velocity: intervals.iter().filter_map(spins).flatten().collect(),
                 section_forces: intervals.iter().flat_map(forces).collect(),
                 ..frame.clone()
             }
@@ -135,6 +140,7 @@ mod tests {
             time: k as f64,
             displacement: (0..44).map(|i| i as f32).collect(),
             velocity: (0..44).map(|i| i as f32).collect(),
+            angular_velocity: (0..24).map(|i| i as f32).collect(),
             section_forces: (0..48).map(|i| i as f32).collect(),
             contact_forces: match k {
                 40..60 => vec![0.0, 0.0, 0.0, 1.0 + f32::from(k == 47), 0.0, 0.0],
@@ -164,6 +170,13 @@ mod tests {
         let expected: Vec<f32> =
             nodes.iter().flat_map(|n| (4 * n..4 * n + 4).map(|i| i as f32)).collect();
         assert_eq!((&frame.displacement, &frame.velocity), (&expected, &expected));
+        // The middle of three intervals is that of the second of them.
+        assert_eq!(
+            frame.angular_velocity,
+            [0, 4, 8, 9, 10, 11, 12, 16, 20, 21, 22, 23].map(|i| i as f32)
+        );
+        // Of two it is the end of the first.
+        assert_eq!(fields().coarsened(2).frames[0].angular_velocity[..3], [0.0, 2.0, 5.0]);
         // Intervals 0 to 2, 3, 4 to 6, 7: the start of the first and the end of the last.
         let rows = [(0, 2), (3, 3), (4, 6), (7, 7)]
             .map(|(a, b)| [6 * a, 6 * a + 1, 6 * a + 2, 6 * b + 3, 6 * b + 4, 6 * b + 5]);

@@ -23,7 +23,7 @@ pub(super) fn series(placed: &Placed<'_>) -> Option<PolySeries> {
                 let gap = placed.is_parted(number, k, frame);
                 for part in 0..=parts {
                     let share = if gap { 0.0 } else { part as f64 / parts as f64 };
-                    let at = placed.point(beam, k, share, frame);
+                    let at = placed.point(beam, (k, interval), share, frame);
                     let section = Section::of(beam, (k, interval, share), frame);
                     for y in section.fibres() {
                         points.push([0, 1].map(|i| at.place[i] + y * at.normal[i]));

@@ -30,7 +30,7 @@ pub(super) struct OnAxis {
     /// Unit normal, to the left of the tangent.
     pub normal: [f64; 2],
     pub velocity: [f64; 2],
-    /// Angular rate of the tangent.
+    /// Angular rate of the section.
     pub spin: f64,
     /// Normal in the reference configuration.
     pub rest_normal: [f64; 2],
@@ -67,6 +67,8 @@ impl<'a> Placed<'a> {
         for (k, frame) in fields.frames.iter().enumerate() {
             let fits = frame.displacement.len() == 4 * nodes
                 && (frame.velocity.is_empty() || frame.velocity.len() == 4 * nodes)
+                && (frame.angular_velocity.is_empty()
+                    || frame.angular_velocity.len() == 3 * intervals)
                 && frame.section_forces.len() == 6 * intervals
                 && frame.contact_forces.len().is_multiple_of(6);
             if !fits {
@@ -124,8 +126,21 @@ impl<'a> Placed<'a> {
         })
     }
 
-    /// A point of a beam between two stations at a share of the way.
-    pub fn point(&self, beam: &Beam, k: usize, share: f64, frame: &StoredFrame) -> OnAxis {
+    /// Angular rate of the section in an interval at a share of the way, where it was kept.
+    fn spin(interval: usize, x: f64, frame: &StoredFrame) -> Option<f64> {
+        let values = frame.angular_velocity.get(3 * interval..3 * interval + 3)?;
+        let shape = [(1.0 - x) * (1.0 - 2.0 * x), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)];
+        Some(values.iter().zip(shape).map(|(v, n)| f64::from(*v) * n).sum())
+    }
+
+    /// A point of a beam between two stations, in an interval, at a share of the way.
+    pub fn point(
+        &self,
+        beam: &Beam,
+        (k, interval): (usize, usize),
+        share: f64,
+        frame: &StoredFrame,
+    ) -> OnAxis {
         let (x, y) = (share, 1.0 - share);
         let length = beam.s[k + 1] - beam.s[k];
         let value = [
@@ -162,7 +177,8 @@ impl<'a> Placed<'a> {
             displacement,
             normal: normal_of(turned),
             velocity,
-            spin: (turned[0] * rate[1] - turned[1] * rate[0]) / stretch,
+            spin: Self::spin(interval, share, frame)
+                .unwrap_or((turned[0] * rate[1] - turned[1] * rate[0]) / stretch),
             rest_normal: normal_of(rest_slope),
         }
     }
@@ -171,13 +187,15 @@ impl<'a> Placed<'a> {
     pub fn on(&self, place: &Value, frame: &StoredFrame) -> Option<(OnAxis, f64)> {
         let beam = self.beams.get(usize::try_from(place["beam"].as_u64()?).ok()?)?;
         let s = place["s"].as_f64()?;
-        let mut spans = beam.intervals.iter().map(|(k, _)| *k);
-        let k = spans
-            .find(|k| s <= beam.s[k + 1])
-            .or_else(|| beam.intervals.last().map(|(k, _)| *k))?;
+        let mut spans = beam.intervals.iter();
+        let found = spans.find(|(k, _)| s <= beam.s[k + 1]).or(beam.intervals.last());
+        let (k, interval) = *found?;
         let share = ((s - beam.s[k]) / (beam.s[k + 1] - beam.s[k])).clamp(0.0, 1.0);
         let depth = mix(&beam.half_depth, k, share);
-        Some((self.point(beam, k, share, frame), if depth.is_finite() { depth } else { 0.0 }))
+        Some((
+            self.point(beam, (k, interval), share, frame),
+            if depth.is_finite() { depth } else { 0.0 },
+        ))
     }
 
     fn measure(&mut self) {

@@ -1,5 +1,6 @@
 //! The audit in words: what was conserved, what was not, and whether that was to be expected.
 
+use percuss::AuditSummary;
 use serde_json::Value;
 
 use super::html::table;
@@ -33,6 +34,12 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
     rows.push(["curvature drift".to_owned(), quantity(drift, "1/m"), drift_verdict(drift)]);
     let drift = residual("audit", "membrane_drift_max");
     rows.push(["membrane strain drift".to_owned(), quantity(drift, "1"), drift_verdict(drift)]);
+    let drift = residual("audit", "angular_rate_drift_max");
+    rows.push([
+        "angular rate drift, relative".to_owned(),
+        quantity(drift.map(|d| without_round_off(d, 1.0)), "1"),
+        rate_verdict(drift),
+    ]);
     rows.push(newton(summary));
     rows.push(step_cuts(summary));
     rows.extend(accumulated_steps(summary));
@@ -70,6 +77,19 @@ fn drift_verdict(drift: Option<f64>) -> String {
         None => "not known",
         Some(0.0) => "none: strains are those of the configuration",
         Some(_) => "stored strains and configuration have come apart by so much",
+    }
+    .to_owned()
+}
+
+/// Whether angular rates of sections and velocities of slopes, two accounts of one motion, agree.
+fn rate_verdict(drift: Option<f64>) -> String {
+    match drift {
+        None => "not known",
+        Some(drift) if drift > AuditSummary::UNRESOLVED => {
+            "kinetic energy by the slopes' velocities differs by so much of the energy from that by the sections' angular rates, which is \
+             conserved: the step does not resolve the motion; take a smaller one"
+        }
+        Some(_) => "angular rates are those of the slopes: the step resolves the motion",
     }
     .to_owned()
 }

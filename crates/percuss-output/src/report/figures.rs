@@ -323,6 +323,11 @@ fn audit(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
         let curves = canvas.curves(&[(channel, "stored strain against configuration", 3)]);
         drafts.push(canvas.over_time((id, title, label), Section::Audit, unit, curves));
     }
+    let rates =
+        ("audit.angular_rate_drift", "by the slopes' velocities, less by the angular rates", 3);
+    let rates = relative(rates, energy_scale.unwrap_or(1.0));
+    let texts = ("angular-rate-drift", "Angular rate drift", "kinetic energy / largest energy");
+    drafts.push(canvas.over_time(texts, Section::Audit, unit, rates.into_iter().collect()));
     drafts.into_iter().map(Entry::Draft).collect()
 }
 

@@ -5,13 +5,14 @@ use percuss::{ContactInterval, ContactRecord, Impact, RunSummary};
 use super::pick::{SummaryPath, pick};
 
 /// Keys of what measures errors of the computation.
-const ERRORS: [&str; 7] = [
+const ERRORS: [&str; 8] = [
     "residual_max",
     "linear_residual_max",
     "angular_residual_max",
     "contact_residual_max",
     "curvature_drift_max",
     "membrane_drift_max",
+    "angular_rate_drift_max",
     "penetration",
 ];
 

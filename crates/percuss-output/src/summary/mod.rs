@@ -146,6 +146,7 @@ fn audit(run: &RunSummary) -> Value {
     json!({
         "curvature_drift_max": run.audit.curvature_drift_max,
         "membrane_drift_max": run.audit.membrane_drift_max,
+        "angular_rate_drift_max": run.audit.angular_rate_drift_max,
     })
 }
 

@@ -44,6 +44,7 @@ fn the_documented_fields_are_there() {
         "/momentum/linear_residual_max",
         "/momentum/angular_residual_max",
         "/audit/curvature_drift_max",
+        "/audit/angular_rate_drift_max",
         "/projectile/mass/momentum_transferred",
         "/projectile/mass/energy_given",
         "/projectile/mass/energy_received_by_others",

@@ -72,6 +72,7 @@ impl Equilibrium {
             time: 0.0,
             displacement: &self.state.displacement,
             velocity: &self.state.velocity,
+            spin: &self.state.spin,
             section_forces: &self.element_forces,
             contact_forces: &self.contact_forces,
             load_factors: &self.load_factors,

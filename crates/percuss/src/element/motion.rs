@@ -2,6 +2,7 @@
 
 use super::beam::{ElementTable, ElementValues};
 use super::energy_momentum::End;
+use super::rotary::spin_of_slope;
 use super::strain::StrainMeasure;
 use super::yielding::FibreEnergies;
 use crate::math::hermite::GAUSS;
@@ -14,6 +15,8 @@ pub struct ElementMeasures<S> {
     /// Twice the kinetic energies of translation and of rotation \[J\].
     pub translation: S,
     pub rotation: S,
+    /// Twice the kinetic energy of rotation that the slopes' velocities would have, less that of the angular rates \[J\].
+    pub rate_drift: S,
     /// Twice the axial and the bending strain energy \[J\].
     pub axial: S,
     pub bending: S,
@@ -34,6 +37,7 @@ impl<S: Number> ElementMeasures<S> {
         Self {
             translation: zero,
             rotation: zero,
+            rate_drift: zero,
             axial: zero,
             bending: zero,
             linear: [zero; 2],
@@ -65,9 +69,14 @@ impl<S: Number> ElementMeasures<S> {
             m.angular_size += (x[0].abs() + x[1].abs()) * (p[0].abs() + p[1].abs());
             m.angular_size += (x[2].abs() + x[3].abs()) * (p[2].abs() + p[3].abs());
         }
+        let tangents = ElementValues::new(&places[0], &places[1]);
+        let rates = ElementValues::new(&velocity[0], &velocity[1]);
         for j in 0..GAUSS {
-            let turning = table.rows[j].weighed.rotary * spin[j];
+            let row = &table.rows[j];
+            let turning = row.weighed.rotary * spin[j];
             m.rotation += turning * spin[j];
+            let of_slope = spin_of_slope(tangents.at(&row.first), rates.at(&row.first));
+            m.rate_drift += row.weighed.rotary * (of_slope - spin[j]) * (of_slope + spin[j]);
             m.angular += turning;
             m.angular_size += turning.abs();
         }
@@ -106,6 +115,7 @@ impl<S: Number> ElementMeasures<S> {
     pub fn add(&mut self, other: &Self) {
         self.translation += other.translation;
         self.rotation += other.rotation;
+        self.rate_drift += other.rate_drift;
         self.axial += other.axial;
         self.bending += other.bending;
         self.linear[0] += other.linear[0];

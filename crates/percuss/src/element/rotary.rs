@@ -2,7 +2,7 @@
 
 use super::point::PointResponse;
 use crate::math::vec2::{add, cross, dot, middle};
-use crate::scalar::Real;
+use crate::scalar::{Number, Real};
 
 /// How the tangent turns over a step at a point: from `g0` to `g0 + d_g`, through `g` in the middle.
 #[derive(Clone, Copy, Debug)]
@@ -69,6 +69,12 @@ impl<S: Real> Turn<S> {
             add_moment_tangent(response, slope, moment, g, inv_a, 0.5);
         }
     }
+}
+
+/// Angular rate `(g x g_dot) / a` of a tangent that moves so.
+#[inline(always)]
+pub fn spin_of_slope<S: Number>(g: [S; 2], g_dot: [S; 2]) -> S {
+    cross(g, g_dot) / dot(g, g)
 }
 
 /// Adds rotary inertia at one configuration: `rhoI theta_ddot (g x dg)/a` with

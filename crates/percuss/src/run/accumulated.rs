@@ -14,9 +14,6 @@ use super::trial::{PartKind, Trial};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::newton::Failure;
 
-/// Depth of what counts as inside, relative to the size of the structure: round-off.
-const INSIDE: f64 = 1e-12;
-
 impl Simulation<'_> {
     /// A part, of its whole size, in which no rigid contact ends inside another: those that would are held.
     #[doc(hidden)]
@@ -32,15 +29,16 @@ impl Simulation<'_> {
             self.solve_resting(&Attempt::free(h), &mut active)?;
             let mut others = self.open_contacts();
             others.retain(|i| active.iter().all(|contact| contact.pair != *i));
-            let depth = INSIDE * self.size;
-            let inside = |i: &&usize| self.gap_next(h, **i)[0] < -depth;
-            let inside: Vec<usize> = others.iter().filter(inside).copied().collect();
-            if inside.is_empty() {
+            let depth = -self.gap_resolution();
+            let gap = |i: &usize| self.gap_next(h, *i)[0];
+            if others.iter().all(|i| gap(i) >= depth) {
                 return match self.first_passage(&others) {
                     Some(_) => Err(Failure::Passed),
                     None => Ok(Trial { h, active, fallback_law: false, kind: PartKind::Held }),
                 };
             }
+            // Those that are inside by less than gaps can tell come along: which is deeper is round-off.
+            let inside: Vec<usize> = others.iter().filter(|i| gap(i) < 0.0).copied().collect();
             active.extend(inside.into_iter().map(ActiveContact::resting));
         }
     }

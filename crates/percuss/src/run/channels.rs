@@ -109,7 +109,7 @@ const PLASTIC_COLUMNS: [(&str, &str); 3] = [
 ];
 
 /// Columns every history has.
-const BALANCE_COLUMNS: [(&str, &str, &str); 23] = [
+const BALANCE_COLUMNS: [(&str, &str, &str); 24] = [
     ("energy.kinetic", "J", "Kinetic energy"),
     ("energy.kinetic_beams", "J", "Kinetic energy of the beams"),
     ("energy.kinetic_projectiles", "J", "Kinetic energy of the projectiles"),
@@ -136,6 +136,11 @@ const BALANCE_COLUMNS: [(&str, &str, &str); 23] = [
     ),
     ("audit.curvature_drift", "1/m", "Distance of stored bending strains from the configuration"),
     ("audit.membrane_drift", "1", "Distance of stored membrane strains from the configuration"),
+    (
+        "audit.angular_rate_drift",
+        "J",
+        "Kinetic energy with the angular rates of the slopes' velocities, less that with the sections' own",
+    ),
     ("solver.newton_iterations", "1", "Newton iterations since the row before"),
 ];
 
@@ -290,6 +295,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         ledger.angular_residual(m),
         m.curvature_drift,
         m.membrane_drift,
+        m.angular_rate_drift,
         since.iterations as f64,
     ]);
     if model.is_inelastic() {

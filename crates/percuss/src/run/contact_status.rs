@@ -4,7 +4,7 @@ use super::simulation::Simulation;
 use super::step::Budget;
 use crate::model::{RigidLaw, TouchLaw};
 use crate::settings::{ImpactResolution, MultipleImpacts};
-use crate::step::contacts::ActiveContact;
+use crate::step::contacts::{ActiveContact, GAP_RESOLUTION};
 
 /// Length of an impact interval as a share of the step.
 pub const IMPACT_INTERVAL: f64 = 1e-6;
@@ -82,12 +82,22 @@ impl Simulation<'_> {
         }
     }
 
-    /// Open contacts that would close within the next three quarters of an impact interval, and the one just located.
+    /// Open contacts that would close within the next three quarters of an impact interval; and the one just located, with all others
+    /// that are no farther as gaps can tell, or close within an interval of its instant: which of these is first follows from round-off, and
+    /// impulses last as long, so they close together.
     fn touching(&self) -> Vec<usize> {
-        let interval = self.impact_interval();
+        let (interval, resolution) = (self.impact_interval(), self.gap_resolution());
         let near = |i: &usize| {
             let pair = &self.state.pairs[*i];
-            let close = self.state.located == Some(*i) || pair.gap < -0.75 * interval * pair.rate;
+            let way = |intervals: f64| -intervals * interval * pair.rate;
+            // The instant located is the middle of the interval to come.
+            let close = match self.state.located {
+                Some(located) => {
+                    let nearest = self.state.pairs[located].gap;
+                    located == *i || pair.gap < way(1.5).max(nearest + resolution)
+                }
+                None => pair.gap < way(0.75),
+            };
             !pair.closed && pair.rate < 0.0 && close
         };
         self.rigid().into_iter().filter(near).collect()
@@ -106,7 +116,12 @@ impl Simulation<'_> {
 
     /// Gaps up to this one are none between things that do not approach \[m\].
     pub(super) fn no_gap(&self) -> f64 {
-        (1e-12 * self.positions).max(self.no_approach() * self.settings.step)
+        self.gap_resolution().max(self.no_approach() * self.settings.step)
+    }
+
+    /// Gaps that differ by no more than this one are equal \[m\].
+    pub(super) fn gap_resolution(&self) -> f64 {
+        GAP_RESOLUTION * self.positions
     }
 
     /// Velocity that goes with the largest energy of the run so far \[m/s\].

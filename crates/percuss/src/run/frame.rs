@@ -46,6 +46,7 @@ impl Simulation<'_> {
             time: self.state.time,
             displacement: &self.state.displacement,
             velocity: &self.state.velocity,
+            spin: &self.state.spin,
             section_forces: &frames.section_forces,
             contact_forces: &frames.contact_forces,
             load_factors: &frames.load_factors,

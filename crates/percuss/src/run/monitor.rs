@@ -117,6 +117,8 @@ pub struct Monitor {
     pub curvature_drift: f64,
     /// Largest drift of stored membrane strains \[1\].
     pub membrane_drift: f64,
+    /// Largest drift of angular rates from the slopes' velocities, as kinetic energy \[J\].
+    pub angular_rate_drift: f64,
 }
 
 impl Monitor {
@@ -149,6 +151,7 @@ impl Monitor {
             angular_residual: 0.0,
             curvature_drift: 0.0,
             membrane_drift: 0.0,
+            angular_rate_drift: 0.0,
         };
         monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
         section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
@@ -287,6 +290,7 @@ impl Monitor {
         self.angular_residual = larger(self.angular_residual, ledger.angular_residual(m));
         self.curvature_drift = larger(self.curvature_drift, m.curvature_drift);
         self.membrane_drift = larger(self.membrane_drift, m.membrane_drift);
+        self.angular_rate_drift = larger(self.angular_rate_drift, m.angular_rate_drift);
     }
 }
 

@@ -2,7 +2,8 @@
 //!
 //! One after another: of all contacts that touch, the one that approaches fastest has an impact of its own, in an impact interval of its own
 //! in which no other contact acts; what that sets in motion approaches its neighbours, and so on, until nothing approaches faster
-//! than what sticks. Each impact obeys the law of its contact, friction included, and its work enters the balance as that of any other.
+//! than what sticks. Contacts that approach equally fast share their interval: no order among them follows from the motion, and what is
+//! symmetric stays so. Each impact obeys the law of its contact, friction included, and its work enters the balance as that of any other.
 //! What is left, next to nothing, or a sequence that does not end, is settled at once and without restitution.
 
 use super::contact_status::STICK;
@@ -48,35 +49,48 @@ impl Simulation<'_> {
             left: MOST_IMPACTS.min(IMPACTS_EACH * members.len()),
             members,
         };
-        match self.fastest(&sequence) {
-            None => self.strike(touching, part),
-            Some(i) => match self.strike_alone(i, sequence.clone())? {
-                Some(trial) => Ok(trial),
-                None => self.end_of_sequence(&sequence)?.ok_or(Failure::Impact),
-            },
+        let first = self.fastest(&sequence);
+        if first.is_empty() {
+            return self.strike(touching, part);
+        }
+        match self.strike_alone(&first, sequence.clone())? {
+            Some(trial) => Ok(trial),
+            None => self.end_of_sequence(&sequence)?.ok_or(Failure::Impact),
         }
     }
 
     /// The next impact of a sequence, or its end; what no impulses can settle the next part of the step finds as it is.
     pub(super) fn next_of(&mut self, sequence: Sequence) -> Option<Trial> {
-        let fastest = self.fastest(&sequence).filter(|_| sequence.left > 0);
-        let next = fastest.and_then(|i| self.strike_alone(i, sequence.clone()).ok().flatten());
+        let fastest = if sequence.left > 0 { self.fastest(&sequence) } else { Vec::new() };
+        let next = match fastest.is_empty() {
+            true => None,
+            false => self.strike_alone(&fastest, sequence.clone()).ok().flatten(),
+        };
         next.or_else(|| self.end_of_sequence(&sequence).ok().flatten())
     }
 
-    /// The contact that approaches fastest, if that is an approach; the first one of several that are equally fast.
-    fn fastest(&self, sequence: &Sequence) -> Option<usize> {
+    /// The contact that approaches fastest, if that is an approach, and those that are as fast as far as rates can tell.
+    fn fastest(&self, sequence: &Sequence) -> Vec<usize> {
         let rate = |i: &usize| self.state.pairs[*i].rate;
-        let approaches = |i: &&usize| -rate(i) > self.stick_velocity(**i).max(sequence.least);
-        let members = sequence.members.iter().filter(approaches);
-        members.min_by(|a, b| rate(a).total_cmp(&rate(b))).copied()
+        let approaches = |i: &usize| -rate(i) > self.stick_velocity(*i).max(sequence.least);
+        let mut members: Vec<usize> = sequence.members.iter().copied().filter(approaches).collect();
+        let fastest = members.iter().map(rate).fold(0.0, f64::min);
+        let alike = self.no_approach();
+        members.retain(|i| rate(i) <= fastest + alike);
+        members
     }
 
-    /// The impact of one contact alone; none if it is held on both sides.
-    fn strike_alone(&mut self, i: usize, sequence: Sequence) -> Result<Option<Trial>, Failure> {
+    /// The impact of the contacts that approach fastest, in which no other acts; none if they are held on both sides.
+    fn strike_alone(
+        &mut self,
+        fastest: &[usize],
+        sequence: Sequence,
+    ) -> Result<Option<Trial>, Failure> {
         let kind = PartKind::InSequence(Sequence { left: sequence.left - 1, ..sequence });
-        let trial = self.solve_impact(sequence.interval, vec![self.striking(i, false)], kind)?;
-        Ok((self.work.rigid[0].impulse[0] > 0.0).then_some(trial))
+        let active = fastest.iter().map(|i| self.striking(*i, false)).collect();
+        let trial = self.solve_impact(sequence.interval, active, kind)?;
+        let struck = self.work.rigid.iter().any(|found| found.impulse[0] > 0.0);
+        Ok(struck.then_some(trial))
     }
 
     /// The end of a sequence: what still approaches comes to rest against what it touches; none if nothing does.

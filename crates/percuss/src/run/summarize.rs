@@ -49,6 +49,7 @@ impl Simulation<'_> {
             audit: AuditSummary {
                 curvature_drift_max: self.monitor.curvature_drift,
                 membrane_drift_max: self.monitor.membrane_drift,
+                angular_rate_drift_max: relative(self.monitor.angular_rate_drift, energy_scale),
             },
             projectiles: self.projectiles(),
             contacts: (self.model.contacts.iter().zip(self.monitor.contacts.records).enumerate())

@@ -9,10 +9,10 @@ use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
-use crate::element::rotary::Turn;
+use crate::element::rotary::{Turn, spin_of_slope};
 use crate::element::strain_rate;
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, cross, dot};
+use crate::math::vec2::{add, dot};
 use crate::model::Model;
 use crate::model::frozen::{Connector, Coordinate, Span};
 use crate::state::State;
@@ -170,12 +170,12 @@ pub fn spin_from_velocity(model: &Model, state: &mut State) {
             let at =
                 |nodal: &[[f64; 4]]| ElementValues::new(&nodal[a], &nodal[a + 1]).at(&row.first);
             let g = add(row.reference.tangent, at(&state.displacement));
-            state.spin[element][j] = cross(g, at(&state.velocity)) / dot(g, g);
+            state.spin[element][j] = spin_of_slope(g, at(&state.velocity));
         }
     }
     for (i, mass) in model.masses.iter().enumerate() {
         let p = &mass.point;
         let g = add(p.tangent, p.gradient(&state.displacement));
-        state.mass_spin[i] = cross(g, p.gradient(&state.velocity)) / dot(g, g);
+        state.mass_spin[i] = spin_of_slope(g, p.gradient(&state.velocity));
     }
 }

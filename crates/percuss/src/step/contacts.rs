@@ -16,6 +16,8 @@ use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
 
 /// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
 pub const IMPULSIVE: f64 = 1e-3;
+/// Differences of gaps below this share of the size of positions are none: what round-off and Newton's iteration leave of them.
+pub const GAP_RESOLUTION: f64 = 1e-12;
 
 /// A rigid contact that takes part in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Impulses of the rigid contacts of a step: the problem that the Delassus operator of the factored tangent poses, and its solution.
 
-use super::contacts::{IMPULSIVE, ImpulseLaw, Phase};
+use super::contacts::{GAP_RESOLUTION, IMPULSIVE, ImpulseLaw, Phase};
 use super::newton::{Failure, StepProblem};
 use super::workspace::Workspace;
 use crate::geometry::pair::Target;
@@ -116,13 +116,15 @@ impl StepProblem<'_> {
     ///
     /// On its guide a projectile's gap is linear: the rate vanishes, or, where the contact happens to open as the step begins, its
     /// mean, so that the impulse gives no energy. Elsewhere the mean rate is what closes the gap left over: it neither drifts nor
-    /// gives energy, however the normal turns. In steps as short as an impact a gap left over would be a velocity.
+    /// gives energy, however the normal turns. In steps as short as an impact a gap left over would be a velocity, and one of round-off would be
+    /// in any step: twice the gap over the step, which grows in the flight that follows into a larger gap.
     fn resting_bound(&self, pair: usize, before: f64, gap: f64) -> f64 {
         let guided = matches!(self.model.pairs[pair].target, Target::Guided { .. });
         if guided || self.feedback < IMPULSIVE {
             -before.max(0.0)
         } else {
-            -before - 2.0 * gap.max(0.0) / self.integration.h
+            let left = (gap - GAP_RESOLUTION * self.positions).max(0.0);
+            -before - 2.0 * left / self.integration.h
         }
     }
 

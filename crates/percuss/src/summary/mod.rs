@@ -87,13 +87,21 @@ pub struct MomentumSummary {
     pub angular_residual_max: f64,
 }
 
-/// Distance of stored strains from the configuration (non-zero for the strain-rate scheme only).
+/// What the scheme carries beside the motion of the nodes, and how far the two have come apart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AuditSummary {
-    /// Largest distance of the stored bending strain from that of the configuration \[1/m\].
+    /// Largest distance of the stored bending strain from that of the configuration, zero but for the strain-rate scheme \[1/m\].
     pub curvature_drift_max: f64,
-    /// Largest distance of the stored membrane strain from that of the configuration \[1\].
+    /// Largest distance of the stored membrane strain from that of the configuration, zero but for the strain-rate scheme \[1\].
     pub membrane_drift_max: f64,
+    /// Largest difference between the kinetic energy with the angular rates that follow from the slopes' velocities and that with
+    /// the sections' own rates, which is conserved, relative to the scale of energy \[1\].
+    pub angular_rate_drift_max: f64,
+}
+
+impl AuditSummary {
+    /// Where [`Self::angular_rate_drift_max`] is more than this, the step does not resolve the motion.
+    pub const UNRESOLVED: f64 = 0.01;
 }
 
 /// What became of a projectile, guided or free.
@@ -142,7 +150,7 @@ pub struct RunSummary {
     pub energy: EnergySummary,
     /// Momenta.
     pub momentum: MomentumSummary,
-    /// Drift of stored strains.
+    /// Drift of stored strains and of angular rates.
     pub audit: AuditSummary,
     /// One entry a guided projectile, then one a disc, in the model's order, shape (guided projectiles and discs).
     pub projectiles: Vec<ProjectileSummary>,

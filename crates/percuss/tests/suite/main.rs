@@ -1,6 +1,7 @@
 //! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
 
 mod accuracy;
+mod angular_rates;
 mod arrays;
 mod audit;
 mod beam_ends;

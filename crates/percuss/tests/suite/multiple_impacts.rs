@@ -138,6 +138,26 @@ fn sequences_with_friction_and_weight_keep_their_balances() {
     assert!(order.is_sorted() && order[3] > 1.0, "{order:?}");
 }
 
+/// Contacts that approach equally fast share an impact of the sequence: a ball that falls between two equal ones is thrown back the way it came.
+#[test]
+fn a_ball_that_falls_between_two_equal_ones_goes_back_straight() {
+    for e in [1.0, 0.5] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("stuff", 1e9, 1e3));
+        let section = b.section(Section::new("bar", 0.01, 1e-5));
+        b.beam(common::beam("far", [0.0, 9.0], [1.0, 9.0], 1, material, section));
+        let ball = b.disc(disc("ball", 1.0, 0.1, [0.0, 0.15], [0.0, -1.0]));
+        for (name, x) in [("left", -0.15), ("right", 0.15)] {
+            let shape = ObstacleShape::Disc { centre: [x, 0.0], radius: 0.1 };
+            let stone = b.obstacle(Obstacle { name: name.into(), shape, motion: None });
+            let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(stone)];
+            b.contact(Contact::new(name, between, TouchLaw::Rigid(RigidLaw::frictionless(e))));
+        }
+        let found = run(&b.build().unwrap(), MultipleImpacts::Sequential);
+        near(&found.projectiles[0].velocity_final, &[0.0, e]);
+    }
+}
+
 #[test]
 fn sequences_need_the_instant_of_contact() {
     let model = row(&[1.0; 3], 1, RigidLaw::frictionless(1.0));

@@ -12,6 +12,7 @@ use percuss_output::report::story;
 use serde_json::Value;
 
 use super::Ended;
+use super::drift::{drift, unresolved};
 use super::equivalent::{equivalent, without_equivalent};
 use crate::effective_mass;
 use crate::number::{count, number, small};
@@ -43,6 +44,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
         ),
     ));
     rows.push(("drift".into(), drift(run)));
+    rows.extend(unresolved(run));
     let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| touched(c));
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
@@ -282,15 +284,6 @@ fn energy(run: &RunSummary) -> String {
     parts.extend(present.map(|(label, value)| format!("{label} {} J", number(*value))));
     parts.push(format!("residual {} (relative)", small(energy.residual_max)));
     parts.join(", ")
-}
-
-fn drift(run: &RunSummary) -> String {
-    let audit = &run.audit;
-    format!(
-        "curvature {} 1/m, membrane strain {}",
-        small(audit.curvature_drift_max),
-        small(audit.membrane_drift_max)
-    )
 }
 
 fn touched(contact: &ContactSummary) -> bool {

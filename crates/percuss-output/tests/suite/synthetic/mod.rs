@@ -60,6 +60,7 @@ pub fn channels(projectile: &str, contact: (&str, &'static str), point: &str) ->
     }
     list.push(("audit.curvature_drift".into(), "1/m"));
     list.push(("audit.membrane_drift".into(), "1"));
+    list.push(("audit.angular_rate_drift".into(), "J"));
     list.push(("solver.newton_iterations".into(), "1"));
     list.push(("support.left.force_1".into(), "N"));
     list.push(("support.left.force_2".into(), "N"));
@@ -137,6 +138,7 @@ pub fn elastic(
             wobble * 2e-3,
             1e-9 * t,
             0.0,
+            0.0,
             3.0,
             1e-14,
             -0.6 * force,
@@ -207,6 +209,7 @@ pub fn rigid(
             0.0,
             0.0,
             0.0,
+            0.0,
             4.0,
             0.0,
             -1e6 * u,
@@ -269,7 +272,11 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             angular_scale: 1.5e4,
             angular_residual_max: 4e-13,
         },
-        audit: AuditSummary { curvature_drift_max: 0.0, membrane_drift_max: 0.0 },
+        audit: AuditSummary {
+            curvature_drift_max: 0.0,
+            membrane_drift_max: 0.0,
+            angular_rate_drift_max: 0.0,
+        },
         projectiles: vec![ProjectileSummary {
             name: projectile.to_owned(),
             velocity_final: [0.0, -19.10077444],

@@ -135,6 +135,7 @@ impl WithSimd for Measure<'_> {
                 sums.add(&ElementMeasures {
                     translation: own.translation.at(lane),
                     rotation: own.rotation.at(lane),
+                    rate_drift: own.rate_drift.at(lane),
                     axial: own.axial.at(lane),
                     bending: own.bending.at(lane),
                     linear: [own.linear[0].at(lane), own.linear[1].at(lane)],
