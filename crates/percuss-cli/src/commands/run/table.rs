@@ -27,6 +27,8 @@ const NAMED: usize = 6;
 const ROUNDING: f64 = 1e-13;
 /// Impulses beyond forces below this share of the momentum of the run are those of the instants in which a motion begins.
 const SMALL_IMPULSE: f64 = 1e-6;
+/// Impulses below this share of it are round-off.
+const NO_IMPULSE: f64 = 1e-9;
 /// Instants within less than this share of a step after the start are the start: impacts take as long.
 const AT_START: f64 = 1e-3;
 
@@ -210,11 +212,14 @@ fn impulses(run: &RunSummary) -> Vec<String> {
             [SMALL_IMPULSE * run.momentum.linear_scale, SMALL_IMPULSE * run.momentum.angular_scale];
         a.max(b) > least[0].max(ROUNDING * most[0]) || c > least[1].max(ROUNDING * most[1])
     };
+    let momentum = &run.momentum;
+    let nothing = [momentum.linear_scale, momentum.angular_scale].map(|scale| NO_IMPULSE * scale);
     let found: Vec<&SupportSummary> = run.supports.iter().filter(gave).collect();
     listed(&found, found.len(), HANDED, |support| {
         let told = |k: usize| {
             let i = support.impulse[k];
-            number(if i.abs() <= ROUNDING * most[k / 2] { 0.0 } else { i })
+            let none = nothing[k / 2].max(ROUNDING * most[k / 2]);
+            number(if i.abs() <= none { 0.0 } else { i })
         };
         let moment = match support.impulse[2].is_nan() {
             true => String::new(),
