@@ -25,6 +25,7 @@ mod multiple_impacts;
 mod parting;
 mod parts_of_steps;
 mod registers;
+mod round_ends;
 mod schemes;
 mod section_forces;
 mod slack;
