@@ -75,6 +75,19 @@ impl Pair {
         if on_source || touch.s.is_nan() { self.s } else { touch.s }
     }
 
+    /// Where along the target's face the source is nearest \[m\]; NaN where that is no other place whatever moves: what is pressed in is a point
+    /// of a beam, or one that a guided projectile strikes, or round.
+    pub fn place_on_face(&self, touch: &Touch, at: &Configuration) -> f64 {
+        let from = |start: &Centre| sub(touch.closest_place, start.place(at));
+        match &self.target {
+            _ if !self.s.is_nan() => f64::NAN,
+            Target::Axis { .. } => touch.s,
+            Target::Line { point, normal } => dot(tangent_of(*normal), from(point)),
+            Target::Segment { ends } => norm(from(&ends[0])),
+            Target::Guided { .. } | Target::Round { .. } => f64::NAN,
+        }
+    }
+
     /// The pair in a configuration; `None` where nothing of the target can be touched.
     pub fn touch(
         &self,

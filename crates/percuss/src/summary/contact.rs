@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Peak;
+use crate::geometry::dents::CarriedCrush;
 use crate::step::effective_mass::EffectiveMass;
 
 /// Where two things touch.
@@ -258,6 +259,9 @@ pub struct ContactSummary {
     pub effective_mass: Option<EffectiveMass>,
     /// What stays pushed in at the end where it is deepest, of a law that crushes \[m\].
     pub permanent_penetration: Option<f64>,
+    /// What a source of it, while it pressed, took along from where it had pushed a face in to where that is whole, if its force was
+    /// more than a tenth too small for it.
+    pub carried_crush: Option<CarriedCrush>,
     /// Static force that does what the impacts did at most, where nothing but a weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
     /// Why there is none, of a guided projectile.
