@@ -62,6 +62,7 @@ impl Simulation<'_> {
                         equivalent_force: None,
                         no_equivalent_force: None,
                         permanent_penetration: contact.law.permanent(&self.state, pairs()),
+                        pressed_in: self.monitor.contacts.pressed[i],
                         carried_crush: contact.law.carried(&self.state, pairs()),
                         record,
                     }

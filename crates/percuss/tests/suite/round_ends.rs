@@ -6,6 +6,7 @@ use common::{at, beam};
 use percuss::internals::geometry::configuration::Configuration;
 use percuss::internals::geometry::pair::Memory;
 use percuss::internals::geometry::touch::Reach;
+use percuss::internals::step::newton::Failure;
 use percuss::*;
 
 /// A beam between clamps, of 10 mm depth, and a rod with round ends that comes down on it at an angle, its end at `x`.
@@ -82,4 +83,22 @@ fn rods_that_come_down_obliquely_on_round_ends_are_followed_however_deep_they_pr
             assert!((peak[0] / peak[1] - 1.0).abs() < 0.02, "{angle} {x} {stiffness}: {peak:?}");
         }
     }
+}
+
+#[test]
+fn a_run_that_ends_deep_inside_says_which_contact_is_how_deep() {
+    let model = scene(30.0, 0.305, 5e4);
+    let mut simulation = Simulation::new(&model, &Settings::new(0.01, 5e-5)).unwrap();
+    let failed = |simulation: &Simulation<'_>| {
+        simulation.give_up(Failure::Diverged { residual: 0.1, node: 0 }, 1e-9).to_string()
+    };
+    let before = failed(&simulation);
+    assert!(before.ends_with("try a smaller step"), "{before}");
+    for _ in 0..60 {
+        simulation.advance(&mut NoRecorder).unwrap();
+    }
+    let deep = failed(&simulation);
+    assert!(deep.contains("contact `hit` is pressed in by "), "{deep}");
+    assert!(deep.contains("the middles of `rod` and `plank` meet at 1.0000e-2 m"), "{deep}");
+    assert!(deep.ends_with("give its law more stiffness, or thicker outlines to both"), "{deep}");
 }
