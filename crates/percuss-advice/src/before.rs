@@ -7,11 +7,12 @@ use super::duration::{From, Lasting, Modes};
 use super::expected::{Expected, Trials};
 use super::formulas::{pulse_frequency, reduced_mass};
 use super::structure::{BeamPlace, gravity, gravity_varies};
+use super::surroundings::Surroundings;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict, end_on, faces, shear, touch};
 use percuss::Settings;
 use percuss::math::vec2::dot;
-use percuss::{EffectiveMass, HertzBody, Model, Potential, TouchLaw};
+use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn, TouchLaw};
 
 /// Steps of a contact (or a period) that resolve it, and that hardly show it.
 pub(super) const STEPS: [f64; 2] = [20.0, 8.0];
@@ -128,6 +129,7 @@ impl Desk<'_> {
             self.transit(&struck.place, across < 0.99, contact),
             mass.and_then(|mass| self.effective_mass(mass)),
             self.stiffness(struck),
+            self.pressed(struck),
             contact.filter(|_| across > 0.5).map(|contact| self.span(struck, contact)),
             self.rear(struck),
             shear::finding(self, struck, lasting),
@@ -252,6 +254,28 @@ impl Desk<'_> {
         };
         let values = [mass.on_mesh, mass.limit];
         Some(self.finding(Topic::EffectiveMass, values, "kg", verdict, text))
+    }
+
+    /// How deep a disc is pressed in at most, if that is deep: as if what is held did not give way, and what is free met it as one piece.
+    fn pressed(&self, struck: &Struck<'_>) -> Option<Advice> {
+        let half_depth = struck.place.half_depth();
+        let through = struck.radius? + if half_depth.is_nan() { 0.0 } else { half_depth };
+        let held = Surroundings::of(self.model, struck.place.index).held;
+        let target = if held { f64::INFINITY } else { struck.beam_mass() };
+        let mass = reduced_mass([struck.mass, target]);
+        let blow = rigid_blow(self.case.law, mass, struck.speed, 0.0)?;
+        let pressed = PressedIn { penetration: blow.penetration, through, time: f64::NAN };
+        if !pressed.is_deep() {
+            return None;
+        }
+        let text = format!(
+            "law, mass and speed let it be pressed in by up to {}, and the middles of both meet at {}: place and direction of the force \
+             mean little that deep; give the law more stiffness",
+            quantity(blow.penetration, "m"),
+            quantity(through, "m")
+        );
+        let values = [blow.penetration, through];
+        Some(self.finding(Topic::Pressed, values, "m", Verdict::Note, text))
     }
 
     fn stiffness(&self, struck: &Struck<'_>) -> Option<Advice> {

@@ -6,7 +6,9 @@ use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
 use percuss::Settings;
 use percuss::inspect::{ContactView, MovingPartner};
-use percuss::{ContactRecord, ContactSummary, RunSummary, SectionForceSummary, Termination};
+use percuss::{
+    ContactRecord, ContactSummary, PressedIn, RunSummary, SectionForceSummary, Termination,
+};
 use percuss::{Model, StrainMeasure};
 
 /// Compressive strains from which on strain measures differ by some per cent, and by a tenth.
@@ -31,6 +33,8 @@ pub fn findings(
         let open = |contact| still_to_come(contact, settings, untouched);
         all.extend(run.contacts.iter().filter_map(open));
     }
+    all.extend(run.contacts.iter().filter_map(pressed_deep));
+    all.extend(run.contacts.iter().filter_map(carried_crush));
     all.extend(reactions(model, run));
     all.extend(jumps(model, run));
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
@@ -63,6 +67,35 @@ fn unresolved(contact: &ContactSummary, settings: &Settings, before: &[Advice]) 
     );
     let values = [duration, settings.step];
     Some(Advice::new(&contact.name, Topic::ContactDuration, values, "s", verdict, text))
+}
+
+/// A compliant contact whose outlines were deep inside each other.
+fn pressed_deep(contact: &ContactSummary) -> Option<Advice> {
+    let pressed = contact.pressed_in.filter(PressedIn::is_deep)?;
+    let [a, b] = &contact.between;
+    let text = format!(
+        "{a} and {b} were pressed into each other by {} at {}, and their middles meet at {}: place and direction of the force mean \
+         little that deep; give the law more stiffness, or both thicker outlines",
+        quantity(pressed.penetration, "m"),
+        quantity(pressed.time, "s"),
+        quantity(pressed.through, "m")
+    );
+    let values = [pressed.penetration, pressed.through];
+    Some(Advice::new(&contact.name, Topic::Pressed, values, "m", Verdict::Warning, text))
+}
+
+/// A contact that crushes, of which something slid along while it pressed.
+fn carried_crush(contact: &ContactSummary) -> Option<Advice> {
+    let carried = contact.carried_crush?;
+    let [a, b] = &contact.between;
+    let text = format!(
+        "what {a} and {b} were pushed in by went along while they pressed: {} deep, {} along the face from where it was made; force and \
+         dents are too small there, since the law has no force along the face",
+        quantity(carried.depth, "m"),
+        quantity(carried.distance, "m")
+    );
+    let values = [carried.depth, contact.permanent_penetration.unwrap_or(f64::NAN)];
+    Some(Advice::new(&contact.name, Topic::CarriedCrush, values, "m", Verdict::Warning, text))
 }
 
 /// A contact that is closed at the end, or that never closed where none did.

@@ -122,6 +122,8 @@ impl<S: Number> Telling<'_, S> {
                     between: contact.between.clone(),
                     effective_mass: reading.fixed.get(k).map(|fixed| fixed.mass),
                     permanent_penetration: None,
+                    carried_crush: None,
+                    pressed_in: None,
                     equivalent_force: None,
                     no_equivalent_force: None,
                     record: self.record(k, reading),

@@ -17,7 +17,7 @@ pub struct Error {
 
 #[derive(Debug)]
 enum ErrorKind {
-    NoConvergence { time: f64, step: f64, what: String },
+    NoConvergence { time: f64, step: f64, what: String, cure: &'static str },
     NoEquilibrium { share: f64 },
     UnsettledContacts { share: f64 },
     MomentBeyondLaw { share: f64, beam: String, most: f64 },
@@ -33,7 +33,13 @@ enum ErrorKind {
 impl Error {
     /// Newton's iteration failed down to the smallest step; `what` it was that did not converge.
     pub(crate) fn no_convergence(time: f64, step: f64, what: String) -> Self {
-        Self::of(ErrorKind::NoConvergence { time, step, what })
+        Self::of(ErrorKind::NoConvergence { time, step, what, cure: "try a smaller step" })
+    }
+
+    /// The same where a compliant contact is pressed in so deep that its geometry may be why.
+    pub(crate) fn pressed_through(time: f64, step: f64, what: String) -> Self {
+        let cure = "give its law more stiffness, or thicker outlines to both";
+        Self::of(ErrorKind::NoConvergence { time, step, what, cure })
     }
 
     /// No equilibrium was found beyond a share of the loads.
@@ -146,9 +152,9 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.kind {
-            ErrorKind::NoConvergence { time, step, what } => write!(
+            ErrorKind::NoConvergence { time, step, what, cure } => write!(
                 f,
-                "no convergence at t = {time:.9e} s with a step of {step:.3e} s: {what}; try a smaller step"
+                "no convergence at t = {time:.9e} s with a step of {step:.3e} s: {what}; {cure}"
             ),
             ErrorKind::NoEquilibrium { share } => write!(
                 f,

@@ -42,6 +42,7 @@ pub use analysis::{
 };
 pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce};
+pub use geometry::dents::CarriedCrush;
 pub use ledger::{Ledger, Measures};
 pub use model::*;
 pub use percuss_codes::{AnalysisCode, Caution};

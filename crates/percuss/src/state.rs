@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::element::fibre::FibreState;
 use crate::geometry::configuration::Configuration;
+use crate::geometry::dents::Dents;
 use crate::geometry::pair::{Memory, Pair, Target};
 use crate::geometry::touch::Reach;
 use crate::ledger::Ledger;
@@ -38,8 +39,10 @@ pub struct PairState {
     pub closed: bool,
     /// Largest approach velocity it ever struck with \[m/s\]; the scale of the stick velocity.
     pub approach_max: f64,
-    /// Deepest penetration of a law that crushes so far \[m\]; zero of all others.
+    /// Deepest penetration of a law that crushes so far, where it is now \[m\]; zero of all others.
     pub deepest: f64,
+    /// Where along the face of the target it is nearest \[m\]; NaN where that is no other place whatever moves.
+    pub(crate) place: f64,
 }
 
 /// Supports that the part of a step accepted last gave an impulse: of many stops most are not touched.
@@ -146,6 +149,8 @@ pub struct State {
     pub(crate) joints_parted: Vec<bool>,
     /// Pairs that can touch, in the model's order, shape (pairs).
     pub pairs: Vec<PairState>,
+    /// What they have left on faces, shape (pairs); empty where no law crushes.
+    pub(crate) dents: Vec<Dents>,
     /// The one whose instant of contact this is, if the state stands at one.
     pub(crate) located: Option<usize>,
     /// The running ledger.
@@ -161,7 +166,7 @@ impl State {
             let elements = [s.spin.len(), s.strain.len(), s.fibres.len(), s.memories.len()];
             let others = [s.followed.len(), s.coordinates.len(), s.mass_spin.len()];
             let forces = [s.reactions.len(), s.reacting.last.len(), s.multiplier.len()];
-            (nodes, elements, others, forces, [s.pairs.len(), s.joints_parted.len()])
+            (nodes, elements, others, forces, [s.pairs.len(), s.dents.len(), s.joints_parted.len()])
         };
         let supports = self.reactions.len();
         let parted = [0, model.beam_node_count()].contains(&self.parted.len());
@@ -204,6 +209,11 @@ impl State {
             multiplier: vec![0.0; model.constraints.len()],
             joints_parted: vec![false; model.joints.len()],
             pairs: vec![PairState::unseen(); model.pairs.len()],
+            dents: if model.crushes() {
+                vec![Dents::default(); model.pairs.len()]
+            } else {
+                Vec::new()
+            },
             located: None,
             ledger: Ledger::default(),
         }
@@ -273,6 +283,7 @@ impl State {
             nodal.truncate(structure.node_count());
         }
         state.pairs.clear();
+        state.dents.clear();
         state
     }
 
@@ -313,6 +324,7 @@ impl State {
                 let row = pair.normal_row(&touch, &at);
                 (seen.gap, seen.rate) = (touch.gap, row.on(&self.velocity));
                 seen.memory = touch.memory;
+                seen.place = pair.place_on_face(&touch, &at);
                 touch.apart.min(touch.gap)
             }
             None => {
@@ -348,6 +360,7 @@ impl PairState {
             closed: false,
             approach_max: 0.0,
             deepest: 0.0,
+            place: f64::NAN,
         }
     }
 }

@@ -27,6 +27,9 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
     if let Some(permanent) = contact.permanent_penetration {
         value["permanent_penetration"] = Value::from(permanent);
     }
+    if let Some(carried) = contact.carried_crush {
+        value["carried_crush"] = json!({ "distance": carried.distance, "depth": carried.depth });
+    }
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
             value["peak_force"] = peak(peak_force);

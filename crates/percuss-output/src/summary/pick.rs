@@ -305,6 +305,7 @@ fn unit(keys: &[&str]) -> &'static str {
         "value" if has("moment") || has("moment_max") => "N*m",
         "value" => "N",
         "moment" | "deflection" if has("equivalent_force") => "N",
+        "distance" | "depth" if has("carried_crush") => "m",
         "permanent_penetration" | "permanent_set" | "displacement" => "m",
         "length" | "element_length" => "m",
         "rotation" => "rad",

@@ -6,9 +6,15 @@
 //! is steeper than the line. The force over a step is the mean over the straight way from one penetration to the other, so that its
 //! work is the change of the stored energy plus what is dissipated, in steps of any size.
 
+use std::ops::Range;
+
 use super::law::{CLOSE, StepForce};
+use crate::geometry::dents::{CarriedCrush, Dent, Dents};
 use crate::model::{SmoothLaw, TouchLaw};
-use crate::state::PairState;
+use crate::state::{PairState, State};
+
+/// Share of the force at its deepest by which a contact may press less than the face where it is would answer, without a word.
+const DIFFERS: f64 = 0.1;
 
 impl SmoothLaw {
     /// Force at penetration `p`, the deepest so far being `deepest` \[N\]; without the part of rates.
@@ -57,6 +63,43 @@ impl SmoothLaw {
         if self.unloading.is_some() { seen.gap + self.permanent(seen.deepest) } else { seen.gap }
     }
 
+    /// What a pair leaves at the end of a step: the face remembers how deep it was pushed in where, and once nothing presses the pair
+    /// knows no more than the face does where it is `now`. `pressed` tells whether it had a force in the step; a face has its dents, and
+    /// the radius of what makes them.
+    ///
+    /// While it presses, and as long as it would press at once if it knew less, the pair goes on along its line of unloading, since
+    /// without a force along the face another line would store an energy that no work has given. How far is told.
+    pub(crate) fn remember(
+        &self,
+        deepest: &mut f64,
+        now: Dent,
+        face: Option<(&mut Dents, f64)>,
+        pressed: bool,
+    ) {
+        let depth = now.depth;
+        let deepens = depth > *deepest;
+        *deepest = deepest.max(depth);
+        let Some((dents, radius)) = face.filter(|_| !now.place.is_nan()) else { return };
+        let known = dents.depth_at(&now, radius);
+        if deepens {
+            dents.deepen(now, radius);
+        } else if depth > 0.0 {
+            dents.pass(now, radius);
+        }
+        let is_free = |deepest: f64| depth <= self.permanent(deepest);
+        if is_free(*deepest) {
+            if !pressed && is_free(known) {
+                *deepest = known;
+            }
+            return;
+        }
+        let own = known.max(depth);
+        let missing = self.force(depth, own) - self.force(depth, *deepest);
+        if dents.has_left(&now, radius) && missing > DIFFERS * self.potential.force(*deepest) {
+            dents.carry(&now, self.permanent(*deepest) - self.permanent(own));
+        }
+    }
+
     /// The elastic part of [`SmoothLaw::step_force`] of a law that crushes.
     pub(super) fn crushing(&self, slope: f64, [p0, p1]: [f64; 2], deepest: f64) -> StepForce {
         let deepest = deepest.max(p0).max(0.0);
@@ -93,11 +136,20 @@ impl SmoothLaw {
 }
 
 impl TouchLaw {
-    /// What stays pushed in of pairs under the law, where it is deepest \[m\]; none of a law that does not crush.
-    pub(crate) fn permanent(&self, pairs: &[PairState]) -> Option<f64> {
+    /// What stays pushed in of the pairs under the law, where it is deepest \[m\]; none of a law that does not crush.
+    pub(crate) fn permanent(&self, state: &State, pairs: Range<usize>) -> Option<f64> {
         let Self::Smooth(law) = self else { return None };
-        let left = pairs.iter().map(|pair| law.permanent(pair.deepest));
-        law.unloading.map(|_| left.fold(0.0, f64::max))
+        let deepest = |i: usize| state.pairs[i].deepest.max(state.dents[i].deepest());
+        law.unloading.map(|_| pairs.map(|i| law.permanent(deepest(i))).fold(0.0, f64::max))
+    }
+
+    /// The most that any of the pairs under the law carried along of what it was pushed in elsewhere.
+    pub(crate) fn carried(&self, state: &State, pairs: Range<usize>) -> Option<CarriedCrush> {
+        let mut most = CarriedCrush::default();
+        if self.crushes() {
+            pairs.for_each(|i| most.most(state.dents[i].carried));
+        }
+        (most.depth > 0.0).then_some(most)
     }
 }
 

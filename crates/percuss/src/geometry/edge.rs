@@ -43,6 +43,14 @@ struct EndFrame {
 }
 
 impl EndFrame {
+    /// Of an end of an axis, whose nearest point is `closest`.
+    fn of(axis: &Axis, end: &AxisEnd, closest: &ClosestPoint, at: &Configuration) -> Self {
+        if end.point.element == closest.point.element {
+            return Self::new(end, &closest.placed);
+        }
+        Self::new(end, &axis.placed_end(end, at))
+    }
+
     fn new(end: &AxisEnd, placed: &Placed) -> Self {
         let tangent = placed.tangent(end.point.xi);
         let tangent = scale(1.0 / norm(tangent), tangent);
@@ -65,12 +73,7 @@ pub fn nearest(
     at: &Configuration,
     [side, seen]: [f64; 2],
 ) -> Option<EdgeTouch> {
-    let placed = if end.point.element == closest.point.element {
-        closest.placed
-    } else {
-        axis.placed_end(end, at)
-    };
-    let frame = EndFrame::new(end, &placed);
+    let frame = EndFrame::of(axis, end, closest, at);
     let away = sub(y, frame.origin);
     let (d, e) = (dot(away, frame.out), dot(away, frame.across));
     let (w, sign) = (end.half_width, 1.0_f64.copysign(e));
@@ -113,4 +116,26 @@ pub fn nearest(
         side: if matches!(feature, Feature::Face) { sign } else { 0.0 },
         corner: matches!(feature, Feature::Corner),
     })
+}
+
+/// The section at an end of an axis, as what closes a beam whose cap is left to others; `side` is the face that `y` was seen on.
+pub fn section(
+    axis: &Axis,
+    end: &AxisEnd,
+    closest: &ClosestPoint,
+    y: [f64; 2],
+    at: &Configuration,
+    side: f64,
+) -> EdgeTouch {
+    let frame = EndFrame::of(axis, end, closest, at);
+    let away = sub(y, frame.origin);
+    let (distance, across) = (dot(away, frame.out), dot(away, frame.across));
+    EdgeTouch {
+        distance,
+        normal: frame.out,
+        offset: [0.0, across],
+        place: add(frame.origin, scale(across, frame.across)),
+        side,
+        corner: false,
+    }
 }

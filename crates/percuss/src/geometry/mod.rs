@@ -4,6 +4,7 @@
 
 pub mod axis;
 pub mod configuration;
+pub mod dents;
 pub mod edge;
 pub mod pair;
 pub mod placed;

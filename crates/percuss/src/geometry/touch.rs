@@ -14,6 +14,9 @@ use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 /// Below this distance of centre and axis the normal is that of the axis \[m\].
 pub(super) const COINCIDENT: f64 = 1e-9;
 
+/// A piece of an axis is at most so many times as long at first as it is after any compression that a beam survives.
+const LONGEST_WAY: f64 = 2.0;
+
 /// A pair where it is nearest.
 #[derive(Clone, Copy, Debug)]
 pub struct Touch {
@@ -70,6 +73,19 @@ impl Pair {
     pub fn along(&self, touch: &Touch) -> f64 {
         let on_source = self.source_partner == 0 && !self.s.is_nan();
         if on_source || touch.s.is_nan() { self.s } else { touch.s }
+    }
+
+    /// Where along the target's face the source is nearest \[m\]; NaN where that is no other place whatever moves: what is pressed in is a point
+    /// of a beam, or one that a guided projectile strikes, or round.
+    pub fn place_on_face(&self, touch: &Touch, at: &Configuration) -> f64 {
+        let from = |start: &Centre| sub(touch.closest_place, start.place(at));
+        match &self.target {
+            _ if !self.s.is_nan() => f64::NAN,
+            Target::Axis { .. } => touch.s,
+            Target::Line { point, normal } => dot(tangent_of(*normal), from(point)),
+            Target::Segment { ends } => norm(from(&ends[0])),
+            Target::Guided { .. } | Target::Round { .. } => f64::NAN,
+        }
     }
 
     /// The pair in a configuration; `None` where nothing of the target can be touched.
@@ -234,6 +250,16 @@ impl Pair {
         // Where the elements left out begin is no end.
         let border = side == 0.0 && axis.is_border(point);
         let gap = distance - self.reach - half_depth;
+        if gap < 0.0
+            && seen != 0.0
+            && let Some(end) = self.left_end(axis, s, gap)
+        {
+            let found = edge::section(axis, end, closest, y, at, side);
+            if found.distance > gap {
+                let touch = self.on_edge(axis, end, &found, point);
+                return Touch { gap: found.distance, apart: found.distance, radius: 0.0, ..touch };
+            }
+        }
         Touch {
             gap: if border { f64::INFINITY } else { gap },
             apart: distance.abs() - self.reach - half_depth,
@@ -249,6 +275,18 @@ impl Pair {
                 Bend::Round { distance }
             },
         }
+    }
+
+    /// The end whose cap is left to other pairs, if the place at arc length `s` is about as near to it as its gap is deep: what comes from the
+    /// cap gets between the faces without depth, and is no deeper in than the way from the section where they begin. Else the gap
+    /// would leap there, from nothing to all of its depth.
+    fn left_end<'a>(&self, axis: &'a Axis, s: f64, gap: f64) -> Option<&'a AxisEnd> {
+        let left = |end: &&AxisEnd| {
+            end.half_width == 0.0
+                && (end.s - s).abs() < -LONGEST_WAY * gap
+                && !axis.is_parted(end.point.element)
+        };
+        axis.ends.iter().filter(|_| self.skips_ends).find(left)
     }
 
     /// At the end of an axis, whose nearest point is `near`.

@@ -11,6 +11,8 @@ use super::{
 };
 use crate::element::beam::{ElementTable, NodeFrame};
 use crate::geometry::axis::{AxisElement, AxisElements};
+use crate::math::hermite;
+use crate::math::vec2::{cross, sub};
 
 /// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
 #[derive(Clone, Debug, Default)]
@@ -198,16 +200,15 @@ impl ModelBuilder {
         for (index, beam) in self.beams.iter().enumerate() {
             let Some(line) = CentreLine::new(beam) else { continue }; // checked before
             let first = (model.spans.len(), model.nodes.len(), model.element_count());
-            for plan in mesh::spans(beam, &line, &places::of_beam(self, index, &line)) {
-                self.add_span(&line, &plan, &mut model);
-            }
+            let plans = mesh::spans(beam, &line, &places::of_beam(self, index, &line));
+            plans.iter().for_each(|plan| self.add_span(&line, plan, &mut model));
             model.beams.push(BeamData {
                 name: beam.name.clone(),
                 spans: first.0..model.spans.len(),
                 nodes: first.1..model.nodes.len(),
                 elements: first.2..model.element_count(),
                 length: line.length(),
-                axis: axis(&model, first.0),
+                axis: axis(&model, first.0, &line, &plans),
             });
         }
         model
@@ -275,16 +276,41 @@ impl ModelBuilder {
     }
 }
 
-/// The elements of the spans from `first_span` on, as contact sees them.
-fn axis(model: &Model, first_span: usize) -> AxisElements {
+/// The elements of the spans from `first_span` on, as contact sees them; `plans` are those of the same spans.
+fn axis(model: &Model, first_span: usize, line: &CentreLine, plans: &[SpanPlan]) -> AxisElements {
     let known = |depth: f64| if depth.is_nan() { 0.0 } else { depth };
-    let element = |span: &Span, k: usize| AxisElement {
+    let element = |span: &Span, plan: &SpanPlan, k: usize| AxisElement {
         node: span.nodes.start + k,
         length: span.table(k).length,
         s: span.stations[k],
         half_depths: [0.0, 1.0].map(|xi| known(span.section_at(k, xi).half_depth)),
+        deviations: deviations(model, span, k, line, plan),
     };
-    let spans = model.spans[first_span..].iter();
-    let axis = spans.flat_map(|span| (0..span.elements.len()).map(move |k| element(span, k)));
+    let spans = model.spans[first_span..].iter().zip(plans);
+    let axis = spans
+        .flat_map(|(span, plan)| (0..span.elements.len()).map(move |k| element(span, plan, k)));
     AxisElements::new(axis.collect())
+}
+
+/// How far the line lies to the left of element `k` of a span at its quarter points, shape (3) \[m\].
+fn deviations(
+    model: &Model,
+    span: &Span,
+    k: usize,
+    line: &CentreLine,
+    plan: &SpanPlan,
+) -> [f64; 3] {
+    if mesh::is_straight(&line.pieces[plan.piece]) {
+        return [0.0; 3];
+    }
+    let [a, b] = [0, 1].map(|i| &model.nodes[span.nodes.start + k + i]);
+    let length = span.table(k).length;
+    [0.25, 0.5, 0.75].map(|xi| {
+        let (place, tangent) = plan.at(line, span.stations[k] + xi * length);
+        let n = hermite::shape(xi, length);
+        let own = [0, 1].map(|i| {
+            n[0] * a.position[i] + n[1] * a.tangent[i] + n[2] * b.position[i] + n[3] * b.tangent[i]
+        });
+        cross(tangent, sub(place, own))
+    })
 }

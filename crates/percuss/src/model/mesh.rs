@@ -25,7 +25,12 @@ pub struct SpanPlan {
 impl SpanPlan {
     /// Position and tangent of node `i`.
     pub fn node(&self, line: &CentreLine, i: usize) -> ([f64; 2], [f64; 2]) {
-        line.pieces[self.piece].at(self.offset + self.stations[i] - self.stations[0])
+        self.at(line, self.stations[i])
+    }
+
+    /// Position and tangent at arc length `s` from the start of the beam.
+    pub fn at(&self, line: &CentreLine, s: f64) -> ([f64; 2], [f64; 2]) {
+        line.pieces[self.piece].at(self.offset + s - self.stations[0])
     }
 }
 

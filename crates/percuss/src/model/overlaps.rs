@@ -3,16 +3,23 @@
 use super::Model;
 use super::fault::Fault;
 use super::frozen::ContactData;
+use crate::geometry::axis::AxisElement;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Carrier, Memory, Pair, Target};
 use crate::geometry::placed::Placed;
 use crate::geometry::touch::{Reach, Touch};
-use crate::math::vec2::{cross, scale, sub};
+use crate::math::vec2::{add, cross, norm, rot90, scale, sub};
 
 /// Penetrations at the start below this share of the bodies' size are round-off.
 const TOUCHING: f64 = 1e-9;
+/// Share of the largest deviation of elements from their curve that its three values a piece may leave unknown: less than that for arcs
+/// of half a radian an element, and for splines.
+const UNKNOWN: f64 = 0.02;
 /// Straight lines that stand for an element.
 const CHORDS: usize = 8;
+/// Places of an element among which the one nearest to a point of its curve is looked for, and halvings of the way between two.
+const PLACES: usize = 16;
+const HALVINGS: usize = 40;
 
 impl Model {
     /// A fault for each contact `of` those that has one thing inside the other in a configuration: how deep, where, and what would
@@ -27,8 +34,7 @@ impl Model {
         for contact in self.contacts.iter().filter(|c| of(c)) {
             let depth = |pair: &Pair| {
                 let touch = pair.touch(self, &at, &Memory::default(), Reach::All)?;
-                (touch.gap < -TOUCHING * self.scale_of(pair))
-                    .then_some((touch, pair.source_partner))
+                self.is_inside(pair, &touch, &at).then_some((touch, pair.source_partner))
             };
             let worst = self.pairs[contact.pairs.clone()].iter().filter_map(depth);
             let worst = worst.min_by(|a, b| a.0.gap.total_cmp(&b.0.gap));
@@ -87,6 +93,71 @@ impl Model {
         along.collect()
     }
 
+    /// Whether a pair is inside each other where it is nearest, not for round-off alone, nor because elements lie beside the curves that
+    /// were given: what touches such a curve touches, wherever it does.
+    fn is_inside(&self, pair: &Pair, touch: &Touch, at: &Configuration) -> bool {
+        let touching = TOUCHING * self.scale_of(pair);
+        if touch.gap >= -touching {
+            return false;
+        }
+        let beside = self.source_deviation(pair, at);
+        let most = norm(beside) + self.largest_deviation(&pair.target);
+        if touch.gap < -(touching + most * (1.0 + UNKNOWN)) {
+            return true;
+        }
+        let y = add(pair.source.place(at), beside);
+        let gap = match &pair.target {
+            Target::Axis { beam, skip, .. } => {
+                let kept = |k: &usize| !(skip[0]..skip[1]).contains(k);
+                let elements = &self.beams[*beam].axis;
+                let near = (0..elements.len()).filter(kept);
+                let away = near.map(|k| self.from_curve(&elements[k], y, at));
+                away.fold(f64::INFINITY, f64::min) - pair.reach
+            }
+            _ => touch.gap + beside[0] * touch.normal[0] + beside[1] * touch.normal[1],
+        };
+        gap < -(touching + most * UNKNOWN)
+    }
+
+    /// From the place of a source to where the curve of its beam would have it, shape (2) \[m\].
+    fn source_deviation(&self, pair: &Pair, at: &Configuration) -> [f64; 2] {
+        let Some(beam) = self.beams.get(pair.movers[0]).filter(|_| !pair.s.is_nan()) else {
+            return [0.0; 2];
+        };
+        let next = beam.axis.partition_point(|e| e.s <= pair.s).max(1);
+        let element = &beam.axis[next - 1];
+        let xi = ((pair.s - element.s) / element.length).clamp(0.0, 1.0);
+        beside(element, &Placed::new(element, &self.nodes, at), xi)
+    }
+
+    fn largest_deviation(&self, target: &Target) -> f64 {
+        let Target::Axis { beam, .. } = target else { return 0.0 };
+        let each = self.beams[*beam].axis.iter().map(AxisElement::largest_deviation);
+        each.fold(0.0, f64::max)
+    }
+
+    /// Least distance of a place from the face of the curve that an element stands for, as far as that goes \[m\].
+    fn from_curve(&self, element: &AxisElement, y: [f64; 2], at: &Configuration) -> f64 {
+        let placed = Placed::new(element, &self.nodes, at);
+        let away = |xi: f64| {
+            let place = add(placed.position(xi), beside(element, &placed, xi));
+            norm(sub(y, place)) - element.half_depth(xi)
+        };
+        let share = |k: usize| k as f64 / PLACES as f64;
+        let least = (0..=PLACES).min_by(|a, b| away(share(*a)).total_cmp(&away(share(*b))));
+        let best = least.unwrap_or(0);
+        let (mut xi, mut step) = (share(best), share(1));
+        for _ in 0..HALVINGS {
+            step *= 0.5;
+            for other in [xi - step, xi + step].map(|x| x.clamp(0.0, 1.0)) {
+                if away(other) < away(xi) {
+                    xi = other;
+                }
+            }
+        }
+        away(xi)
+    }
+
     fn scale_of(&self, pair: &Pair) -> f64 {
         match &pair.target {
             Target::Axis { beam, .. } => self.beams[*beam].length.max(pair.reach),
@@ -94,6 +165,16 @@ impl Model {
             _ => pair.reach.max(1e-3),
         }
     }
+}
+
+/// From a point of an element to where the curve has it that the element stands for, shape (2) \[m\].
+fn beside(element: &AxisElement, placed: &Placed, xi: f64) -> [f64; 2] {
+    let deviation = element.deviation(xi);
+    if deviation == 0.0 {
+        return [0.0; 2];
+    }
+    let tangent = placed.tangent(xi);
+    scale(deviation / norm(tangent), rot90(tangent))
 }
 
 /// Whether two polylines cross.

@@ -18,7 +18,7 @@ use crate::model::frozen::ContactData;
 use crate::model::{Model, SmoothLaw, TouchLaw};
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
-use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak};
+use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak, PressedIn};
 use gap_over_step::GapOverStep;
 use rigid::Resting;
 use smooth::{Free, Released};
@@ -30,6 +30,8 @@ pub struct ContactLog {
     pub records: Vec<ContactRecord>,
     /// Largest violation of the conditions of impulses, relative to the largest rate.
     pub residual: f64,
+    /// When each smooth contact was pressed in deepest, shape (contacts).
+    pub pressed: Vec<Option<PressedIn>>,
     /// Number of the open interval of each smooth contact in its record, shape (contacts) \[index of an interval\].
     open: Vec<Option<usize>>,
     /// The pair that touched first in the last interval of each smooth contact, shape (contacts) \[index of a pair\].
@@ -108,6 +110,7 @@ impl ContactLog {
         Self {
             records: model.contacts.iter().map(record).collect(),
             residual: 0.0,
+            pressed: vec![None; contacts],
             open: vec![None; contacts],
             first: vec![0; contacts],
             before: Vec::new(),
@@ -126,7 +129,7 @@ impl ContactLog {
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
         let shape = |log: &Self| {
             let contacts = [log.records.len(), log.open.len(), log.first.len(), log.rests.len()];
-            (contacts, log.struck.len(), log.free.len())
+            (contacts, [log.struck.len(), log.pressed.len()], log.free.len())
         };
         let smooth = |log: &Self| {
             let kinds = log.records.iter().map(|r| matches!(r, ContactRecord::Smooth { .. }));

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::math::vec2::{add, norm};
 use crate::step::newton::Failure;
 use crate::step::tangent::Singular;
+use crate::summary::PressedIn;
 
 /// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
 const COLLAPSED: f64 = 0.2;
@@ -43,7 +44,10 @@ impl Simulation<'_> {
                 } else {
                     format!("forces grow beyond all numbers, first at {at}")
                 };
-                Error::no_convergence(time, step, what)
+                match self.deepest_pressed() {
+                    Some(deep) => Error::pressed_through(time, step, format!("{what}; {deep}")),
+                    None => Error::no_convergence(time, step, what),
+                }
             }
             Failure::Impact => {
                 let what = "no impulses meet the conditions of all contacts";
@@ -63,6 +67,22 @@ impl Simulation<'_> {
                 Error::singular(time, "the joints and supports".into())
             }
         }
+    }
+
+    /// The compliant contact that is pressed in deepest, in words, if that is deep for what touches.
+    fn deepest_pressed(&self) -> Option<String> {
+        let (model, state) = (self.model, &self.state);
+        let deep = |i: &usize| {
+            let pressed = PressedIn::of(model, *i, &state.pairs[*i], state.time)?;
+            pressed.is_deep().then_some((&model.contacts[model.pairs[*i].contact], pressed))
+        };
+        let found = self.search.awake().iter().filter_map(deep);
+        let (contact, pressed) = found.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
+        let [a, b] = &contact.between;
+        Some(format!(
+            "contact `{}` is pressed in by {:.4e} m, and the middles of `{a}` and `{b}` meet at {:.4e} m",
+            contact.name, pressed.penetration, pressed.through
+        ))
     }
 
     /// The least stretch at any Gauss point, and the first node of its element.

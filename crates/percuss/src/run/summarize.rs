@@ -55,14 +55,16 @@ impl Simulation<'_> {
             contacts: (self.model.contacts.iter().zip(self.monitor.contacts.records).enumerate())
                 .map(|(i, (contact, mut record))| {
                     record.intervals_mut().iter_mut().for_each(|c| c.energy.balance());
-                    let pairs = &self.state.pairs[contact.pairs.clone()];
+                    let pairs = || contact.pairs.clone();
                     ContactSummary {
                         name: contact.name.clone(),
                         between: contact.between.clone(),
                         effective_mass: effective.get(i).copied().or(self.struck_masses[i]),
                         equivalent_force: None,
                         no_equivalent_force: None,
-                        permanent_penetration: contact.law.permanent(pairs),
+                        permanent_penetration: contact.law.permanent(&self.state, pairs()),
+                        pressed_in: self.monitor.contacts.pressed[i],
+                        carried_crush: contact.law.carried(&self.state, pairs()),
                         record,
                     }
                 })

@@ -5,7 +5,9 @@ use super::sequence::Sequence;
 use super::simulation::Simulation;
 use super::solve::Attempt;
 use crate::geometry::configuration::Configuration;
+use crate::geometry::dents::Dent;
 use crate::geometry::touch::Reach;
+use crate::model::TouchLaw;
 use crate::model::frozen::BodyKind;
 use crate::settings::ImpactResolution;
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
@@ -140,13 +142,27 @@ impl Simulation<'_> {
         self.steer_obstacles();
         self.search.moved(self.model);
         self.search.see(self.model, &mut self.state, Reach::Near);
+        self.remember_crushing();
+        parted
+    }
+
+    /// How deep what crushes was pushed in, and where.
+    fn remember_crushing(&mut self) {
+        let (model, state) = (self.model, &mut self.state);
+        if state.dents.is_empty() {
+            return;
+        }
         for contact in &self.work.smooth {
-            if self.model.contacts[self.model.pairs[contact.pair].contact].law.crushes() {
-                let pair = &mut self.state.pairs[contact.pair];
-                pair.deepest = pair.deepest.max(-pair.gap);
+            let pair = &model.pairs[contact.pair];
+            let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { continue };
+            if law.unloading.is_some() {
+                let face = (&mut state.dents[contact.pair], pair.reach - pair.target_radius);
+                let pressed = contact.force.force != 0.0;
+                let seen = &mut state.pairs[contact.pair];
+                let now = Dent { place: seen.place, side: seen.memory.side, depth: -seen.gap };
+                law.remember(&mut seen.deepest, now, Some(face), pressed);
             }
         }
-        parted
     }
 
     /// What approaches in an impact, or was held, has approached so fast.

@@ -3,6 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::Peak;
+use crate::geometry::dents::CarriedCrush;
+use crate::geometry::pair::Target;
+use crate::model::{Model, TouchLaw};
+use crate::state::PairState;
 use crate::step::effective_mass::EffectiveMass;
 
 /// Where two things touch.
@@ -262,12 +266,54 @@ pub struct ContactSummary {
     pub effective_mass: Option<EffectiveMass>,
     /// What stays pushed in at the end where it is deepest, of a law that crushes \[m\].
     pub permanent_penetration: Option<f64>,
+    /// What a source of it, while it pressed, took along from where it had pushed a face in to where that is whole, if its force was
+    /// more than a tenth too small for it.
+    pub carried_crush: Option<CarriedCrush>,
+    /// When a compliant contact was pressed in deepest, held against what touches; none of guided projectiles and of half-planes.
+    pub pressed_in: Option<PressedIn>,
     /// Static force that does what the impacts did at most, where nothing but a weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
     /// Why there is none, of a guided projectile.
     pub no_equivalent_force: Option<&'static str>,
     /// What happened.
     pub record: ContactRecord,
+}
+
+/// How deep one thing was pressed into another under a compliant law.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PressedIn {
+    /// Penetration at the end of a step, less what stays pushed in of a law that crushes \[m\].
+    pub penetration: f64,
+    /// The penetration at which the middle of what touches, its centre or axis, would meet that of what it touches \[m\]: radii and half depths
+    /// of both.
+    pub through: f64,
+    /// Time \[s\].
+    pub time: f64,
+}
+
+impl PressedIn {
+    /// Share of the way to the middle from which on it is deep: the half depth, where two beams of one depth touch.
+    const DEEP: f64 = 0.5;
+
+    /// Of a pair that is seen so at a time; `None` if it is open, or touches what has no middle.
+    pub(crate) fn of(model: &Model, i: usize, seen: &PairState, time: f64) -> Option<Self> {
+        let pair = &model.pairs[i];
+        let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { return None };
+        let (Target::Axis { .. } | Target::Round { .. }) = pair.target else { return None };
+        let through = pair.thickness(model, &seen.memory);
+        let pressed = Self { penetration: -law.free_gap(seen), through, time };
+        (pressed.penetration > 0.0 && through > 0.0).then_some(pressed)
+    }
+
+    /// Share of the way to the middle.
+    pub fn share(&self) -> f64 {
+        self.penetration / self.through
+    }
+
+    /// Whether it is so deep that the outlines that touch mean little: force and place are those of lines that go through each other.
+    pub fn is_deep(&self) -> bool {
+        self.share() > Self::DEEP
+    }
 }
 
 /// Static force at the struck point along the line of flight, beside the weight if there is any, that does by linear elasticity to the

@@ -21,16 +21,21 @@ fn crash_box() -> SmoothLaw {
 }
 
 const MASS: f64 = 2.0;
+const RADIUS: f64 = 0.05;
 const SPEED: f64 = 3.0;
 
-/// A disc that falls on a floor with the given law, without gravity.
+/// A disc that falls on a floor with the given law, by gravity alone if there is any.
 fn on_floor(law: SmoothLaw, gravity: f64) -> ModelBuilder {
+    let speed = if gravity > 0.0 { 0.0 } else { SPEED };
+    thrown_on_floor(law, gravity, disc("ball", MASS, RADIUS, [0.0, 0.051], [0.0, -speed])).0
+}
+
+fn thrown_on_floor(law: SmoothLaw, gravity: f64, ball: Disc) -> (ModelBuilder, DiscId) {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let far = b.beam(beam("far", [5.0, 0.0], [6.0, 0.0], 2, material, section));
     b.support(Support::new("far", at("far", far, 0.0), SupportKind::Clamp));
-    let speed = if gravity > 0.0 { 0.0 } else { SPEED };
-    let disc = b.disc(disc("ball", MASS, 0.05, [0.0, 0.051], [0.0, -speed]));
+    let disc = b.disc(ball);
     let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
     let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
     let between = [ContactPartner::Disc(disc), ContactPartner::Obstacle(floor)];
@@ -38,7 +43,7 @@ fn on_floor(law: SmoothLaw, gravity: f64) -> ModelBuilder {
     if gravity > 0.0 {
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -gravity] }));
     }
-    b
+    (b, disc)
 }
 
 fn run(model: &Model, settings: &Settings) -> RunSummary {
@@ -172,4 +177,94 @@ fn laws_that_would_give_energy_are_refused() {
     let settings = Settings { scheme: Scheme::Newmark, ..Settings::new(1e-3, 1e-5) };
     let faults = simulate(&model, &settings, &mut NoRecorder).unwrap_err();
     assert!(faults[0].to_string().contains("crushes"), "{faults:?}");
+}
+
+/// Loading and unloading [N/m]: half the speed comes back.
+const STIFFNESSES: [f64; 2] = [1e6, 4e6];
+
+/// A disc that flies to and fro between a floor and a ceiling, both of which crush, along them with the given velocity.
+fn between_planes(along: f64) -> RunSummary {
+    let law = crushing(STIFFNESSES[0], STIFFNESSES[1]);
+    let ball = disc("ball", MASS, RADIUS, [0.0, 0.051], [along, -SPEED]);
+    let (mut b, ball) = thrown_on_floor(law.clone(), 0.0, ball);
+    let shape = ObstacleShape::HalfPlane { point: [0.0, 0.2], normal: [0.0, -1.0] };
+    let ceiling = b.obstacle(Obstacle { name: "ceiling".into(), shape, motion: None });
+    let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(ceiling)];
+    b.contact(Contact::new("ball-ceiling", between, TouchLaw::Smooth(law)));
+    run(&b.build().unwrap(), &Settings::new(0.3, 2e-5))
+}
+
+#[test]
+fn what_strikes_another_place_finds_it_whole_and_what_comes_back_finds_its_dent() {
+    let [loading, unloading] = STIFFNESSES;
+    let near = |found: f64, exact: f64, what: &str| {
+        assert!((found / exact - 1.0).abs() < 1e-3, "{what}: {found}, {exact} expected");
+    };
+    // Half the speed is left after the floor, a quarter after the ceiling; its dents are 22 mm wide to either side, or less.
+    let speed = 0.25 * SPEED;
+    let elsewhere = between_planes(1.0);
+    let [first, second] = [0, 1].map(|k| elsewhere.contacts[0].record.intervals()[k]);
+    assert!(second.place.position[0] - first.place.position[0] > 0.03);
+    near(second.peak_force.value, speed * (MASS * loading).sqrt(), "a whole floor");
+    near(second.separation_velocity, 0.5 * speed, "a whole floor");
+    // What is deepest is told, wherever that is.
+    let deepest = SPEED * (MASS / loading).sqrt();
+    let left = elsewhere.contacts[0].permanent_penetration.unwrap();
+    near(left, deepest * (1.0 - loading / unloading), "the first dent");
+    let back = between_planes(0.0);
+    let second = back.contacts[0].record.intervals()[1];
+    near(second.peak_force.value, speed * (MASS * unloading).sqrt(), "its dent");
+    near(second.separation_velocity, speed, "its dent");
+    assert!([elsewhere, back].iter().all(|run| run.contacts[0].carried_crush.is_none()));
+}
+
+/// The same on a beam that hardly gives way.
+#[test]
+fn dents_belong_to_places_of_a_beam() {
+    let peaks = [0.0, 1.5].map(|along| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("hard", 2.1e14, 7.85e6));
+        let section = b.section(Section::rectangle("block", 0.5, 0.5));
+        let girder = b.beam(beam("girder", [0.0, 0.0], [1.0, 0.0], 8, material, section));
+        for k in 0..=8 {
+            let name = format!("s{k}");
+            let point = at(&name, girder, f64::from(k) / 8.0);
+            b.support(Support::new(&name, point, SupportKind::Clamp));
+        }
+        let ball = b.disc(disc("ball", MASS, RADIUS, [0.3, 0.301], [along, -SPEED]));
+        let shape = ObstacleShape::HalfPlane { point: [0.0, 0.45], normal: [0.0, -1.0] };
+        let ceiling = b.obstacle(Obstacle { name: "ceiling".into(), shape, motion: None });
+        let disc = ContactPartner::Disc(ball);
+        let law = || TouchLaw::Smooth(crushing(STIFFNESSES[0], STIFFNESSES[1]));
+        b.contact(Contact::new("ball-girder", [disc, ContactPartner::Beam(girder)], law()));
+        let bounce = TouchLaw::Rigid(RigidLaw::frictionless(1.0));
+        b.contact(Contact::new("top", [disc, ContactPartner::Obstacle(ceiling)], bounce));
+        let summary = run(&b.build().unwrap(), &Settings::new(0.2, 1e-5));
+        summary.contacts[0].record.intervals()[1].peak_force.value
+    });
+    let speed = 0.5 * SPEED;
+    for (peak, stiffness) in peaks.into_iter().zip([STIFFNESSES[1], STIFFNESSES[0]]) {
+        let exact = speed * (MASS * stiffness).sqrt();
+        assert!((peak / exact - 1.0).abs() < 5e-3, "{peak}, {exact} expected");
+    }
+}
+
+/// Let go on the floor it is pressed in twice as deep as it would rest, and slides on from there: as deep as its floor is only where it
+/// was pressed in.
+#[test]
+fn what_slides_on_while_it_presses_carries_its_dent_along_and_that_is_told() {
+    let (loading, unloading, gravity) = (1e5, 9e5, 9.81);
+    let carried = [0.0, 1.0].map(|along| {
+        let ball = disc("ball", MASS, RADIUS, [0.0, RADIUS], [along, 0.0]);
+        let (b, _) = thrown_on_floor(crushing(loading, unloading), gravity, ball);
+        let summary = run(&b.build().unwrap(), &Settings::new(0.2, 1e-5));
+        summary.contacts[0].carried_crush
+    });
+    assert_eq!(carried[0], None);
+    let found = carried[1].unwrap();
+    // Beyond half the chord of a dent by 2 w/K = 0.39 mm; from r(m) = (16/9) w/K to r(p) for a p between r(m) and m.
+    let rest = MASS * gravity / loading;
+    let half_width = (2.0 * rest * 2.0 * RADIUS).sqrt();
+    assert!(found.distance > half_width && found.distance < 0.2, "{found:?}");
+    assert!(found.depth > 0.05 * rest && found.depth < 0.2 * rest, "{found:?}");
 }

@@ -111,3 +111,96 @@ fn a_scene_of_any_size_at_any_place_takes_the_same_iterations() {
         assert!(more <= 20 && moved.step_cuts == 0, "scene {number}: {more}");
     }
 }
+
+/// An arc of the given radius over 1.2 rad, and a disc that lies on it at an angle from its start, outside or inside, `deep` within its face.
+fn laid_on_arc(
+    radius: f64,
+    elements: usize,
+    (angle, outside): (f64, bool),
+    deep: f64,
+) -> ModelBuilder {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+    let section = b.section(Section::rectangle("strip", 0.01 * radius, 0.02 * radius));
+    let on_circle = |angle: f64| [radius * (0.3 + angle).cos(), radius * (0.3 + angle).sin()];
+    let points = [0.0, 0.6, 1.2].map(on_circle);
+    let arc = Beam { curve: Curve::Arc, ..Beam::new("arc", &points, elements, material, section) };
+    let arc = b.beam(arc);
+    let (size, half_depth) = (0.3 * radius, 0.01 * radius);
+    let sign = if outside { 1.0 } else { -1.0 };
+    let away = 1.0 + sign * (half_depth + size - deep) / radius;
+    let ball = b.disc(disc("ball", 1.0, size, on_circle(angle).map(|x| away * x), [0.0; 2]));
+    let between = [ContactPartner::Disc(ball), ContactPartner::Beam(arc)];
+    b.contact(Contact::new("ball-arc", between, TouchLaw::Rigid(RigidLaw::frictionless(0.5))));
+    b
+}
+
+#[test]
+fn what_lies_on_the_circle_of_an_arc_touches_it_and_is_not_inside() {
+    // A cubic over an angle t lies beside its circle by t^4/384 of the radius.
+    let beside = |elements: usize| (1.2 / elements as f64).powi(4) / 384.0;
+    let mut nearest = f64::INFINITY;
+    for radius in [0.1, 1.0, 10.0, 100.0] {
+        for elements in [3, 4, 7, 16, 60] {
+            for k in 1..40 {
+                let place = (0.03 * f64::from(k), k % 2 == 0);
+                let laid = |deep: f64| laid_on_arc(radius, elements, place, deep * radius);
+                assert!(
+                    laid(0.0).build().is_ok(),
+                    "{radius} m, {elements}: {:?}",
+                    faults(&laid(0.0))
+                );
+                let real = 1e-4;
+                let found = faults(&laid(real));
+                assert_eq!(found.len(), 1, "{radius} m, {elements} elements at {place:?}");
+                nearest = nearest.min(real / beside(elements));
+            }
+        }
+    }
+    // Some overlaps are smaller than what the cubics lie beside their arc: 1.6 times here.
+    assert!(nearest < 1.6, "{nearest}");
+}
+
+/// A disc that all but fills its arc touches it along its whole length, and wherever cubics bulge inwards.
+#[test]
+fn what_fits_into_an_arc_is_not_inside_where_its_elements_bulge() {
+    for elements in [3, 5, 12] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("strip", 0.01, 0.02));
+        let points = [0.0_f64, 0.6, 1.2].map(|angle| [angle.cos(), angle.sin()]);
+        let beam =
+            Beam { curve: Curve::Arc, ..Beam::new("arc", &points, elements, material, section) };
+        let arc = b.beam(beam);
+        let ball = b.disc(disc("ball", 1.0, 0.99, [0.0; 2], [0.0; 2]));
+        let between = [ContactPartner::Disc(ball), ContactPartner::Beam(arc)];
+        b.contact(Contact::new("ball-arc", between, TouchLaw::Rigid(RigidLaw::frictionless(0.5))));
+        assert_eq!(faults(&b), [""; 0], "{elements} elements");
+    }
+}
+
+/// Points of an arc on a plane that touches its circle.
+#[test]
+fn an_arc_may_lie_on_a_plane_that_touches_its_circle() {
+    for (elements, deep, inside) in [(3, 0.0, 0), (8, 0.0, 0), (8, 1e-4, 1)] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("strip", 0.01, 0.02));
+        let points = [-1.0_f64, -0.2, 0.9].map(|angle| [angle.sin(), 1.0 - angle.cos()]);
+        let beam =
+            Beam { curve: Curve::Arc, ..Beam::new("arc", &points, elements, material, section) };
+        let arc = b.beam(beam);
+        let shape = ObstacleShape::HalfPlane { point: [0.0, deep - 0.01], normal: [0.0, 1.0] };
+        let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
+        let between = [ContactPartner::Beam(arc), ContactPartner::Obstacle(floor)];
+        let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
+        let contact = Contact::new("arc-floor", between, law);
+        b.contact(Contact { points_per_element: 20, ..contact });
+        assert_eq!(faults(&b).len(), inside, "{elements} elements, {deep} m: {:?}", faults(&b));
+    }
+}
+
+fn faults(b: &ModelBuilder) -> Vec<String> {
+    let found = b.build().err().unwrap_or_default();
+    found.iter().map(ToString::to_string).collect()
+}

@@ -26,6 +26,7 @@ mod multiple_impacts;
 mod parting;
 mod parts_of_steps;
 mod registers;
+mod round_ends;
 mod schemes;
 mod section_forces;
 mod slack;

@@ -16,6 +16,7 @@ pub use results::StaticContact;
 
 use crate::geometry::axis::longest_arc;
 use crate::geometry::configuration::Configuration;
+use crate::geometry::dents::{Dent, Dents};
 use crate::geometry::pair::{Memory, Pair, Target};
 use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
@@ -68,6 +69,8 @@ pub(super) enum Pressing {
 pub(super) struct StaticContacts {
     /// Pairs that take part, in the model's order, shape (such pairs).
     places: Vec<CandidatePair>,
+    /// What these have left on faces, shape (such pairs); empty where no law crushes.
+    dents: Vec<Dents>,
     /// Discs at rest that take part, shape (such discs).
     discs: Vec<RestingDisc>,
     /// Bodies in the model: all of them stand still but those discs.
@@ -142,6 +145,7 @@ impl StaticContacts {
                 accepted: memory,
                 seen: memory,
                 deepest: base.pairs.get(i).map_or(0.0, |seen| seen.deepest),
+                on_face: f64::NAN,
                 gap: touch.map_or(f64::INFINITY, |t| t.gap),
                 force: 0.0,
                 slope: 0.0,
@@ -156,6 +160,9 @@ impl StaticContacts {
                 s: f64::NAN,
                 change: 0.0,
             });
+            if model.crushes() {
+                contacts.dents.push(base.dents.get(i).cloned().unwrap_or_default());
+            }
         }
         contacts
     }
@@ -209,10 +216,14 @@ impl StaticContacts {
 
     /// The equilibrium at hand is one: sides and closest points are those seen in it, and what crushes has crushed so far.
     pub fn accept(&mut self, model: &Model) {
-        for place in &mut self.places {
-            place.accepted = place.seen;
-            if model.contacts[model.pairs[place.pair].contact].law.crushes() {
-                place.deepest = place.deepest.max(-place.gap);
+        self.places.iter_mut().for_each(|place| place.accepted = place.seen);
+        for (place, dents) in self.places.iter_mut().zip(&mut self.dents) {
+            let pair = &model.pairs[place.pair];
+            let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { continue };
+            if law.unloading.is_some() {
+                let face = (dents, pair.reach - pair.target_radius);
+                let now = Dent { place: place.on_face, side: place.seen.side, depth: -place.gap };
+                law.remember(&mut place.deepest, now, Some(face), place.force > 0.0);
             }
         }
     }
@@ -221,6 +232,9 @@ impl StaticContacts {
     pub fn remember_crushing(&self, state: &mut State) {
         for place in &self.places {
             state.pairs[place.pair].deepest = place.deepest;
+        }
+        for (place, dents) in self.places.iter().zip(&self.dents) {
+            state.dents[place.pair].clone_from(dents);
         }
     }
 
@@ -270,6 +284,7 @@ impl StaticContacts {
                 continue;
             };
             place.seen = touch.memory;
+            place.on_face = pair.place_on_face(&touch, &at);
             place.look(model, pair, &touch, size, pressing);
             let exact = place.is_exact && pressing != Pressing::Following;
             if TANGENT && !exact {

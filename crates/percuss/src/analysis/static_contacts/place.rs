@@ -22,6 +22,8 @@ pub struct CandidatePair {
     pub seen: Memory,
     /// Deepest penetration in the equilibria so far, of a law that crushes \[m\].
     pub deepest: f64,
+    /// Where along the face of the target it was nearest at the last look; NaN where that is no other place whatever moves \[m\].
+    pub on_face: f64,
     /// Gap at the last look; infinite where nothing can touch \[m\].
     pub gap: f64,
     /// Force at the last look \[N\].

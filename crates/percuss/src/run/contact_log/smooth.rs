@@ -10,7 +10,7 @@ use crate::geometry::touch::Reach;
 use crate::model::{SmoothLaw, TouchLaw};
 use crate::settings::SAME_INSTANT;
 use crate::state::PairState;
-use crate::summary::{ContactInterval, ContactRecord};
+use crate::summary::{ContactInterval, ContactRecord, PressedIn};
 
 /// An interval that has ended in a step, and what the gap of the point that left last was at its end.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -87,6 +87,7 @@ impl ContactLog {
         gaps.extend(pressed.map(|k| self.gap_over_step(seen, law, k)));
         let peak = highest(&gaps, law, seen.span.start);
         self.gaps = gaps;
+        self.note_depth(seen, contact, pairs.clone());
         if self.open[contact].is_none() {
             self.open_interval(seen, law, contact, pairs.clone());
         }
@@ -108,6 +109,19 @@ impl ContactLog {
         match deepest.filter(|k| gap(k) < 0.0) {
             Some(deepest) => interval.place_end = seen.place(seen.work.smooth[deepest].pair, 0.0),
             None => self.close_interval(seen, contact, open, pairs),
+        }
+    }
+
+    /// How deep the pairs of a contact are pressed in at the end of the step.
+    fn note_depth(&mut self, seen: StepViews<'_>, contact: usize, pairs: Range<usize>) {
+        let (model, end) = (seen.model, seen.span.start + seen.span.h);
+        for k in pairs {
+            let i = seen.work.smooth[k].pair;
+            let now = PressedIn::of(model, i, &seen.state.pairs[i], end);
+            let most = &mut self.pressed[contact];
+            if now.is_some_and(|now| most.is_none_or(|most| now.share() > most.share())) {
+                *most = now;
+            }
         }
     }
 
