@@ -29,5 +29,5 @@ pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path
 pub use slack::{SlackMember, slack_members};
 pub use static_contacts::StaticContact;
 pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};
-pub(crate) use unloading::unloaded;
+pub(crate) use unloading::{permanent_sets, set_beside};
 pub use yields::{PathYield, StaticYielding};

@@ -16,7 +16,7 @@ use crate::math::vec2::{add, scale};
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, ConstraintKind};
 use crate::settings::Scheme;
-use crate::state::State;
+use crate::state::{Followed, State};
 use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
@@ -44,6 +44,21 @@ const BALANCED: f64 = 1e-6;
 /// Statics has no step size; this one keeps quotients finite.
 pub(super) const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 
+/// What prescribed motions do in a search.
+pub(super) enum Motions {
+    /// They grow with the loads to what they are at time zero.
+    Growing,
+    /// They are left out.
+    LeftOut,
+    /// They stand as a run has left them, and what was to hold until an earlier time holds no more.
+    Left {
+        /// The time \[s\].
+        time: f64,
+        /// How far they were followed, shape (motions).
+        followed: Vec<Followed>,
+    },
+}
+
 /// A structure between its reference and an equilibrium.
 pub(super) struct StaticSearch<'m> {
     pub model: &'m Model,
@@ -58,8 +73,8 @@ pub(super) struct StaticSearch<'m> {
     pub let_go: f64,
     /// Whether springs are stressed as their lengths say.
     pub stressed: bool,
-    /// Whether prescribed motions are left out.
-    pub still: bool,
+    /// What prescribed motions do.
+    pub motions: Motions,
     /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
     gaps: Option<Chain>,
 }
@@ -91,7 +106,7 @@ impl<'m> StaticSearch<'m> {
         let (work, forcing) = (Workspace::new(model), Forcing::new(model));
         let contacts = StaticContacts::new(model, &base);
         let (withheld, let_go, gaps) = (Vec::new(), 1.0, None);
-        let (iterations, still, stressed) = (0, false, true);
+        let (iterations, motions, stressed) = (0, Motions::Growing, true);
         Self {
             model,
             base,
@@ -101,7 +116,7 @@ impl<'m> StaticSearch<'m> {
             iterations,
             withheld,
             let_go,
-            still,
+            motions,
             stressed,
             gaps,
         }
@@ -142,6 +157,14 @@ impl<'m> StaticSearch<'m> {
         search.set_share(share);
         search.forcing.hold_motions();
         search.foresee(true);
+        search
+    }
+
+    /// A structure as a run has left it, without loads: what has let go by then holds it no more, and supports stand where they are.
+    pub fn as_left(model: &'m Model, state: &State) -> Self {
+        let mut search = Self::at_share(model, state, 0.0);
+        search.motions = Motions::Left { time: state.time, followed: state.followed.clone() };
+        search.set_share(0.0);
         search
     }
 

@@ -128,7 +128,7 @@ fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
 }
 
 /// Whether a beam takes part in any of the motions.
-fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
+pub(super) fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
     motions.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
 }
 

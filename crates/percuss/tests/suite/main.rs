@@ -24,6 +24,7 @@ mod modal_damping;
 mod multiple_impacts;
 mod parting;
 mod parts_of_steps;
+mod permanent_set;
 mod registers;
 mod schemes;
 mod section_forces;

@@ -3,7 +3,7 @@
 use super::{Goal, PathPoint, PathRecorder};
 use crate::analysis::spectrum::Stability;
 use crate::analysis::static_contacts::{Pressing, Programme, Response};
-use crate::analysis::static_search::{Reached, StaticSearch, largest};
+use crate::analysis::static_search::{Motions, Reached, StaticSearch, largest};
 use crate::analysis::statics::{finish, stability};
 use crate::error::Error;
 use crate::model::Model;
@@ -60,7 +60,7 @@ pub(super) struct Tracer<'m> {
 impl<'m> Tracer<'m> {
     pub(super) fn new(model: &'m Model) -> Result<Self, Error> {
         let mut search = StaticSearch::new(model);
-        search.still = true;
+        search.motions = Motions::LeftOut;
         search.hold_loose_beams();
         search.foresee(true);
         // Springs may be stressed before any load acts.
