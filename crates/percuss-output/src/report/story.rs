@@ -205,7 +205,7 @@ mod tests {
         let moment =
             json!({ "b": { "moment": { "max": { "value": 5.0, "s": 1.0, "time": 0.3 } } } });
         let several = |names: &[&str]| {
-            let contacts: Map<String, Value> =
+            let contacts: serde_json::Map<String, Value> =
                 names.iter().map(|n| ((*n).into(), two(n))).collect();
             plain(&json!({ "contact": contacts, "energy": {}, "section_forces": moment }))
         };
