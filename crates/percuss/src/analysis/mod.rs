@@ -26,7 +26,7 @@ pub use failure::{FailureKind, StaticFailure};
 pub use flutter::FollowerStability;
 pub use modes::{Mode, ModeKind, modes_about, modes_about_equilibrium, natural_frequencies};
 pub use path::{Path, PathPoint, PathRecorder, equilibrium_path, equilibrium_path_recorded};
-pub use slack::{SlackMember, slack_members};
+pub use slack::{SlackMember, StopState, slack_members, stops};
 pub use static_contacts::StaticContact;
 pub use statics::{Equilibrium, equilibrium, equilibrium_in, mechanisms};
 pub(crate) use unloading::{permanent_sets, set_beside};

@@ -34,6 +34,7 @@ mod static_contact;
 mod static_contact_stretches;
 mod static_failures;
 mod static_paths;
+mod static_stops;
 mod statics;
 mod structures;
 mod structures_in_motion;
