@@ -1,8 +1,11 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
 mod failing;
+mod motions;
 mod reached;
 mod relaxed;
+
+pub(super) use motions::Motions;
 
 use super::spectrum::{Layout, free_motions};
 use super::static_contacts::{Pressing, StaticContacts};
@@ -16,7 +19,7 @@ use crate::math::vec2::{add, scale};
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, ConstraintKind};
 use crate::settings::Scheme;
-use crate::state::{Followed, State};
+use crate::state::State;
 use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
@@ -43,21 +46,6 @@ const INVERSE_ITERATIONS: usize = 40;
 const BALANCED: f64 = 1e-6;
 /// Statics has no step size; this one keeps quotients finite.
 pub(super) const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
-
-/// What prescribed motions do in a search.
-pub(super) enum Motions {
-    /// They grow with the loads to what they are at time zero.
-    Growing,
-    /// They are left out.
-    LeftOut,
-    /// They stand as a run has left them, and what was to hold until an earlier time holds no more.
-    Left {
-        /// The time \[s\].
-        time: f64,
-        /// How far they were followed, shape (motions).
-        followed: Vec<Followed>,
-    },
-}
 
 /// A structure between its reference and an equilibrium.
 pub(super) struct StaticSearch<'m> {
@@ -157,14 +145,6 @@ impl<'m> StaticSearch<'m> {
         search.set_share(share);
         search.forcing.hold_motions();
         search.foresee(true);
-        search
-    }
-
-    /// A structure as a run has left it, without loads: what has let go by then holds it no more, and supports stand where they are.
-    pub fn as_left(model: &'m Model, state: &State) -> Self {
-        let mut search = Self::at_share(model, state, 0.0);
-        search.motions = Motions::Left { time: state.time, followed: state.followed.clone() };
-        search.set_share(0.0);
         search
     }
 
