@@ -168,7 +168,8 @@ impl<S: Number> Telling<'_, S> {
             to.dissipated = value(from.dissipated);
         }
         let records = yield_log::records(self.model, &self.log.yields, lane);
-        yielding::summaries(self.model, &state, &records)
+        let sets = yielding::sets(self.model, &state);
+        yielding::summaries(self.model, &state, &records, &sets)
     }
 
     fn projectiles(&self, read: &dyn Fn(S) -> f64) -> Vec<ProjectileSummary> {

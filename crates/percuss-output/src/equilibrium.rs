@@ -127,7 +127,8 @@ fn yielding(found: &StaticYielding) -> Value {
         ("yielded".to_owned(), found.yielded.into()),
         ("failed".to_owned(), found.failed.into()),
     ];
-    Value::Object(Map::from_iter(entries))
+    let set = plastic::set_beside(&found.permanent_set);
+    Value::Object(entries.into_iter().chain(set).collect())
 }
 
 /// What a beam that can yield has come to: as after a run, with shares of the loads in the place of times.

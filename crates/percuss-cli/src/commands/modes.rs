@@ -2,7 +2,7 @@
 
 use percuss::{
     AnalysisCode, Caution, Equilibrium, Frame, Mode, ModeKind, Start, equilibrium, modes_about,
-    modes_about_equilibrium, reference_state, slack_members,
+    modes_about_equilibrium, reference_state, slack_members, stops,
 };
 use percuss_output::{Extent, ModesInfo, Results, modes_value, write_modes};
 
@@ -78,6 +78,14 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
                 number(member.slack),
                 number(member.length)
             ));
+        }
+        for stop in stops(model, &state) {
+            let (stands, takes) = if stop.closed {
+                ("closed", "its stiffness takes part")
+            } else {
+                ("open", "no stiffness there")
+            };
+            terminal::tell(&format!("stop     {}, {stands}: {takes}", stop.name));
         }
         terminal::tell(&format!("results  {}", out.display()));
     }

@@ -332,3 +332,62 @@ fn statics_tells_that_a_plastic_mechanism_was_passed() {
     outcome.ends_with(0);
     assert!(outcome.stdout.contains("a plastic mechanism was passed"), "{}", outcome.stdout);
 }
+
+/// A beam between two clamps that let go after the blow.
+const RELEASED: &str = r#"
+[material.m]
+young = "205 GPa"
+density = 7850
+strain = "engineering"
+yield = "275 MPa"
+[section.s]
+shape = "rectangle"
+width = "40 mm"
+depth = "40 mm"
+fibres = 8
+[beam.g]
+points = [[0, 0], [1, 0]]
+elements = 8
+material = "m"
+section = "s"
+[support.a]
+at = "g.start"
+kind = "clamp"
+[support.b]
+at = "g.end"
+kind = "clamp"
+until = 0.005
+[projectile.p]
+kind = "elastic"
+mass = 60
+velocity = [0, -8]
+strikes = "g.mid"
+standoff = 0.0
+stiffness = 4e6
+[time]
+end = 0.01
+step = 2e-05
+"#;
+
+/// Where a permanent set is `null` its reason stands beside it; without yield it is zero.
+#[test]
+fn a_permanent_set_is_told_or_the_reason_why_not() {
+    let desk = Desk::empty();
+    let set = |text: &str| {
+        let (summary, told, _) = run(&desk, text, &[]);
+        let beam = &summary["plastic"]["g"];
+        let note = beam["permanent_set_note"].as_str().map(str::to_owned);
+        (beam["permanent_set"].as_f64(), note, told)
+    };
+    let (held, note, told) = set(RELEASED);
+    assert!(held.unwrap() > 0.01 && note.is_none(), "{held:?} {note:?}");
+    assert!(told.contains("permanent set 0.0"), "{told}");
+    let flies = RELEASED
+        .replace("kind = \"clamp\"\n[support.b]", "kind = \"clamp\"\nuntil = 0.005\n[support.b]");
+    let (none, note, told) = set(&flies);
+    let reason = "what holds at the end leaves it free to move without being strained";
+    assert_eq!((none, note.as_deref()), (None, Some(reason)));
+    assert!(told.contains(&format!("no permanent set told: {reason}")), "{told}");
+    let (zero, note, _) = set(&RELEASED.replace("-8", "-0.01"));
+    assert_eq!((zero, note), (Some(0.0), None));
+}

@@ -3,7 +3,7 @@
 use percuss::{
     ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, FirstYield, Impact,
     JointParting, JointSummary, Parting, Peak, PermanentSet, PlasticHinge, PlasticSummary,
-    SectionPeak,
+    SectionPeak, SetOfBeam, YieldingSummary,
 };
 
 /// The contact with an interval and an impact.
@@ -61,9 +61,16 @@ pub(super) fn plastic_with_every_event(beam: &PlasticSummary) -> PlasticSummary 
             dissipated: 0.0,
         }],
         parted: vec![Parting { s: 0.0, stretch: [0.0; 2], time: 0.0, energy: 0.0 }],
-        permanent_set: Some(PermanentSet { s: 0.0, displacement: [0.0; 2] }),
+        permanent_set: Ok(PermanentSet { s: 0.0, displacement: [0.0; 2] }),
         ..beam.clone()
     }
+}
+
+/// The spring or hinge has bent what it acts on for good.
+pub(super) fn yielding_with_every_event(connector: &YieldingSummary) -> YieldingSummary {
+    let set = PermanentSet { s: 0.0, displacement: [0.0; 2] };
+    let permanent_set = Ok(SetOfBeam { beam: String::new(), set });
+    YieldingSummary { permanent_set, ..connector.clone() }
 }
 
 /// The joint parted.

@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::every_event::{
     contact_with_every_event, joint_with_every_event, plastic_with_every_event,
+    yielding_with_every_event,
 };
 use super::{
     audit, contact, energy, momentum, plastic, point, projectile, section_forces, step_control,
@@ -225,6 +226,9 @@ fn part_with_every_event(key: &str, name: &str, run: &RunSummary) -> Value {
     let joint = run.joints.iter().find(|joint| key == "joint" && joint.name == name);
     if let Some(joint) = joint {
         return plastic::joint(&joint_with_every_event(joint));
+    }
+    if let Some(own) = run.yielding.iter().find(|c| key == "yielding" && c.name == name) {
+        return plastic::yielding(&yielding_with_every_event(own));
     }
     match (contact, beam) {
         (Some(contact), _) => contact::value(&contact_with_every_event(contact)),

@@ -1,19 +1,20 @@
 //! Beams, springs and hinges that can yield.
 
-use percuss::{JointSummary, Parting, PlasticHinge, PlasticSummary, SectionPeak, YieldingSummary};
-use serde_json::{Map, Value, json};
+use percuss::{
+    JointSummary, NoPermanentSet, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
+    SetOfBeam, YieldingSummary,
+};
+use serde_json::{Value, json};
 
 use super::peak;
 
 /// What became of a beam that can yield.
 pub(crate) fn value(beam: &PlasticSummary) -> Value {
-    json!({
+    let mut value = json!({
         "strain_max": beam.strain_max.value,
         "strain_max_at": place(&beam.strain_max),
         "accumulated_max": beam.accumulated_max.value,
         "rotation": beam.rotation(),
-        "permanent_set": beam.permanent_set.map(|set| set.size()),
-        "permanent_set_at": beam.permanent_set.map(|set| json!({ "s": set.s, "displacement": set.displacement })),
         "first_yield": beam.first_yield.map(|first| json!({ "time": first.time, "s": first.s })),
         "dissipated": beam.dissipated,
         "dissipated_by_preload": beam.dissipated_by_preload,
@@ -21,7 +22,34 @@ pub(crate) fn value(beam: &PlasticSummary) -> Value {
         "failed_fibres": beam.failed,
         "parted": beam.parted.iter().map(parting).collect::<Vec<_>>(),
         "hinges": beam.hinges.iter().map(hinge).collect::<Vec<_>>(),
-    })
+    });
+    if let Value::Object(entries) = &mut value {
+        let at = |set: &PermanentSet| json!({ "s": set.s, "displacement": set.displacement });
+        let set = beam.permanent_set.as_ref();
+        entries.extend(permanent_set(set.map(|set| (set.size(), at(set)))));
+    }
+    value
+}
+
+/// How large a permanent set is and where, or `null` and why.
+fn permanent_set(
+    found: Result<(f64, Value), &NoPermanentSet>,
+) -> impl Iterator<Item = (String, Value)> + use<> {
+    let ((size, at), note) = match found {
+        Ok((size, at)) => ((size.into(), at), None),
+        Err(reason) => ((Value::Null, Value::Null), Some(reason.to_string())),
+    };
+    let entries = [("permanent_set", Some(size)), ("permanent_set_at", Some(at))];
+    let all = entries.into_iter().chain([("permanent_set_note", note.map(Value::from))]);
+    all.filter_map(|(key, value)| Some((key.to_owned(), value?)))
+}
+
+/// The same of the beams that a spring or hinge acts on.
+pub(crate) fn set_beside(
+    found: &Result<SetOfBeam, NoPermanentSet>,
+) -> impl Iterator<Item = (String, Value)> + use<> {
+    let at = |of: &SetOfBeam| json!({ "beam": of.beam, "s": of.set.s, "displacement": of.set.displacement });
+    permanent_set(found.as_ref().map(|of| (of.set.size(), at(of))))
 }
 
 /// What became of a spring or hinge that can yield.
@@ -39,7 +67,8 @@ pub(super) fn yielding(connector: &YieldingSummary) -> Value {
         ("hardening".into(), connector.hardening.into()),
         ("failure".into(), at(connector.failed)),
     ];
-    Value::Object(Map::from_iter(entries))
+    let set = set_beside(&connector.permanent_set);
+    Value::Object(entries.into_iter().chain(set).collect())
 }
 
 /// What became of a joint of a given strength.

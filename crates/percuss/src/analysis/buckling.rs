@@ -7,6 +7,7 @@ use super::spectrum::{Held, Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
 use super::statics::Equilibrium;
 use crate::model::Model;
+use crate::model::frozen::ConnectorLaw;
 use crate::settings::Scheme;
 use crate::state::State;
 
@@ -111,11 +112,19 @@ pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
 }
 
 /// The same where the contacts that press in an equilibrium stay closed: as supports do, rigid ones do not give way, compliant ones
-/// with the stiffness of their law. Open ones and those of discs are left out.
+/// with the stiffness of their law, as stops do. Open ones and those of discs are left out.
 ///
 /// Of gaps that close under the loads it knows as little as of all other displacements.
 pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> LinearBuckling {
-    result(&model.structure(), found.held.clone(), count)
+    let mut structure = model.structure();
+    for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {
+        // A closed stop is a spring, an open one is none.
+        if let ConnectorLaw::OneSided { stiffness, .. } = c.law {
+            let stiffness = if c.law.acts_at(*q) { stiffness } else { 0.0 };
+            c.law = ConnectorLaw::Linear { stiffness, rest: 0.0 };
+        }
+    }
+    result(&structure, found.held.clone(), count)
 }
 
 fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {

@@ -1,4 +1,4 @@
-//! Members that bear no stress of one sign and are slack.
+//! Members that bear no stress of one sign and are slack, and stops that are open.
 
 use crate::element::beam::ElementValues;
 use crate::element::yielding::gauss_strains;
@@ -45,4 +45,23 @@ fn is_slack(span: &Span, k: usize, state: &State) -> bool {
             fibres.laws[fibre.law].is_slack(memory, membrane + fibre.height * bending)
         })
     })
+}
+
+/// A stop as it stands in a state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StopState {
+    /// The support's name.
+    pub name: String,
+    /// Whether it is closed, on either side of one with two: its stiffness takes part in small motions. An open one has none.
+    pub closed: bool,
+}
+
+/// Stops as they stand in a state, in the model's order, shape (stops).
+pub fn stops(model: &Model, state: &State) -> Vec<StopState> {
+    let closed = |support: usize| {
+        let own = model.connectors.iter().zip(&state.coordinates);
+        own.filter(|(c, _)| c.support == Some(support)).any(|(c, q)| c.law.acts_at(*q))
+    };
+    let all = model.supports.iter().enumerate().filter(|(_, support)| support.stops);
+    all.map(|(i, support)| StopState { name: support.name.clone(), closed: closed(i) }).collect()
 }

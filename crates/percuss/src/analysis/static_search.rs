@@ -1,8 +1,11 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
 mod failing;
+mod motions;
 mod reached;
 mod relaxed;
+
+pub(super) use motions::Motions;
 
 use super::spectrum::{Layout, free_motions};
 use super::static_contacts::{Pressing, StaticContacts};
@@ -58,8 +61,8 @@ pub(super) struct StaticSearch<'m> {
     pub let_go: f64,
     /// Whether springs are stressed as their lengths say.
     pub stressed: bool,
-    /// Whether prescribed motions are left out.
-    pub still: bool,
+    /// What prescribed motions do.
+    pub motions: Motions,
     /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
     gaps: Option<Chain>,
 }
@@ -91,7 +94,7 @@ impl<'m> StaticSearch<'m> {
         let (work, forcing) = (Workspace::new(model), Forcing::new(model));
         let contacts = StaticContacts::new(model, &base);
         let (withheld, let_go, gaps) = (Vec::new(), 1.0, None);
-        let (iterations, still, stressed) = (0, false, true);
+        let (iterations, motions, stressed) = (0, Motions::Growing, true);
         Self {
             model,
             base,
@@ -101,7 +104,7 @@ impl<'m> StaticSearch<'m> {
             iterations,
             withheld,
             let_go,
-            still,
+            motions,
             stressed,
             gaps,
         }

@@ -21,6 +21,10 @@ use crate::summary::SectionForceSummary;
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
 /// equilibria (a roll of one turn more or less).
 const FIRST_STEP: f64 = 0.1;
+/// A mechanism whose stops are open and that has moved by more than this share of its size is one that the loads have turned round, like a
+/// weathervane, and no structure that stops hold.
+const CARRIED_AWAY: f64 = 0.1;
+
 /// A static equilibrium.
 #[derive(Clone, Debug)]
 pub struct Equilibrium {
@@ -107,6 +111,12 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     loading.bring_up(&structure)?;
     let Loading { stable, steps, failures, course, .. } = loading;
     let mut found = finish(&mut search, steps);
+    let moved = found.state.displacement.iter().map(|u| u[0].hypot(u[1])).fold(0.0, f64::max);
+    if moved > CARRIED_AWAY * model.extent()
+        && let Some(name) = loose(&search, &found.state)
+    {
+        return Err(Error::nothing_holds(name));
+    }
     found.failures = failures;
     (found.softening, found.first_yields) = (course.softening(), course.first_yields);
     balance::check(&search, &found)?;
@@ -129,7 +139,7 @@ fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
 }
 
 /// Whether a beam takes part in any of the motions.
-fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
+pub(super) fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
     motions.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
 }
 
@@ -197,9 +207,32 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     }
 }
 
+/// Whether the structure has stops and would be a mechanism without them.
+pub(super) fn leans_on_stops(model: &Model) -> bool {
+    let structure = model.structure();
+    let rest = State::at_rest(&structure, crate::settings::Scheme::EnergyMomentum);
+    let layout = Layout::new(&structure);
+    structure.connectors.iter().any(|c| c.law.is_one_sided())
+        && !free_motions(&layout, &StaticSearch::at(&structure, &rest)).motions.is_empty()
+}
+
+/// A beam that can move without being strained where the search stands, what is closed there closed; nothing
+/// where contacts may hold it, or where there are no stops.
+fn loose(search: &StaticSearch, state: &State) -> Option<String> {
+    let structure = search.model.structure();
+    let alone = search.of_structure(&structure, state);
+    let free = free_motions(&Layout::new(&structure), &alone).motions;
+    let stopped = structure.connectors.iter().any(|c| c.law.is_one_sided());
+    let beam = structure.beams.iter().find(|beam| moves(&free, beam));
+    beam.filter(|_| stopped && search.contacts.is_empty()).map(|beam| beam.name.clone())
+}
+
 /// Why no equilibrium follows the last one found.
 pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
     let state = search.state();
+    if let Some(name) = loose(search, &state) {
+        return Error::nothing_holds(name);
+    }
     let (forces, _) = search.section_forces(&state);
     for (beam, found) in search.model.beams.iter().zip(&forces) {
         for span in &search.model.spans[beam.spans.clone()] {
@@ -222,13 +255,16 @@ pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
 /// A fault for each beam that supports and joints leave free to move without strain and that nothing can be held by: what the rank
 /// of the stiffness matrix lacks, whatever stiffness and density are.
 ///
-/// Beams that have a contact may rest on something; whether they do [`equilibrium`] tells.
+/// Beams that have a contact or a stop may rest on something; whether they do [`equilibrium`] tells.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let beams = model.beams.len();
     let apart = loose_ends(model);
     let mut touchable = vec![false; beams];
     for pair in model.pairs.iter().filter(|pair| takes_part(model, pair)) {
         pair.movers.iter().filter(|m| **m < beams).for_each(|m| touchable[*m] = true);
+    }
+    for stop in model.connectors.iter().filter(|c| c.law.is_one_sided()) {
+        stop.attachments().for_each(|(_, (point, _))| touchable[point.beam] = true);
     }
     let model = &model.structure();
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);

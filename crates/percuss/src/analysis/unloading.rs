@@ -1,29 +1,138 @@
 //! What stays when a structure that has yielded is unloaded.
 
+use super::spectrum::{Layout, free_motions};
 use super::static_search::StaticSearch;
-use super::statics::mechanisms;
-use crate::element::fibre::StressLaw;
+use super::statics::moves;
+use crate::element::fibre::{FibreState, StressLaw};
+use crate::math::vec2::sub;
 use crate::model::Model;
+use crate::model::frozen::{BeamData, Connector, Coordinate, Drive};
 use crate::state::State;
+use crate::summary::{NoPermanentSet, PermanentSet, SetOfBeam};
 
-/// Displacements of the beams' nodes in the equilibrium without loads and contacts that the structure springs back to, its plastic
-/// strains as they are, shape (beam nodes, 4); none where supports do not hold it or no such equilibrium is near.
-pub fn unloaded(model: &Model, state: &State) -> Option<Vec<[f64; 4]>> {
+/// Supports that have moved by less than this share of the size of the structure stand where they were, and those that have turned by
+/// less.
+const UNMOVED: f64 = 1e-12;
+
+/// The permanent set of each beam: how far its nodes stay from where they would be without plastic strains once loads and contacts are
+/// taken away, supports where they stand, shape (beams).
+///
+/// What holds the structure is what holds it at the end of the run: supports that have let go and joints that have torn do not. Zero
+/// where nothing has yielded.
+pub fn permanent_sets(model: &Model, state: &State) -> Vec<Result<PermanentSet, NoPermanentSet>> {
+    let structure = without_flow(model);
+    let start = state.of_structure(&structure);
+    let mut search = StaticSearch::as_left(&structure, &start);
+    let free = free_motions(&Layout::new(&structure), &search);
+    let stays = has_yielded(&start).then(|| stays(&mut search, free.stops));
+    let of_beam = |beam: &BeamData| {
+        if moves(&free.motions, beam) {
+            let parted = beam.nodes.clone().any(|node| parts_after(&structure, &start, beam, node));
+            return Err(if parted { NoPermanentSet::Parted } else { NoPermanentSet::NotHeld });
+        }
+        match &stays {
+            None => Ok(PermanentSet { s: f64::NAN, displacement: [0.0; 2] }),
+            Some(None) => Err(NoPermanentSet::NoEquilibrium),
+            Some(Some(nodal)) => farthest(&structure, beam, nodal),
+        }
+    };
+    structure.beams.iter().map(of_beam).collect()
+}
+
+/// The largest permanent set of the beams that a spring or hinge acts on, of those that have one.
+pub fn set_beside(
+    model: &Model,
+    connector: &Connector,
+    sets: &[Result<PermanentSet, NoPermanentSet>],
+) -> Result<SetOfBeam, NoPermanentSet> {
+    let beams = connector.attachments().map(|(_, (point, _))| point.beam);
+    let of =
+        |beam: usize| sets[beam].map(|set| SetOfBeam { beam: model.beams[beam].name.clone(), set });
+    let larger = |a: Result<SetOfBeam, _>, b: Result<SetOfBeam, _>| match (&a, &b) {
+        (Ok(own), Ok(other)) if other.set.size() > own.set.size() => b,
+        (Err(_), Ok(_)) => b,
+        _ => a,
+    };
+    beams.map(of).reduce(larger).unwrap_or(Err(NoPermanentSet::NotHeld))
+}
+
+/// Whether an element of a beam that starts at a node has parted.
+fn parts_after(model: &Model, state: &State, beam: &BeamData, node: usize) -> bool {
+    let ends =
+        |node: usize| model.spans[beam.spans.clone()].iter().any(|s| s.nodes.end == node + 1);
+    state.has_parted(node) && !ends(node)
+}
+
+/// The structure alone, its plastic strains as they are for good.
+fn without_flow(model: &Model) -> Model {
     let mut structure = model.structure();
-    if !mechanisms(model).is_empty() {
-        return None;
-    }
     for fibres in structure.spans.iter_mut().filter_map(|span| span.fibres.as_mut()) {
         fibres.laws.iter_mut().for_each(|law| *law = law.without_flow());
     }
     for own in structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut()) {
         own.law = StressLaw::Elastic { young: own.law.young() };
     }
-    let start = state.of_structure(&structure);
-    let mut search = StaticSearch::at_share(&structure, &start, 0.0);
-    search.foresee(true);
-    if !search.solve(0.0) {
-        return None;
+    structure
+}
+
+fn has_yielded(state: &State) -> bool {
+    state.fibres.iter().chain(&state.memories).any(|memory| memory.accumulated > 0.0)
+}
+
+/// What stays of the displacements of nodes, shape (nodes, 2) \[m\]; none where no equilibrium without loads is near. Components that stop
+/// what nothing holds keep it where it is.
+fn stays(search: &mut StaticSearch, stops: Vec<(usize, usize)>) -> Option<Vec<[f64; 2]>> {
+    search.contacts.hold_loosely(search.model, stops);
+    let unloaded = at_rest(search)?;
+    if rests_in_reference(search) {
+        return Some(unloaded);
     }
-    Some(search.state().displacement)
+    let straight = |memory: &mut FibreState| (memory.plastic, memory.accumulated) = (0.0, 0.0);
+    search.base.fibres.iter_mut().for_each(straight);
+    search.base.memories.iter_mut().for_each(straight);
+    let unyielded = at_rest(search)?;
+    Some(unloaded.iter().zip(&unyielded).map(|(a, b)| sub(*a, *b)).collect())
+}
+
+/// Displacements of the nodes in the equilibrium without loads next to where the search stands, shape (nodes, 2) \[m\].
+fn at_rest(search: &mut StaticSearch) -> Option<Vec<[f64; 2]>> {
+    search.foresee(true);
+    let start = search.reached();
+    let found = search.solve(0.0) || search.relax_from(&start, 0.0);
+    found.then(|| search.displacement().iter().map(|u| [u[0], u[1]]).collect())
+}
+
+/// Whether the reference configuration is in equilibrium without loads and without plastic strains: supports stand where they were, and
+/// no spring is stressed there.
+fn rests_in_reference(search: &StaticSearch) -> bool {
+    let (model, forcing) = (search.model, &search.forcing);
+    let none = UNMOVED * search.size();
+    let unmoved = |drive: &Drive| forcing.start(drive).abs() <= none;
+    let reference = vec![[0.0; 4]; model.node_count()];
+    let unyielded = vec![FibreState::default(); model.memory_count()];
+    let constraints = model.constraints.iter().zip(&forcing.constrained);
+    let connectors = model.connectors.iter().zip(&forcing.connected);
+    model.prescribed.iter().flat_map(|dofs| &dofs.drives).all(unmoved)
+        && constraints.filter(|(_, holds)| **holds).all(|(c, _)| unmoved(&c.drive))
+        && connectors.filter(|(_, holds)| **holds).all(|(c, _)| {
+            let still = match &c.coordinate {
+                Coordinate::Displacement { drive, .. } => unmoved(drive),
+                _ => true,
+            };
+            still && c.potential(c.value(&reference, 0.0), &unyielded) == 0.0
+        })
+}
+
+/// The node of a beam that stays displaced farthest.
+fn farthest(
+    model: &Model,
+    beam: &BeamData,
+    stays: &[[f64; 2]],
+) -> Result<PermanentSet, NoPermanentSet> {
+    let nodes = model.spans[beam.spans.clone()]
+        .iter()
+        .flat_map(|span| span.nodes.clone().zip(span.stations.iter().copied()));
+    let sets = nodes.map(|(n, s)| PermanentSet { s, displacement: stays[n] });
+    let farthest = sets.max_by(|a, b| a.size().total_cmp(&b.size()));
+    farthest.ok_or(NoPermanentSet::NoEquilibrium)
 }

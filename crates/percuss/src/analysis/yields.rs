@@ -1,10 +1,12 @@
 //! Springs and hinges that yield, at rest.
 
 use super::static_search::Reached;
+use super::unloading::{permanent_sets, set_beside};
 use crate::element::fibre::StressLaw;
 use crate::model::Model;
 use crate::model::frozen::{Connector, YieldingLaw};
 use crate::state::State;
+use crate::summary::{NoPermanentSet, SetOfBeam};
 
 /// A spring or an elastic hinge that can yield, in equilibrium.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,8 @@ pub struct StaticYielding {
     pub yielded: bool,
     /// Whether it has failed on the way.
     pub failed: bool,
+    /// As in [`crate::YieldingSummary`].
+    pub permanent_set: Result<SetOfBeam, NoPermanentSet>,
 }
 
 /// The first yield of a spring or hinge along an equilibrium path.
@@ -37,6 +41,7 @@ pub struct PathYield {
 
 /// Springs and hinges that can yield in a state at rest.
 pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticYielding> {
+    let sets = if model.memory_count() > 0 { permanent_sets(model, state) } else { Vec::new() };
     let each = model.yielding().map(|(i, c, own)| {
         let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
         StaticYielding {
@@ -47,6 +52,7 @@ pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticYielding> {
             force: own.sign * c.reached_force(q, &state.memories) + 0.0,
             yielded: memory.accumulated > 0.0,
             failed: memory.failed,
+            permanent_set: set_beside(model, c, &sets),
         }
     });
     each.collect()

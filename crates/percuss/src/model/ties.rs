@@ -306,6 +306,19 @@ pub enum ConnectorLaw {
 }
 
 impl ConnectorLaw {
+    /// Whether it presses only while its gap is closed.
+    pub fn is_one_sided(self) -> bool {
+        matches!(self, Self::OneSided { .. })
+    }
+
+    /// Whether it acts at a value of the coordinate: what is not closed there has neither force nor stiffness.
+    pub fn acts_at(self, q: f64) -> bool {
+        match self {
+            Self::Linear { .. } => true,
+            Self::OneSided { gap, .. } => q > gap,
+        }
+    }
+
     /// A value of the coordinate without force and energy.
     pub fn free(self) -> f64 {
         match self {

@@ -3,10 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::record::Channel;
+use crate::analysis::set_beside;
 use crate::model::Model;
 use crate::model::frozen::{Connector, YieldingLaw};
 use crate::state::State;
-use crate::summary::{Peak, YieldingSummary};
+use crate::summary::{NoPermanentSet, Peak, PermanentSet, YieldingSummary};
 
 /// What is noted of a connector that can yield.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -51,11 +52,12 @@ fn take(peak: &mut Peak, value: f64, time: f64) {
     }
 }
 
-/// What a run came to, one entry a connector that can yield.
+/// What a run came to, one entry a connector that can yield, by its records and the beams' permanent sets.
 pub fn summaries(
     model: &Model,
     state: &State,
     records: &[ConnectorRecord],
+    sets: &[Result<PermanentSet, NoPermanentSet>],
 ) -> Vec<YieldingSummary> {
     let summary = |((_, c, own), record): ((usize, &Connector, &YieldingLaw), &ConnectorRecord)| {
         let memory = &state.memories[own.memory];
@@ -73,6 +75,7 @@ pub fn summaries(
             dissipated_by_preload: record.preload,
             hardening: own.law.hardening_energy(memory),
             failed: record.failed,
+            permanent_set: set_beside(model, c, sets),
         }
     };
     model.yielding().zip(records).map(summary).collect()

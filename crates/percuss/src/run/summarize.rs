@@ -16,6 +16,7 @@ impl Simulation<'_> {
         let effective = self.model.effective_masses();
         let [energy_scale, linear_scale, angular_scale] = ledger.audit_scales();
         let model = self.model;
+        let sets = yielding::sets(model, &self.state);
         let mut summary = RunSummary {
             termination,
             time: self.state.time,
@@ -82,8 +83,8 @@ impl Simulation<'_> {
                 })
                 .collect(),
             supports: self.monitor.supports,
-            plastic: yielding::summaries(self.model, &self.state, &self.monitor.yielded),
-            yielding: connector_log::summaries(model, &self.state, &self.monitor.connectors),
+            plastic: yielding::summaries(model, &self.state, &self.monitor.yielded, &sets),
+            yielding: connector_log::summaries(model, &self.state, &self.monitor.connectors, &sets),
             joints: joint_log::summaries(model, &self.monitor.joints),
             section_forces: self.monitor.section_forces,
         };

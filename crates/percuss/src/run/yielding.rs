@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::{Equilibrium, unloaded};
+use crate::analysis::{Equilibrium, permanent_sets};
 use crate::element::beam::ElementValues;
 use crate::element::fibre::{Fibre, FibreState, StressLaw};
 use crate::element::yielding::gauss_strains;
@@ -12,7 +12,7 @@ use crate::model::frozen::{BeamData, Span, SpanFibres};
 use crate::state::State;
 use crate::step::fibres::PartedElement;
 use crate::summary::{
-    FirstYield, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
+    FirstYield, NoPermanentSet, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
 };
 
 /// Plastic curvature below this share of that at first yield is none: a section that is only stretched beyond yield has one of round-off.
@@ -148,19 +148,29 @@ pub fn note_parted(
     }
 }
 
-/// What a run came to, one entry a beam that can yield.
-pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<PlasticSummary> {
-    // Pieces that have come off have no place to spring back to, and what they were joined to perhaps neither.
-    let whole = state.parted.is_empty() && !state.joints_parted.contains(&true);
-    let yielded = records.iter().any(|r| r.first.is_some());
-    let unloaded = if whole && yielded { unloaded(model, state) } else { None };
-    let can_yield = |(beam, _): &(&BeamData, &YieldRecord)| {
-        let yields = |law: &StressLaw| matches!(law, StressLaw::Plastic(_));
-        let mut fibres = model.spans[beam.spans.clone()].iter().filter_map(|s| s.fibres.as_ref());
-        fibres.any(|of| of.laws.iter().any(yields))
-    };
-    let both = model.beams.iter().zip(records).filter(can_yield);
-    both.map(|(beam, record)| {
+/// Whether a beam can yield.
+fn can_yield(model: &Model, beam: &BeamData) -> bool {
+    let yields = |law: &StressLaw| matches!(law, StressLaw::Plastic(_));
+    let mut fibres = model.spans[beam.spans.clone()].iter().filter_map(|s| s.fibres.as_ref());
+    fibres.any(|of| of.laws.iter().any(yields))
+}
+
+/// The permanent set of each beam, shape (beams); empty where nothing can yield.
+pub fn sets(model: &Model, state: &State) -> Vec<Result<PermanentSet, NoPermanentSet>> {
+    let any = model.memory_count() > 0 || model.beams.iter().any(|beam| can_yield(model, beam));
+    if any { permanent_sets(model, state) } else { Vec::new() }
+}
+
+/// What a run came to, one entry a beam that can yield, by its records and the beams' permanent [`sets`].
+pub fn summaries(
+    model: &Model,
+    state: &State,
+    records: &[YieldRecord],
+    sets: &[Result<PermanentSet, NoPermanentSet>],
+) -> Vec<PlasticSummary> {
+    let all = model.beams.iter().zip(records).zip(sets);
+    let able = all.filter(|((beam, _), _)| can_yield(model, beam));
+    able.map(|((beam, record), set)| {
         let none = SectionPeak { value: 0.0, s: f64::NAN, time: f64::NAN };
         let or_none = |peak: SectionPeak| if record.first.is_some() { peak } else { none };
         let mut out = PlasticSummary {
@@ -172,10 +182,7 @@ pub fn summaries(model: &Model, state: &State, records: &[YieldRecord]) -> Vec<P
             dissipated: 0.0,
             dissipated_by_preload: record.preload,
             hardening: 0.0,
-            permanent_set: record
-                .first
-                .and(unloaded.as_ref())
-                .and_then(|u| permanent_set(model, beam, u)),
+            permanent_set: *set,
             failed: 0,
             parted: record.parted.clone(),
         };
@@ -200,7 +207,7 @@ pub fn yielded_at_rest(model: &Model, found: &Equilibrium) -> Vec<PlasticSummary
     }
     let mut records = vec![YieldRecord::default(); model.beams.len()];
     note(model, &found.state, &mut records);
-    let mut all = summaries(model, &found.state, &records);
+    let mut all = summaries(model, &found.state, &records, &sets(model, &found.state));
     for beam in &mut all {
         let index = model.beams.iter().position(|own| own.name == beam.name);
         let first = index.and_then(|k| found.first_yields.get(k).copied().flatten());
@@ -212,16 +219,6 @@ pub fn yielded_at_rest(model: &Model, found: &Equilibrium) -> Vec<PlasticSummary
         beam.accumulated_max.time = f64::NAN;
     }
     all
-}
-
-/// The node of a beam that stays displaced farthest.
-fn permanent_set(model: &Model, beam: &BeamData, unloaded: &[[f64; 4]]) -> Option<PermanentSet> {
-    let nodes = model.spans[beam.spans.clone()]
-        .iter()
-        .flat_map(|span| span.nodes.clone().zip(span.stations.iter().copied()));
-    let sets =
-        nodes.map(|(n, s)| PermanentSet { s, displacement: [unloaded[n][0], unloaded[n][1]] });
-    sets.max_by(|a, b| a.size().total_cmp(&b.size()))
 }
 
 /// Plastic curvature at a Gauss point: what of the bending strain is not that of its moment.

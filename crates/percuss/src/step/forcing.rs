@@ -113,6 +113,22 @@ impl Forcing {
         self.connected.fill(true);
     }
 
+    /// Leaves supports as a run has that ended at a time: motions stand where they were followed to, and what was to hold until an
+    /// earlier time holds no more.
+    pub fn leave(&mut self, model: &Model, time: f64, reached: &[Followed]) {
+        for (started, reached) in self.started.iter_mut().zip(reached) {
+            *started = reached.value - reached.origin;
+        }
+        self.moved.fill(0.0);
+        let holds = |until: f64| until >= time * (1.0 - SAME_INSTANT);
+        for (flag, c) in self.constrained.iter_mut().zip(&model.constraints) {
+            *flag &= holds(c.until);
+        }
+        for (flag, c) in self.connected.iter_mut().zip(&model.connectors) {
+            *flag &= holds(c.until);
+        }
+    }
+
     /// Sets the loads that act at an instant, from the right at the start of a run and on both sides of it later, over a time h.
     pub fn set_loads_at(&mut self, model: &Model, time: f64, h: f64) {
         if time > 0.0 {

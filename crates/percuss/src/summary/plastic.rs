@@ -1,5 +1,7 @@
 //! What became of beams, springs and hinges that can yield.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use super::{Peak, SectionPeak};
@@ -47,9 +49,9 @@ pub struct PlasticSummary {
     pub dissipated_by_preload: f64,
     /// Energy that hardening has stored \[J\].
     pub hardening: f64,
-    /// Largest displacement of a node once the structure is unloaded and at rest; none where it has not yielded, is not held by
-    /// supports, or has no such equilibrium near its last configuration, and where any beam has parted.
-    pub permanent_set: Option<PermanentSet>,
+    /// The node that stays farthest from where it would be without plastic strains once the structure is unloaded and at rest, held
+    /// by what still holds it; nowhere and zero where nothing has yielded, and why it is not told where it is not.
+    pub permanent_set: Result<PermanentSet, NoPermanentSet>,
     /// Fibres that have failed.
     pub failed: usize,
     /// Where it has parted, in the order of time, shape (places).
@@ -69,13 +71,44 @@ pub struct Parting {
     pub energy: f64,
 }
 
-/// What stays of a beam's displacements where most of them stays.
+/// What stays of a beam's displacements where most of them stays, once the structure is unloaded and at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PermanentSet {
-    /// Arc length of the node from the start of the beam \[m\].
+    /// Arc length of the node from the start of the beam \[m\]; NaN where nothing has yielded.
     pub s: f64,
-    /// Its displacement, shape (2) \[m\].
+    /// How far it stays from where it would be without plastic strains, supports where they stand at the end, shape (2) \[m\].
     pub displacement: [f64; 2],
+}
+
+/// A permanent set and the beam that it is of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetOfBeam {
+    /// The beam's name.
+    pub beam: String,
+    /// Its permanent set.
+    pub set: PermanentSet,
+}
+
+/// Why no permanent set of a beam is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NoPermanentSet {
+    /// What holds at the end leaves the beam free to move without being strained.
+    NotHeld,
+    /// The beam has parted, and nothing holds a piece of it.
+    Parted,
+    /// No equilibrium without loads was found near the last configuration.
+    NoEquilibrium,
+}
+
+impl fmt::Display for NoPermanentSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotHeld => "what holds at the end leaves it free to move without being strained",
+            Self::Parted => "nothing holds a piece of it",
+            Self::NoEquilibrium => "no equilibrium without loads is near its last configuration",
+        })
+    }
 }
 
 impl PermanentSet {
@@ -122,4 +155,6 @@ pub struct YieldingSummary {
     pub hardening: f64,
     /// End of the step in which it failed, if it did \[s\].
     pub failed: Option<f64>,
+    /// The largest permanent set of the beams that it acts on; why it is not told where it is told of none of them.
+    pub permanent_set: Result<SetOfBeam, NoPermanentSet>,
 }

@@ -62,7 +62,14 @@ fn a_disc_flies_through_the_strip_that_it_has_broken() {
         assert_balances(&summary);
         let strip = &summary.plastic[0];
         assert!(!strip.parted.is_empty(), "{strip:?}");
-        assert!(strip.permanent_set.is_none(), "pieces have no place to spring back to");
+        // Stubs are clamped and spring back alone; what has come off between two places has no place to.
+        match strip.permanent_set {
+            Ok(set) => assert!(set.displacement[1] < 0.0 && strip.parted.len() == 1, "{strip:?}"),
+            Err(reason) => {
+                assert_eq!(reason, NoPermanentSet::Parted);
+                assert!(strip.parted.len() > 1, "{strip:?}");
+            }
+        }
         let heights = rows.column("projectile.ball.position_2").unwrap();
         assert!(*heights.last().unwrap() < -0.1, "{:?}", heights.last());
         // Long after it has gone through it flies on evenly.

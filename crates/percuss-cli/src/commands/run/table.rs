@@ -130,12 +130,15 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
             number(hinge.element_length)
         ));
     }
-    if let Some(set) = beam.permanent_set {
-        // What is round-off beside the other component is none.
-        let plain = |x: f64| number(if x.abs() < 1e-9 * set.size() { 0.0 } else { x });
-        let [x, y] = set.displacement.map(plain);
-        let (size, s) = (number(set.size()), number(set.s));
-        parts.push(format!("permanent set {size} m, ({x}, {y}) m at s = {s} m"));
+    match beam.permanent_set {
+        Err(reason) => parts.push(format!("no permanent set told: {reason}")),
+        Ok(set) => {
+            // What is round-off beside the other component is none.
+            let plain = |x: f64| number(if x.abs() < 1e-9 * set.size() { 0.0 } else { x });
+            let [x, y] = set.displacement.map(plain);
+            let (size, s) = (number(set.size()), number(set.s));
+            parts.push(format!("permanent set {size} m, ({x}, {y}) m at s = {s} m"));
+        }
     }
     if beam.failed > 0 {
         parts.push(format!("{} failed", count(beam.failed, "fibre")));

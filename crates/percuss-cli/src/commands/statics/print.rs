@@ -181,10 +181,13 @@ fn in_short(model: &Model, found: &Equilibrium, beam: &PlasticSummary) -> String
         let (turn, s, length) = (number(hinge.rotation), number(hinge.s), number(hinge.length));
         parts.push(format!("bent by {turn} rad about s = {s} m over {length} m"));
     }
-    if let Some(set) = beam.permanent_set {
-        let [x, y] = set.displacement.map(|u| beside(set.size(), u));
-        parts.push(format!("permanent set ({x}, {y}) m at s = {} m", number(set.s)));
-    }
+    parts.push(match beam.permanent_set {
+        Ok(set) => {
+            let [x, y] = set.displacement.map(|u| beside(set.size(), u));
+            format!("permanent set ({x}, {y}) m at s = {} m", number(set.s))
+        }
+        Err(reason) => format!("no permanent set told: {reason}"),
+    });
     if beam.failed > 0 {
         parts.push(format!("{} failed", count(beam.failed, "fibre")));
     }

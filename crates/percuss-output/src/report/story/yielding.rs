@@ -34,13 +34,18 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
         ),
     };
     let set = |beam: &Value| beam["permanent_set"].as_f64().unwrap_or(f64::NEG_INFINITY);
-    if let Some((name, set)) =
-        most(&set).and_then(|(name, beam)| Some((name, permanent_set(beam)?)))
-    {
-        out.push_str(&match others {
-            0 => format!(" Unloaded it keeps {set}."),
-            _ => format!(" Unloaded {name} keeps {set}."),
-        });
+    let kept = most(&set).map(|(name, beam)| (name, beam, permanent_set(beam)));
+    match kept {
+        Some((name, _, Some(set))) if all.len() > 1 => {
+            out.push_str(&format!(" Unloaded {name} keeps {set}."));
+        }
+        Some((.., Some(set))) => out.push_str(&format!(" Unloaded it keeps {set}.")),
+        Some((name, beam, None)) => {
+            if let Some(reason) = beam["permanent_set_note"].as_str() {
+                out.push_str(&format!(" No permanent set of {name} is told: {reason}."));
+            }
+        }
+        None => {}
     }
     Some(out)
 }

@@ -3,8 +3,8 @@
 use super::{Goal, PathPoint, PathRecorder};
 use crate::analysis::spectrum::Stability;
 use crate::analysis::static_contacts::{Pressing, Programme, Response};
-use crate::analysis::static_search::{Reached, StaticSearch, largest};
-use crate::analysis::statics::{finish, stability};
+use crate::analysis::static_search::{Motions, Reached, StaticSearch, largest};
+use crate::analysis::statics::{finish, leans_on_stops, lost as lost_at, stability};
 use crate::error::Error;
 use crate::model::Model;
 
@@ -60,7 +60,7 @@ pub(super) struct Tracer<'m> {
 impl<'m> Tracer<'m> {
     pub(super) fn new(model: &'m Model) -> Result<Self, Error> {
         let mut search = StaticSearch::new(model);
-        search.still = true;
+        search.motions = Motions::LeftOut;
         search.hold_loose_beams();
         search.foresee(true);
         // Springs may be stressed before any load acts.
@@ -68,13 +68,16 @@ impl<'m> Tracer<'m> {
         if stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) > 0.0) {
             search.solve(0.0);
         }
-        // Discs lie on what holds them before the path is followed: nothing answers to their weight till then.
-        if search.contacts.has_discs() && !search.solve(LITTLE) {
+        // Discs lie on what holds them, and stops that hold a structure are closed, before the path is followed: nothing answers to the
+        // loads till then.
+        let settles = search.contacts.has_discs() || leans_on_stops(model);
+        let start = search.reached();
+        if settles && !search.solve(LITTLE) && !search.relax_from(&start, LITTLE) {
             let lost = search.contacts.lost(model).map(str::to_owned);
-            return Err(lost.map_or(Error::no_equilibrium(0.0), Error::nothing_holds));
+            return Err(lost.map_or_else(|| lost_at(&mut search, 0.0), Error::nothing_holds));
         }
         let zero = vec![[0.0; 4]; model.node_count()];
-        let factor = if search.contacts.has_discs() { LITTLE } else { 0.0 };
+        let factor = if settles { LITTLE } else { 0.0 };
         let pressed = search.contacts.pressing();
         Ok(Self {
             search,

@@ -1,6 +1,6 @@
 //! What has failed on the way to an equilibrium, and the forces that it gave, which are let go slowly.
 
-use super::{StaticSearch, constraint_step};
+use super::{Motions, StaticSearch, constraint_step};
 use crate::analysis::spectrum::metric_of;
 use crate::model::frozen::JointLoad;
 use crate::step::joints;
@@ -13,8 +13,10 @@ impl StaticSearch<'_> {
     /// Sets a share of the loads; what has torn stays so.
     pub fn set_share(&mut self, share: f64) {
         self.forcing.set_static(self.model, share);
-        if self.still {
-            self.forcing.rest_motions();
+        match &self.motions {
+            Motions::Growing => {}
+            Motions::LeftOut => self.forcing.rest_motions(),
+            Motions::Left { time, followed } => self.forcing.leave(self.model, *time, followed),
         }
         self.forcing.part(self.model, &self.base.joints_parted);
     }

@@ -1,6 +1,6 @@
 //! What an equilibrium that was reached tells: its state, whether it is stable, section forces and reactions.
 
-use super::{INVERSE_ITERATIONS, RULE, Reached, StaticSearch, constraint_step};
+use super::{INVERSE_ITERATIONS, Motions, RULE, Reached, StaticSearch, constraint_step};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::analysis::spectrum::{metric, random, size};
 use crate::math::vec2::{add, cross, scale};
@@ -119,6 +119,10 @@ impl StaticSearch<'_> {
         };
         state.coordinates =
             self.model.connectors.iter().zip(&self.base.coordinates).map(step).collect();
+        if let Motions::Growing = self.motions {
+            // Supports have moved to where motions begin.
+            state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
+        }
         state.strain.clear();
         self.contacts.enter(&mut state);
         state

@@ -1,7 +1,7 @@
-//! Equilibria of structures with members that may be slack.
+//! Equilibria of structures with members that may be slack and with stops that may be open.
 //!
-//! What bears no stress of one sign has no stiffness where it is slack: Newton's iteration finds no correction there, or one that leads
-//! far away. With a stiffness against motion added to the tangent every correction goes down the slope of the energy, as in a
+//! What bears no stress or force of one sign has no stiffness where it is slack or open: Newton's iteration finds no correction there, or
+//! one that leads far away. With a stiffness against motion added to the tangent every correction goes down the slope of the energy, as in a
 //! motion without inertia against a drag. The less is left unbalanced, the less is added, and the last corrections are Newton's own: what is found
 //! is an equilibrium of the structure as it is.
 
@@ -33,19 +33,21 @@ const ROUND_OFF: f64 = 1e-11;
 /// Error of a constraint that is none, against the size of the structure.
 const CLOSED: f64 = 1e-12;
 
-/// Whether any member may be slack.
-fn may_be_slack(model: &Model) -> bool {
+/// Whether any member may be slack or any stop open.
+fn may_give_way(model: &Model) -> bool {
     let slack = |law: &StressLaw| law.slack().is_some();
-    model.spans.iter().filter_map(|span| span.fibres.as_ref()).any(|f| f.laws.iter().any(slack))
+    let mut fibres = model.spans.iter().filter_map(|span| span.fibres.as_ref());
+    fibres.any(|of| of.laws.iter().any(slack))
+        || model.connectors.iter().any(|c| c.law.is_one_sided())
 }
 
 /// Increment, multipliers and contacts of a place on the way.
 type Place = (Vec<[f64; 4]>, Vec<f64>, StaticContacts);
 
 impl StaticSearch<'_> {
-    /// The same from an equilibrium that was reached, where members may be slack; elsewhere there is none.
+    /// The same from an equilibrium that was reached, where members may be slack or stops open; elsewhere there is none.
     pub fn relax_from(&mut self, accepted: &Reached, share: f64) -> bool {
-        if !may_be_slack(self.model) {
+        if !may_give_way(self.model) {
             return false;
         }
         self.go_back(accepted);
@@ -158,15 +160,15 @@ impl StaticSearch<'_> {
         self.model.constraints.iter().map(error).fold(0.0, f64::max)
     }
 
-    /// Largest force that the loads put on a node \[N\].
-    fn load(&self) -> f64 {
-        let mut loads = vec![[0.0; 4]; self.model.node_count()];
+    /// Largest force that the loads put on a node \[N\]: what stands against it where it acts leaves no reaction elsewhere.
+    fn load(&mut self) -> f64 {
+        let mut loads = self.applied();
         for (span, k, a, _) in self.model.each_element() {
             for (node, force) in span.table(k).uniform_force(a, self.forcing.gravity) {
                 (0..2).for_each(|i| loads[node][i] += force[i]);
             }
         }
-        largest(&loads)
+        loads.as_flattened().iter().fold(0.0, |most, f| most.max(f.abs()))
     }
 
     fn place(&self) -> Place {

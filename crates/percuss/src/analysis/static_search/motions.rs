@@ -1,0 +1,30 @@
+//! Prescribed motions and supports that hold for a time, in a search and as a run has left them.
+
+use super::StaticSearch;
+use crate::model::Model;
+use crate::state::{Followed, State};
+
+/// What prescribed motions do in a search.
+pub enum Motions {
+    /// They grow with the loads to what they are at time zero.
+    Growing,
+    /// They are left out.
+    LeftOut,
+    /// They stand as a run has left them, and what was to hold until an earlier time holds no more.
+    Left {
+        /// The time \[s\].
+        time: f64,
+        /// How far they were followed, shape (motions).
+        followed: Vec<Followed>,
+    },
+}
+
+impl<'m> StaticSearch<'m> {
+    /// A structure as a run has left it, without loads: what has let go by then holds it no more, and supports stand where they are.
+    pub fn as_left(model: &'m Model, state: &State) -> Self {
+        let mut search = Self::at_share(model, state, 0.0);
+        search.motions = Motions::Left { time: state.time, followed: state.followed.clone() };
+        search.set_share(0.0);
+        search
+    }
+}
