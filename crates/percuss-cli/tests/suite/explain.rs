@@ -91,6 +91,74 @@ section = "rod"
 at = "arm.end"
 kind = "clamp"
 "#;
+/// A ball that presses deeper than half the depth of what it strikes.
+const PRESSED: &str = r#"
+[material.steel]
+preset = "steel"
+[section.bar]
+shape = "rectangle"
+width = "50 mm"
+depth = "50 mm"
+[beam.girder]
+points = [[0, 0], ["2 m", 0]]
+elements = 8
+material = "steel"
+section = "bar"
+[support.left]
+at = "girder.start"
+kind = "clamp"
+[support.right]
+at = "girder.end"
+kind = "clamp"
+[projectile.ball]
+kind = "elastic"
+contact = "surface"
+mass = "10 kg"
+radius = "2 cm"
+position = ["1 m", "5 cm"]
+velocity = [0, "-5 m/s"]
+strikes = "girder"
+stiffness = "50 kN/m"
+[time]
+end = "60 ms"
+step = "0.1 ms"
+"#;
+/// One that slides on while it crushes.
+const CARRIED: &str = r#"
+[material.steel]
+preset = "steel"
+[section.bar]
+shape = "rectangle"
+width = "50 mm"
+depth = "50 mm"
+[beam.girder]
+points = [[0, 0], ["2 m", 0]]
+elements = 8
+material = "steel"
+section = "bar"
+[support.left]
+at = "girder.start"
+kind = "clamp"
+[support.right]
+at = "girder.end"
+kind = "clamp"
+[projectile.ball]
+kind = "elastic"
+contact = "surface"
+mass = "2 kg"
+radius = "5 cm"
+position = ["0.8 m", "75 mm"]
+velocity = ["1 m/s", 0]
+strikes = "girder"
+stiffness = "100 kN/m"
+unloading_stiffness = "900 kN/m"
+[load.weight]
+kind = "gravity"
+acceleration = [0, "-9.81 m/s^2"]
+[time]
+end = "0.2 s"
+step = "0.1 ms"
+"#;
 
 /// A run that provokes each code: the scenario, and one change.
 fn provocations() -> Vec<(Topic, String, &'static str)> {
@@ -119,6 +187,8 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
                 Topic::Ending => (elastic.clone(), "time.end=0.02"),
                 Topic::StaticStart => ("pendulum.toml".to_owned(), "record.every=1"),
                 Topic::FaceStiffness => ("ram.toml".to_owned(), "record.every=1"),
+                Topic::Pressed => ("pressed.toml".to_owned(), "record.every=1"),
+                Topic::CarriedCrush => ("carried.toml".to_owned(), "record.every=1"),
                 Topic::LooseEnds => ("loose.toml".to_owned(), "record.every=1"),
                 Topic::Strength => (of("disc-chain"), "material.steel.preset=\"concrete\""),
             };
@@ -136,6 +206,8 @@ fn desk() -> Desk {
     desk.put("rear.toml", text);
     desk.put("pendulum.toml", [ROD, PENDULUM].concat());
     desk.put("ram.toml", [ROD, RAM].concat());
+    desk.put("pressed.toml", PRESSED.to_owned());
+    desk.put("carried.toml", CARRIED.to_owned());
     desk.put("loose.toml", [ROD, LOOSE].concat());
     desk
 }

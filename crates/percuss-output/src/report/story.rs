@@ -131,7 +131,7 @@ fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::{Map, json};
+    use serde_json::json;
 
     use super::*;
 

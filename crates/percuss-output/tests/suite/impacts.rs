@@ -16,6 +16,8 @@ fn contact(name: &str, record: ContactRecord) -> ContactSummary {
         between,
         effective_mass: None,
         permanent_penetration: None,
+        carried_crush: None,
+        pressed_in: None,
         equivalent_force: None,
         no_equivalent_force: None,
         record,

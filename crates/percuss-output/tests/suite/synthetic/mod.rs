@@ -290,6 +290,8 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             between: ["girder.mid".to_owned(), projectile.to_owned()],
             effective_mass: Some(EffectiveMass { on_mesh: 91.2, limit: 17.3 }),
             permanent_penetration: None,
+            carried_crush: None,
+            pressed_in: None,
             equivalent_force: None,
             no_equivalent_force: None,
             record,
