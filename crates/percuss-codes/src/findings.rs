@@ -101,10 +101,15 @@ catalogue! {
              the other were not there. Beams are joined where a `[joint.*]` says so; the message gives the one that is missing.";
         /// Penetration of a compliant contact against that at which the middles of both meet \[m\].
         Pressed = "W022", "pressed in deep",
-            "A compliant contact is pressed in by more than half of what it takes until the middles of both, axes or centres, meet: by more              than half a depth, where two beams of one depth touch. Outlines that deep inside each other mean little: the force goes on              growing by the law, but from where it acts and which way it points is that of lines that go through each other. Give the              law more stiffness (a table that locks, say), or thicker outlines.";
+            "A compliant contact is pressed in by more than half of what it takes until the middles of both, axes or centres, meet: by more \
+             than half a depth, where two beams of one depth touch. Outlines that deep inside each other mean little: the force goes on \
+             growing by the law, but from where it acts and which way it points is that of lines that go through each other. Give the \
+             law more stiffness (a table that locks, say), or thicker outlines.";
         /// How deep a dent was carried along a face \[m\].
         CarriedCrush = "W023", "a dent carried along",
-            "Something slid along a face that crushes while it pressed, and went on as deep as it had been pushed in before: the law has no              force along the face, so that nothing could push the face in anew. Its force is too small there, and the face is not              dented. Read what happens up to then; friction, a larger `unloading_stiffness` or a law without crushing change it.";
+            "Something slid along a face that crushes while it pressed, and went on as deep as it had been pushed in before: the law has no \
+             force along the face, so that nothing could push the face in anew. Its force is too small there, and the face is not \
+             dented. Read what happens up to then; friction, a larger `unloading_stiffness` or a law without crushing change it.";
     }
 }
 

@@ -183,7 +183,11 @@ fn beams_that_yield_move_in_lanes_as_they_do_alone() {
             let worst = found.energy.residual_max.max(m.linear_residual_max);
             let worst = worst.max(m.angular_residual_max);
             assert!(worst < 1e-10, "{name}: run {k}: {worst:e}");
-            let (a, b) = (told(&single), told(&found));
+            let (mut a, mut b) = (told(&single), told(&found));
+            if kind == Kind::Crushing {
+                // Sections that bear no tension stand open here and there once unloaded: round-off decides which equilibrium is found, if any.
+                [&mut a, &mut b].map(|told| told.retain(|(what, ..)| *what != "set"));
+            }
             assert_eq!(a.len(), b.len(), "{name}: run {k}");
             for ((what, a, scale), (_, b, _)) in a.iter().zip(&b) {
                 let off = (a - b).abs() / scale;

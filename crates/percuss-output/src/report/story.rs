@@ -148,8 +148,8 @@ mod tests {
                     "between": ["left@0.5m", "car"],
                     "peak_force": { "value": 176_632.0, "time": 0.1112 },
                     "intervals": [
-                        { "start": 0.01, "end": 0.05, "approach_velocity": -8.3333, "separation_velocity": 1.0 },
-                        { "start": 0.06, "end": 0.2223, "approach_velocity": -1.0, "separation_velocity": 8.326 },
+                        { "start": 0.01, "end": 0.05, "approach_velocity": 8.3333, "separation_velocity": 1.0 },
+                        { "start": 0.06, "end": 0.2223, "approach_velocity": 1.0, "separation_velocity": 8.326 },
                     ],
                 },
                 "other": { "between": ["a", "b"], "peak_force": { "value": 0.0, "time": 0.0 }, "intervals": [] },
@@ -174,7 +174,7 @@ mod tests {
 
     #[test]
     fn impacts_are_told_by_impulse_and_what_cannot_be_is_not_told() {
-        let impact = |time: f64, impulse: f64, after: f64| json!({ "time": time, "impulse": impulse, "approach_velocity": -4.0, "separation_velocity": after });
+        let impact = |time: f64, impulse: f64, after: f64| json!({ "time": time, "impulse": impulse, "approach_velocity": 4.0, "separation_velocity": after });
         let run = |impacts: Vec<Value>, intervals: Value| {
             json!({
                 "projectile": {},

@@ -47,9 +47,11 @@ type Place = (Vec<[f64; 4]>, Vec<f64>, StaticContacts);
 impl StaticSearch<'_> {
     /// The same from an equilibrium that was reached, where members may be slack or stops open; elsewhere there is none.
     pub fn relax_from(&mut self, accepted: &Reached, share: f64) -> bool {
-        if !may_give_way(self.model) {
-            return false;
-        }
+        may_give_way(self.model) && self.relax_wherever(accepted, share)
+    }
+
+    /// The same whatever the structure: from far away.
+    pub fn relax_wherever(&mut self, accepted: &Reached, share: f64) -> bool {
         self.go_back(accepted);
         self.relax(share)
     }
