@@ -111,7 +111,7 @@ impl Model {
                 let kept = |k: &usize| !(skip[0]..skip[1]).contains(k);
                 let elements = &self.beams[*beam].axis;
                 let near = (0..elements.len()).filter(kept);
-                let away = near.map(|k| self.from_curve(&elements[k], y, at));
+                let away = near.map(|k| self.away_from_curve(&elements[k], y, at));
                 away.fold(f64::INFINITY, f64::min) - pair.reach
             }
             _ => touch.gap + beside[0] * touch.normal[0] + beside[1] * touch.normal[1],
@@ -137,7 +137,7 @@ impl Model {
     }
 
     /// Least distance of a place from the face of the curve that an element stands for, as far as that goes \[m\].
-    fn from_curve(&self, element: &AxisElement, y: [f64; 2], at: &Configuration) -> f64 {
+    fn away_from_curve(&self, element: &AxisElement, y: [f64; 2], at: &Configuration) -> f64 {
         let placed = Placed::new(element, &self.nodes, at);
         let away = |xi: f64| {
             let place = add(placed.position(xi), beside(element, &placed, xi));

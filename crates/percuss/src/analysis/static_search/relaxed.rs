@@ -45,9 +45,10 @@ fn may_give_way(model: &Model) -> bool {
 type Place = (Vec<[f64; 4]>, Vec<f64>, StaticContacts);
 
 impl StaticSearch<'_> {
-    /// The same from an equilibrium that was reached, where members may be slack or stops open; elsewhere there is none.
+    /// The same from an equilibrium that was reached, where members may be slack, stops open or contacts hold what nothing else does; elsewhere there is none.
     pub fn relax_from(&mut self, accepted: &Reached, share: f64) -> bool {
-        may_give_way(self.model) && self.relax_wherever(accepted, share)
+        let gives_way = may_give_way(self.model) || self.contacts.holds_beams();
+        gives_way && self.relax_wherever(accepted, share)
     }
 
     /// The same whatever the structure: from far away.
