@@ -206,8 +206,8 @@ fn desk() -> Desk {
     desk.put("rear.toml", text);
     desk.put("pendulum.toml", [ROD, PENDULUM].concat());
     desk.put("ram.toml", [ROD, RAM].concat());
-    desk.put("pressed.toml", PRESSED.to_owned());
-    desk.put("carried.toml", CARRIED.to_owned());
+    desk.put("pressed.toml", PRESSED);
+    desk.put("carried.toml", CARRIED);
     desk.put("loose.toml", [ROD, LOOSE].concat());
     desk
 }

@@ -38,7 +38,7 @@ fn mast(guys: Guys, weight: f64) -> Model {
             b.support(Support::new("left", head.clone(), stop(1.0, gap)));
             b.support(Support::new("right", head.clone(), stop(-1.0, gap)));
         }
-        Guys::Windward => _ = b.support(Support::new("right", head.clone(), stop(-1.0, 0.0))),
+        Guys::Windward => b.support(Support::new("right", head.clone(), stop(-1.0, 0.0))),
         Guys::Spring => {
             let kind = SupportKind::Elastic {
                 direction: [1.0, 0.0],
