@@ -127,3 +127,33 @@ fn what_no_stop_holds_is_named() {
     assert_eq!(error.code(), AnalysisCode::NothingHolds, "{error}");
     assert!(error.to_string().contains("mast"), "{error}");
 }
+
+#[test]
+fn a_mast_between_compliant_bumpers_leans_on_one() {
+    // Pinned at its foot, 10 mm from half-planes: H L about the foot is borne by the bumper where it presses.
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("m", 2.1e11, 7850.0));
+    let section = b.section(Section::rectangle("s", 0.04, 0.04));
+    let mast = b.beam(beam("mast", [0.0, 0.0], [0.0, 2.0], 6, material, section));
+    b.support(Support::new("foot", at("foot", mast, 0.0), SupportKind::Pin));
+    for (name, x, normal) in [("left", -0.03, [1.0, 0.0]), ("right", 0.03, [-1.0, 0.0])] {
+        let shape = ObstacleShape::HalfPlane { point: [x, 0.0], normal };
+        let wall = b.obstacle(Obstacle { name: name.into(), shape, motion: None });
+        let law = SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 });
+        let partners = [ContactPartner::Beam(mast), ContactPartner::Obstacle(wall)];
+        b.contact(Contact::new(name, partners, TouchLaw::Smooth(law)));
+    }
+    let force = LoadKind::Point {
+        at: at("head", mast, 1.0),
+        force: [2e3, 0.0],
+        moment: 0.0,
+        follower: false,
+    };
+    b.load(Load::new("wind", force));
+    let found = equilibrium(&b.build().unwrap()).unwrap();
+    let moment = |name: &str| found.reactions.iter().find(|(n, _)| n == name).unwrap().1[2];
+    let head = found.state.displacement[6];
+    let from_load = -2e3 * (2.0 + head[1]);
+    assert!((moment("right") + from_load).abs() < 1e-6 * 4e3, "{} {from_load}", moment("right"));
+    assert!(head[0] > 0.01, "{head:?}");
+}

@@ -262,7 +262,8 @@ fn beside(size: f64, value: f64) -> String {
 }
 
 fn in_words(range: &SectionRange, unit: &str) -> String {
-    let at = |p: &SectionPeak| format!("{} {unit} at {} m", number(p.value), number(p.s));
+    let size = range.min.value.abs().max(range.max.value.abs());
+    let at = |p: &SectionPeak| format!("{} {unit} at {} m", beside(size, p.value), number(p.s));
     format!("{} to {}", at(&range.min), at(&range.max))
 }
 
