@@ -124,6 +124,16 @@ impl StaticContacts {
         self.lost.map(|lost| model.beams.get(lost).map_or_else(|| body(lost), |b| b.name.as_str()))
     }
 
+    /// Number of that: beams first, then bodies.
+    pub fn lost_one(&self) -> Option<usize> {
+        self.lost
+    }
+
+    /// Takes something for lost.
+    pub fn lose(&mut self, lost: Option<usize>) {
+        self.lost = lost;
+    }
+
     /// Weak springs at components of nodes, in units of the weight of everything over the size of the structure.
     pub fn hold_loosely(&mut self, model: &Model, stops: Vec<(usize, usize)>) {
         let extent = model.extent().max(f64::MIN_POSITIVE);

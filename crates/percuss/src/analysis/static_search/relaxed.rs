@@ -47,8 +47,16 @@ type Place = (Vec<[f64; 4]>, Vec<f64>, StaticContacts);
 impl StaticSearch<'_> {
     /// The same from an equilibrium that was reached, where members may be slack, stops open or contacts hold what nothing else does; elsewhere there is none.
     pub fn relax_from(&mut self, accepted: &Reached, share: f64) -> bool {
-        let gives_way = may_give_way(self.model) || self.contacts.holds_beams();
-        gives_way && self.relax_wherever(accepted, share)
+        if may_give_way(self.model) {
+            return self.relax_wherever(accepted, share);
+        }
+        // What the iteration found that nothing holds is still what is told where this finds nothing either.
+        let lost = self.contacts.lost_one();
+        let found = self.contacts.holds_beams() && self.relax_wherever(accepted, share);
+        if !found {
+            self.contacts.lose(lost);
+        }
+        found
     }
 
     /// The same whatever the structure: from far away.
