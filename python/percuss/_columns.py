@@ -92,7 +92,7 @@ class Columns(Generic[Kind]):
         Examples
         --------
         >>> len(percuss.run("plank.toml").values())
-        45
+        46
         """
         return self._columns.values()
 
