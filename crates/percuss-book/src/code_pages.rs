@@ -37,6 +37,11 @@ impl Provocations {
         self.0.get(code.code)?.as_table_like()?.get("test")?.as_str()
     }
 
+    /// The scenario that provokes a code, where it stands there whole.
+    pub fn scenario(&self, code: &str) -> Option<&str> {
+        self.0.get(code)?.as_table_like()?.get("whole")?.as_str()
+    }
+
     /// Provokes a code: writes the scenario, changes it, runs the command.
     ///
     /// # Errors

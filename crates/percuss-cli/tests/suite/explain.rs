@@ -1,5 +1,7 @@
 //! Codes of the advisor: each is provoked, explained, and can be denied.
 
+use std::path::Path;
+
 use percuss_advice::Topic;
 
 use crate::common::Desk;
@@ -91,75 +93,6 @@ section = "rod"
 at = "arm.end"
 kind = "clamp"
 "#;
-/// A ball that presses deeper than half the depth of what it strikes.
-const PRESSED: &str = r#"
-[material.steel]
-preset = "steel"
-[section.bar]
-shape = "rectangle"
-width = "50 mm"
-depth = "50 mm"
-[beam.girder]
-points = [[0, 0], ["2 m", 0]]
-elements = 8
-material = "steel"
-section = "bar"
-[support.left]
-at = "girder.start"
-kind = "clamp"
-[support.right]
-at = "girder.end"
-kind = "clamp"
-[projectile.ball]
-kind = "elastic"
-contact = "surface"
-mass = "10 kg"
-radius = "2 cm"
-position = ["1 m", "5 cm"]
-velocity = [0, "-5 m/s"]
-strikes = "girder"
-stiffness = "50 kN/m"
-[time]
-end = "60 ms"
-step = "0.1 ms"
-"#;
-/// One that slides on while it crushes.
-const CARRIED: &str = r#"
-[material.steel]
-preset = "steel"
-[section.bar]
-shape = "rectangle"
-width = "50 mm"
-depth = "50 mm"
-[beam.girder]
-points = [[0, 0], ["2 m", 0]]
-elements = 8
-material = "steel"
-section = "bar"
-[support.left]
-at = "girder.start"
-kind = "clamp"
-[support.right]
-at = "girder.end"
-kind = "clamp"
-[projectile.ball]
-kind = "elastic"
-contact = "surface"
-mass = "2 kg"
-radius = "5 cm"
-position = ["0.8 m", "75 mm"]
-velocity = ["1 m/s", 0]
-strikes = "girder"
-stiffness = "100 kN/m"
-unloading_stiffness = "900 kN/m"
-[load.weight]
-kind = "gravity"
-acceleration = [0, "-9.81 m/s^2"]
-[time]
-end = "0.2 s"
-step = "0.1 ms"
-"#;
-
 /// A run that provokes each code: the scenario, and one change.
 fn provocations() -> Vec<(Topic, String, &'static str)> {
     let of = |name: &str| format!("{SCENARIOS}{name}.toml");
@@ -206,8 +139,12 @@ fn desk() -> Desk {
     desk.put("rear.toml", text);
     desk.put("pendulum.toml", [ROD, PENDULUM].concat());
     desk.put("ram.toml", [ROD, RAM].concat());
-    desk.put("pressed.toml", PRESSED);
-    desk.put("carried.toml", CARRIED);
+    // Those whose examples stand whole in the book.
+    let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/codes.toml");
+    let book = percuss_book::Provocations::load(&book).unwrap();
+    for (file, code) in [("pressed.toml", "W022"), ("carried.toml", "W023")] {
+        desk.put(file, book.scenario(code).expect("a whole scenario"));
+    }
     desk.put("loose.toml", [ROD, LOOSE].concat());
     desk
 }

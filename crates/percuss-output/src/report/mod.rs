@@ -33,7 +33,7 @@ mod thin;
 
 pub use notebook::scene_page;
 pub use scene::{scene_choices, scene_colours, scene_scripts};
-pub use story::story;
+pub use story::{story, told_as_start};
 
 use std::path::Path;
 

@@ -98,8 +98,7 @@ fn stays(search: &mut StaticSearch, stops: Vec<(usize, usize)>) -> Option<Vec<[f
 fn at_rest(search: &mut StaticSearch) -> Option<Vec<[f64; 2]>> {
     search.foresee(true);
     let start = search.reached();
-    // The end of a run may be far from rest.
-    let found = search.solve(0.0) || search.relax_wherever(&start, 0.0);
+    let found = search.solve(0.0) || search.relax_from(&start, 0.0);
     found.then(|| search.displacement().iter().map(|u| [u[0], u[1]]).collect())
 }
 

@@ -233,8 +233,8 @@ pub fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> Contac
     }
 }
 
-/// With what velocity the gap of a contact that stayed closed begins or ends to be closed, from its rates at start and end of a part of a
-/// step. The midpoint rule holds the gap in the mean over a step, so that its rate swings about zero from step to step: only a mean tells.
+/// With what velocity a contact that stayed closed lets go, from the rates of its gap at start and end of the part of a step in which it
+/// presses no more. The midpoint rule holds a gap in the mean over a step, so that its rate swings about zero from step to step: only a mean tells.
 pub fn rate_of_rest(before: f64, after: f64) -> f64 {
     (0.5 * (before + after)).max(0.0)
 }

@@ -12,12 +12,12 @@ use crate::summary::SupportSummary;
 /// supports gave, over a row of the history as over the run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct RowReactions {
-    /// Impulses and angular impulse since the last instant settled, of the parts without impacts and jumps, shape (supports, 3)
+    /// Impulses and angular impulse since the last instant settled, of the parts longer than an impact, shape (supports, 3)
     /// \[N s, N m s\].
     sum: Vec<[f64; 3]>,
     /// The time they took \[s\].
     time: f64,
-    /// Whether a part had impacts or jumps.
+    /// Whether a part was as short as an impact: a mean over it is an impulse in disguise.
     carries_impulses: bool,
     /// Mean reactions over the time before the last instant settled, shape (supports, 3) \[N, N m\].
     mean: Vec<[f64; 3]>,
@@ -66,9 +66,9 @@ impl RowReactions {
         &self.told[1]
     }
 
-    /// Adds a part of length `h` accepted last.
-    pub fn gather(&mut self, state: &State, h: f64, carries_impulses: bool) {
-        if carries_impulses {
+    /// Adds a part of length `h` accepted last, which may be as short as an impact.
+    pub fn gather(&mut self, state: &State, h: f64, impulsive: bool) {
+        if impulsive {
             self.carries_impulses = true;
             return;
         }
@@ -80,17 +80,13 @@ impl RowReactions {
     }
 
     /// Tells forces and impulses apart at the end of a step, or at an impact within it, and adds the impulses to the summary. The force is
-    /// the mean over the parts without impacts and jumps; where these take no more than `shortest`, so that a mean over them is an impulse
-    /// in disguise, it is the one before.
-    pub fn settle(&mut self, state: &State, shortest: f64, summary: &mut [SupportSummary]) {
+    /// the mean over the parts longer than an impact; where there is none it is the one before.
+    pub fn settle(&mut self, state: &State, summary: &mut [SupportSummary]) {
         let since = state.time - self.settled;
         if since <= 0.0 {
             return;
         }
-        if self.time <= shortest {
-            self.carries_impulses |= self.time > 0.0;
-            self.sum.fill([0.0; 3]);
-        } else {
+        if self.time > 0.0 {
             for (mean, sum) in self.mean.iter_mut().zip(&mut self.sum) {
                 *mean = sum.map(|impulse| impulse / self.time);
                 *sum = [0.0; 3];

@@ -9,7 +9,6 @@ use super::simulation::Simulation;
 use super::trial::Trial;
 use crate::error::Error;
 use crate::model::Model;
-use crate::step::contacts::IMPULSIVE;
 
 /// The row to come.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -86,13 +85,12 @@ impl Simulation<'_> {
 
     /// Tells forces and impulses of supports apart, up to where the state stands.
     pub(super) fn settle_reactions(&mut self) {
-        let (state, supports) = (&self.state, &mut self.monitor.supports);
-        self.rows.reactions.settle(state, IMPULSIVE * self.settings.step, supports);
+        self.rows.reactions.settle(&self.state, &mut self.monitor.supports);
     }
 
     /// Adds what supports and contacts gave in an accepted part of a step; reactions in one that `carries_impulses` are no forces.
-    pub(super) fn gather_row(&mut self, trial: &Trial, carries_impulses: bool) {
-        self.rows.reactions.gather(&self.state, trial.h, carries_impulses);
+    pub(super) fn gather_row(&mut self, trial: &Trial, impulsive: bool) {
+        self.rows.reactions.gather(&self.state, trial.h, impulsive);
         let contact_of = |pair: usize| self.model.pairs[pair].contact;
         for contact in &self.work.smooth {
             self.rows.impulse[contact_of(contact.pair)][0] += trial.h * contact.force.force;

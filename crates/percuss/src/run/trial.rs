@@ -121,7 +121,7 @@ impl Simulation<'_> {
         // What rests in so short a part may give an impulse in disguise, too: no quotient by its length is a force.
         let carries_impulses = impulsive && (trial.carries_impulses() || !trial.active.is_empty());
         self.frames.part = (trial.h, carries_impulses);
-        self.gather_row(trial, carries_impulses);
+        self.gather_row(trial, impulsive);
         self.measure();
         self.weigh_struck(trial);
         self.update_contacts(trial);

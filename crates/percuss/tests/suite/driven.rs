@@ -488,28 +488,3 @@ fn a_bar_that_comes_to_rest_gives_its_floor_no_impulse_beyond_those_of_its_conta
     let total = forces + sum("support.floor.impulse_2");
     assert!((total - gave).abs() < 1e-9 * gave, "{total} against {gave}");
 }
-
-#[test]
-fn impulses_of_the_summary_are_those_of_the_rows() {
-    // A clamp under a blow that bounces many times within a step.
-    let mut b = ModelBuilder::new();
-    let material = b.material(Material::new("m", 2e11, 8e3));
-    let section = b.section(Section::rectangle("s", 0.02, 0.04));
-    let beam = b.beam(Beam::new("b", &[[0.0, 0.0], [0.5, 0.0]], 1, material, section));
-    b.support(Support::new("root", at("root", beam, 0.0), SupportKind::Clamp));
-    let struck = at("struck", beam, 0.5693);
-    let mut hammer = common::rigid("hammer", struck, [-1.0, -5.0], 0.3);
-    (hammer.mass, hammer.standoff) = (5.0, 0.0);
-    b.projectile(hammer);
-    let model = b.build().unwrap();
-    for every in [1, 4] {
-        let settings = Settings { record_every: every, ..Settings::new(4e-4, 1e-4) };
-        let (rows, summary) = Rows::of(&model, &settings);
-        for component in 0..2 {
-            let name = format!("support.root.impulse_{}", component + 1);
-            let sum: f64 = rows.column(&name).iter().sum();
-            let told = summary.supports[0].impulse[component];
-            assert!((sum - told).abs() < 1e-12 * summary.momentum.linear_scale, "{sum} {told}");
-        }
-    }
-}

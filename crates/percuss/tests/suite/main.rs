@@ -26,6 +26,7 @@ mod multiple_impacts;
 mod parting;
 mod parts_of_steps;
 mod permanent_set;
+mod reactions;
 mod registers;
 mod round_ends;
 mod schemes;

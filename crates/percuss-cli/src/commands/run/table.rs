@@ -1,11 +1,12 @@
 //! The table at the end of a run.
 
+mod contacts;
+
 use std::path::Path;
 
 use percuss::{
-    ContactInterval, ContactRecord, ContactSummary, Impact, JointSummary, NoRestitution,
-    PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary, Termination,
-    YieldingSummary,
+    JointSummary, PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary,
+    Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::story;
@@ -13,10 +14,9 @@ use serde_json::Value;
 
 use super::Ended;
 use super::drift::{drift, unresolved};
-use super::equivalent::{equivalent, without_equivalent};
-use crate::effective_mass;
 use crate::number::{count, number, small};
 use crate::terminal::{self, painted};
+use contacts::{contact_lines, touched};
 
 /// Impacts and intervals listed for a contact, and results beside hand formulas.
 const LISTED: usize = 3;
@@ -29,8 +29,6 @@ const ROUNDING: f64 = 1e-13;
 const SMALL_IMPULSE: f64 = 1e-6;
 /// Impulses below this share of it are round-off.
 const NO_IMPULSE: f64 = 1e-9;
-/// Instants within less than this share of a step after the start are the start: impacts take as long.
-const AT_START: f64 = 1e-3;
 
 /// What happened, whether the balances closed, where the results lie.
 pub(super) fn table(ended: &Ended, out: &Path) -> String {
@@ -294,67 +292,6 @@ fn energy(run: &RunSummary) -> String {
     parts.join(", ")
 }
 
-fn touched(contact: &ContactSummary) -> bool {
-    match &contact.record {
-        ContactRecord::Smooth { intervals, .. } => !intervals.is_empty(),
-        ContactRecord::Nonsmooth { impact_count, intervals, .. } => {
-            *impact_count > 0 || !intervals.is_empty()
-        }
-    }
-}
-
-fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<String> {
-    let interval = |one: &ContactInterval| interval(one, run);
-    match &contact.record {
-        ContactRecord::Smooth { peak_force, intervals } => {
-            let mut lines = Vec::new();
-            if intervals.is_empty() {
-                lines.push("never closed".to_owned());
-            } else {
-                let (value, time) = (number(peak_force.value), number(peak_force.time));
-                lines.push(format!("peak force {value} N at {time} s"));
-            }
-            // What has not been touched is not pushed in.
-            if let Some(permanent) = contact.permanent_penetration.filter(|p| *p > 0.0) {
-                lines.push(format!("stays pushed in by {} m", number(permanent)));
-            }
-            lines.extend(listed(intervals, intervals.len(), LISTED, interval));
-            lines.extend(contact.equivalent_force.as_ref().map(equivalent));
-            lines.extend(contact.no_equivalent_force.map(without_equivalent));
-            lines
-        }
-        ContactRecord::Nonsmooth {
-            impacts,
-            impact_count,
-            fallback_count,
-            impulse_total,
-            impulse_resting,
-            intervals,
-            ..
-        } => {
-            let counted = count(*impact_count, "impact");
-            let struck = (impulse_total - impulse_resting).max(0.0);
-            let mut lines = vec![format!("{counted}, impulse {} N s in all", number(struck))];
-            if !intervals.is_empty() {
-                lines.push(format!(
-                    "resting contact, impulse {} N s in all",
-                    number(*impulse_resting)
-                ));
-            }
-            lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run)));
-            lines.extend(listed(intervals, intervals.len(), LISTED, interval));
-            if *fallback_count > 0 {
-                let law = "under Moreau's law, where Newton's would have given energy";
-                lines.push(format!("{} {law}", count(*fallback_count, "impact")));
-            }
-            lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
-            lines.extend(contact.equivalent_force.as_ref().map(equivalent));
-            lines.extend(contact.no_equivalent_force.map(without_equivalent));
-            lines
-        }
-    }
-}
-
 /// The first few of `count` items, and how many more there are.
 fn listed<T>(items: &[T], count: usize, most: usize, line: impl Fn(&T) -> String) -> Vec<String> {
     let mut lines: Vec<String> = items.iter().take(most).map(line).collect();
@@ -362,49 +299,6 @@ fn listed<T>(items: &[T], count: usize, most: usize, line: impl Fn(&T) -> String
         lines.push(format!("and {} more", count - lines.len()));
     }
     lines
-}
-
-/// An instant \[s\]; the first impact of a run that begins in contact ends as the run begins.
-fn instant(time: f64, run: &RunSummary) -> String {
-    let step = run.time / run.steps.max(1) as f64;
-    number(if time < AT_START * step { 0.0 } else { time })
-}
-
-fn interval(interval: &ContactInterval, run: &RunSummary) -> String {
-    let end = match interval.end.is_nan() {
-        true => "the end".to_owned(),
-        false => format!("{} s", instant(interval.end, run)),
-    };
-    let (start, impulse) = (instant(interval.start, run), number(interval.impulse));
-    let why = match interval.restitution() {
-        Err(why @ (NoRestitution::Steps(_) | NoRestitution::Unsteady)) => {
-            format!(", restitution {why}")
-        }
-        _ => String::new(),
-    };
-    format!("closed from {start} s to {end}, impulse {impulse} N s{why}")
-}
-
-fn impact(impact: &Impact, run: &RunSummary) -> String {
-    // The round-off of a plastic impact, or of a touch without approach, is no velocity worth reading.
-    let beside = |a: f64, b: f64| if a.abs() <= 1e-9 * b.abs() { 0.0 } else { a };
-    let approach = beside(impact.approach_velocity, impact.separation_velocity);
-    let separation = beside(impact.separation_velocity, impact.approach_velocity);
-    let friction = match impact.tangential_impulse {
-        0.0 => String::new(),
-        impulse => format!(", of friction {} N s", number(impulse)),
-    };
-    let points = match impact.points {
-        0 | 1 => String::new(),
-        points => format!(" at {points} points"),
-    };
-    format!(
-        "at {} s: impulse {} N s{points}{friction}, approach {} m/s, separation {} m/s",
-        instant(impact.time, run),
-        number(impact.impulse),
-        number(approach),
-        number(separation)
-    )
 }
 
 /// A result beside a hand formula, and whether the formula's assumptions are met.

@@ -9,6 +9,11 @@ const ROUND_OFF: f64 = 1e-9;
 /// Instants within less than this share of a step after the start are the start: impacts take as long.
 const AT_START: f64 = 1e-3;
 
+/// Instants up to this one are told as the start of a run that took so many steps up to `time` \[s\].
+pub fn told_as_start(time: f64, steps: f64) -> f64 {
+    if steps > 0.0 { AT_START * time / steps } else { 0.0 }
+}
+
 /// A contact that closed, with what is told of it.
 struct Touched<'v> {
     name: &'v str,
@@ -46,8 +51,8 @@ pub(super) fn told(summary: &Value) -> String {
     if all.is_empty() {
         return String::new();
     }
-    let steps = summary["steps"].as_f64().filter(|n| *n > 0.0);
-    let start = steps.zip(summary["time"].as_f64()).map_or(0.0, |(n, time)| AT_START * time / n);
+    let number = |key: &str| summary[key].as_f64().unwrap_or(0.0);
+    let start = told_as_start(number("time"), number("steps"));
     let mut touched: Vec<Touched<'_>> = all
         .iter()
         .filter(|(_, c)| !list(c, "intervals").is_empty() || !list(c, "impacts").is_empty())

@@ -45,24 +45,20 @@ fn may_give_way(model: &Model) -> bool {
 type Place = (Vec<[f64; 4]>, Vec<f64>, StaticContacts);
 
 impl StaticSearch<'_> {
-    /// The same from an equilibrium that was reached, where members may be slack, stops open or contacts hold what nothing else does; elsewhere there is none.
+    /// The same from an equilibrium that was reached, where members may be slack, stops open, or contacts hold what nothing else does;
+    /// elsewhere there is none.
     pub fn relax_from(&mut self, accepted: &Reached, share: f64) -> bool {
-        if may_give_way(self.model) {
-            return self.relax_wherever(accepted, share);
+        if !may_give_way(self.model) && !self.contacts.holds_beams() {
+            return false;
         }
-        // What the iteration found that nothing holds is still what is told where this finds nothing either.
         let lost = self.contacts.lost_one();
-        let found = self.contacts.holds_beams() && self.relax_wherever(accepted, share);
+        self.go_back(accepted);
+        let found = self.relax(share);
         if !found {
+            // What the iteration before found that nothing holds is still what is to be told.
             self.contacts.lose(lost);
         }
         found
-    }
-
-    /// The same whatever the structure: from far away.
-    pub fn relax_wherever(&mut self, accepted: &Reached, share: f64) -> bool {
-        self.go_back(accepted);
-        self.relax(share)
     }
 
     /// Equilibrium at a share of the loads from the increment that stands in the workspace, with as much stiffness added as it takes.
