@@ -12,6 +12,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
 
 use crate::outcome::{Failure, Status};
+use crate::replacing;
 
 /// Tries to remove what a command is still writing into.
 const TRIES: usize = 200;
@@ -96,12 +97,14 @@ pub fn protect<const N: usize>(unfinished: [&Path; N]) {
     *lock() = unfinished.map(Path::to_owned).into();
 }
 
-/// Puts results in place; no signal comes in between. Returns where they are.
+/// Puts results in place; no signal comes in between. Returns where they are; what was changed meanwhile is told.
 ///
 /// # Errors
 /// If something cannot be moved.
 pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percuss_output::Error> {
-    undisturbed(|| directory.commit_as(extent))
+    let placed = undisturbed(|| directory.commit_as(extent))?;
+    replacing::tell_all(&placed.kept);
+    Ok(placed.place)
 }
 
 /// The same for new files of a finished run.
@@ -109,7 +112,8 @@ pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percus
 /// # Errors
 /// If something cannot be moved.
 pub fn commit_update(update: RunUpdate) -> Result<(), percuss_output::Error> {
-    undisturbed(|| update.commit())
+    replacing::tell_all(&undisturbed(|| update.commit())?);
+    Ok(())
 }
 
 fn undisturbed<T>(put: impl FnOnce() -> T) -> T {

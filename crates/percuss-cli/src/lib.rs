@@ -12,6 +12,7 @@ mod number;
 mod outcome;
 mod picture_arguments;
 mod progress;
+mod replacing;
 mod run_arguments;
 mod scenario;
 mod terminal;

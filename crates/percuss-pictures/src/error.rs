@@ -21,12 +21,6 @@ impl Error {
         Self { text, code: FileCode::System.into(), input: false }
     }
 
-    /// Another process has begun to write it.
-    pub(crate) fn busy(path: &Path) -> Self {
-        let text = format!("{}: another process is writing it", path.display());
-        Self { text, code: FileCode::Busy.into(), input: true }
-    }
-
     /// What makes the picture gave up on what well-formed input does not bring.
     #[cfg(feature = "drawing")]
     pub(crate) fn drawing(reason: impl fmt::Display) -> Self {
@@ -78,6 +72,13 @@ impl Error {
     /// Whether what was asked for cannot be had; else the system refused, or what draws gave up.
     pub fn is_input(&self) -> bool {
         self.input
+    }
+}
+
+impl From<percuss_output::Error> for Error {
+    fn from(error: percuss_output::Error) -> Self {
+        let input = error.is_refused() || error.is_content();
+        Self { text: error.to_string(), code: error.code().into(), input }
     }
 }
 

@@ -12,6 +12,7 @@ mod disk_faults;
 mod explain;
 mod export;
 mod interrupt;
+mod links;
 mod long_tables;
 mod modes;
 mod outside;
