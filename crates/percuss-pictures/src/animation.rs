@@ -149,16 +149,17 @@ fn render(
     let workers = thread::available_parallelism().map_or(1, usize::from).min(8);
     thread::scope(|scope| {
         let (jobs, queue) = sync_channel::<(usize, String)>(workers);
-        let queue = Mutex::new(queue);
+        let queue = std::sync::Arc::new(Mutex::new(queue));
         let (finished, results) = channel();
         // They end when `jobs` is dropped: on return, however that comes.
         let jobs = jobs;
         let size = film.size;
-        let queue = std::sync::Arc::new(queue);
-        for _ in 0..workers {
+        let start = |_| {
             let (queue, finished) = (std::sync::Arc::clone(&queue), finished.clone());
-            scope.spawn(move || rasterise(&queue, &finished, size));
-        }
+            let work = move || rasterise(&queue, &finished, size);
+            thread::Builder::new().spawn_scoped(scope, work).ok()
+        };
+        let started = (0..workers).map_while(start).count();
         drop((queue, finished));
         let mut waiting = BTreeMap::new();
         let mut next = 0;
@@ -173,7 +174,13 @@ fn render(
             Ok(true)
         };
         for (k, time) in times.iter().enumerate() {
-            if jobs.send((k, film.svg(*time, flash)?)).is_err() {
+            let svg = film.svg(*time, flash)?;
+            if started == 0 {
+                // No other thread can be started: this one does it.
+                if !hand_over((k, Pixels::of_svg(&svg, size)))? {
+                    return Ok(false);
+                }
+            } else if jobs.send((k, svg)).is_err() {
                 return Err(Error::drawing("a thread ended"));
             }
             while let Ok(result) = results.try_recv() {

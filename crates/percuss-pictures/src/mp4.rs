@@ -41,7 +41,8 @@ impl Mp4 {
             std::os::unix::process::CommandExt::process_group(&mut command, 0);
         }
         let mut child = command.spawn().map_err(|e| Error::io(program, "start", &e))?;
-        let complaints = child.stderr.take().map(|stderr| std::thread::spawn(move || text(stderr)));
+        let listen = |stderr| std::thread::Builder::new().spawn(move || text(stderr)).ok();
+        let complaints = child.stderr.take().and_then(listen);
         Ok(Self { child, complaints })
     }
 
