@@ -25,3 +25,4 @@ mod spectrum;
 mod statics;
 mod sweep;
 mod told;
+mod unescaped;
