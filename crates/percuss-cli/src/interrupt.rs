@@ -56,6 +56,7 @@ fn listen() -> Result<(), std::io::Error> {
     if thread.spawn(move || signals.forever().for_each(|_| request())).is_err() {
         // No thread to be had: a run needs none, and neither does its end.
         handle.close();
+        drop(handle);
         return listen_without_a_thread(&all);
     }
     Ok(())

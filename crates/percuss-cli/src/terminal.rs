@@ -71,7 +71,8 @@ pub fn allowed(code: Code, text: &str) {
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
     // Into files and other programs goes what was asked for, every byte of it.
-    let text = if stdout.is_terminal() { &shown(text) } else { text };
+    let made_visible = stdout.is_terminal().then(|| shown(text));
+    let text = made_visible.as_deref().unwrap_or(text);
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             let text = format!("standard output: cannot write: {error}");
