@@ -5,6 +5,8 @@
    FAULT_ERRNO  error of the system; 0 ends the process at once, a write half done
    FAULT_COUNT  file that the number of operations is written to at the end
    FAULT_NAMES  file that the path of every file and directory is written to that is to be made, a line each: F or D, and the path
+   FAULT_PAUSE_AT  end of the path of a file before which the process waits, once it is to be made
+   FAULT_GO     file that appears when it may go on; the same name and `.waiting` appears when it waits
    FAULT_THREADS  threads that may be started; further ones are refused as where too many processes run */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -55,8 +57,20 @@ static int strikes(int may_die) {
   return 1;
 }
 
+/* Waits before a file is made, until the test has done what it wants to do meanwhile. */
+static void pause_at(const char *path) {
+  const char *end = getenv("FAULT_PAUSE_AT"), *go = getenv("FAULT_GO");
+  if (!end || !go || strlen(path) < strlen(end) || strcmp(path + strlen(path) - strlen(end), end)) return;
+  char waiting[4096];
+  snprintf(waiting, sizeof waiting, "%s.waiting", go);
+  FILE *out = fopen(waiting, "w");
+  if (out) fclose(out);
+  for (int k = 0; k < 6000 && access(go, F_OK); k++) usleep(10000);
+}
+
 /* Notes a path that is to be made. */
 static void note(char kind, int folder, const char *path) {
+  pause_at(path);
   const char *file = getenv("FAULT_NAMES");
   if (!file || !counts_path(path)) return;
   char link[64], place[4096] = "";

@@ -3,6 +3,7 @@
 mod animate;
 mod bad_input;
 mod book;
+mod boundary;
 mod checkpoints;
 mod codes;
 mod commands;
