@@ -16,6 +16,7 @@ pub struct Error {
 }
 
 impl Error {
+    #[cfg(feature = "drawing")]
     pub(crate) fn io(path: &Path, doing: &str, source: &std::io::Error) -> Self {
         let text = format!("{}: cannot {doing}: {source}", path.display());
         Self { text, code: FileCode::System.into(), input: false }
