@@ -90,7 +90,7 @@ impl Failure {
                 let in_the_file = faults.all().iter().any(|one| one.line > 0);
                 match terminal::width() {
                     Some(width) if in_the_file => {
-                        terminal::tell(&faults.fancy(terminal::colored(), width));
+                        terminal::tell_drawn(&faults.fancy(terminal::colored(), width));
                     }
                     Some(_) => terminal::say_error(&faults.coded()),
                     None => terminal::tell(&faults.coded()),

@@ -20,7 +20,7 @@ use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
     Extent, HistoryWriter, Results, RunDirectory, RunInfo, allowances, provenance, summary_value,
-    write_comparison, write_envelopes, write_impacts, write_summary,
+    write_comparison, write_envelopes, write_impacts, write_new, write_summary,
 };
 use serde_json::Value;
 
@@ -209,7 +209,7 @@ fn simulate(
     let compiled = &ready.compiled;
     let text = ready.scenario.to_toml();
     let file = dir.join("scenario.toml");
-    std::fs::write(&file, &text).map_err(|error| Failure::system(&file, "write", &error))?;
+    write_new(&file, text.as_bytes()).map_err(|error| Failure::system(&file, "write", &error))?;
 
     let Beginning { earlier, checkpoints } = beginning;
     let (saved, rows) = earlier.map_or((None, None), |(saved, rows)| (Some(saved), Some(rows)));
