@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use percuss::{Flow, Settings};
 
-use crate::interrupt;
+use crate::{interrupt, terminal};
 
 /// The clock is looked at about this often.
 const LOOK: Duration = Duration::from_millis(50);
@@ -166,6 +166,14 @@ impl Progress {
             bar.set_message(message.to_owned());
             bar.set_position(done as u64);
             bar.tick();
+        }
+    }
+
+    /// Says something above the bar.
+    pub fn tell(&self, text: &str) {
+        match &self.bar {
+            Some(bar) => bar.suspend(|| terminal::tell(text)),
+            None => terminal::tell(text),
         }
     }
 
