@@ -3,6 +3,7 @@
 mod animate;
 mod bad_input;
 mod book;
+mod bounds;
 mod checkpoints;
 mod codes;
 mod commands;
@@ -19,6 +20,7 @@ mod plot;
 mod report;
 mod run;
 mod scenes;
+mod serving;
 mod slips;
 mod spectrum;
 mod statics;
