@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use percuss::{Flow, Settings};
 use percuss_scenario::visible_line;
 
-use crate::interrupt;
+use crate::{interrupt, terminal};
 
 /// The clock is looked at about this often.
 const LOOK: Duration = Duration::from_millis(50);
@@ -167,6 +167,14 @@ impl Progress {
             bar.set_message(visible_line(message));
             bar.set_position(done as u64);
             bar.tick();
+        }
+    }
+
+    /// Says something above the bar.
+    pub fn tell(&self, text: &str) {
+        match &self.bar {
+            Some(bar) => bar.suspend(|| terminal::tell(text)),
+            None => terminal::tell(text),
         }
     }
 

@@ -16,6 +16,7 @@ mod files;
 mod history;
 mod impacts;
 mod modes;
+mod pace;
 pub mod paraview;
 mod path;
 mod place;
@@ -37,6 +38,7 @@ pub use history::{
 };
 pub use impacts::write_impacts;
 pub use modes::{ModesInfo, modes_value, write_modes};
+pub use pace::PaceWatch;
 pub use path::{PathInfo, PathShapes, path_value, write_path};
 pub use summary::{
     Picked, RunInfo, SummaryPath, allowances, pick, pick_derivatives, provenance, read_summary,

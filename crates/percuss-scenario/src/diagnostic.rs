@@ -94,6 +94,13 @@ impl Diagnostics {
         Self { source, all }
     }
 
+    /// The first faults, at most so many, and how many more there are.
+    pub fn first(mut self, most: usize) -> (Self, usize) {
+        let rest = self.all.len().saturating_sub(most);
+        self.all.truncate(most);
+        (self, rest)
+    }
+
     /// The faults, in the order of the file.
     pub fn all(&self) -> &[Diagnostic] {
         &self.all
