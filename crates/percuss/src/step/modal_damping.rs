@@ -4,10 +4,12 @@
 //! It acts on motion relative to the rigid motion of each body and to supports that move. A body is what elements, joints and springs
 //! hold together. Over a step from x0 to x1 = x0 + d, in its middle x_m:
 //!
-//!     rigid motions      R y = (a + w J x_m, w J g_m), y = (a, w): all increments d of a body that stays as it is have this form
-//!     supports           C y = b, with b their increments: y = y_s + N z, what they give and what they leave free
-//!     relative motion    q = P (d - R y_s),  P = I - R N (N^T R^T M R N)^-1 N^T R^T M
-//!     forces             -P^T Q M phi (2 zeta omega / h) (Q M phi)^T q,  Q the rotation of the body since the start
+//! ```text
+//! rigid motions      R y = (a + w J x_m, w J g_m), y = (a, w): all increments d of a body that stays as it is have this form
+//! supports           C y = b, with b their increments: y = y_s + N z, what they give and what they leave free
+//! relative motion    q = P (d - R y_s),  P = I - R N (N^T R^T M R N)^-1 N^T R^T M
+//! forces             -P^T Q M phi (2 zeta omega / h) (Q M phi)^T q,  Q the rotation of the body since the start
+//! ```
 //!
 //! They have no resultant and no moment against the rigid motions that supports leave free, and take energy or none, never give any.
 

@@ -41,7 +41,9 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
         }
         Some((.., Some(set))) => out.push_str(&format!(" Unloaded it keeps {set}.")),
         Some((name, beam, None)) => {
-            if let Some(reason) = beam["permanent_set_note"].as_str() {
+            // Of a beam in pieces it is told that it parted.
+            let whole = super::list(beam, "parted").is_empty();
+            if let Some(reason) = beam["permanent_set_note"].as_str().filter(|_| whole) {
                 out.push_str(&format!(" No permanent set of {name} is told: {reason}."));
             }
         }
