@@ -99,7 +99,7 @@ pub struct Beams<'a> {
 
 /// The contact of number `index`; `at` says where its first touch was, if that is known.
 pub fn read<'a>(model: &'a Model, index: usize, at: Option<ContactPlace>) -> Option<Case<'a>> {
-    let contact = model.contacts().nth(index)?;
+    let contact = model.contact(index)?;
     let guided = (index < model.guided().len()).then_some(index);
     let meeting = match guided {
         Some(k) => Meeting::Struck(projectile(model, k)?),
@@ -118,7 +118,7 @@ fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {
         _ => None,
     };
     let place = BeamPlace::new(model, data.point.beam, data.point.s);
-    let (_, target) = model.contacts().nth(k)?.pairs().next()?;
+    let (_, target) = model.contact(k)?.pairs().next()?;
     let gap = match target {
         TargetShape::Guided { standoff } => Some(standoff),
         _ => None,

@@ -27,6 +27,7 @@ const TOGETHER: f64 = 1e-6;
 pub struct Modes<'m> {
     model: &'m Model,
     lowest: OnceCell<Vec<Mode>>,
+    touches: OnceCell<FirstTouches<'m>>,
 }
 
 /// What the duration of a contact follows from.
@@ -59,7 +60,7 @@ pub struct Lasting {
 
 impl<'m> Modes<'m> {
     pub fn new(model: &'m Model) -> Self {
-        Self { model, lowest: OnceCell::new() }
+        Self { model, lowest: OnceCell::new(), touches: OnceCell::new() }
     }
 
     fn lowest(&self) -> &[Mode] {
@@ -107,8 +108,12 @@ impl<'m> Modes<'m> {
     /// A beam that comes in its lowest motion that closes the gap, the others as what it gives way with.
     fn beams(&self, beams: &Beams<'_>, contact: usize, law: &SmoothLaw) -> Option<Lasting> {
         let modes = self.lowest();
+        if modes.is_empty() {
+            return None;
+        }
         let shapes: Vec<&[[f64; 4]]> = modes.iter().map(|mode| mode.shape.as_slice()).collect();
-        let closing = FirstTouches::new(self.model).closing_rates(contact, &shapes)?;
+        let touches = self.touches.get_or_init(|| FirstTouches::new(self.model));
+        let closing = touches.closing_rates(contact, &shapes)?;
         let most = closing.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let takes_part = |i: &usize| closing[*i].abs() > TOGETHER * most;
         let first = (0..modes.len()).find(takes_part)?;

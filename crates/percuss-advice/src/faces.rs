@@ -21,7 +21,7 @@ pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
     let between = sub(opposite.position(), middle.position());
     let along = cross(own, tangent).abs() < ALIGNED;
     let across = dot(own, tangent).abs() < ALIGNED;
-    let contact = desk.model.contacts().nth(desk.case.index)?;
+    let contact = desk.model.contact(desk.case.index)?;
     // Ends that point at the other partner; a round one meets it with one point.
     let ends = [(first, own, one.length()), (second, tangent, other.length())];
     let pointing = ends.into_iter().filter(|(_, t, length)| dot(between, *t).abs() > 0.5 * length);

@@ -2,6 +2,7 @@
 //!
 //! Limits lie far beyond what is built or measured, so that a finding is worth reading; they are no errors.
 
+use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use super::case::{self, Meeting};
@@ -35,8 +36,7 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
         return vec![whole];
     }
     let mut all = Vec::new();
-    for index in 0..model.beam_count() {
-        let stub = is_stub(model, index);
+    for (index, stub) in stubs(model).into_iter().enumerate() {
         beam(&BeamPlace::new(model, index, 0.0), stub, settings, &mut all);
     }
     bodies(model, &mut all);
@@ -73,17 +73,24 @@ pub(super) fn slip(
     Advice::new(part, Topic::Slip, values, unit, verdict, text)
 }
 
-/// Whether a beam is tied to one that is longer than deep. Where they meet both are given in the same unit, so that a short one is meant: a stub
-/// that carries a hinge, say.
-fn is_stub(model: &Model, index: usize) -> bool {
-    let long = |other: usize| {
-        let place = BeamPlace::in_the_middle(model, other);
+/// For each beam whether it is tied to another one that is longer than deep. Where they meet both are given in the same unit, so that a
+/// short one is meant: a stub that carries a hinge, say.
+fn stubs(model: &Model) -> Vec<bool> {
+    let long = |index: usize| {
+        let place = BeamPlace::in_the_middle(model, index);
         let (length, half_depth) = (place.beam.length(), place.half_depth());
-        other != index && half_depth > 0.0 && length >= 2.0 * half_depth
+        half_depth > 0.0 && length >= 2.0 * half_depth
     };
+    let long: Vec<bool> = (0..model.beam_count()).map(long).collect();
+    let mut stubs = vec![false; long.len()];
     let ties = model.constraints().map(|tie| tie.points().map(|p| p.beam).collect::<Vec<_>>());
     let springs = model.connectors().map(|one| one.points().map(|p| p.beam).collect::<Vec<_>>());
-    ties.chain(springs).any(|all| all.contains(&index) && all.iter().any(|other| long(*other)))
+    for all in ties.chain(springs) {
+        for beam in &all {
+            stubs[*beam] |= all.iter().any(|other| other != beam && long[*other]);
+        }
+    }
+    stubs
 }
 
 /// Length (unless it is a stub), section, material of a beam, and its lowest period against the step.
@@ -197,6 +204,11 @@ fn young(name: &str, young: f64) -> Option<Advice> {
 
 /// Masses against those of beams they go with, and speeds against those of waves.
 fn bodies(model: &Model, all: &mut Vec<Advice>) {
+    let mut masses: HashMap<usize, f64> = HashMap::new();
+    let mut apart = |name: &str, mass: f64, place: &BeamPlace<'_>| {
+        let own = *masses.entry(place.index).or_insert_with(|| place.mass());
+        apart(name, mass, (place, own))
+    };
     for mass in model.point_masses() {
         let place = BeamPlace::new(model, mass.point.beam, mass.point.s);
         all.extend(apart(&format!("mass at {}", mass.point.label), mass.mass, &place));
@@ -217,8 +229,7 @@ fn bodies(model: &Model, all: &mut Vec<Advice>) {
     }
 }
 
-fn apart(name: &str, mass: f64, place: &BeamPlace<'_>) -> Option<Advice> {
-    let own = place.mass();
+fn apart(name: &str, mass: f64, (place, own): (&BeamPlace<'_>, f64)) -> Option<Advice> {
     if !(mass > 0.0 && own > 0.0) || (1.0 / APART..=APART).contains(&(mass / own)) {
         return None;
     }

@@ -36,9 +36,7 @@ impl<'a> BeamPlace<'a> {
 
     /// Span that holds the place, and the number of the element in it.
     fn element(&self) -> (SpanView<'a>, usize) {
-        let holds = |span: &SpanView<'_>| span.stations().last().is_some_and(|s| *s >= self.s);
-        let found = self.beam.spans().find(holds).or_else(|| self.beam.spans().last());
-        let span = found.expect("a beam has a span");
+        let span = self.beam.span_at(self.s);
         let k = span.stations().partition_point(|s| *s <= self.s).saturating_sub(1);
         (span, k.min(span.element_count() - 1))
     }
@@ -198,10 +196,7 @@ impl<'a> BeamPlace<'a> {
 
     /// Arc length of a node, if it is one of this beam.
     fn station(&self, node: usize) -> Option<f64> {
-        if !self.beam.nodes().contains(&node) {
-            return None;
-        }
-        let found = self.beam.spans().find(|span| span.nodes().contains(&node));
+        let found = self.beam.span_of(node);
         found.map(|span| span.stations()[node - span.nodes().start])
     }
 

@@ -1,5 +1,8 @@
 //! What the advisor says of a run, before it and after it, what its audit warns of, and what of all that is denied.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
 use percuss_advice::{Advice, AuditWarning, Verdict, allow};
 use percuss_codes::{Caution, Code};
 use percuss_scenario::Content;
@@ -11,20 +14,38 @@ pub fn judge(advice: &mut [Advice], content: &Content) {
     allow(advice, |code| content.reason_to_allow(code));
 }
 
-/// Tells notes and warnings, a line each, those said of several contacts once; what is fine stands in the report.
+/// Findings told one by one; those beyond are counted.
+const MOST: usize = 50;
+
+/// Tells notes and warnings, a line each, those said of several contacts once; what is fine stands in the report. Where there are very
+/// many, the weightiest are told and the rest is counted.
 pub fn tell(advice: &[Advice]) {
-    let same =
-        |a: &Advice, b: &Advice| (a.topic, a.verdict, &a.text) == (b.topic, b.verdict, &b.text);
-    for (k, one) in advice.iter().enumerate() {
-        if advice[..k].iter().any(|before| same(before, one)) {
-            continue;
+    let mut told: Vec<(&Advice, usize)> = Vec::new();
+    let mut places: HashMap<(&str, Verdict, &str), usize> = HashMap::new();
+    for one in advice.iter().filter(|one| one.verdict > Verdict::Fine) {
+        match places.entry((one.topic.name(), one.verdict, one.text.as_str())) {
+            Entry::Occupied(place) => told[*place.get()].1 += 1,
+            Entry::Vacant(place) => {
+                place.insert(told.len());
+                told.push((one, 1));
+            }
         }
-        let contact = match advice[k..].iter().filter(|after| same(after, one)).count() {
+    }
+    let rest = told.len().saturating_sub(MOST);
+    if rest > 0 {
+        told.sort_by(|a, b| b.0.verdict.cmp(&a.0.verdict));
+        told.truncate(MOST);
+    }
+    for (one, all) in told {
+        let contact = match all {
             1 => one.contact.clone(),
             all => format!("{} and {} more", one.contact, all - 1),
         };
         let text = format!("{contact}, {}: {}", one.topic.name(), one.text);
         say(one.topic.into(), one.verdict, (&text, one.reason.as_deref()));
+    }
+    if rest > 0 {
+        terminal::tell(&format!("and {rest} more notes and warnings"));
     }
 }
 

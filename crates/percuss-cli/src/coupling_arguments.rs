@@ -16,6 +16,15 @@ pub struct Serve {
     /// Address to listen at; 0.0.0.0 lets other machines in, who then evaluate what they like
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
     pub host: String,
+    /// Token that the path of every request begins with [default: a new one each time, told with the address]
+    #[arg(long, value_name = "TEXT", conflicts_with = "no_token")]
+    pub token: Option<String>,
+    /// Answer requests without a token: any program on this machine may ask then
+    #[arg(long)]
+    pub no_token: bool,
+    /// Name that requests may call this server by besides `localhost`, --host and addresses in numbers; may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub allow_host: Vec<String>,
     /// Requests at a time [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub jobs: Option<u32>,
@@ -60,13 +69,15 @@ pub const SERVE: &str = "\
 The model is `forward`: one vector in, of the study's parameters in their order and in SI units, one vector out,
 of its results. Evaluate, Gradient and ApplyJacobian are answered; derivatives are those of `percuss sensitivity`,
 where the scene has them. A run that does not complete is an error of the model, with the reason.
+The address that is told ends in a token, which clients take with it; for those that take no path there is --no-token.
+Requests of more than a megabyte, under other names (--allow-host) and from pages of other sites are refused.
 
 Examples:
   percuss serve speed-and-mass.toml
   percuss serve speed-and-mass.toml --port 0 --jobs 8
 
 and in Python:
-  model = umbridge.HTTPModel(\"http://127.0.0.1:4242\", \"forward\")
+  model = umbridge.HTTPModel(\"http://127.0.0.1:4242/TOKEN\", \"forward\")
   model([[20, 500]])";
 
 pub const EVAL: &str = "\

@@ -1,4 +1,4 @@
-//! Ctrl-C, and the signal that asks to terminate.
+//! Ctrl-C, and the signals that ask to terminate.
 //!
 //! A command ends at once and takes what it has not finished with it. One that works in steps says so
 //! ([`end_between_steps`]): then the first signal is only noted, so that it ends after its step with what it has, and the second one
@@ -7,24 +7,25 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
 
 use crate::outcome::{Failure, Status};
+use crate::replacing;
 
 /// Tries to remove what a command is still writing into.
 const TRIES: usize = 200;
 
 /// Set by the first signal.
-static REQUESTED: AtomicBool = AtomicBool::new(false);
-/// Whether the command looks at [`requested`] itself, and ends.
-static BETWEEN_STEPS: AtomicBool = AtomicBool::new(false);
+static REQUESTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
+/// Whether a signal ends the program: the command does not look at [`requested`] itself, or was asked before.
+static AT_ONCE: LazyLock<Arc<AtomicBool>> = LazyLock::new(|| Arc::new(AtomicBool::new(true)));
 /// Files and directories to remove if the program ends at once; locked while results are put in place.
 static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// Takes over Ctrl-C and the signal that asks to terminate, which batch systems send when time is up.
-/// A hang-up is left alone, so that `nohup` works.
+/// Takes over Ctrl-C and the signals that ask to terminate: those that batch systems send when time is up, and a hang-up unless it is
+/// ignored, so that `nohup` works.
 ///
 /// # Errors
 /// If the system does not allow it.
@@ -37,17 +38,51 @@ pub fn install() -> Result<(), Failure> {
 
 /// From here on the first signal is only noted: the command asks [`requested`] between its steps.
 pub fn end_between_steps() {
-    BETWEEN_STEPS.store(true, Ordering::Relaxed);
+    if !requested() {
+        AT_ONCE.store(false, Ordering::Relaxed);
+    }
 }
 
 #[cfg(unix)]
 fn listen() -> Result<(), std::io::Error> {
-    use signal_hook::consts::{SIGINT, SIGTERM};
-    let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM])?;
-    std::thread::Builder::new()
-        .name("signals".into())
-        .spawn(move || signals.forever().for_each(|_| request()))
-        .map(drop)
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
+    let mut all = vec![SIGINT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU];
+    if !is_ignored(SIGHUP) {
+        all.push(SIGHUP);
+    }
+    let mut signals = signal_hook::iterator::Signals::new(&all)?;
+    let handle = signals.handle();
+    let thread = std::thread::Builder::new().name("signals".into());
+    if thread.spawn(move || signals.forever().for_each(|_| request())).is_err() {
+        // No thread to be had: a run needs none, and neither does its end.
+        handle.close();
+        drop(handle);
+        return listen_without_a_thread(&all);
+    }
+    Ok(())
+}
+
+/// The first signal is noted where the command looks at it; else, and from the second one on, it ends the program. What the command
+/// has not finished is then left to the next one that writes there.
+#[cfg(unix)]
+fn listen_without_a_thread(signals: &[i32]) -> Result<(), std::io::Error> {
+    use signal_hook::flag;
+    for signal in signals {
+        let status = i32::from(Status::Interrupted.code());
+        flag::register_conditional_shutdown(*signal, status, Arc::clone(&AT_ONCE))?;
+        flag::register(*signal, Arc::clone(&REQUESTED))?;
+        flag::register(*signal, Arc::clone(&AT_ONCE))?;
+    }
+    Ok(())
+}
+
+/// Whether whoever started the program has it ignore a signal. Where the system does not tell, a hang-up is left alone.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let Ok(status) = fs::read_to_string("/proc/self/status") else { return true };
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_none_or(|mask| mask >> (signal - 1) & 1 == 1)
 }
 
 #[cfg(not(unix))]
@@ -57,8 +92,8 @@ fn listen() -> Result<(), ctrlc::Error> {
 
 /// What a signal does.
 fn request() {
-    let again = REQUESTED.swap(true, Ordering::Relaxed);
-    if again || !BETWEEN_STEPS.load(Ordering::Relaxed) {
+    REQUESTED.store(true, Ordering::Relaxed);
+    if AT_ONCE.swap(true, Ordering::Relaxed) {
         abort();
     }
 }
@@ -96,12 +131,14 @@ pub fn protect<const N: usize>(unfinished: [&Path; N]) {
     *lock() = unfinished.map(Path::to_owned).into();
 }
 
-/// Puts results in place; no signal comes in between. Returns where they are.
+/// Puts results in place; no signal comes in between. Returns where they are; what was changed meanwhile is told.
 ///
 /// # Errors
 /// If something cannot be moved.
 pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percuss_output::Error> {
-    undisturbed(|| directory.commit_as(extent))
+    let placed = undisturbed(|| directory.commit_as(extent))?;
+    replacing::tell_all(&placed.kept);
+    Ok(placed.place)
 }
 
 /// The same for new files of a finished run.
@@ -109,7 +146,8 @@ pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percus
 /// # Errors
 /// If something cannot be moved.
 pub fn commit_update(update: RunUpdate) -> Result<(), percuss_output::Error> {
-    undisturbed(|| update.commit())
+    replacing::tell_all(&undisturbed(|| update.commit())?);
+    Ok(())
 }
 
 fn undisturbed<T>(put: impl FnOnce() -> T) -> T {

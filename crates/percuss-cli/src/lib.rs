@@ -7,11 +7,15 @@ mod commands;
 mod coupling_arguments;
 mod effective_mass;
 mod fresh;
+mod going_on;
 mod interrupt;
+mod json;
+mod memory;
 mod number;
 mod outcome;
 mod picture_arguments;
 mod progress;
+mod replacing;
 mod run_arguments;
 mod scenario;
 mod terminal;
@@ -25,7 +29,10 @@ use arguments::{Arguments, Command};
 /// Does what a command line asks for and returns the exit status; its first word is the name of the program. Takes over Ctrl-C, and
 /// may end the process: for a process of its own.
 pub fn command<T: Into<OsString> + Clone>(line: impl IntoIterator<Item = T>) -> u8 {
-    let arguments = Arguments::parse_from(line);
+    let arguments = match Arguments::try_parse_from(line) {
+        Ok(arguments) => arguments,
+        Err(error) => return refused(&error),
+    };
     if arguments.allow_outside {
         scenario::allow_outside();
     }
@@ -57,4 +64,17 @@ pub fn command<T: Into<OsString> + Clone>(line: impl IntoIterator<Item = T>) -> 
         failure.status()
     });
     status.code()
+}
+
+/// Tells of a command line that is not understood, or gives the help that was asked for.
+fn refused(error: &clap::Error) -> u8 {
+    let text = error.render().to_string();
+    // Colours are those of the help; a text with someone else's words in it goes the one way to the terminal.
+    if error.use_stderr() && percuss_scenario::visible(&text) != text {
+        terminal::tell(&text);
+    } else {
+        // Where standard output is closed nobody is to be told.
+        let _ = error.print();
+    }
+    u8::try_from(error.exit_code()).unwrap_or(outcome::Status::Input.code())
 }

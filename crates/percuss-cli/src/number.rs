@@ -26,6 +26,15 @@ pub fn count(n: usize, noun: &str) -> String {
     if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
 }
 
+/// A time by two digits, in the unit in which people say it: `3.4 s`, `12 min`, `5 h`, `3 days`.
+pub fn duration(seconds: f64) -> String {
+    let units = [(60.0, 1.0, "s"), (5400.0, 60.0, "min"), (172_800.0, 3600.0, "h")];
+    let unit = units.iter().find(|(below, ..)| seconds < *below);
+    let (_, one, name) = *unit.unwrap_or(&(0.0, 86_400.0, "days"));
+    let value = seconds / one;
+    if value < 10.0 { format!("{value:.1} {name}") } else { format!("{value:.0} {name}") }
+}
+
 fn without_zeros(digits: &str) -> &str {
     if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits }
 }
@@ -33,6 +42,15 @@ fn without_zeros(digits: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn times_are_told_in_their_unit() {
+        let cases = [(0.31, "0.3 s"), (42.0, "42 s"), (120.0, "2.0 min"), (5000.0, "83 min")];
+        let long = [(7200.0, "2.0 h"), (864_000.0, "10 days")];
+        for (seconds, text) in cases.into_iter().chain(long) {
+            assert_eq!(duration(seconds), text);
+        }
+    }
 
     #[test]
     fn six_digits_are_kept_and_no_more() {

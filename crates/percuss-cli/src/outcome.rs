@@ -8,6 +8,9 @@ use percuss_scenario::Diagnostics;
 
 use crate::terminal;
 
+/// Faults told one by one; those beyond are counted.
+const MOST: usize = 50;
+
 /// Exit status.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
@@ -87,20 +90,27 @@ impl Failure {
     pub fn tell(&self) {
         match self {
             Self::Faults { faults, changed } => {
+                let (faults, rest) = Diagnostics::clone(faults).first(MOST);
                 let in_the_file = faults.all().iter().any(|one| one.line > 0);
                 match terminal::width() {
                     Some(width) if in_the_file => {
-                        terminal::tell(&faults.fancy(terminal::colored(), width));
+                        terminal::tell_drawn(&faults.fancy(terminal::colored(), width));
                     }
                     Some(_) => terminal::say_error(&faults.coded()),
                     None => terminal::tell(&faults.coded()),
+                }
+                if rest > 0 {
+                    terminal::tell(&format!("and {rest} more faults"));
                 }
                 if *changed && in_the_file {
                     terminal::tell("(lines are those of the file with the --set changes made)");
                 }
             }
             Self::Denied(all) => {
-                all.iter().for_each(|one| terminal::error(RequestCode::Denied, one))
+                all.iter().take(MOST).for_each(|one| terminal::error(RequestCode::Denied, one));
+                if let rest @ 1.. = all.len().saturating_sub(MOST) {
+                    terminal::tell(&format!("and {rest} more findings that are denied"));
+                }
             }
             Self::Input(code, text) | Self::System(code, text) => terminal::error(*code, text),
         }

@@ -6,8 +6,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use percuss::{Flow, Settings};
+use percuss_scenario::visible_line;
 
-use crate::interrupt;
+use crate::{interrupt, terminal};
 
 /// The clock is looked at about this often.
 const LOOK: Duration = Duration::from_millis(50);
@@ -107,7 +108,7 @@ impl Progress {
             let target = ProgressDrawTarget::stderr_with_hz(HERTZ);
             ProgressBar::with_draw_target(u64::try_from(length).ok(), target)
                 .with_style(style)
-                .with_prefix(name)
+                .with_prefix(visible_line(&name))
         });
         Self { bar, end: None, begun: now, looked: now, steps: 0, next: 1, stride: 1 }
     }
@@ -163,9 +164,17 @@ impl Progress {
     /// Shows what is being done now, `done` things being done.
     pub fn show(&self, message: &str, done: usize) {
         if let Some(bar) = &self.bar {
-            bar.set_message(message.to_owned());
+            bar.set_message(visible_line(message));
             bar.set_position(done as u64);
             bar.tick();
+        }
+    }
+
+    /// Says something above the bar.
+    pub fn tell(&self, text: &str) {
+        match &self.bar {
+            Some(bar) => bar.suspend(|| terminal::tell(text)),
+            None => terminal::tell(text),
         }
     }
 

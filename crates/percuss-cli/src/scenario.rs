@@ -11,6 +11,7 @@ use percuss_scenario::{
     Compiled, Diagnostics, FileAccess, Scenario, load_with, read_bytes, read_in_time, read_with,
 };
 
+use crate::memory;
 use crate::outcome::Failure;
 
 /// Standard input that gives nothing for so long will not.
@@ -33,6 +34,7 @@ pub fn read(file: &Path, changes: &[String]) -> Result<Ready, Failure> {
     let failure =
         |faults| Failure::Faults { faults: Box::new(faults), changed: !changes.is_empty() };
     let scenario = changed(file, changes).map_err(failure)?;
+    memory::refuse(&name(file), &scenario.extent())?;
     let compiled = scenario.compile().map_err(failure)?;
     Ok(Ready { scenario, compiled })
 }

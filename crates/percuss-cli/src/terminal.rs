@@ -1,13 +1,39 @@
-//! Standard output and standard error: nothing panics when they are closed, no colour goes into a pipe.
+//! Standard output and standard error: nothing panics when they are closed, no colour goes into a pipe, and what stands in files and
+//! arguments is shown, never obeyed ([`shown`]).
 
+use std::hash::{BuildHasher, RandomState};
 use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::sync::LazyLock;
 
 use percuss_codes::{Code, FileCode};
+use percuss_scenario::{visible, visible_line};
 
 use crate::outcome::Failure;
 
+/// Where a style begins in a text on its way to the terminal: a number of this process stands in it, so that no file can hold it.
+static STYLE: LazyLock<String> =
+    LazyLock::new(|| format!("\u{fdd0}{:016x}", RandomState::new().hash_one("style")));
+/// Where it is said.
+const STYLED: char = '\u{fdd1}';
+
+/// A text as it goes to the terminal: what a terminal would obey is written out, but for the styles of [`painted`].
+fn shown(text: &str) -> String {
+    let mut pieces = text.split(STYLE.as_str());
+    let mut out = visible(pieces.next().unwrap_or_default());
+    for piece in pieces {
+        let (style, rest) = piece.split_once(STYLED).unwrap_or(("0", piece));
+        out.push_str(&format!("\u{1b}[{style}m{}", visible(rest)));
+    }
+    out
+}
+
 /// Writes a line to standard error; if that is closed there is nobody to tell.
 pub fn tell(text: &str) {
+    tell_drawn(&shown(text));
+}
+
+/// The same of a text in which all that is not this program's was made visible.
+pub fn tell_drawn(text: &str) {
     let mut stderr = io::stderr().lock();
     let _ = stderr.write_all(text.trim_end_matches('\n').as_bytes());
     let _ = stderr.write_all(b"\n");
@@ -44,6 +70,9 @@ pub fn allowed(code: Code, text: &str) {
 /// If standard output cannot be written for another reason.
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
+    // Into files and other programs goes what was asked for, every byte of it.
+    let made_visible = stdout.is_terminal().then(|| shown(text));
+    let text = made_visible.as_deref().unwrap_or(text);
     match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             let text = format!("standard output: cannot write: {error}");
@@ -71,5 +100,20 @@ pub fn width() -> Option<usize> {
 
 /// `text` in an ANSI style where standard error takes colours.
 pub fn painted(text: &str, style: &str) -> String {
-    if colored() { format!("\u{1b}[{style}m{text}\u{1b}[0m") } else { text.to_owned() }
+    let text = visible_line(text);
+    let begin = |style| format!("{}{style}{STYLED}", *STYLE);
+    if colored() { format!("{}{text}{}", begin(style), begin("0")) } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn styles_are_this_program_s_alone() {
+        let own = format!("{}1;31{STYLED}error:{}0{STYLED} x", *STYLE, *STYLE);
+        assert_eq!(shown(&own), "\u{1b}[1;31merror:\u{1b}[0m x");
+        assert_eq!(shown("\u{1b}[8mhidden"), "\\u{1b}[8mhidden");
+        assert_eq!(shown("\u{fdd0}0\u{fdd1}"), "\\u{fdd0}0\\u{fdd1}");
+    }
 }

@@ -71,6 +71,9 @@ catalogue! {
             "A linear buckling factor exists where the structure is stable without loads, elastic, and its loads keep their direction; and \
              the search may miss one that is counted. Modes about the static equilibrium, or the path of equilibria (`percuss static \
              --path`), tell what the structure carries.";
+        /// A file that was changed while a command worked.
+        Changed = "W118", "a file that was changed meanwhile",
+            "A file that the command replaces was changed since it was written, or came to stand there while the command worked. The new one is in its              place, and the changed one is kept beside it as `NAME.changed-1`: nothing of it is lost.";
     }
 }
 

@@ -16,27 +16,32 @@ mod files;
 mod history;
 mod impacts;
 mod modes;
+mod pace;
 pub mod paraview;
 mod path;
+mod place;
 pub mod report;
 mod shapes;
 pub mod shock;
 mod summary;
+mod unfinished;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
-pub use directory::{Extent, Results, RunDirectory, RunUpdate};
+pub use directory::{Extent, Placed, Results, RunDirectory, RunUpdate};
 pub use envelopes::{BeamEnvelope, read_envelopes, write_envelopes};
 pub use equilibrium::{EquilibriumInfo, equilibrium_value, write_equilibrium};
 pub use error::Error;
-pub use files::{Exclusive, open_exclusively};
+pub use files::{create_new, write_new};
 pub use history::{
     Channel, History, HistoryFile, HistoryFormat, HistoryReader, HistorySource, HistoryWriter,
     read as read_history,
 };
 pub use impacts::write_impacts;
 pub use modes::{ModesInfo, modes_value, write_modes};
+pub use pace::PaceWatch;
 pub use path::{PathInfo, PathShapes, path_value, write_path};
 pub use summary::{
     Picked, RunInfo, SummaryPath, allowances, pick, pick_derivatives, provenance, read_summary,
     summary_paths, summary_value, write_summary,
 };
+pub use unfinished::{Unfinished, unfinished};

@@ -50,7 +50,7 @@ pub fn picture(_: &str, _: PrintFormat, _: f64) -> Result<Vec<u8>, Error> {
 pub fn animate(
     _: &Film,
     _: &Plan,
-    _: &Path,
+    _: (&Path, &dyn Fn(&Path) -> bool),
     _: &mut dyn FnMut(usize) -> bool,
 ) -> Result<Told, Error> {
     Err(Error::not_built())

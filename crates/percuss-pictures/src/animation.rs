@@ -10,12 +10,13 @@ use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel, sync_channel};
 use std::thread;
 
+use percuss_output::Unfinished;
+
 use crate::apng::Apng;
 use crate::error::Error;
 use crate::ffmpeg::{ffmpeg, no_ffmpeg};
 use crate::film::Film;
 use crate::gif::{Gif, Palette};
-use crate::mark::Unfinished;
 use crate::mp4::Mp4;
 use crate::pixels::Pixels;
 use crate::request::{Format, Plan, Told};
@@ -27,66 +28,68 @@ const FLASH: f64 = 0.02;
 
 /// Makes a film; `go_on` is told how many frames are done and says whether to go on.
 ///
-/// The file is there when all of it is: until then it grows under the name of [`unfinished()`](crate::unfinished).
+/// The file is there when all of it is: until then it grows under the name of [`unfinished()`](crate::unfinished). It takes the place of
+/// one that `may_go`; one that may not, since it came to stand there meanwhile, is kept beside.
 ///
 /// # Errors
 /// If ffmpeg is wanted and not there, something cannot be drawn, or the system refuses.
 pub fn animate(
     film: &Film,
     plan: &Plan,
-    out: &Path,
+    (out, may_go): (&Path, &dyn Fn(&Path) -> bool),
     go_on: &mut dyn FnMut(usize) -> bool,
 ) -> Result<Told, Error> {
     let unfinished = Unfinished::of(out)?;
-    let told = record(film, plan, unfinished.path(), go_on)?;
-    if told == Told::Done {
-        unfinished.put(out)?;
-    }
-    Ok(told)
+    Ok(match record(film, plan, &unfinished, go_on)? {
+        true => Told::Done { kept: unfinished.put(may_go)? },
+        false => Told::Stopped,
+    })
 }
 
+/// Whether it was recorded to its end.
 fn record(
     film: &Film,
     plan: &Plan,
-    file: &Path,
+    unfinished: &Unfinished,
     go_on: &mut dyn FnMut(usize) -> bool,
-) -> Result<Told, Error> {
+) -> Result<bool, Error> {
+    let file = unfinished.path();
     let (times, flash) = (plan.times(), FLASH * (plan.span[1] - plan.span[0]));
     let mut recorder = match plan.format {
         Format::Mp4 => {
             let program = ffmpeg().ok_or_else(no_ffmpeg)?;
-            Recorder::Mp4(Mp4::new(&program, file, film.size, plan.fps)?)
+            Recorder::Mp4(Mp4::new(&program, unfinished, film.size, plan.fps)?)
         }
         Format::Apng => {
-            let sink = Sink::new(file)?;
+            let sink = Sink::new(unfinished)?;
             Recorder::Apng(Apng::new(sink.clone(), film.size, times.len(), plan.fps)?, sink)
         }
         Format::Gif => {
-            let sink = Sink::new(file)?;
+            let sink = Sink::new(unfinished)?;
             let stride = times.len().div_ceil(PALETTE_FRAMES);
             let some: Vec<f64> = times.iter().copied().step_by(stride).collect();
             let mut frames = Vec::new();
-            let told = render(film, &some, flash, &mut |pixels| {
+            let whole = render(film, &some, flash, &mut |pixels| {
                 frames.push(pixels);
                 Ok(go_on(0))
             })?;
-            if told == Told::Stopped {
-                return Ok(told);
+            if !whole {
+                return Ok(false);
             }
             let lasts = (times.len(), 1.0 / plan.fps);
             Recorder::Gif(Gif::new(sink.clone(), film.size, Palette::of(&frames), lasts)?, sink)
         }
     };
     let mut done = 0;
-    let told = render(film, &times, flash, &mut |pixels| {
+    let whole = render(film, &times, flash, &mut |pixels| {
         recorder.push(pixels)?;
         done += 1;
         Ok(go_on(done))
     })?;
-    if told == Told::Done {
+    if whole {
         recorder.finish().map_err(|e| if e.is_input() { e } else { e.at(file) })?;
     }
-    Ok(told)
+    Ok(whole)
 }
 
 enum Recorder {
@@ -119,8 +122,8 @@ impl Recorder {
 struct Sink(Rc<RefCell<BufWriter<File>>>);
 
 impl Sink {
-    fn new(path: &Path) -> Result<Self, Error> {
-        let file = File::create(path).map_err(|e| Error::io(path, "write", &e))?;
+    fn new(unfinished: &Unfinished) -> Result<Self, Error> {
+        let file = unfinished.file().map_err(|e| Error::io(unfinished.path(), "write", &e))?;
         Ok(Self(Rc::new(RefCell::new(BufWriter::new(file)))))
     }
 }
@@ -135,26 +138,28 @@ impl Write for Sink {
     }
 }
 
-/// Draws the scene at the given times: here as SVG, in other threads as pixels, which are handed over in their order.
+/// Draws the scene at the given times: here as SVG, in other threads as pixels, which are handed over in their order; whether all of
+/// them were wanted.
 fn render(
     film: &Film,
     times: &[f64],
     flash: f64,
     take: &mut dyn FnMut(Pixels) -> Result<bool, Error>,
-) -> Result<Told, Error> {
+) -> Result<bool, Error> {
     let workers = thread::available_parallelism().map_or(1, usize::from).min(8);
     thread::scope(|scope| {
         let (jobs, queue) = sync_channel::<(usize, String)>(workers);
-        let queue = Mutex::new(queue);
+        let queue = std::sync::Arc::new(Mutex::new(queue));
         let (finished, results) = channel();
         // They end when `jobs` is dropped: on return, however that comes.
         let jobs = jobs;
         let size = film.size;
-        let queue = std::sync::Arc::new(queue);
-        for _ in 0..workers {
+        let start = |_| {
             let (queue, finished) = (std::sync::Arc::clone(&queue), finished.clone());
-            scope.spawn(move || rasterise(&queue, &finished, size));
-        }
+            let work = move || rasterise(&queue, &finished, size);
+            thread::Builder::new().spawn_scoped(scope, work).ok()
+        };
+        let started = (0..workers).map_while(start).count();
         drop((queue, finished));
         let mut waiting = BTreeMap::new();
         let mut next = 0;
@@ -169,22 +174,28 @@ fn render(
             Ok(true)
         };
         for (k, time) in times.iter().enumerate() {
-            if jobs.send((k, film.svg(*time, flash)?)).is_err() {
+            let svg = film.svg(*time, flash)?;
+            if started == 0 {
+                // No other thread can be started: this one does it.
+                if !hand_over((k, Pixels::of_svg(&svg, size)))? {
+                    return Ok(false);
+                }
+            } else if jobs.send((k, svg)).is_err() {
                 return Err(Error::drawing("a thread ended"));
             }
             while let Ok(result) = results.try_recv() {
                 if !hand_over(result)? {
-                    return Ok(Told::Stopped);
+                    return Ok(false);
                 }
             }
         }
         drop(jobs);
         for result in results {
             if !hand_over(result)? {
-                return Ok(Told::Stopped);
+                return Ok(false);
             }
         }
-        Ok(Told::Done)
+        Ok(true)
     })
 }
 

@@ -16,15 +16,10 @@ pub struct Error {
 }
 
 impl Error {
+    #[cfg(feature = "drawing")]
     pub(crate) fn io(path: &Path, doing: &str, source: &std::io::Error) -> Self {
         let text = format!("{}: cannot {doing}: {source}", path.display());
         Self { text, code: FileCode::System.into(), input: false }
-    }
-
-    /// Another process has begun to write it.
-    pub(crate) fn busy(path: &Path) -> Self {
-        let text = format!("{}: another process is writing it", path.display());
-        Self { text, code: FileCode::Busy.into(), input: true }
     }
 
     /// What makes the picture gave up on what well-formed input does not bring.
@@ -78,6 +73,13 @@ impl Error {
     /// Whether what was asked for cannot be had; else the system refused, or what draws gave up.
     pub fn is_input(&self) -> bool {
         self.input
+    }
+}
+
+impl From<percuss_output::Error> for Error {
+    fn from(error: percuss_output::Error) -> Self {
+        let input = error.is_refused() || error.is_content();
+        Self { text: error.to_string(), code: error.code().into(), input }
     }
 }
 

@@ -39,7 +39,8 @@ pub use error::Error;
 pub use ffmpeg::{ffmpeg, no_ffmpeg};
 #[cfg(feature = "drawing")]
 pub use film::Film;
-pub use mark::{is_ours, marked, put, unfinished};
+pub use mark::{is_ours, marked, put};
+pub use percuss_output::unfinished;
 #[cfg(feature = "drawing")]
 pub use print::picture;
 pub use request::{Format, Look, Plan, PrintFormat, Told};

@@ -5,6 +5,8 @@ use std::path::Path;
 use std::process::{Child, ChildStderr, Command, Stdio};
 use std::thread::JoinHandle;
 
+use percuss_output::Unfinished;
+
 use crate::error::Error;
 use crate::mark::MARK;
 use crate::pixels::Pixels;
@@ -17,9 +19,10 @@ pub(crate) struct Mp4 {
 
 impl Mp4 {
     /// Frames of this size, so many a second, into a file.
-    pub fn new(program: &Path, file: &Path, size: [u32; 2], fps: f64) -> Result<Self, Error> {
+    pub fn new(program: &Path, file: &Unfinished, size: [u32; 2], fps: f64) -> Result<Self, Error> {
         let mut target = std::ffi::OsString::from("file:"); // so that no name is taken for an option or an address
-        target.push(file);
+        // ffmpeg opens it by its name, a file that this process has made; another one there would not be put in place.
+        target.push(file.path());
         let mut command = Command::new(program);
         command
             .args(["-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24"])
@@ -38,7 +41,8 @@ impl Mp4 {
             std::os::unix::process::CommandExt::process_group(&mut command, 0);
         }
         let mut child = command.spawn().map_err(|e| Error::io(program, "start", &e))?;
-        let complaints = child.stderr.take().map(|stderr| std::thread::spawn(move || text(stderr)));
+        let listen = |stderr| std::thread::Builder::new().spawn(move || text(stderr)).ok();
+        let complaints = child.stderr.take().and_then(listen);
         Ok(Self { child, complaints })
     }
 

@@ -1,6 +1,6 @@
 //! What can be asked for.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// How the scene is to be drawn.
 #[derive(Clone, Debug)]
@@ -66,10 +66,13 @@ impl Plan {
 }
 
 /// How a film ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Told {
     /// It is there.
-    Done,
+    Done {
+        /// Where something is kept that came to stand in its place meanwhile.
+        kept: Option<PathBuf>,
+    },
     /// It was not wanted any more; nothing is left.
     Stopped,
 }

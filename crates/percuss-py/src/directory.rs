@@ -7,7 +7,7 @@ use percuss_output::fields::{self, Fields};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
     Error, Extent, HistoryFormat, HistoryWriter, RunDirectory, write_envelopes, write_impacts,
-    write_summary,
+    write_new, write_summary,
 };
 use pyo3::PyResult;
 use serde_json::Value;
@@ -32,7 +32,7 @@ impl Directory {
     pub fn create(target: &Path, scenario: &str, report: bool) -> PyResult<Self> {
         let directory = RunDirectory::create(target).map_err(|error| output_error(&error))?;
         let file = directory.path().join("scenario.toml");
-        std::fs::write(&file, scenario)
+        write_new(&file, scenario.as_bytes())
             .map_err(|error| system_error(&format!("{}: cannot write: {error}", file.display())))?;
         Ok(Self { directory, report })
     }
@@ -57,6 +57,7 @@ impl Directory {
             report::write(dir, &ReportData::read(dir)?)?;
         }
         let whole = matches!(run.termination, percuss::Termination::Completed);
-        self.directory.commit_as(if whole { Extent::Complete } else { Extent::Partial })
+        let extent = if whole { Extent::Complete } else { Extent::Partial };
+        Ok(self.directory.commit_as(extent)?.place)
     }
 }

@@ -2,9 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use percuss::{Channel, Flow, Frame, Recorder, RecorderError};
-use percuss_output::HistoryWriter;
+use percuss::{Channel, Flow, Frame, Pace, Recorder, RecorderError};
 use percuss_output::fields::FrameStore;
+use percuss_output::{HistoryWriter, PaceWatch};
 use pyo3::prelude::*;
 
 use crate::given::Given;
@@ -34,6 +34,7 @@ pub struct RunRecorder<'a> {
     /// Why Python wants the run to stop.
     pub raised: Option<PyErr>,
     next_look: Instant,
+    pace: PaceWatch,
     rows: usize,
 }
 
@@ -55,6 +56,7 @@ impl<'a> RunRecorder<'a> {
             given,
             raised: None,
             next_look: Instant::now() + LOOK,
+            pace: PaceWatch::default(),
             rows: rows.min(1 << 16),
         }
     }
@@ -98,7 +100,26 @@ impl Recorder for RunRecorder<'_> {
         self.frames.take(frame);
     }
 
+    fn wants_pace(&mut self) -> bool {
+        self.pace.wants()
+    }
+
+    /// Goes to the logger `percuss`, which says it on standard error unless the user has other plans for it.
+    fn pace(&mut self, pace: &Pace<'_>) {
+        let Some(text) = self.pace.look(pace) else { return };
+        let logged = Python::attach(|py| {
+            let logger = py.import("logging")?.call_method1("getLogger", ("percuss",))?;
+            logger.call_method1("warning", (text,)).map(drop)
+        });
+        if let Err(error) = logged {
+            self.raised.get_or_insert(error);
+        }
+    }
+
     fn progress(&mut self, time: f64) -> Flow {
+        if self.raised.is_some() {
+            return Flow::Stop;
+        }
         if !self.given.is_empty() && self.given.has_raised() {
             return Flow::Stop;
         }

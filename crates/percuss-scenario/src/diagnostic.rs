@@ -10,6 +10,7 @@ use miette::{
 
 use crate::code::FaultCode;
 use crate::source::Source;
+use crate::visible::{covered, visible, visible_line};
 
 /// One fault of a scenario file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -93,6 +94,13 @@ impl Diagnostics {
         Self { source, all }
     }
 
+    /// The first faults, at most so many, and how many more there are.
+    pub fn first(mut self, most: usize) -> (Self, usize) {
+        let rest = self.all.len().saturating_sub(most);
+        self.all.truncate(most);
+        (self, rest)
+    }
+
     /// The faults, in the order of the file.
     pub fn all(&self) -> &[Diagnostic] {
         &self.all
@@ -103,7 +111,7 @@ impl Diagnostics {
         &self.source.name
     }
 
-    /// Report with the source lines underlined, `width` columns wide.
+    /// Report with the source lines underlined, `width` columns wide; nothing in it but its own colours is obeyed by a terminal.
     pub fn fancy(&self, color: bool, width: usize) -> String {
         let theme =
             if color { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
@@ -115,11 +123,9 @@ impl Diagnostics {
                 "" => format!("found {}", one.message),
                 path => format!("{path}: found {}", one.message),
             };
-            let mut report = MietteDiagnostic::new(title).with_help(format!(
-                "expected {} [{}]",
-                one.help,
-                one.code.code()
-            ));
+            let help = format!("expected {} [{}]", one.help, one.code.code());
+            let report = MietteDiagnostic::new(visible_line(&title));
+            let mut report = report.with_help(visible_line(&help));
             if one.line > 0 && !self.source.text.is_empty() {
                 let mark = self.underlined(&one.span);
                 report = report.with_label(LabeledSpan::new_with_span(None, mark));
@@ -127,7 +133,7 @@ impl Diagnostics {
             let line = Line::of(&self.source, one.line);
             let report = miette::Report::new(report).with_source_code(line);
             if handler.render_report(&mut out, report.as_ref()).is_err() {
-                out.push_str(&format!("{}:{one}\n", self.source.name));
+                out.push_str(&visible(&format!("{}:{one}\n", self.source.name)));
             }
         }
         out
@@ -135,7 +141,8 @@ impl Diagnostics {
 
     /// One line for each fault, with its code at the end: `file.toml:12:8: section.plank.area: found ..., expected ... [E006]`.
     pub fn coded(&self) -> String {
-        let lines = self.all.iter().map(|one| format!("{} [{}]", self.line(one), one.code.code()));
+        let line = |one: &Diagnostic| format!("{} [{}]", self.line(one), one.code.code());
+        let lines = self.all.iter().map(|one| visible_line(&line(one)));
         lines.collect::<Vec<_>>().join("\n")
     }
 
@@ -184,8 +191,8 @@ struct Line {
 impl Line {
     fn of(source: &Source, number: usize) -> Self {
         let span = source.line(number);
-        let text = source.text[span.clone()].to_string();
-        Self { name: source.name.clone(), text, start: span.start, number }
+        let text = covered(&source.text[span.clone()]);
+        Self { name: visible_line(&source.name), text, start: span.start, number }
     }
 }
 

@@ -94,7 +94,7 @@ pub fn read_in_time<R: Read>(
 ) -> Result<Vec<u8>> {
     let (sender, pieces) = mpsc::channel::<Result<Vec<u8>>>();
     // Left behind where it waits for ever; it holds nothing.
-    thread::spawn(move || {
+    thread::Builder::new().spawn(move || {
         let mut from = match open() {
             Ok(from) => from,
             Err(error) => return sender.send(Err(error)).unwrap_or(()),
@@ -107,7 +107,7 @@ pub fn read_in_time<R: Read>(
                 return;
             }
         }
-    });
+    })?;
     let mut bytes = Vec::new();
     loop {
         let piece = pieces.recv_timeout(patience).map_err(|_| {

@@ -50,6 +50,7 @@ mod tabulated;
 mod template;
 pub mod units;
 mod vary;
+mod visible;
 mod words;
 mod write;
 
@@ -72,3 +73,4 @@ pub use table::Named;
 pub use tabulated::TableFile;
 pub use template::{Template, study_templates, templates};
 pub use vary::Field;
+pub use visible::{visible, visible_line};

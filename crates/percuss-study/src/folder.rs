@@ -5,6 +5,7 @@ use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
 
 use percuss_codes::RequestCode;
+use percuss_output::{create_new, write_new};
 
 use crate::column::Table;
 use crate::error::Error;
@@ -129,7 +130,7 @@ impl Folder {
     pub fn finish(&self, study: &Study) -> Result<(), Error> {
         let path = self.path.join(RESULTS);
         let staging = staging(&path);
-        let file = fs::File::create(&staging).map_err(|e| Error::io(&staging, "create", e))?;
+        let file = create_new(&staging).map_err(|e| Error::io(&staging, "create", e))?;
         let shards = (0..study.shard_count()).map(|index| self.read(study, index));
         let merged = merge(study, shards, std::io::BufWriter::new(file));
         if let Err(error) = merged {
@@ -189,7 +190,7 @@ impl Folder {
 /// Writes a file beside its place and moves it there, so that it is whole or not there, even if power fails.
 fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let staging = staging(path);
-    if let Err(error) = fs::write(&staging, bytes) {
+    if let Err(error) = write_new(&staging, bytes) {
         let _ = fs::remove_file(&staging);
         return Err(Error::io(&staging, "write", error));
     }

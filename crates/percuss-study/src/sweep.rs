@@ -48,7 +48,10 @@ pub fn sweep(
     jobs: usize,
     tell: &(dyn Fn(Progress) -> bool + Sync),
 ) -> Result<Done, Error> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).stack_size(STACK).build();
+    let of = |jobs| rayon::ThreadPoolBuilder::new().num_threads(jobs).stack_size(STACK);
+    // Where so many threads are not to be had one is enough, and in the end this one.
+    let pool = of(jobs).build().or_else(|_| of(1).build());
+    let pool = pool.or_else(|_| of(1).use_current_thread().build());
     let pool = pool.map_err(|e| Error::system(format!("no threads can be started: {e}")))?;
     pool.install(|| in_pool(study, folder, wanted, tell))
 }

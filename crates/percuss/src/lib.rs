@@ -47,7 +47,7 @@ pub use ledger::{Ledger, Measures};
 pub use model::*;
 pub use percuss_codes::{AnalysisCode, Caution};
 pub use run::{
-    Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Preview, Recorder,
+    Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Pace, Preview, Recorder,
     ResumeError, Simulation, first_step, massless, preview, reference_state, simulate,
     yielded_at_rest,
 };

@@ -4,6 +4,9 @@
 pub use crate::model::SAME_INSTANT;
 use crate::model::{Fault, Model};
 
+/// Periods of a load or a motion in a step at most. From half a period on a step tells its mean alone; beyond this it is a slip of a unit, and
+/// far beyond it the phase of the function is round-off.
+const MOST_PERIODS: f64 = 1000.0;
 /// Least and largest accuracy that steps are chosen for.
 const ACCURACIES: [f64; 2] = [1e-6, 0.2];
 
@@ -131,6 +134,9 @@ impl Settings {
         if let Some(accuracy) = self.accuracy {
             self.validate_accuracy(accuracy, &mut add);
         }
+        if positive(self.step) {
+            self.validate_frequencies(model, &mut add);
+        }
         if self.record_every == 0 {
             add("record.every", "0".into(), "a row every 1 or more steps");
         }
@@ -181,6 +187,25 @@ impl Settings {
 }
 
 impl Settings {
+    /// Loads and motions of which a step holds so many periods that it sees nothing of them.
+    fn validate_frequencies(&self, model: &Model, add: &mut dyn FnMut(&str, String, &str)) {
+        let loads = model.loads.iter().map(|load| (format!("load.{}", load.name), &load.function));
+        let motions = model.supports.iter().filter_map(|support| {
+            let kind = if support.point.is_some() { "support" } else { "obstacle" };
+            let function = &model.motions[support.motion?];
+            Some((format!("{kind}.{}.motion", support.name), function))
+        });
+        for (path, function) in loads.chain(motions) {
+            let (frequency, most) = (function.frequency(), MOST_PERIODS / self.step);
+            if frequency > most {
+                let periods = frequency * self.step;
+                let found = format!("{frequency:e} Hz, {periods:.1e} periods in a step");
+                let expected = format!("at most {MOST_PERIODS} periods in a step: {most:e} Hz");
+                add(&format!("{path}.function"), found, &expected);
+            }
+        }
+    }
+
     /// Faults of an accuracy in place of a step.
     fn validate_accuracy(&self, accuracy: f64, add: &mut dyn FnMut(&str, String, &str)) {
         let path = "time.accuracy";

@@ -52,7 +52,7 @@ pub fn of_the_force(desk: &Desk<'_>, struck: &Struck<'_>, modes: &Modes<'_>) -> 
         .and("nothing strained before the touch but by weights", relaxed)
         .and(
             "one point of contact",
-            desk.model.contacts().nth(desk.index).is_some_and(|c| c.pairs().len() == 1),
+            desk.model.contact(desk.index).is_some_and(|c| c.pairs().len() == 1),
         );
     if norm(gravity(desk.model).0) > 0.0 && around.held {
         let carries = desk.settings.start == Start::Static;

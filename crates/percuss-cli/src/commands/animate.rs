@@ -5,7 +5,7 @@ use std::path::Path;
 use percuss_codes::{FileCode, RequestCode};
 use percuss_output::fields;
 use percuss_pictures::{
-    Error, Film, Format, Look, Plan, PrintFormat, Told, animate, ffmpeg, is_ours, picture, put,
+    Error, Film, Format, Look, Plan, PrintFormat, Told, animate, ffmpeg, is_ours, picture,
     unfinished,
 };
 
@@ -15,6 +15,7 @@ use crate::number::number;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Animate;
 use crate::progress::Progress;
+use crate::replacing;
 use crate::terminal;
 
 /// Share of the run for which a still shows an impulse, as the report does.
@@ -57,7 +58,8 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
     interrupt::end_between_steps();
     interrupt::protect([&unfinished(out)]);
     let progress = Progress::of_frames(frames, !arguments.quiet);
-    let told = animate(&film, &plan, out, &mut |done| {
+    let may_go = |there: &Path| arguments.force || is_ours(there);
+    let told = animate(&film, &plan, (out, &may_go), &mut |done| {
         progress.reach(done as u64);
         !interrupt::requested()
     });
@@ -67,7 +69,8 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
             terminal::tell("interrupted; nothing is written");
             Ok(Status::Interrupted)
         }
-        Told::Done => {
+        Told::Done { kept } => {
+            kept.iter().for_each(|kept| replacing::tell(out, kept));
             if !arguments.quiet {
                 let [width, height] = film.size;
                 let what = format!(
@@ -100,8 +103,7 @@ fn still(arguments: &Animate, time: f64) -> Result<Status, Failure> {
         PrintFormat::Pdf => picture(&svg, format, SCREEN)?,
         PrintFormat::Png => film.png(&svg)?,
     };
-    interrupt::protect([&unfinished(out)]);
-    put(out, &bytes)?;
+    replacing::put(out, &bytes, &|there| arguments.force || is_ours(there))?;
     if !arguments.quiet {
         terminal::tell(&format!("{}: the scene at {} s", out.display(), number(time)));
     }

@@ -1,18 +1,24 @@
 //! `percuss check`.
 
-use percuss::{EffectiveMass, Simulation, massless};
+use std::time::{Duration, Instant};
+
+use percuss::{EffectiveMass, Flow, Recorder, Simulation, massless};
 use percuss_advice::{Topic, advise};
 use percuss_codes::{Caution, Code, RequestCode};
 use percuss_study::Study;
 
 use crate::arguments::Check;
-use crate::number::{count, number};
+use crate::going_on::GoingOn;
+use crate::number::{count, duration, number};
 use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
 use crate::{advisor, effective_mass, terminal};
 
 /// Runs of a study that are looked at.
 const SAMPLE: u64 = 1000;
+/// Time for which a run is tried out, and how long one takes that is told of [s].
+const TRIAL: Duration = Duration::from_millis(200);
+const LONG: f64 = 60.0;
 /// Reasons told why runs of a study are no sound scenarios.
 const REASONS: usize = 5;
 
@@ -27,6 +33,7 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
         }
         return study(arguments);
     }
+    let going_on = GoingOn::new("the file and its model");
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     let name = scenario::name(&arguments.file);
     terminal::print(&format!("{name}: sound: {}\n", contents(&ready)))?;
@@ -36,7 +43,11 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
         let text = format!("`percuss run` refuses it: {fault}");
         denied.extend(advisor::warn(Caution::NotForRuns, &text, &arguments.deny));
     }
+    going_on.stage("what is to be expected of its contacts");
     let mut advice = advise(model, settings);
+    going_on.stage("how long a run takes");
+    let lasts = running_time(&ready);
+    drop(going_on);
     advisor::judge(&mut advice, ready.scenario.content());
     for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {
         let mass = EffectiveMass { on_mesh: one.value, limit: one.reference };
@@ -44,6 +55,9 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
         terminal::tell(&format!("projectile `{}`: {line}", one.contact));
     }
     advisor::tell(&advice);
+    if let Some(text) = lasts {
+        terminal::tell(&text);
+    }
     let content = ready.scenario.content();
     let before = |code: Code| Topic::of_code(code.code).is_some_and(|t| !t.is_found_after_a_run());
     advisor::tell_in_vain(content, &advisor::codes(&advice, &[]), before);
@@ -68,7 +82,9 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
         None => "runs go side by side in vector registers".to_owned(),
     };
     terminal::print(&format!("{how}\n"))?;
+    let going_on = GoingOn::new("a sample of its runs");
     let (invalid, looked_at) = study.check_sample(SAMPLE);
+    drop(going_on);
     let mut denied = Vec::new();
     if !invalid.is_empty() {
         let of = if looked_at < study.run_count() { "a sample of " } else { "" };
@@ -85,6 +101,41 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
         }
     }
     refuse(denied)
+}
+
+/// How long a run takes, from its first steps, if that is long enough to be told.
+fn running_time(ready: &Ready) -> Option<String> {
+    let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
+    let mut run = Simulation::new(model, settings).ok()?;
+    let mut watch = Watch(Instant::now());
+    while !watch.is_over() && run.state().time < settings.end {
+        run.advance(&mut watch).ok()?;
+    }
+    let seconds = watch.0.elapsed().as_secs_f64();
+    let all = seconds * settings.end / run.state().time;
+    (all > LONG).then(|| {
+        let how_long = if all.is_finite() { duration(all) } else { "very long".to_owned() };
+        format!("a run takes about {how_long}, as its first {} go", duration(seconds))
+    })
+}
+
+/// Stops a run that is tried out.
+struct Watch(Instant);
+
+impl Watch {
+    fn is_over(&self) -> bool {
+        self.0.elapsed() >= TRIAL
+    }
+}
+
+impl Recorder for Watch {
+    fn wants_rows(&self) -> bool {
+        false
+    }
+
+    fn progress(&mut self, _: f64) -> Flow {
+        if self.is_over() { Flow::Stop } else { Flow::Continue }
+    }
 }
 
 /// What was found and is denied fails the command.
@@ -106,7 +157,7 @@ fn contents(ready: &Ready) -> String {
     let settings = &ready.compiled.settings;
     let steps = match settings.accuracy {
         Some(accuracy) => format!("steps for an accuracy of {} %", number(100.0 * accuracy)),
-        None => count(Simulation::new(model, settings).map_or(0, |s| s.step_count()), "step"),
+        None => count(settings.step_count(), "step"),
     };
     [
         count(content.beam.len(), "beam"),

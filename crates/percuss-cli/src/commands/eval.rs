@@ -3,6 +3,7 @@
 mod dakota;
 mod json;
 
+use std::collections::HashSet;
 use std::io::Read;
 use std::path::Path;
 
@@ -46,8 +47,7 @@ pub fn run(arguments: &Eval) -> Result<Status, Failure> {
     let study = Study::load_with(&arguments.study, scenario::access())?;
     let mut function = study.function()?;
     let text = read(&arguments.parameters)?;
-    let is_json = text.trim_start().starts_with('{')
-        && serde_json::from_str::<serde_json::Value>(&text).is_ok();
+    let is_json = is_json(&text);
     let at = |what: String| {
         let text = format!("{}: {what}", scenario::name(&arguments.parameters));
         Failure::input(RequestCode::NoValue, text)
@@ -55,11 +55,12 @@ pub fn run(arguments: &Eval) -> Result<Status, Failure> {
     let asked = if is_json { json::read(&text) } else { dakota::read(&text) }.map_err(at)?;
     let point = point(&function, &asked.variables).map_err(at)?;
     let wanted = wanted(&function, &asked, arguments.gradients).map_err(at)?;
+    let by = by(&function, asked.by.as_deref()).map_err(at)?;
     if let Some(out) = arguments.results.as_deref().filter(|out| out.exists()) {
         let text = format!("{}: exists already; remove it or give another name", out.display());
         return Err(Failure::input(percuss_codes::FileCode::Foreign, text));
     }
-    let (told, status) = match evaluate(&mut function, &point, &wanted, &asked) {
+    let (told, status) = match evaluate(&mut function, &point, &wanted, &by) {
         Ok(all) => (if is_json { json::told(&all) } else { dakota::told(&all) }, Status::Done),
         Err(why) => {
             terminal::say_error(&why);
@@ -73,16 +74,32 @@ pub fn run(arguments: &Eval) -> Result<Status, Failure> {
     Ok(status)
 }
 
+/// Whether a file begins as a JSON table does; aprepro's form has names without quotes in its braces.
+fn is_json(text: &str) -> bool {
+    let inner = text.trim_start().strip_prefix('{').map(str::trim_start);
+    inner.is_some_and(|inner| inner.starts_with(['"', '}']))
+}
+
+/// The whole of a file; one that is too large is not read in part.
 fn read(path: &Path) -> Result<String, Failure> {
     let mut text = String::new();
     let read =
-        |from: &mut dyn Read, text: &mut String| from.take(LARGEST_FILE).read_to_string(text);
+        |from: &mut dyn Read, text: &mut String| from.take(LARGEST_FILE + 1).read_to_string(text);
     let done = if path == Path::new("-") {
         read(&mut std::io::stdin().lock(), &mut text)
     } else {
         std::fs::File::open(path).and_then(|mut file| read(&mut file, &mut text))
     };
-    done.map(|_| text).map_err(|error| Failure::system(path, "read", &error))
+    let bytes = done.map_err(|error| Failure::system(path, "read", &error))?;
+    if bytes as u64 > LARGEST_FILE {
+        let text = format!(
+            "{}: a file of more than {} MiB is no file of parameters",
+            scenario::name(path),
+            LARGEST_FILE >> 20
+        );
+        return Err(Failure::input(RequestCode::NoValue, text));
+    }
+    Ok(text)
 }
 
 /// The point that variables name.
@@ -117,15 +134,20 @@ fn wanted(
         };
         return Ok(all.map(one).collect());
     };
+    if let Some(name) = twice(functions.iter().map(|f| f.name.as_str())) {
+        return Err(format!("the function `{name}` is asked for twice"));
+    }
     let place = |name: &str| results.iter().position(|own| *own == name);
     let by_name: Option<Vec<usize>> = functions.iter().map(|f| place(&f.name)).collect();
+    let unnamed = functions.iter().all(|f| place(&f.name).is_none());
     let places = match by_name {
         Some(places) => places,
-        None if functions.len() == results.len() => (0..results.len()).collect(),
+        // Names of their own, such as `obj_fn`: the results in their order. Where some are names of results, order may not be meant.
+        None if unnamed && functions.len() == results.len() => (0..results.len()).collect(),
         None => {
             let names: Vec<&str> = functions.iter().map(|f| f.name.as_str()).collect();
             return Err(format!(
-                "functions {} are not the study's results ({}), and not as many",
+                "functions {} are not the study's results ({}): name all of them so, or as many others and none of them so",
                 names.join(", "),
                 results.join(", ")
             ));
@@ -137,11 +159,36 @@ fn wanted(
     Ok(places.into_iter().zip(functions).map(one).collect())
 }
 
+/// The parameters by which derivatives are wanted, each with its number in the study: those asked for, else all.
+fn by(function: &Function<'_>, asked: Option<&[String]>) -> Result<Vec<(usize, String)>, String> {
+    let parameters: Vec<&str> = function.parameters().iter().map(|p| p.name.as_str()).collect();
+    let Some(asked) = asked else {
+        return Ok(parameters.iter().map(|name| (*name).to_owned()).enumerate().collect());
+    };
+    if let Some(name) = twice(asked.iter().map(String::as_str)) {
+        return Err(format!("derivatives by `{name}` are asked for twice"));
+    }
+    let place = |name: &String| {
+        let found = parameters.iter().position(|own| own == name);
+        found.map(|k| (k, name.clone())).ok_or_else(|| {
+            let listed = parameters.join(", ");
+            format!("derivatives by `{name}`, which is no parameter of the study; its parameters are {listed}")
+        })
+    };
+    asked.iter().map(place).collect()
+}
+
+/// A name that stands twice.
+fn twice<'n>(names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let mut seen = HashSet::new();
+    names.into_iter().find(|name| !seen.insert(*name))
+}
+
 fn evaluate(
     function: &mut Function<'_>,
     point: &[f64],
     wanted: &[(usize, Wanted)],
-    asked: &Asked,
+    by: &[(usize, String)],
 ) -> Result<Vec<Answered>, String> {
     let mut derivatives = Vec::new();
     if wanted.iter().any(|(_, f)| f.gradient) {
@@ -153,15 +200,6 @@ fn evaluate(
     if wanted.iter().any(|(_, f)| f.value) {
         values = function.values(&[point.to_vec()]).pop().unwrap_or_else(|| Ok(Vec::new()))?;
     }
-    let parameters = function.parameters().iter().map(|p| p.name.clone()).enumerate();
-    let by: Vec<(usize, String)> = match &asked.by {
-        None => parameters.collect(),
-        Some(names) => {
-            let all: Vec<(usize, String)> = parameters.collect();
-            let own = |name: &String| all.iter().find(|(_, own)| own == name).cloned();
-            names.iter().filter_map(own).collect()
-        }
-    };
     let one = |(k, f): &(usize, Wanted)| {
         let gradient =
             |row: &Vec<f64>| by.iter().map(|(k, name)| (name.clone(), row[*k])).collect();

@@ -8,15 +8,15 @@ use percuss_codes::RequestCode;
 use percuss_output::HistoryReader;
 use percuss_output::report::ReportData;
 use percuss_output::report::prints::{Print, accelerations, prints};
-use percuss_pictures::{PrintFormat, picture, put, unfinished};
+use percuss_pictures::{PrintFormat, is_ours, picture};
 use percuss_scenario::one_of;
 
 use super::animate::refuse_foreign;
 use super::report::refuse_what_is_no_run;
 use super::spectrum::refused;
-use crate::interrupt;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Plot;
+use crate::replacing;
 use crate::terminal;
 
 /// As many files are named when they are written, more are counted.
@@ -55,8 +55,8 @@ pub fn run(arguments: &Plot) -> Result<Status, Failure> {
         let svg = print.svg(1000.0 * arguments.width, !arguments.no_title);
         for format in &formats {
             let path = file(print, *format);
-            interrupt::protect([&unfinished(&path)]);
-            put(&path, &picture(&svg, *format, f64::from(arguments.dpi))?)?;
+            let bytes = picture(&svg, *format, f64::from(arguments.dpi))?;
+            replacing::put(&path, &bytes, &|there| arguments.force || is_ours(there))?;
             names.push(path.display().to_string());
         }
     }

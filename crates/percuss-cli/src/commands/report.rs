@@ -13,6 +13,7 @@ use crate::arguments::Report;
 use crate::browser;
 use crate::interrupt;
 use crate::outcome::{Failure, Status};
+use crate::replacing;
 use crate::terminal;
 
 /// Rebuilds the report of a finished run, or lays several over each other.
@@ -41,7 +42,7 @@ fn compare(dirs: &[PathBuf], arguments: &Report) -> Result<Status, Failure> {
     let names = names(dirs);
     let read = |(dir, name): (&PathBuf, String)| Ok(Named { name, data: ReportData::read(dir)? });
     let runs = dirs.iter().zip(names).map(read).collect::<Result<Vec<_>, Failure>>()?;
-    side_by_side::write(out, &runs)?;
+    replacing::put(out, side_by_side::render(&runs)?.as_bytes(), &is_comparison)?;
     terminal::tell(&format!("{} compares {} runs", out.display(), runs.len()));
     if arguments.open {
         warn(browser::open(out));
@@ -71,13 +72,7 @@ fn names(dirs: &[PathBuf]) -> Vec<String> {
 
 /// A file that is no page of ours stays as it is.
 fn refuse_foreign_page(out: &Path) -> Result<(), Failure> {
-    if !out.exists() {
-        return Ok(());
-    }
-    let mut start = Vec::new();
-    let read = File::open(out).and_then(|file| file.take(4096).read_to_end(&mut start));
-    let ours = read.is_ok() && String::from_utf8_lossy(&start).contains(side_by_side::MARK);
-    match ours {
+    match !out.exists() || is_comparison(out) {
         true => Ok(()),
         false => Err(Failure::input(
             FileCode::Foreign,
@@ -87,6 +82,13 @@ fn refuse_foreign_page(out: &Path) -> Result<(), Failure> {
             ),
         )),
     }
+}
+
+/// Whether a file is a comparison that this program wrote.
+fn is_comparison(page: &Path) -> bool {
+    let mut start = Vec::new();
+    let read = File::open(page).and_then(|file| file.take(4096).read_to_end(&mut start));
+    read.is_ok() && String::from_utf8_lossy(&start).contains(side_by_side::MARK)
 }
 
 fn rebuild(dir: &Path, arguments: &Report) -> Result<Status, Failure> {

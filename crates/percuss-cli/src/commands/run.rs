@@ -20,7 +20,7 @@ use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
     Extent, HistoryWriter, Results, RunDirectory, RunInfo, allowances, provenance, summary_value,
-    write_comparison, write_envelopes, write_impacts, write_summary,
+    write_comparison, write_envelopes, write_impacts, write_new, write_summary,
 };
 use serde_json::Value;
 
@@ -30,6 +30,7 @@ use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
 use crate::run_arguments::{Every, Extend, History, Run};
 use crate::scenario::{self, Ready};
+use crate::terminal;
 use checkpoints::{Checkpoints, without_end};
 use comparison::Comparison;
 use conclude::conclude;
@@ -103,6 +104,16 @@ fn seconds(earlier: Option<&(Saved, Rows)>) -> f64 {
 pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
     let file = arguments.dir.join("scenario.toml");
     let before = scenario::read(&file, &[])?.compiled.settings.end;
+    // A queue starts a job time and again, the last time after it has ended.
+    let again = arguments.checkpoint.is_some() && arguments.resume;
+    let out = arguments.out.as_deref().unwrap_or(&arguments.dir);
+    if again && is_whole(out, arguments.end) {
+        if !arguments.quiet {
+            let end = crate::number::number(arguments.end);
+            terminal::tell(&format!("{}: reached {end} s; nothing to do", out.display()));
+        }
+        return Ok(Status::Done);
+    }
     if arguments.end <= before {
         return Err(Failure::input(
             RequestCode::EndReached,
@@ -141,6 +152,15 @@ pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
     let seconds = seconds(earlier.as_ref());
     let checkpoints = Some(Checkpoints::new(folder, often(&run), directory.path(), seconds));
     go(&ready, &run, directory, Beginning { earlier, checkpoints })
+}
+
+/// Whether a directory holds the results of a run that was completed and ends at a time.
+fn is_whole(dir: &Path, end: f64) -> bool {
+    let summary = std::fs::read_to_string(dir.join("summary.json")).unwrap_or_default();
+    let summary: Value = serde_json::from_str(&summary).unwrap_or_default();
+    let reached = scenario::read(&dir.join("scenario.toml"), &[]);
+    let reached = reached.map_or(f64::NAN, |ready| ready.compiled.settings.end);
+    summary["status"] == "completed" && (reached - end).abs() <= 1e-12 * end
 }
 
 /// Simulates, and puts the results in their place.
@@ -209,7 +229,7 @@ fn simulate(
     let compiled = &ready.compiled;
     let text = ready.scenario.to_toml();
     let file = dir.join("scenario.toml");
-    std::fs::write(&file, &text).map_err(|error| Failure::system(&file, "write", &error))?;
+    write_new(&file, text.as_bytes()).map_err(|error| Failure::system(&file, "write", &error))?;
 
     let Beginning { earlier, checkpoints } = beginning;
     let (saved, rows) = earlier.map_or((None, None), |(saved, rows)| (Some(saved), Some(rows)));
@@ -235,6 +255,7 @@ fn simulate(
     let energy = keeps_energy.then(EnergySeries::default);
     let mut recorder =
         RunRecorder::new(history, energy, frames, progress).with_checkpoints(checkpoints, rows);
+    recorder = recorder.telling_pace(shows_progress(arguments));
     let (begun, started) = (Instant::now(), SystemTime::now());
     let summary = simulation.run(&mut recorder);
     let wall_seconds = before + begun.elapsed().as_secs_f64();

@@ -1,51 +1,106 @@
 //! `percuss serve`: a study as a model that other programs evaluate over HTTP, as UM-Bridge says.
 
+mod connections;
 mod protocol;
+mod request;
 
-use std::io::Read;
+use std::net::{SocketAddr, TcpListener, ToSocketAddrs};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::OnceLock;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::thread;
 
-use percuss_codes::{AnalysisCode, Code, FileCode};
+use mio::{Poll, Waker};
+use percuss_codes::{AnalysisCode, Code, FileCode, RequestCode};
 use percuss_study::{Function, Study};
-use tiny_http::{Header, Method, Request, Response, Server};
 
+use self::connections::{ANSWERED, Asked, Connections, Told};
 use self::protocol::{Answer, Kind, Model};
+use self::request::{Gate, Request};
 use crate::coupling_arguments::Serve;
 use crate::outcome::{Failure, Status};
 use crate::{scenario, terminal};
-
-/// More than any request needs [bytes].
-const LARGEST_REQUEST: u64 = 1 << 20;
 
 /// Serves a study until it is interrupted.
 pub fn run(arguments: &Serve) -> Result<Status, Failure> {
     let study = Study::load_with(&arguments.study, scenario::access())?;
     let function = study.function()?;
-    let refused = |error: &dyn std::fmt::Display| {
-        let text = format!(
-            "cannot listen at {}:{}: {error}; is another server running there? `--port` takes another one, 0 any that is free",
-            arguments.host, arguments.port
-        );
-        Failure::System(FileCode::System.into(), text)
-    };
-    let server =
-        Server::http((arguments.host.as_str(), arguments.port)).map_err(|error| refused(&error))?;
+    let token = token(arguments)?;
+    let (listener, address) = listen(arguments)?;
     if !arguments.quiet {
-        terminal::tell(&greeting(&server, &function));
+        terminal::tell(&greeting(address, token.as_deref(), &function));
     }
+    let hosts = arguments.allow_host.iter().cloned().chain([arguments.host.clone()]).collect();
     let jobs = arguments.jobs.map_or_else(cores, |jobs| jobs as usize);
     let differentiable = OnceLock::new();
-    std::thread::scope(|scope| {
-        let work = || serve(&server, &study, &differentiable);
-        let others: Vec<_> = (1..jobs).map(|_| scope.spawn(work)).collect();
-        let mut done = work();
-        for other in others {
-            done = done.and(other.join().unwrap_or(Ok(())));
+    let (poll, (asked, to_do), (tell, told)) = (Poll::new(), channel(), channel());
+    let poll = poll.map_err(broken)?;
+    let waker = Waker::new(poll.registry(), ANSWERED).map_err(broken)?;
+    let listener = mio::net::TcpListener::from_std(listener);
+    let gate = Gate { hosts, token };
+    let mut all = Connections::new(poll, listener, gate, asked, told).map_err(broken)?;
+    let to_do = Mutex::new(to_do);
+    thread::scope(|scope| {
+        for job in 0..jobs {
+            let (tell, to_do, waker) = (tell.clone(), &to_do, &waker);
+            let (study, differentiable) = (&study, &differentiable);
+            let work = move || answer_all(to_do, &tell, waker, (study, differentiable));
+            match thread::Builder::new().spawn_scoped(scope, work) {
+                Ok(_) => {}
+                // Fewer answer then; without any nothing is answered.
+                Err(error) if job == 0 => return Err(broken(error)),
+                Err(_) => break,
+            }
         }
+        let done = all.serve().map_err(broken);
+        drop(all); // the threads end when nobody asks any more
         done
     })?;
     Ok(Status::Done)
+}
+
+fn broken(error: std::io::Error) -> Failure {
+    Failure::System(FileCode::System.into(), format!("cannot take requests: {error}"))
+}
+
+/// The token that requests have to know: a new one each time unless the user gives one, or wants none.
+fn token(arguments: &Serve) -> Result<Option<String>, Failure> {
+    if arguments.no_token {
+        return Ok(None);
+    }
+    if let Some(token) = &arguments.token {
+        let plain = token.bytes().all(|b| b.is_ascii_alphanumeric() || b"-_.~".contains(&b));
+        return match plain && !token.is_empty() {
+            true => Ok(Some(token.clone())),
+            false => {
+                let text = "--token: expected letters, digits and -_.~, as stand in an address";
+                Err(Failure::input(RequestCode::NoValue, text))
+            }
+        };
+    }
+    if arguments.quiet {
+        let text =
+            "with --quiet nobody learns the token of this server; give --token or --no-token";
+        return Err(Failure::input(RequestCode::NoValue, text));
+    }
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes).map_err(|error| broken(error.into()))?;
+    Ok(Some(bytes.iter().map(|b| format!("{b:02x}")).collect()))
+}
+
+fn listen(arguments: &Serve) -> Result<(TcpListener, SocketAddr), Failure> {
+    let (host, port) = (arguments.host.as_str(), arguments.port);
+    let refused = |error: std::io::Error| {
+        let text = format!(
+            "cannot listen at {host}:{port}: {error}; is another server running there? `--port` takes another one, 0 any that is free"
+        );
+        Failure::System(FileCode::System.into(), text)
+    };
+    let addresses: Vec<SocketAddr> = (host, port).to_socket_addrs().map_err(refused)?.collect();
+    let listener = TcpListener::bind(addresses.as_slice()).map_err(refused)?;
+    listener.set_nonblocking(true).map_err(refused)?;
+    let address = listener.local_addr().map_err(refused)?;
+    Ok((listener, address))
 }
 
 fn cores() -> usize {
@@ -53,8 +108,8 @@ fn cores() -> usize {
 }
 
 /// Where it listens, what it takes and what it gives.
-fn greeting(server: &Server, function: &Function<'_>) -> String {
-    let address = server.server_addr();
+fn greeting(address: SocketAddr, token: Option<&str>, function: &Function<'_>) -> String {
+    let token = token.map_or(String::new(), |token| format!("/{token}"));
     let named = |(name, unit): (&str, &str)| match unit {
         "" | "1" => name.to_owned(),
         unit => format!("{name} [{unit}]"),
@@ -63,7 +118,7 @@ fn greeting(server: &Server, function: &Function<'_>) -> String {
     let inputs = function.parameters().iter().map(|p| named((p.name.as_str(), p.unit.as_str())));
     let results = function.results().iter().map(|r| named((r.name.as_str(), r.path.unit())));
     format!(
-        "model `{}` at http://{address} (UM-Bridge {:.1})\n  in   {}\n  out  {}\nCtrl-C ends it",
+        "model `{}` at http://{address}{token} (UM-Bridge {:.1})\n  in   {}\n  out  {}\nCtrl-C ends it",
         protocol::NAME,
         protocol::VERSION,
         list(inputs.collect()),
@@ -71,50 +126,30 @@ fn greeting(server: &Server, function: &Function<'_>) -> String {
     )
 }
 
-/// Answers requests one after the other.
-fn serve(server: &Server, study: &Study, differentiable: &OnceLock<bool>) -> Result<(), Failure> {
-    let function = study.function()?;
+/// Answers requests one after the other, as they come.
+fn answer_all(
+    to_do: &Mutex<Receiver<Asked>>,
+    tell: &Sender<Told>,
+    waker: &Waker,
+    (study, differentiable): (&Study, &OnceLock<bool>),
+) {
+    // That it can be had was tried before.
+    let Ok(function) = study.function() else { return };
     let mut model = Model { function, differentiable };
     loop {
-        let request = server.recv().map_err(|error| {
-            Failure::System(FileCode::System.into(), format!("cannot take a request: {error}"))
-        })?;
-        answer(&mut model, request);
+        let next = to_do.lock().unwrap_or_else(PoisonError::into_inner).recv();
+        let Ok((number, request)) = next else { return };
+        if tell.send((number, answer(&mut model, &request))).is_err() {
+            return;
+        }
+        let _ = waker.wake();
     }
 }
 
-/// Answers a request. One that goes away before its answer is no fault.
-fn answer(model: &mut Model<'_>, mut request: Request) {
-    let answer = match body(&mut request) {
-        Err(refused) => refused,
-        Ok(body) => {
-            let posted = *request.method() == Method::Post;
-            let path = request.url().to_owned();
-            let work = || protocol::answer(model, posted, &path, &body);
-            catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
-                let text = Code::from(AnalysisCode::Broken).behind("the solver broke down");
-                Answer::failure(Kind::Model, text)
-            })
-        }
-    };
-    let json = Header::from_bytes("Content-Type", "application/json");
-    let mut response =
-        Response::from_string(answer.body.to_string()).with_status_code(answer.status);
-    if let Ok(header) = json {
-        response.add_header(header);
-    }
-    let _ = request.respond(response);
-}
-
-/// What a request brings.
-fn body(request: &mut Request) -> Result<String, Answer> {
-    let mut text = String::new();
-    let read = request.as_reader().take(LARGEST_REQUEST + 1).read_to_string(&mut text);
-    match read {
-        Ok(bytes) if bytes as u64 <= LARGEST_REQUEST => Ok(text),
-        Ok(_) => Err(Answer::failure(Kind::Input, "a request of more than a megabyte".into())),
-        Err(error) => {
-            Err(Answer::failure(Kind::Input, format!("a request that cannot be read: {error}")))
-        }
-    }
+fn answer(model: &mut Model<'_>, request: &Request) -> Answer {
+    let work = || protocol::answer(model, request.posted, &request.path, &request.body);
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
+        let text = Code::from(AnalysisCode::Broken).behind("the solver broke down");
+        Answer::failure(Kind::Model, text)
+    })
 }

@@ -10,15 +10,15 @@ use percuss_output::shock::{
     Band, Cfc, SPECTRUM_HEADER, ShockError, ShockSpectrum, Signal, accelerations, filtered,
     shock_spectrum,
 };
-use percuss_pictures::{PrintFormat, picture, put, unfinished};
+use percuss_pictures::{PrintFormat, is_ours, picture};
 use percuss_scenario::one_of;
 
 use super::animate::refuse_foreign;
 use super::report::refuse_what_is_no_run;
-use crate::interrupt;
 use crate::number::number;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Spectrum;
+use crate::replacing;
 use crate::terminal;
 
 /// Writes the spectrum of an acceleration and tells its peaks.
@@ -45,8 +45,8 @@ pub fn run(arguments: &Spectrum) -> Result<Status, Failure> {
     let title = format!("{column}{}, damping {}", suffix(arguments.cfc), arguments.damping);
     let svg = picture(&spectrum.svg(&title), PrintFormat::Svg, 96.0)?;
     for (path, bytes) in [(&table, spectrum.csv().as_bytes()), (&drawn, &svg[..])] {
-        interrupt::protect([&unfinished(path)]);
-        put(path, bytes)?;
+        let may_go = |there: &Path| arguments.force || is_spectrum(there) || is_ours(there);
+        replacing::put(path, bytes, &may_go)?;
     }
     if !arguments.quiet {
         terminal::print(&told(&signal, &spectrum, arguments.cfc))?;

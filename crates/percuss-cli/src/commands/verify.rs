@@ -51,8 +51,7 @@ pub fn run(arguments: &Verify) -> Result<Status, Failure> {
     }
     progress.clear();
     if let Some(folder) = &arguments.book {
-        let failed = |error| Failure::system(folder, "write the manual", &error);
-        book::write(folder, &all).map_err(failed)?;
+        book::write(folder, &all)?;
     }
     if arguments.json {
         terminal::print(&format!("{:#}\n", value(&all)))?;

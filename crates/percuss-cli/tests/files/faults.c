@@ -3,11 +3,16 @@
    FAULT_UNDER  the folder, an absolute path; relative paths count as well
    FAULT_AT     number of the operation, from 1; 0 fails nothing
    FAULT_ERRNO  error of the system; 0 ends the process at once, a write half done
-   FAULT_COUNT  file that the number of operations is written to at the end */
+   FAULT_COUNT  file that the number of operations is written to at the end
+   FAULT_NAMES  file that the path of every file and directory is written to that is to be made, a line each: F or D, and the path
+   FAULT_PAUSE_AT  end of the path of a file before which the process waits, once it is to be made
+   FAULT_GO     file that appears when it may go on; the same name and `.waiting` appears when it waits
+   FAULT_THREADS  threads that may be started; further ones are refused as where too many processes run */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -52,6 +57,36 @@ static int strikes(int may_die) {
   return 1;
 }
 
+/* Waits before a file is made, until the test has done what it wants to do meanwhile. */
+static void pause_at(const char *path) {
+  const char *end = getenv("FAULT_PAUSE_AT"), *go = getenv("FAULT_GO");
+  if (!end || !go || strlen(path) < strlen(end) || strcmp(path + strlen(path) - strlen(end), end)) return;
+  char waiting[4096];
+  snprintf(waiting, sizeof waiting, "%s.waiting", go);
+  FILE *out = fopen(waiting, "w");
+  if (out) fclose(out);
+  for (int k = 0; k < 6000 && access(go, F_OK); k++) usleep(10000);
+}
+
+/* Notes a path that is to be made. */
+static void note(char kind, int folder, const char *path) {
+  pause_at(path);
+  const char *file = getenv("FAULT_NAMES");
+  if (!file || !counts_path(path)) return;
+  char link[64], place[4096] = "";
+  if (path[0] != '/') {
+    snprintf(link, sizeof link, folder == AT_FDCWD ? "/proc/self/cwd" : "/proc/self/fd/%d", folder);
+    ssize_t length = readlink(link, place, sizeof place - 2);
+    if (length <= 0) return;
+    place[length] = '/';
+    place[length + 1] = 0;
+  }
+  FILE *out = fopen(file, "a");
+  if (!out) return;
+  fprintf(out, "%c %s%s\n", kind, place, path);
+  fclose(out);
+}
+
 __attribute__((destructor)) static void tell(void) {
   const char *file = getenv("FAULT_COUNT");
   if (!file) return;
@@ -68,6 +103,7 @@ __attribute__((destructor)) static void tell(void) {
   int name(const char *path, int flags, ...) {                                        \
     REAL(name);                                     \
     va_list more; va_start(more, flags); mode_t mode = va_arg(more, mode_t); va_end(more); \
+    if (flags & O_CREAT) note('F', AT_FDCWD, path);                                   \
     if (counts_path(path) && strikes(1)) return -1;                                   \
     return real(path, flags, mode);                                                   \
   }
@@ -78,6 +114,7 @@ OPEN(open64)
   int name(int folder, const char *path, int flags, ...) {                            \
     REAL(name);                                \
     va_list more; va_start(more, flags); mode_t mode = va_arg(more, mode_t); va_end(more); \
+    if (flags & O_CREAT) note('F', folder, path);                                     \
     if (counts_path(path) && strikes(1)) return -1;                                   \
     return real(folder, path, flags, mode);                                           \
   }
@@ -128,8 +165,15 @@ int unlinkat(int folder, const char *path, int flags) {
   return counts_path(path) && strikes(1) ? -1 : real(folder, path, flags);
 }
 
+int mkdirat(int folder, const char *path, mode_t mode) {
+  REAL(mkdirat);
+  note('D', folder, path);
+  return counts_path(path) && strikes(1) ? -1 : real(folder, path, mode);
+}
+
 int mkdir(const char *path, mode_t mode) {
   REAL(mkdir);
+  note('D', AT_FDCWD, path);
   return counts_path(path) && strikes(1) ? -1 : real(path, mode);
 }
 
@@ -146,7 +190,21 @@ int linkat(int a, const char *from, int b, const char *to, int flags) {
   return counts_path(to) && strikes(1) ? -1 : real(a, from, b, to, flags);
 }
 
+int renameat(int a, const char *from, int b, const char *to) {
+  REAL(renameat);
+  return counts_path(to) && strikes(1) ? -1 : real(a, from, b, to);
+}
+
 int renameat2(int a, const char *from, int b, const char *to, unsigned flags) {
   REAL(renameat2);
   return counts_path(to) && strikes(1) ? -1 : real(a, from, b, to, flags);
+}
+
+static atomic_long threads;
+
+int pthread_create(pthread_t *thread, const pthread_attr_t *how, void *(*work)(void *), void *with) {
+  REAL(pthread_create);
+  const char *most = getenv("FAULT_THREADS");
+  if (most && atomic_fetch_add(&threads, 1) >= strtol(most, 0, 10)) return EAGAIN;
+  return real(thread, how, work, with);
 }

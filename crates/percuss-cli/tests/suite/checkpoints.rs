@@ -126,7 +126,10 @@ fn an_extension_that_was_killed_goes_on_where_it_was() {
     desk.percuss(&extend).ends_with(0);
     assert_eq!(differences(&desk.path("whole"), &desk.path("out")), Vec::<String>::new());
     assert!(!desk.path("out.checkpoint").exists());
-    desk.percuss(&extend).ends_with(2).tells("reaches 0.03 s already");
+    // A queue that starts the job once more finds nothing to do.
+    desk.percuss(&extend).ends_with(0);
+    let told: Vec<&str> = extend.iter().copied().filter(|word| *word != "--quiet").collect();
+    desk.percuss(&told).ends_with(0).tells("reached 0.03 s; nothing to do");
 }
 
 #[test]

@@ -124,6 +124,23 @@ fn what_cannot_be_evaluated_is_told_and_nothing_is_lost() {
         (r#"{"speed": "fast", "mass": 1}"#.to_owned(), "`speed` is \"fast\""),
         (r#"{"speed": 20}"#.to_owned(), "no value for `mass`"),
         ("nothing".to_owned(), "a count of `variables`"),
+        (DAKOTA.replace("DVV_1:mass", "DVV_1:mas"), "derivatives by `mas`, which is no parameter"),
+        (r#"{"speed": 20, "mass": 1, "speed": 21}"#.to_owned(), "the key `speed` stands twice"),
+        (r#"{"speed": 20, "mass""#.to_owned(), "EOF"),
+        (DAKOTA.replace("500 mass", "500 speed"), "two values for `speed`"),
+        (
+            DAKOTA.replace("1 functions\n3 ASV_1:exit", "2 functions\n1 ASV_1:exit\n1 ASV_2:other"),
+            "name all of them so",
+        ),
+        (
+            DAKOTA.replace("1 functions\n3 ASV_1:exit", "2 functions\n1 ASV_1:exit\n1 ASV_2:exit"),
+            "`exit` is asked for twice",
+        ),
+        // A point, and then blanks up to where reading ended: what came behind was not read.
+        (
+            format!("{DAKOTA}{}", " ".repeat(16 << 20)),
+            "a file of more than 16 MiB is no file of parameters",
+        ),
     ] {
         desk.put("bad.in", text);
         desk.percuss(&["eval", "study.toml", "bad.in", "bad.out"])
@@ -167,10 +184,11 @@ fn checks_say_whether_runs_go_side_by_side() {
 
 /// A request over HTTP: status and answer.
 fn ask(address: &str, path: &str, body: &Value) -> (u16, Value) {
-    let mut stream = TcpStream::connect(address).expect("a connection");
+    let (host, token) = address.split_once('/').expect("an address with its token");
+    let mut stream = TcpStream::connect(host).expect("a connection");
     let body = body.to_string();
     let head = format!(
-        "POST {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\nContent-Length: {}\r\n\r\n",
+        "POST /{token}{path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Length: {}\r\n\r\n",
         body.len()
     );
     stream.write_all((head + &body).as_bytes()).expect("a request");

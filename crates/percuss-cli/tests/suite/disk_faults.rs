@@ -14,7 +14,7 @@ use crate::common::{Desk, ELASTIC, Outcome};
 const ERRORS: [i32; 4] = [28, 5, 13, 24];
 
 /// The library that makes operations fail; none where there is no C compiler.
-fn shim(desk: &Desk) -> Option<PathBuf> {
+pub fn shim(desk: &Desk) -> Option<PathBuf> {
     let source = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/faults.c");
     let library = desk.path("faults.so");
     let options = ["-shared", "-fPIC", "-O1", "-o"];
@@ -204,7 +204,7 @@ impl Case<'_> {
     }
 }
 
-fn copy(from: &Path, to: &Path) {
+pub fn copy(from: &Path, to: &Path) {
     for entry in fs::read_dir(from).unwrap() {
         let entry = entry.unwrap();
         let place = to.join(entry.file_name());

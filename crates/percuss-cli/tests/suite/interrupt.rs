@@ -65,7 +65,8 @@ fn end_of(child: Child) -> Outcome {
 
 #[test]
 fn an_interrupted_run_leaves_a_readable_result() {
-    for name in ["-INT", "-TERM"] {
+    // The last ones are sent by batch systems when time is up, and by terminals that go away.
+    for name in ["-INT", "-TERM", "-HUP", "-USR1", "-USR2", "-XCPU"] {
         let desk = Desk::new();
         let child = endless(&desk);
         signal(&child, name);
@@ -78,6 +79,73 @@ fn an_interrupted_run_leaves_a_readable_result() {
         assert!(desk.path("out/report.html").is_file());
         assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     }
+}
+
+/// The checkpoint is of the instant that was reached, not of one some time before.
+#[test]
+fn a_signal_of_a_batch_system_leaves_a_checkpoint_of_what_was_reached() {
+    for name in ["-USR1", "-HUP", "-TERM"] {
+        let desk = Desk::new();
+        let run = ["run", "elastic.toml", "--set", "time.end=1e4", "--set", "record.every=1000"];
+        let run = [&run[..], &["--out", "out", "--checkpoint", "1 h", "--no-report"]].concat();
+        let child = begun(&desk, &mut desk.command(&run));
+        signal(&child, name);
+        end_of(child).ends_with(130).tells("the same command with --resume goes on from t = ");
+        let reached = desk.summary("out")["time"].clone();
+        let state = std::fs::read(desk.path("out.checkpoint/state")).expect("a checkpoint");
+        let head = state.split(|byte| *byte == b'\n').find(|line| line.starts_with(b"{"));
+        let head = head.or_else(|| state.split(|byte| *byte == b'\n').next()).unwrap_or_default();
+        let head = String::from_utf8_lossy(head);
+        let head = &head[head.find('{').expect("a line of JSON")..];
+        let head: serde_json::Value = serde_json::from_str(head).expect("a line of JSON");
+        assert_eq!(head["time_s"], reached, "{name}: {head}");
+    }
+}
+
+/// The library of the tests of disks refuses every thread, as where no more processes may run.
+#[cfg(target_os = "linux")]
+#[test]
+fn no_command_needs_a_thread() {
+    let desk = Desk::new();
+    let Some(shim) = crate::disk_faults::shim(&desk) else { return };
+    desk.put(
+        "study.toml",
+        "base = \"elastic.toml\"\n[parameter.end]\npath = \"time.end\"\nrange = { from = 1e-3, to = 2e-3, count = 3 }\n\
+         [design]\nkind = \"grid\"\n[results]\nenergy = \"energy.final\"\n",
+    );
+    let run = ["run", "elastic.toml", "--quiet", "--set", "time.end=2e-3", "--out"];
+    desk.percuss(&[&run[..], &["expected", "--figures"]].concat()).ends_with(0);
+    let commands: [&[&str]; 6] = [
+        &[&run[..], &["out", "--figures"]].concat(),
+        &["report", "out", "--figures"],
+        &["export", "out", "--format", "pvd"],
+        &["modes", "elastic.toml", "--out", "modes", "--json"],
+        &["static", "elastic.toml", "--out", "rest", "--json"],
+        &["sweep", "study.toml", "--out", "study", "--quiet"],
+    ];
+    for allowed in ["0", "1", "2"] {
+        for arguments in commands {
+            let mut command = desk.command(arguments);
+            command.env("LD_PRELOAD", &shim).env("FAULT_THREADS", allowed);
+            let ended: Outcome = command.output().expect("the command starts").into();
+            ended.ends_with(0);
+        }
+        for file in ["history.parquet", "fields/frames.parquet"] {
+            let bytes = |run: &str| std::fs::read(desk.path(run).join(file)).expect(file);
+            assert!(bytes("out") == bytes("expected"), "{file} with {allowed} threads");
+        }
+        assert!(desk.path("study/results.parquet").is_file());
+    }
+    // It ends by signals all the same, with what it has.
+    let set = ["run", "elastic.toml", "--set", "time.end=1e4", "--set", "record.every=1000"];
+    let mut command = desk.command(&[&set[..], &["--out", "long"]].concat());
+    command.env("LD_PRELOAD", &shim).env("FAULT_THREADS", "0");
+    let child = command.spawn().expect("the command starts");
+    assert!(wait_for(|| desk.names().iter().any(|name| name.starts_with(".long.percuss-staged"))));
+    std::thread::sleep(Duration::from_millis(300));
+    signal(&child, "-TERM");
+    end_of(child).ends_with(130);
+    assert_eq!(desk.summary("long")["status"], "interrupted");
 }
 
 /// What `nohup` relies on.

@@ -150,6 +150,11 @@ impl CheckpointFolder {
     }
 
     fn refuse_what_is_not_ours(&self) -> Result<(), Error> {
+        // Its name can be foreseen by whoever writes in the same folder.
+        if fs::symlink_metadata(&self.path).is_ok_and(|found| found.is_symlink()) {
+            let reason = "is a link, which is not followed; it is the place of checkpoints";
+            return Err(Error::refused(&self.path, reason));
+        }
         let Ok(entries) = fs::read_dir(&self.path) else {
             return match fs::symlink_metadata(&self.path) {
                 Ok(_) => Err(Error::refused(

@@ -1,6 +1,6 @@
 //! The rows of a run up to a checkpoint.
 
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::{BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 use super::format::{RowsMark, damaged};
 use crate::error::Error;
 use crate::history::{HistoryReader, read as read_history};
+use crate::place::Place;
 
 /// Rows appended to a file of plain doubles, in the order of bytes of all machines Percuss runs on (little-endian).
 #[derive(Debug)]
@@ -25,7 +26,8 @@ pub(super) struct RowsFile {
 impl RowsFile {
     /// An empty one.
     pub fn create(path: &Path) -> Result<Self, Error> {
-        let file = File::create(path).map_err(|e| Error::io(path, "create", e))?;
+        let created = Place::of(path).and_then(|place| place.create_anew());
+        let file = created.map_err(|e| Error::io(path, "create", e))?;
         Ok(Self::of(path, file, 0, Sha256::new(), 0))
     }
 
@@ -33,13 +35,14 @@ impl RowsFile {
     pub fn go_on(path: &Path, mark: &RowsMark) -> Result<Self, Error> {
         let (bytes, expected) = mark.bytes.ok_or_else(|| damaged(path))?;
         let mut hash = Sha256::new();
-        let mut file = File::open(path).map_err(|e| Error::io(path, "read", e))?.take(bytes);
-        let read = std::io::copy(&mut file, &mut hash).map_err(|e| Error::io(path, "read", e))?;
+        let opened = Place::of(path).and_then(|place| place.open(true));
+        let mut file = opened.map_err(|e| Error::io(path, "open", e))?;
+        let read = std::io::copy(&mut Read::by_ref(&mut file).take(bytes), &mut hash);
+        let read = read.map_err(|e| Error::io(path, "read", e))?;
         if read != bytes || hash.clone().finalize().as_slice() != expected {
             return Err(damaged(path));
         }
-        let options = OpenOptions::new().append(true).open(path);
-        let file = options.map_err(|e| Error::io(path, "open", e))?;
+        // Where it is read to, it is written on.
         file.set_len(bytes).map_err(|e| Error::io(path, "shorten", e))?;
         Ok(Self::of(path, file, bytes, hash, mark.columns))
     }

@@ -1,19 +1,21 @@
 //! How a staged directory takes the place of an earlier one, and what is done about one left by a process that died.
 
-use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::manifest::{self, Manifest, files_in};
+use super::likeness::{make_like, make_readable, stays_itself};
+use super::manifest::{self, Manifest};
+use super::moves::{
+    Kept, discard, move_entries, move_file, remove_all, remove_emptied, remove_folders, rename,
+    sync,
+};
+use super::names::{
+    ADDITION, ASIDE, STAGED, UNFINISHED, directory_in, files_in, folders_in, hidden, in_the_way,
+    is_empty, is_file, is_folder, left_behind,
+};
 use crate::error::Error;
-
-/// Stands in a staging directory until it is whole: what holds it may be removed by whoever finds it.
-const UNFINISHED: &str = ".percuss-unfinished";
-/// Stands in one whose files are added to earlier results, which stay.
-const ADDITION: &str = ".percuss-addition";
-/// What names of staging directories and of results put aside begin with, after the name of the target.
-const STAGED: &str = "percuss-staged-";
-const ASIDE: &str = "percuss-aside-";
+use crate::files::create_new;
+use crate::place::Place;
 
 /// A directory of a random name in which results are written.
 #[derive(Debug)]
@@ -25,27 +27,42 @@ pub(super) struct Staging {
 }
 
 impl Staging {
-    /// Beside the target; within it where that is empty, or a disk of its own.
+    /// Beside the target; within it where that is empty or must stay itself, or where no other directory is like it.
     pub fn new(target: &Path) -> Result<Self, Error> {
-        if target.is_dir() && (is_mount_point(target) || is_empty(target)?) {
+        let parent = target.parent().unwrap_or(target);
+        if !target.is_dir() {
+            return Self::make(parent, hidden(target, STAGED), false);
+        }
+        // A disk of its own below it, whoever put it there, cannot be moved either.
+        let folders = folders_in(target)?;
+        let inside = folders.iter().map(|folder| folder.join("file")).collect::<Vec<_>>();
+        let is_one_disk = in_the_way(target, inside.iter().map(PathBuf::as_path)).is_none();
+        if is_empty(target)? || stays_itself(target) || !is_one_disk {
             return Self::within(target);
         }
-        Self::make(target.parent().unwrap_or(target), &hidden(target, STAGED), false)
+        let staging = Self::make(parent, hidden(target, STAGED), false)?;
+        match make_like(&staging.path, target) {
+            true => Ok(staging),
+            false => Self::within(target),
+        }
     }
 
     /// Within a directory.
     pub fn within(target: &Path) -> Result<Self, Error> {
-        Self::make(target, &OsString::from(format!(".{STAGED}")), true)
+        Self::make(target, format!(".{STAGED}").into(), true)
     }
 
-    fn make(parent: &Path, prefix: &OsString, within: bool) -> Result<Self, Error> {
-        let made = tempfile::Builder::new().prefix(prefix).rand_bytes(10).tempdir_in(parent);
-        let path = made.map_err(|e| Error::io(parent, "create a directory in", e))?.keep();
+    fn make(parent: &Path, prefix: std::ffi::OsString, within: bool) -> Result<Self, Error> {
+        let path = directory_in(parent, prefix)?;
         let staging = Self { path, within, kept: false };
-        let mark = staging.path.join(UNFINISHED);
-        fs::write(&mark, "").map_err(|e| Error::io(&mark, "write", e))?;
-        readable(&staging.path)?;
+        staging.mark(UNFINISHED)?;
+        make_readable(&staging.path)?;
         Ok(staging)
+    }
+
+    fn mark(&self, name: &str) -> Result<(), Error> {
+        let mark = self.path.join(name);
+        create_new(&mark).map(drop).map_err(|e| Error::io(&mark, "write", e))
     }
 
     /// Where it is.
@@ -71,47 +88,49 @@ impl Staging {
         self.path.clone()
     }
 
-    /// Puts what is staged, manifest included, in the place of the results of a directory.
-    pub fn move_to(&mut self, target: &Path) -> Result<(), Error> {
-        let conflict = conflict(&self.path, target)?;
-        if let Some(file) = conflict {
+    /// Puts what is staged, manifest included, in the place of the results of a directory. What was changed meanwhile is kept there.
+    pub fn move_to(&mut self, target: &Path) -> Result<Vec<Kept>, Error> {
+        if let Some(file) = conflict(&self.path, target)? {
             let reason = format!("{} there is not a file of these results", file.display());
             return Err(Error::refused(target, reason));
         }
         self.finish()?;
-        if self.within && self.path.parent() == Some(target) {
-            replace_entries(&self.path, target)?;
-        } else if target.exists() {
+        let kept = if self.within && self.path.parent() == Some(target) {
+            replace_entries(&self.path, target)?
+        } else if is_folder(target) {
             keep_foreign(target, &self.path)?;
             exchange(&self.path, target)?;
             // The new results are in place; what cannot be removed of the old ones is left to the next who writes here.
-            let _ = discard(&self.path, target);
+            discard(&self.path, target).unwrap_or_default()
         } else {
             rename(&self.path, target)?;
-        }
+            Vec::new()
+        };
         sync(target)?;
-        target.parent().map_or(Ok(()), sync)
+        target.parent().map_or(Ok(()), sync)?;
+        Ok(kept)
     }
 
-    /// Adds what is staged to the results of a directory; files of the same names must be theirs.
-    pub fn add_to(&mut self, target: &Path) -> Result<(), Error> {
+    /// Adds what is staged to the results of a directory; files of the same names must be theirs. What was changed is kept there.
+    pub fn add_to(&mut self, target: &Path) -> Result<Vec<Kept>, Error> {
         if let Some(file) = conflict(&self.path, target)? {
             return Err(Error::refused(
                 target.join(file),
                 "is not a file of the run; move it away",
             ));
         }
-        let mut manifest = Manifest::read(target)?
+        let earlier = Manifest::read(target)?
             .ok_or_else(|| Error::refused(target, "is no longer the directory of a run"))?;
+        let mut manifest = earlier.clone();
         manifest.add(&self.path, &files_in(&self.path)?)?;
         manifest.write(&self.path)?;
-        let mark = self.path.join(ADDITION);
-        fs::write(&mark, "").map_err(|e| Error::io(&mark, "write", e))?;
+        self.mark(ADDITION)?;
         self.finish()?;
         // Once files are on their way, what is left of them belongs to whoever comes next.
         self.kept = true;
-        move_entries(&self.path, target)?;
-        sync(target)
+        let kept = move_entries(&self.path, target, Some(&earlier))?;
+        sync(target)?;
+        Ok(kept)
     }
 
     /// Everything on the disk, the mark of what is unfinished gone.
@@ -132,260 +151,131 @@ impl Staging {
 impl Drop for Staging {
     fn drop(&mut self) {
         if !self.kept {
-            let _ = fs::remove_dir_all(&self.path);
+            let _ = remove_all(&self.path);
         }
     }
 }
 
-/// A staged file whose name in the target is somebody's own.
+/// A staged file whose name in the target is somebody's own, or a folder on the way to one that is a link or another disk.
 fn conflict(staged: &Path, target: &Path) -> Result<Option<PathBuf>, Error> {
     let earlier = Manifest::read(target)?;
     let ours = |file: &Path| earlier.as_ref().is_some_and(|m| m.lists(file));
     let files = files_in(staged)?;
+    if let Some(folder) = in_the_way(target, files.iter().map(PathBuf::as_path)) {
+        return Ok(Some(folder));
+    }
     Ok(files.into_iter().find(|f| fs::symlink_metadata(target.join(f)).is_ok() && !ours(f)))
 }
 
-/// Gives what is not the results' in one directory a second name in another, so that it is there from the first instant.
+/// Gives what is not the results' in one directory a second name in another, so that it is there from the first instant. Folders in which
+/// no file of the results lies are the user's, empty or not.
 fn keep_foreign(from: &Path, to: &Path) -> Result<(), Error> {
     let Some(manifest) = Manifest::read(from)? else { return Ok(()) };
+    let is_of_results = |folder: &Path| manifest.listed().any(|file| file.starts_with(folder));
+    for folder in folders_in(from)?.iter().filter(|folder| !is_of_results(folder)) {
+        let within = Place::within(to, &folder.join("file"));
+        within.map_err(|e| Error::io(to.join(folder), "create", e))?;
+        make_like(&to.join(folder), &from.join(folder));
+    }
     for file in files_in(from)?.into_iter().filter(|f| !manifest.lists(f)) {
-        let place = to.join(&file);
-        make_parent(&place)?;
+        Place::within(to, &file).map_err(|e| Error::io(to.join(&file), "create", e))?;
         // Where links cannot be made, it is moved after the exchange.
-        let _ = fs::hard_link(from.join(&file), &place);
-    }
-    Ok(())
-}
-
-/// Removes earlier results from where they now are; what is not theirs goes to the new place unless it is there.
-fn discard(old: &Path, new: &Path) -> Result<(), Error> {
-    let Some(manifest) = Manifest::read(old)? else { return Ok(()) };
-    for file in files_in(old)? {
-        let (here, there) = (old.join(&file), new.join(&file));
-        if manifest.lists(&file) || is_one_file(&here, &there) {
-            fs::remove_file(&here).map_err(|e| Error::io(&here, "remove", e))?;
-        } else if fs::symlink_metadata(&there).is_err() {
-            move_file(&here, &there)?;
-        }
-    }
-    let mark = old.join(manifest::NAME);
-    remove_empty(old, &mark)
-}
-
-/// Removes folders without files; the manifest goes last.
-fn remove_empty(dir: &Path, manifest: &Path) -> Result<(), Error> {
-    if files_in(dir)?.is_empty() {
-        let _ = fs::remove_file(manifest);
-        return fs::remove_dir_all(dir).map_err(|e| Error::io(dir, "remove", e));
+        let _ = fs::hard_link(from.join(&file), to.join(&file));
     }
     Ok(())
 }
 
 /// Entry by entry, for a directory that cannot itself be moved. Should this process die once earlier results are put aside, the
 /// next one goes on from there.
-fn replace_entries(staged: &Path, target: &Path) -> Result<(), Error> {
-    if let Some(earlier) = Manifest::read(target)? {
-        let aside = put_aside(&earlier, target)?;
-        move_entries(staged, target)?;
-        return fs::remove_dir_all(&aside).map_err(|e| Error::io(&aside, "remove", e));
-    }
-    move_entries(staged, target)
-}
-
-/// Everything staged into the target, the manifest last.
-fn move_entries(staged: &Path, target: &Path) -> Result<(), Error> {
-    for file in files_in(staged)? {
-        move_file(&staged.join(&file), &target.join(&file))?;
-    }
-    rename(&staged.join(manifest::NAME), &target.join(manifest::NAME))?;
-    fs::remove_dir_all(staged).map_err(|e| Error::io(staged, "remove", e))
+fn replace_entries(staged: &Path, target: &Path) -> Result<Vec<Kept>, Error> {
+    let Some(earlier) = Manifest::read(target)? else { return move_entries(staged, target, None) };
+    let aside = put_aside(&earlier, target)?;
+    let mut kept = move_entries(staged, target, None)?;
+    kept.extend(discard(&aside, target)?);
+    Ok(kept)
 }
 
 fn put_aside(earlier: &Manifest, target: &Path) -> Result<PathBuf, Error> {
-    let made =
-        tempfile::Builder::new().prefix(&format!(".{ASIDE}")).rand_bytes(10).tempdir_in(target);
-    let aside = made.map_err(|e| Error::io(target, "create a directory in", e))?.keep();
+    let aside = directory_in(target, format!(".{ASIDE}"))?;
     // First the manifest: from here on the results are those put aside.
     rename(&target.join(manifest::NAME), &aside.join(manifest::NAME))?;
-    for file in files_in(target)?.into_iter().filter(|f| earlier.lists(f)) {
-        move_file(&target.join(&file), &aside.join(&file))?;
+    let listed: Vec<PathBuf> = files_in(target)?.into_iter().filter(|f| earlier.lists(f)).collect();
+    for file in &listed {
+        move_file(&target.join(file), (&aside, file), None, &|_| Ok(true))?;
     }
+    remove_emptied(target, listed.iter());
     Ok(aside)
 }
 
-/// Puts in order what processes that died have left in and beside a directory, whose lock is held.
-pub(super) fn recover(target: &Path) -> Result<(), Error> {
+/// Puts in order what processes that died have left in and beside a directory, whose lock is held; what was changed and is kept.
+pub(super) fn recover(target: &Path) -> Result<Vec<Kept>, Error> {
+    let mut kept = Vec::new();
     for left in left_behind(target, STAGED)? {
         // Before the mark is made and after the last file is gone, nothing is in it.
         let bare = Manifest::read(&left)?.is_none() && files_in(&left)?.is_empty();
-        if bare || left.join(UNFINISHED).exists() {
-            fs::remove_dir_all(&left).map_err(|e| Error::io(&left, "remove", e))?;
+        if bare || is_file(&left.join(UNFINISHED)) {
+            remove_all(&left)?;
         } else if left.parent() == Some(target) {
-            go_on(&left, target)?;
+            kept.extend(go_on(&left, target)?);
         } else if target.exists() {
-            discard(&left, target)?;
+            kept.extend(discard(&left, target)?);
         } else {
             rename(&left, target)?;
         }
     }
     for left in left_behind(target, ASIDE)? {
-        put_back(&left, target)?;
+        kept.extend(put_back(&left, target)?);
     }
-    Ok(())
-}
-
-/// Directories that begin with `.<word>` in the target, and with `.<name of the target>.<word>` beside it.
-fn left_behind(target: &Path, word: &str) -> Result<Vec<PathBuf>, Error> {
-    let here = target.is_dir().then(|| (target, format!(".{word}")));
-    let beside = target.parent().map(|p| (p, hidden(target, word).to_string_lossy().into_owned()));
-    let mut found = Vec::new();
-    for (folder, prefix) in here.into_iter().chain(beside) {
-        let names = names_in(folder)?;
-        let ours = names.iter().filter(|name| name.to_string_lossy().starts_with(&prefix));
-        found.extend(ours.map(|name| folder.join(name)).filter(|path| path.is_dir()));
-    }
-    Ok(found)
+    Ok(kept)
 }
 
 /// Whole results staged within the target: moved on if that had begun, or if they are additions.
-fn go_on(staged: &Path, target: &Path) -> Result<(), Error> {
-    let whole = staged.join(manifest::NAME).is_file();
-    let adds = staged.join(ADDITION).is_file();
-    if whole && (adds || Manifest::read(target)?.is_none()) {
-        return move_entries(staged, target);
+fn go_on(staged: &Path, target: &Path) -> Result<Vec<Kept>, Error> {
+    let whole = is_file(&staged.join(manifest::NAME));
+    let adds = is_file(&staged.join(ADDITION));
+    let earlier = Manifest::read(target)?;
+    if whole && (adds || earlier.is_none()) {
+        return move_entries(staged, target, earlier.as_ref());
     }
-    fs::remove_dir_all(staged).map_err(|e| Error::io(staged, "remove", e))
+    remove_all(staged)?;
+    Ok(Vec::new())
 }
 
 /// Results put aside: back where they were if none have taken their place.
-fn put_back(aside: &Path, target: &Path) -> Result<(), Error> {
+fn put_back(aside: &Path, target: &Path) -> Result<Vec<Kept>, Error> {
     if Manifest::read(target)?.is_some() {
-        return fs::remove_dir_all(aside).map_err(|e| Error::io(aside, "remove", e));
+        return match Manifest::read(aside)? {
+            Some(_) => discard(aside, target),
+            None => remove_folders(aside).map(|()| Vec::new()),
+        };
     }
     if !target.exists() {
-        return rename(aside, target);
+        return rename(aside, target).map(|()| Vec::new());
     }
+    let (own, mut kept) = (Manifest::read(aside)?, Vec::new());
     for file in files_in(aside)? {
-        move_file(&aside.join(&file), &target.join(&file))?;
+        let from = aside.join(&file);
+        kept.extend(move_file(&from, (target, &file), own.as_ref(), &|_| Ok(false))?);
     }
-    rename(&aside.join(manifest::NAME), &target.join(manifest::NAME))?;
-    fs::remove_dir_all(aside).map_err(|e| Error::io(aside, "remove", e))
-}
-
-/// `.<name of the target>.<word>`.
-fn hidden(target: &Path, word: &str) -> OsString {
-    let mut name = OsString::from(".");
-    name.push(target.file_name().unwrap_or_default());
-    name.push(".");
-    name.push(word);
-    name
-}
-
-fn names_in(folder: &Path) -> Result<Vec<OsString>, Error> {
-    let list = fs::read_dir(folder).map_err(|e| Error::io(folder, "list", e))?;
-    Ok(list.filter_map(|entry| entry.ok().map(|e| e.file_name())).collect())
-}
-
-/// Whether a directory holds nothing, or nothing but a lock.
-pub(super) fn is_empty(directory: &Path) -> Result<bool, Error> {
-    let lock = |name: &OsString| name.to_string_lossy().ends_with(".percuss.lock");
-    Ok(names_in(directory)?.iter().all(lock))
-}
-
-#[cfg(unix)]
-pub(super) fn is_mount_point(directory: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let device = |path: &Path| fs::metadata(path).map(|m| m.dev()).ok();
-    directory.parent().is_some_and(|parent| device(parent) != device(directory))
-}
-
-#[cfg(not(unix))]
-pub(super) fn is_mount_point(_directory: &Path) -> bool {
-    false
-}
-
-#[cfg(unix)]
-fn is_one_file(a: &Path, b: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let id = |path: &Path| fs::symlink_metadata(path).map(|m| (m.dev(), m.ino())).ok();
-    id(a).is_some() && id(a) == id(b)
-}
-
-#[cfg(not(unix))]
-fn is_one_file(_a: &Path, _b: &Path) -> bool {
-    false
+    if own.is_some() {
+        rename(&aside.join(manifest::NAME), &target.join(manifest::NAME))?;
+    }
+    remove_folders(aside)?;
+    Ok(kept)
 }
 
 /// Exchanges two directories in one operation where the system has it.
 fn exchange(staged: &Path, target: &Path) -> Result<(), Error> {
-    if exchanged_at_once(staged, target) {
+    let places = Place::of(staged).and_then(|a| Place::of(target).map(|b| (a, b)));
+    let (a, b) = places.map_err(|e| Error::io(target, "replace", e))?;
+    if a.exchange(&b) {
         return Ok(());
     }
-    let parent = target.parent().unwrap_or(target);
-    let prefix = hidden(target, ASIDE);
-    let made = tempfile::Builder::new().prefix(&prefix).rand_bytes(10).tempdir_in(parent);
-    let aside = made.map_err(|e| Error::io(parent, "create a directory in", e))?.keep();
+    let aside = directory_in(target.parent().unwrap_or(target), hidden(target, ASIDE))?;
     rename(target, &aside)?;
     if let Err(error) = rename(staged, target) {
         let _ = fs::rename(&aside, target);
         return Err(error);
     }
     rename(&aside, staged)
-}
-
-#[cfg(target_os = "linux")]
-fn exchanged_at_once(a: &Path, b: &Path) -> bool {
-    use rustix::fs::{CWD, RenameFlags, renameat_with};
-    renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE).is_ok()
-}
-
-#[cfg(not(target_os = "linux"))]
-fn exchanged_at_once(_a: &Path, _b: &Path) -> bool {
-    false
-}
-
-fn rename(from: &Path, to: &Path) -> Result<(), Error> {
-    fs::rename(from, to).map_err(|e| Error::io(from, &format!("move to {}", to.display()), e))
-}
-
-fn move_file(from: &Path, to: &Path) -> Result<(), Error> {
-    make_parent(to)?;
-    rename(from, to)
-}
-
-fn make_parent(path: &Path) -> Result<(), Error> {
-    let parent = path.parent().unwrap_or(path);
-    fs::create_dir_all(parent).map_err(|e| Error::io(parent, "create", e))
-}
-
-/// Waits until a file or a directory has reached the disk; a file system that cannot say so is believed.
-fn sync(path: &Path) -> Result<(), Error> {
-    let is_link = fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink());
-    if is_link || (path.is_dir() && !cfg!(unix)) {
-        return Ok(());
-    }
-    let done = File::open(path).and_then(|file| file.sync_all());
-    match done {
-        Err(e) if e.kind() != std::io::ErrorKind::InvalidInput => Err(Error::io(path, "write", e)),
-        _ => Ok(()),
-    }
-}
-
-/// Temporary directories are their owner's alone; results are as readable as other directories.
-#[cfg(unix)]
-fn readable(dir: &Path) -> Result<(), Error> {
-    use std::os::unix::fs::PermissionsExt;
-    // What the system gives a new directory, its mask applied.
-    let probe = dir.join(".mode");
-    fs::create_dir(&probe).map_err(|e| Error::io(&probe, "create", e))?;
-    let mode = fs::metadata(&probe).map(|m| m.permissions().mode());
-    let _ = fs::remove_dir(&probe);
-    let mode = mode.map_err(|e| Error::io(&probe, "look at", e))?;
-    let set = fs::set_permissions(dir, fs::Permissions::from_mode(mode));
-    set.map_err(|e| Error::io(dir, "set permissions of", e))
-}
-
-#[cfg(not(unix))]
-fn readable(_dir: &Path) -> Result<(), Error> {
-    Ok(())
 }

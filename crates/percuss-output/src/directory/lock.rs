@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use percuss_codes::FileCode;
 
-use super::exchange::is_mount_point;
+use super::likeness::is_mount_point;
+use super::names::LOCK;
 use crate::error::Error;
 use crate::files::{Exclusive, open_exclusively};
 
@@ -26,12 +27,13 @@ impl Lock {
     /// If another process has it, which the error names as far as it said who it is.
     pub fn take(given: &Path, target: &Path) -> Result<Self, Error> {
         let path = place(target);
-        let mut file = match open_exclusively(&path).map_err(|e| Error::io(&path, "create", e))? {
+        let opened = open_exclusively(&path).map_err(|e| Error::io(&path, "lock", e))?;
+        let mut file = match opened {
             Exclusive::Ours(file) => file,
             Exclusive::Taken(mut file) => return Err(taken(given, &mut file)),
         };
         let who = format!("process {} on {}", std::process::id(), host());
-        let _ = file.set_len(0).and_then(|()| file.write_all(who.as_bytes()));
+        let _ = file.write_all(who.as_bytes());
         Ok(Self { path, _file: file })
     }
 }
@@ -52,7 +54,7 @@ impl Drop for Lock {
 /// Beside the directory; in it where it is a disk of its own, whose surroundings others need not share.
 fn place(target: &Path) -> PathBuf {
     if target.is_dir() && is_mount_point(target) {
-        return target.join(".percuss.lock");
+        return target.join(LOCK);
     }
     let name = target.file_name().unwrap_or_default().to_os_string();
     let mut hidden = std::ffi::OsString::from(".");

@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
+use super::names::files_in;
 use super::{Extent, Results};
 use crate::error::Error;
+use crate::files;
 
 /// Its name. Whoever removes it keeps the files as his own.
 pub(crate) const NAME: &str = ".percuss.json";
-/// What names of things begin with that serve to put results in place.
-const OWN: &str = ".percuss";
 
 /// What belongs to results.
 #[derive(Clone, Debug)]
@@ -68,12 +68,27 @@ impl Manifest {
             "files": self.files,
         });
         let path = dir.join(NAME);
-        fs::write(&path, format!("{value:#}\n")).map_err(|e| Error::io(&path, "write", e))
+        files::write(&path, format!("{value:#}\n").as_bytes())
     }
 
     /// Whether a file, by its path within the directory, belongs to the results.
     pub fn lists(&self, file: &Path) -> bool {
         file == Path::new(NAME) || self.files.contains_key(&name_of(file))
+    }
+
+    /// Whether a file in a directory, by its path within it, is listed and still what was written.
+    pub fn is_as_written(&self, dir: &Path, file: &Path) -> Result<bool, Error> {
+        Ok(self.lists(file) && self.is_described(file, &described(&dir.join(file))?))
+    }
+
+    /// Whether that is what it says of a file.
+    pub fn is_described(&self, file: &Path, description: &Value) -> bool {
+        !description.is_null() && self.files.get(&name_of(file)) == Some(description)
+    }
+
+    /// The files that it lists.
+    pub fn listed(&self) -> impl Iterator<Item = &Path> {
+        self.files.keys().map(Path::new)
     }
 
     /// The first of its files that is no longer what was written; what is missing is no loss.
@@ -94,31 +109,6 @@ impl Manifest {
         }
         Ok(())
     }
-}
-
-/// Paths of all files in a directory and below; links are files. What serves to put results in place, the manifest among it,
-/// stands at the top under names of its own and is left out.
-pub(super) fn files_in(dir: &Path) -> Result<Vec<PathBuf>, Error> {
-    let mut found = Vec::new();
-    let mut waiting = vec![PathBuf::new()];
-    while let Some(folder) = waiting.pop() {
-        let place = dir.join(&folder);
-        for entry in fs::read_dir(&place).map_err(|e| Error::io(&place, "list", e))? {
-            let entry = entry.map_err(|e| Error::io(&place, "list", e))?;
-            let path = folder.join(entry.file_name());
-            if path.to_string_lossy().starts_with(OWN) {
-                continue;
-            }
-            let kind = entry.file_type().map_err(|e| Error::io(entry.path(), "look at", e))?;
-            if kind.is_dir() {
-                waiting.push(path);
-            } else {
-                found.push(path);
-            }
-        }
-    }
-    found.sort();
-    Ok(found)
 }
 
 /// A path with slashes, as the manifest has it. Names that are no text are never ours.

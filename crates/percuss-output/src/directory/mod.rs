@@ -6,8 +6,11 @@
 //! the next one that writes there.
 
 mod exchange;
+mod likeness;
 mod lock;
 mod manifest;
+mod moves;
+mod names;
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -20,6 +23,7 @@ use crate::error::Error;
 use exchange::Staging;
 use lock::Lock;
 use manifest::Manifest;
+use moves::Kept;
 
 /// What a directory of results holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,6 +73,16 @@ pub enum Extent {
     Partial,
 }
 
+/// Where results are, once they are in place.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Placed {
+    /// Their directory: partial results stand beside complete ones.
+    pub place: PathBuf,
+    /// What was changed since it was looked at, or came to stand in a place meanwhile: that place, and where it is kept,
+    /// `NAME.changed-1` beside it.
+    pub kept: Vec<(PathBuf, PathBuf)>,
+}
+
 /// A directory being filled, out of sight until [`RunDirectory::commit`].
 ///
 /// Dropped without a commit, the staging directory is removed and nothing has happened.
@@ -79,6 +93,8 @@ pub struct RunDirectory {
     staging: Staging,
     results: Results,
     lock: Lock,
+    /// What earlier processes that died had found changed.
+    kept: Vec<Kept>,
     /// Files that are described, and put on the disk, while others are written.
     finished: Vec<(String, JoinHandle<Result<Value, Error>>)>,
 }
@@ -104,11 +120,11 @@ impl RunDirectory {
             fs::create_dir_all(parent).map_err(|e| Error::io(parent, "create", e))?;
         }
         let lock = Lock::take(given, &target)?;
-        exchange::recover(&target)?;
+        let kept = exchange::recover(&target)?;
         refuse_what_is_not_ours(results, given, &target)?;
         let staging = Staging::new(&target)?;
         let given = given.to_owned();
-        Ok(Self { given, target, staging, results, lock, finished: Vec::new() })
+        Ok(Self { given, target, staging, results, lock, kept, finished: Vec::new() })
     }
 
     /// Where to write until the commit.
@@ -126,7 +142,9 @@ impl RunDirectory {
                 file.sync_all().map_err(|e| Error::io(&path, "write", e))?;
                 manifest::described(&path)
             };
-            self.finished.push((name.to_owned(), thread::spawn(describe)));
+            // Without a thread it is described with all others.
+            let thread = thread::Builder::new().spawn(describe);
+            self.finished.extend(thread.ok().map(|thread| (name.to_owned(), thread)));
         }
     }
 
@@ -145,15 +163,15 @@ impl RunDirectory {
     /// # Errors
     /// If something cannot be moved; the new files then remain in the staging directory, which the
     /// error names.
-    pub fn commit(self) -> Result<PathBuf, Error> {
+    pub fn commit(self) -> Result<Placed, Error> {
         self.commit_as(Extent::Complete)
     }
 
-    /// The same for results of any extent; returns where they are: partial results stand beside complete ones.
+    /// The same for results of any extent; partial results stand beside complete ones.
     ///
     /// # Errors
     /// As [`RunDirectory::commit`].
-    pub fn commit_as(mut self, extent: Extent) -> Result<PathBuf, Error> {
+    pub fn commit_as(mut self, extent: Extent) -> Result<Placed, Error> {
         self.staging.keep();
         let done = self.put_in_place(extent);
         done.map_err(|e| {
@@ -163,7 +181,7 @@ impl RunDirectory {
         })
     }
 
-    fn put_in_place(&mut self, extent: Extent) -> Result<PathBuf, Error> {
+    fn put_in_place(&mut self, extent: Extent) -> Result<Placed, Error> {
         let mut known = Map::new();
         for (name, description) in self.finished.drain(..) {
             // What could not be described there is described here, or says why not.
@@ -173,13 +191,13 @@ impl RunDirectory {
         manifest.write(self.staging.path())?;
         let earlier = Manifest::read(&self.target)?;
         let keeps = extent == Extent::Partial && earlier.is_some_and(|m| m.complete);
-        if !keeps {
-            self.staging.move_to(&self.target)?;
-            return Ok(self.target.clone());
-        }
-        let (beside, _lock) = self.beside()?;
-        self.staging.move_to(&beside)?;
-        Ok(beside)
+        let mut kept = std::mem::take(&mut self.kept);
+        let (place, _lock) = match keeps {
+            false => (self.target.clone(), None),
+            true => self.beside().map(|(place, lock)| (place, Some(lock)))?,
+        };
+        kept.extend(self.staging.move_to(&place)?);
+        Ok(Placed { place, kept })
     }
 
     /// Beside the target: a directory that does not exist, or holds partial results of this kind.
@@ -191,7 +209,8 @@ impl RunDirectory {
             let Ok(lock) = Lock::take(&place, &place) else { continue };
             let manifest = Manifest::read(&place)?;
             let ours = manifest.is_some_and(|m| !m.complete && m.kind == self.results.kind());
-            if ours || !place.exists() {
+            let is_link = fs::symlink_metadata(&place).is_ok_and(|found| found.is_symlink());
+            if !is_link && (ours || !place.exists()) {
                 return Ok((place, lock));
             }
         }
@@ -205,6 +224,7 @@ pub struct RunUpdate {
     target: PathBuf,
     staging: Staging,
     lock: Lock,
+    kept: Vec<Kept>,
 }
 
 impl RunUpdate {
@@ -216,13 +236,15 @@ impl RunUpdate {
         let given = target.as_ref();
         let target = resolve(given)?;
         let lock = Lock::take(given, &target)?;
-        exchange::recover(&target)?;
-        if Manifest::read(&target)?.is_none_or(|m| m.kind != Results::Run.kind()) {
+        let kept = exchange::recover(&target)?;
+        let manifest = Manifest::read(&target)?.filter(|m| m.kind == Results::Run.kind());
+        let Some(manifest) = manifest else {
             let reason = format!("is not the directory of a run (it has no {})", manifest::NAME);
             return Err(Error::of(FileCode::NoRun, given, reason));
-        }
+        };
+        refuse_detours(&manifest, given, &target)?;
         let staging = Staging::within(&target)?;
-        Ok(Self { target, staging, lock })
+        Ok(Self { target, staging, lock, kept })
     }
 
     /// Where to write.
@@ -235,12 +257,14 @@ impl RunUpdate {
         self.lock.path()
     }
 
-    /// Puts the new files in place of those of the same names, if these are the run's.
+    /// Puts the new files in place of those of the same names, if these are the run's. What was changed since it was written, and where
+    /// it is kept, `NAME.changed-1` beside its place.
     ///
     /// # Errors
     /// If a file of the same name is somebody's own, or something cannot be moved.
-    pub fn commit(mut self) -> Result<(), Error> {
-        self.staging.add_to(&self.target)
+    pub fn commit(mut self) -> Result<Vec<(PathBuf, PathBuf)>, Error> {
+        self.kept.extend(self.staging.add_to(&self.target)?);
+        Ok(self.kept)
     }
 }
 
@@ -269,7 +293,7 @@ fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Res
     }
     let Some(manifest) = Manifest::read(target)? else {
         let words = results.words();
-        return match exchange::is_empty(target)? {
+        return match names::is_empty(target)? {
             true => Ok(()),
             false => Err(Error::refused(
                 given,
@@ -285,6 +309,7 @@ fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Res
         let reason = format!("holds other results ({}); give another --out", manifest.kind);
         return Err(Error::refused(given, reason));
     }
+    refuse_detours(&manifest, given, target)?;
     match manifest.changed(target)? {
         Some(file) => Err(Error::of(
             FileCode::Changed,
@@ -295,4 +320,14 @@ fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Res
         )),
         None => Ok(()),
     }
+}
+
+/// A folder of the results that the user has made a link, or put on another disk, stays what it is.
+fn refuse_detours(manifest: &Manifest, given: &Path, target: &Path) -> Result<(), Error> {
+    let Some(folder) = names::in_the_way(target, manifest.listed()) else { return Ok(()) };
+    let folder = folder.display();
+    let reason = format!(
+        "{folder} there is a link, or lies on another disk, and the results would replace it, so it is left alone; give another --out"
+    );
+    Err(Error::refused(given, reason))
 }

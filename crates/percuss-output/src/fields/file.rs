@@ -44,7 +44,7 @@ pub fn write(dir: impl AsRef<Path>, fields: &Fields) -> std::result::Result<(), 
     fs::create_dir_all(&directory).map_err(|e| Error::io(&directory, "create", e))?;
     files::write(&directory.join("scene.json"), format!("{:#}\n", fields.scene).as_bytes())?;
     let path = directory.join("frames.parquet");
-    let file = File::create(&path).map_err(|e| Error::io(&path, "write", e))?;
+    let file = files::create_new(&path).map_err(|e| Error::io(&path, "write", e))?;
     write_frames(file, fields).map_err(|e| Error::io(&path, "write", e))
 }
 

@@ -1,6 +1,5 @@
 //! Rows to a file while the run steps.
 
-use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
@@ -10,7 +9,7 @@ use super::csv::CsvSink;
 use super::parquet::{self, ParquetSink};
 use super::{CSV, PARQUET};
 use crate::error::Error;
-use crate::files;
+use crate::files::Growing;
 
 /// File format of a history.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,7 +39,7 @@ pub struct HistoryWriter {
     path: PathBuf,
     format: HistoryFormat,
     scenario: String,
-    sink: Option<Sink>,
+    sink: Option<(Sink, Growing)>,
     rows: usize,
 }
 
@@ -70,11 +69,10 @@ impl HistoryWriter {
     }
 
     fn close(&mut self) -> Result<Option<HistoryFile>, Error> {
-        let Some(sink) = self.sink.take() else { return Ok(None) };
-        let temporary = files::partial(&self.path);
+        let Some((sink, growing)) = self.sink.take() else { return Ok(None) };
         if self.rows == 0 {
             drop(sink);
-            let _ = fs::remove_file(&temporary);
+            growing.remove();
             return Ok(None);
         }
         let closed = match sink {
@@ -82,16 +80,15 @@ impl HistoryWriter {
             Sink::Csv(sink) => sink.close().map_err(|e| e.to_string()),
         };
         closed.map_err(|source| Error::io(&self.path, "write", source))?;
-        files::rename(&temporary, &self.path)?;
+        growing.put()?;
         Ok(Some(HistoryFile { path: self.path.clone(), rows: self.rows }))
     }
 
     fn open(&mut self, channels: &[Channel]) -> Result<(), Error> {
-        let temporary = files::partial(&self.path);
         let fault = |source: &dyn std::fmt::Display| Error::io(&self.path, "create", source);
-        let file = File::create(&temporary).map_err(|e| fault(&e))?;
+        let (growing, file) = Growing::new(&self.path).map_err(|e| fault(&e))?;
         let channels: Vec<super::Channel> = channels.iter().map(Into::into).collect();
-        self.sink = Some(match self.format {
+        let sink = match self.format {
             HistoryFormat::Parquet => Sink::Parquet(
                 ParquetSink::new(file, &channels, &self.scenario)
                     .map_err(|e| fault(&parquet::reason(&e)))?,
@@ -100,7 +97,8 @@ impl HistoryWriter {
                 super::csv::write_units(&self.path, &channels)?;
                 Sink::Csv(CsvSink::new(BufWriter::new(file), &channels).map_err(|e| fault(&e))?)
             }
-        });
+        };
+        self.sink = Some((sink, growing));
         self.rows = 0;
         Ok(())
     }
@@ -113,8 +111,8 @@ impl Recorder for HistoryWriter {
 
     fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
         let written = match &mut self.sink {
-            Some(Sink::Parquet(sink)) => sink.row(values).map_err(|e| parquet::reason(&e)),
-            Some(Sink::Csv(sink)) => sink.row(values).map_err(|e| e.to_string()),
+            Some((Sink::Parquet(sink), _)) => sink.row(values).map_err(|e| parquet::reason(&e)),
+            Some((Sink::Csv(sink), _)) => sink.row(values).map_err(|e| e.to_string()),
             None => Err("a row came before the channels".to_owned()),
         };
         written.map_err(|source| Error::io(&self.path, "write", source))?;

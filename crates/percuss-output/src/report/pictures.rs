@@ -111,8 +111,11 @@ pub(super) fn write(dir: &Path, figures: &[Figure]) -> Result<(), Error> {
     };
     let workers = thread::available_parallelism().map_or(1, usize::from).min(n_jobs).min(4);
     thread::scope(|scope| {
-        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        // This thread is one of them, the only one where no others can be started.
+        let start = |_| thread::Builder::new().spawn_scoped(scope, work).ok();
+        let handles: Vec<_> = (1..workers).map_while(start).collect();
         let fault = || Error::content(dir, "drawing failed");
+        work()?;
         handles.into_iter().try_for_each(|h| h.join().unwrap_or_else(|_| Err(fault())))
     })
 }

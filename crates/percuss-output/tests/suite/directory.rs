@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
+use percuss_output::{Extent, Results, RunDirectory, RunUpdate, Unfinished};
 
 type Outcome = Result<(), Box<dyn Error>>;
 
@@ -101,7 +101,7 @@ fn partial_results_never_replace_complete_ones() -> Outcome {
     let partial = |content: &str| -> Result<std::path::PathBuf, Box<dyn Error>> {
         let dir = RunDirectory::create(&target)?;
         fs::write(dir.path().join("summary.json"), content)?;
-        Ok(dir.commit_as(Extent::Partial)?)
+        Ok(dir.commit_as(Extent::Partial)?.place)
     };
     let place = target.canonicalize().unwrap_or(parent.path().canonicalize()?.join("run"));
     assert_eq!(partial("first half")?, place); // nothing was there
@@ -136,11 +136,11 @@ fn what_dead_processes_left_is_put_in_order() -> Outcome {
     let target = parent.path().join("run");
     run(&target, "old")?;
     // One died while it wrote, one after the exchange: before it removed what it had replaced, a file of the user's among it.
-    let staged = parent.path().join(".run.percuss-staged-aaaa");
+    let staged = parent.path().join(".run.percuss-staged-aaaaaaaaaa");
     fs::create_dir(&staged)?;
     fs::write(staged.join(".percuss-unfinished"), "")?;
     fs::write(staged.join("history.csv"), "half")?;
-    let replaced = parent.path().join(".run.percuss-staged-bbbb");
+    let replaced = parent.path().join(".run.percuss-staged-bbbbbbbbbb");
     run(&replaced, "older")?;
     fs::write(replaced.join("notes.md"), "mine")?;
     // And a folder of the user's that only looks a little like it.
@@ -150,7 +150,7 @@ fn what_dead_processes_left_is_put_in_order() -> Outcome {
     assert_eq!(fs::read_to_string(target.join("notes.md"))?, "mine");
     assert_eq!(fs::read_to_string(target.join("summary.json"))?, "old");
     // Without an exchange in one operation: death between its two renames.
-    fs::rename(&target, parent.path().join(".run.percuss-aside-cccc"))?;
+    fs::rename(&target, parent.path().join(".run.percuss-aside-cccccccccc"))?;
     drop(RunDirectory::create(&target)?);
     assert_eq!(fs::read_to_string(target.join("summary.json"))?, "old");
     assert_eq!(names(parent.path())?, [".run.percussion", "run"]);
@@ -165,7 +165,8 @@ fn a_report_is_added_to_a_run_and_replaces_no_foreign_file() -> Outcome {
     let add = |file: &str| -> Outcome {
         let update = RunUpdate::open(&target)?;
         fs::write(update.path().join(file), "anew")?;
-        Ok(update.commit()?)
+        update.commit()?;
+        Ok(())
     };
     add("report.html")?;
     add("report.html")?;
@@ -269,4 +270,179 @@ fn what_is_described_early_stands_in_the_manifest_as_anything_else() -> Outcome 
     assert!(manifest.contains("\"bytes\": 200000") && !manifest.contains("parquet"));
     // Results described early may be replaced like any others.
     run(&parent.path().join("early"), "b")
+}
+
+/// Links planted at names that others can foresee: nothing behind them is touched.
+#[cfg(unix)]
+#[test]
+fn links_at_names_that_can_be_foreseen_are_not_followed() -> Outcome {
+    use std::os::unix::fs::symlink;
+    let parent = tempfile::tempdir()?;
+    let here = |name: &str| parent.path().join(name);
+    fs::write(here("thesis.tex"), "years")?;
+    let unharmed = || -> Outcome {
+        assert_eq!(fs::read_to_string(here("thesis.tex"))?, "years");
+        Ok(())
+    };
+    // The lock: a link, a second name of the file, a folder.
+    symlink("thesis.tex", here(".run.percuss.lock"))?;
+    let error = RunDirectory::create(here("run")).err().ok_or("was not refused")?;
+    assert!(error.to_string().contains("does not follow"), "{error}");
+    fs::remove_file(here(".run.percuss.lock"))?;
+    fs::hard_link(here("thesis.tex"), here(".run.percuss.lock"))?;
+    let error = RunDirectory::create(here("run")).err().ok_or("was not refused")?;
+    assert!(error.to_string().contains("does not follow"), "{error}");
+    fs::remove_file(here(".run.percuss.lock"))?;
+    unharmed()?;
+    // What looks like something left behind, and leads to other results.
+    run(&here("others"), "others'")?;
+    for word in ["staged", "aside"] {
+        symlink("others", here(&format!(".run.percuss-{word}-aaaaaaaaaa")))?;
+    }
+    run(&here("run"), "mine")?;
+    // Partial results beside complete ones.
+    let partial = RunDirectory::create(here("others"))?;
+    fs::write(partial.path().join("summary.json"), "half")?;
+    let elsewhere = here("elsewhere");
+    drop(partial);
+    let dir = RunDirectory::create(&elsewhere)?;
+    fs::write(dir.path().join("summary.json"), "half")?;
+    dir.commit_as(Extent::Partial)?;
+    symlink("elsewhere", here("run.incomplete"))?;
+    let dir = RunDirectory::create(here("run"))?;
+    fs::write(dir.path().join("summary.json"), "half of it")?;
+    let place = dir.commit_as(Extent::Partial)?.place;
+    assert!(place.ends_with("run.incomplete-2"), "{}", place.display());
+    assert_eq!(fs::read_to_string(elsewhere.join("summary.json"))?, "half");
+    assert_eq!(fs::read_to_string(here("others/summary.json"))?, "others'");
+    // A file that grows beside its place.
+    symlink("thesis.tex", here(".film.gif.percuss.partial"))?;
+    assert!(Unfinished::of(&here("film.gif")).is_err());
+    symlink("thesis.tex", here("film.gif"))?;
+    fs::remove_file(here(".film.gif.percuss.partial"))?;
+    let film = Unfinished::of(&here("film.gif"))?;
+    film.write(b"film")?;
+    assert_eq!(film.put(&|_| true)?, None);
+    assert!(!fs::symlink_metadata(here("film.gif"))?.is_symlink());
+    unharmed()
+}
+
+/// Files edited while a run computes, between its start and its end.
+#[test]
+fn what_is_changed_meanwhile_is_kept_beside_and_told() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().canonicalize()?.join("run");
+    let edited = |within: bool| -> Outcome {
+        run(&target, "old")?;
+        if within {
+            fs::create_dir(target.join("a-folder-of-mine"))?;
+        }
+        let dir = RunDirectory::create(&target)?;
+        fs::write(target.join("summary.json"), "old, with a comment")?;
+        fs::write(target.join("figures/old"), "redrawn")?;
+        fs::write(dir.path().join("summary.json"), "new")?;
+        let placed = dir.commit()?;
+        let changed = |name: &str| (target.join(name), target.join(format!("{name}.changed-1")));
+        assert_eq!(placed.kept, [changed("figures/old"), changed("summary.json")]);
+        assert_eq!(fs::read_to_string(target.join("summary.json"))?, "new");
+        let kept = fs::read_to_string(target.join("summary.json.changed-1"))?;
+        assert_eq!(kept, "old, with a comment");
+        assert_eq!(fs::read_to_string(target.join("figures/old.changed-1"))?, "redrawn");
+        // It is the user's from here on.
+        run(&target, "newer")?;
+        assert!(target.join("summary.json.changed-1").exists());
+        assert_eq!(names(parent.path())?, ["run"]);
+        Ok(())
+    };
+    edited(false)?;
+    fs::remove_dir_all(&target)?;
+    // A directory that is filled in place.
+    fs::create_dir(&target)?;
+    edited(true)
+}
+
+#[test]
+fn what_is_changed_before_something_is_added_is_kept_too() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().canonicalize()?.join("run");
+    run(&target, "old")?;
+    for (k, edited) in ["with a remark", "with another"].iter().enumerate() {
+        let update = RunUpdate::open(&target)?;
+        fs::write(target.join("summary.json"), edited)?;
+        fs::write(update.path().join("summary.json"), format!("rebuilt {k}"))?;
+        let kept = target.join(format!("summary.json.changed-{}", k + 1));
+        assert_eq!(update.commit()?, [(target.join("summary.json"), kept.clone())]);
+        assert_eq!(fs::read_to_string(target.join("summary.json"))?, format!("rebuilt {k}"));
+        assert_eq!(fs::read_to_string(kept)?, *edited);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_single_file_that_came_to_stand_there_meanwhile_is_kept() -> Outcome {
+    let parent = tempfile::tempdir()?;
+    let out = parent.path().join("film.gif");
+    let is_film = |there: &Path| fs::read(there).is_ok_and(|bytes| bytes == b"film");
+    for expected in [None, None] {
+        let film = Unfinished::of(&out)?;
+        film.write(b"film")?;
+        assert_eq!(film.put(&is_film)?, expected);
+    }
+    let film = Unfinished::of(&out)?;
+    fs::write(&out, "mine")?;
+    film.write(b"film")?;
+    assert_eq!(film.put(&is_film)?, Some(parent.path().join("film.gif.changed-1")));
+    assert_eq!(fs::read_to_string(parent.path().join("film.gif.changed-1"))?, "mine");
+    assert_eq!(fs::read_to_string(&out)?, "film");
+    assert_eq!(names(parent.path())?, ["film.gif", "film.gif.changed-1"]);
+    Ok(())
+}
+
+/// Permissions and the group's bit, folders without files, names that only look like this program's.
+#[cfg(unix)]
+#[test]
+fn what_is_the_user_s_stays() -> Outcome {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+    let parent = tempfile::tempdir()?;
+    let target = parent.path().join("run");
+    run(&target, "old")?;
+    for folder in ["empty/of/mine", "figures/ideas", ".percuss-staged-notes"] {
+        fs::create_dir_all(target.join(folder))?;
+    }
+    for file in [".percuss-notes", ".percuss-staged-notes/file", ".percuss-aside-0123456789"] {
+        fs::write(target.join(file), "mine")?;
+    }
+    // A folder that bears such a name by chance, beside.
+    let beside = parent.path().join(".run.percuss-staged-0123456789");
+    fs::create_dir(&beside)?;
+    fs::write(beside.join("file"), "mine")?;
+    fs::set_permissions(&target, fs::Permissions::from_mode(0o2770))?;
+    fs::set_permissions(target.join("empty"), fs::Permissions::from_mode(0o700))?;
+    let found = |path: &Path| fs::metadata(path).map(|m| (m.mode() & 0o7777, m.gid(), m.uid()));
+    let before = found(&target)?;
+    // Not even while it is computed do others see it.
+    let dir = RunDirectory::create(&target)?;
+    assert_eq!(found(dir.path())?.0 & 0o007, 0);
+    drop(dir);
+    run(&target, "new")?;
+    run(&target, "newer")?;
+    assert_eq!(found(&target)?, before);
+    assert_eq!(found(&target.join("empty"))?.0, 0o700);
+    for folder in ["empty/of/mine", "figures/ideas"] {
+        assert!(target.join(folder).is_dir(), "{folder}");
+    }
+    for file in [".percuss-notes", ".percuss-staged-notes/file", ".percuss-aside-0123456789"] {
+        assert_eq!(fs::read_to_string(target.join(file))?, "mine", "{file}");
+    }
+    assert_eq!(fs::read_to_string(beside.join("file"))?, "mine");
+    // Shapes that the user keeps on another disk.
+    let disk = tempfile::tempdir()?;
+    fs::rename(target.join("figures"), disk.path().join("figures"))?;
+    symlink(disk.path().join("figures"), target.join("figures"))?;
+    let error = RunDirectory::create(&target).err().ok_or("was not refused")?;
+    assert!(error.is_refused() && error.to_string().contains("figures there is a link"), "{error}");
+    assert!(RunUpdate::open(&target).is_err_and(|error| error.is_refused()));
+    assert_eq!(fs::read_link(target.join("figures"))?, disk.path().join("figures"));
+    assert_eq!(fs::read_to_string(disk.path().join("figures/newer"))?, "newer");
+    Ok(())
 }

@@ -74,6 +74,11 @@ impl Scenario {
         Err(self.diagnostics(faults))
     }
 
+    /// How large the model becomes, before it is built.
+    pub fn extent(&self) -> percuss::ModelExtent {
+        build::definitions(&self.content, Some(&self.given)).0.extent()
+    }
+
     /// What stands in the compiled model, for drawings.
     pub fn scene(&self, model: &Model) -> percuss::scene::Scene {
         build::definitions(&self.content, Some(&self.given)).0.scene(model)

@@ -37,6 +37,22 @@ impl<'m> BeamView<'m> {
     }
 }
 
+impl<'m> BeamView<'m> {
+    /// The span at an arc length `s` from its start \[m\]; at a corner that before it.
+    pub fn span_at(&self, s: f64) -> SpanView<'m> {
+        let spans = &self.model.spans[self.data.spans.clone()];
+        let ends_before = |span: &Span| span.stations.last().is_some_and(|end| *end < s);
+        SpanView { data: &spans[spans.partition_point(ends_before).min(spans.len() - 1)] }
+    }
+
+    /// The span of a node, if it is one of the beam's.
+    pub fn span_of(&self, node: usize) -> Option<SpanView<'m>> {
+        let spans = &self.model.spans[self.data.spans.clone()];
+        let found = spans.get(spans.partition_point(|span| span.nodes.end <= node))?;
+        found.nodes.contains(&node).then_some(SpanView { data: found })
+    }
+}
+
 /// A span: a part of a beam without corner, of one material and one section.
 #[derive(Clone, Copy, Debug)]
 pub struct SpanView<'m> {

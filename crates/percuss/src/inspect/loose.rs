@@ -1,6 +1,8 @@
 //! Ends of beams that lie at one place and that nothing ties together.
 
-use super::{MovingPartner, PrescribedView};
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+use super::PrescribedView;
 use crate::math::vec2::{norm, sub};
 use crate::model::Model;
 
@@ -36,35 +38,37 @@ struct BeamEnd {
     s: f64,
     /// Where it is, shape (2) \[m\].
     position: [f64; 2],
-    /// What is tied has one number.
-    group: usize,
 }
 
 /// Ends at one place that nothing ties, in the order of the beams: of three that nothing ties two pairs.
 pub fn loose_ends(model: &Model) -> Vec<LooseEnds> {
     let near = ONE_PLACE * model.extent();
-    let mut ends = ends(model);
-    let count = ends.len();
-    tie(model, &mut ends, near);
+    let ends = ends(model);
+    let mut groups = Groups::new(ends.len());
+    tie(model, &ends, near, &mut groups);
+    let touching: HashSet<[usize; 2]> = model.pairs.iter().map(|pair| pair.movers).collect();
+    let touch = |[a, b]: [usize; 2]| touching.contains(&[a, b]) || touching.contains(&[b, a]);
+    let mut corners = Corners { near, cells: HashMap::new() };
     let mut all = Vec::new();
-    for j in 0..count {
-        for i in 0..j {
-            let (a, b) = (&ends[i], &ends[j]);
-            let beams = [a.beam, b.beam];
-            let apart = norm(sub(a.position, b.position)) > near;
-            let held = [a, b].iter().all(|end| is_held(model, end));
-            if a.group == b.group || apart || held || touch(model, beams) {
-                continue;
-            }
-            let position = b.position;
-            all.push(LooseEnds { beams, ends: [a, b].map(|end| label(model, end)), position });
-            join(&mut ends, [i, j]);
+    for (j, end) in ends.iter().enumerate() {
+        let held = is_held(model, end);
+        let loose = |i: usize| {
+            let other = &ends[i];
+            norm(sub(end.position, other.position)) <= near && !touch([other.beam, end.beam])
+        };
+        for i in corners.first_of_each_group((end.position, held), groups.of(j), &mut groups, loose)
+        {
+            let beams = [ends[i].beam, end.beam];
+            let labels = [&ends[i], end].map(|end| label(model, end));
+            all.push(LooseEnds { beams, ends: labels, position: end.position });
+            groups.join(i, j);
         }
+        corners.add(end.position, held, j);
     }
     all
 }
 
-/// The two ends of every beam, each a group of its own.
+/// The two ends of every beam.
 fn ends(model: &Model) -> Vec<BeamEnd> {
     let of = |beam: usize| {
         let view = model.beam(beam);
@@ -73,39 +77,141 @@ fn ends(model: &Model) -> Vec<BeamEnd> {
             beam,
             s,
             position: model.node_position(node),
-            group: 0,
         })
     };
-    let mut all: Vec<BeamEnd> = (0..model.beam_count()).flat_map(of).collect();
-    all.iter_mut().enumerate().for_each(|(k, place)| place.group = k);
-    all
+    (0..model.beam_count()).flat_map(of).collect()
 }
 
-/// Adds the points of joints, supports between nodes, springs and hinges, and makes groups of what they tie at one place.
-fn tie(model: &Model, places: &mut Vec<BeamEnd>, near: f64) {
+/// Makes groups of the ends that the points of joints, supports between nodes, springs and hinges tie at one place.
+fn tie(model: &Model, ends: &[BeamEnd], near: f64, groups: &mut Groups) {
+    // Places on beams by the cell of arc length that holds them, each with a member of its group.
+    let mut along: HashMap<(usize, i64), Vec<(f64, usize)>> = HashMap::new();
+    let mut place = |beam: usize, s: f64, groups: &mut Groups, group: usize| {
+        let cell = cell(s, near);
+        for next in [cell.saturating_sub(1), cell, cell.saturating_add(1)] {
+            let there = along.get(&(beam, next)).into_iter().flatten();
+            let same = there.filter(|(own, _)| (own - s).abs() <= near);
+            same.for_each(|(_, of)| groups.join(*of, group));
+        }
+        let own = along.entry((beam, cell)).or_default();
+        if own.iter().all(|(there, _)| *there != s) {
+            own.push((s, group));
+        }
+    };
+    for (k, end) in ends.iter().enumerate() {
+        place(end.beam, end.s, groups, k);
+    }
     let ties = model.constraints().map(|tie| tie.points().collect::<Vec<_>>());
     let springs = model.connectors().map(|spring| spring.points().collect::<Vec<_>>());
     for points in ties.chain(springs) {
-        let first = places.len();
-        for point in points {
-            let (beam, s, position, group) = (point.beam, point.s, point.position, places.len());
-            places.push(BeamEnd { beam, s, position, group });
-            let new = places.len() - 1;
-            for k in 0..new {
-                let (a, b) = (&places[k], &places[new]);
-                let same = a.beam == b.beam && (a.s - b.s).abs() <= near;
-                let tied = k >= first && norm(sub(a.position, b.position)) <= near;
-                if same || tied {
-                    join(places, [k, new]);
+        let own: Vec<usize> = points.iter().map(|_| groups.add()).collect();
+        for (k, point) in points.iter().enumerate() {
+            place(point.beam, point.s, groups, own[k]);
+            for (before, group) in points.iter().zip(&own).take(k) {
+                if norm(sub(before.position, point.position)) <= near {
+                    groups.join(*group, own[k]);
                 }
             }
         }
     }
 }
 
-fn join(places: &mut [BeamEnd], [a, b]: [usize; 2]) {
-    let (keep, drop) = (places[a].group, places[b].group);
-    places.iter_mut().filter(|place| place.group == drop).for_each(|place| place.group = keep);
+/// Number of the cell of size `near` that holds a coordinate.
+fn cell(x: f64, near: f64) -> i64 {
+    (x / near).floor() as i64
+}
+
+/// What is tied, as sets of numbers.
+struct Groups {
+    /// Another member of the same group, or itself, shape (members).
+    leader: Vec<usize>,
+}
+
+impl Groups {
+    fn new(count: usize) -> Self {
+        Self { leader: (0..count).collect() }
+    }
+
+    /// One more member, of a group of its own.
+    fn add(&mut self) -> usize {
+        self.leader.push(self.leader.len());
+        self.leader.len() - 1
+    }
+
+    /// The group of a member.
+    fn of(&mut self, mut member: usize) -> usize {
+        while self.leader[member] != member {
+            self.leader[member] = self.leader[self.leader[member]];
+            member = self.leader[member];
+        }
+        member
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.of(a), self.of(b));
+        self.leader[a.max(b)] = a.min(b);
+    }
+}
+
+/// Ends by the cell of the plane that they lie in, so that each is held against its neighbours alone.
+struct Corners {
+    near: f64,
+    /// Lists of ends of one group each: free ones, and those that a support holds.
+    cells: HashMap<[i64; 2], [Vec<Vec<usize>>; 2]>,
+}
+
+impl Corners {
+    fn add(&mut self, position: [f64; 2], held: bool, end: usize) {
+        let key = position.map(|x| cell(x, self.near));
+        self.cells.entry(key).or_default()[usize::from(held)].push(vec![end]);
+    }
+
+    /// Of every group but `own` the first end near a position for which `loose` holds, in their order. Two ends that supports hold are no
+    /// pair.
+    fn first_of_each_group(
+        &mut self,
+        (position, held): ([f64; 2], bool),
+        own: usize,
+        groups: &mut Groups,
+        loose: impl Fn(usize) -> bool,
+    ) -> Vec<usize> {
+        let mut first: BTreeMap<usize, usize> = BTreeMap::new();
+        let [x, y] = position.map(|x| cell(x, self.near));
+        let beside = |c: i64| [c.saturating_sub(1), c, c.saturating_add(1)];
+        for key in beside(x).into_iter().flat_map(|x| beside(y).map(|y| [x, y])) {
+            let Some([free, fixed]) = self.cells.get_mut(&key) else { continue };
+            for lists in std::iter::once(free).chain((!held).then_some(fixed)) {
+                merge(lists, groups);
+                for list in lists.iter() {
+                    let group = groups.of(list[0]);
+                    if group != own
+                        && let Some(found) = list.iter().copied().find(|end| loose(*end))
+                    {
+                        let least = first.entry(group).or_insert(found);
+                        *least = found.min(*least);
+                    }
+                }
+            }
+        }
+        let mut all: Vec<usize> = first.into_values().collect();
+        all.sort_unstable();
+        all
+    }
+}
+
+/// Makes one list of those of one group.
+fn merge(lists: &mut Vec<Vec<usize>>, groups: &mut Groups) {
+    if lists.len() < 2 {
+        return;
+    }
+    let mut by_group: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for mut list in lists.drain(..) {
+        by_group.entry(groups.of(list[0])).or_default().append(&mut list);
+    }
+    lists.extend(by_group.into_values().map(|mut list| {
+        list.sort_unstable();
+        list
+    }));
 }
 
 /// Whether a support holds both displacements of an end.
@@ -117,14 +223,6 @@ fn is_held(model: &Model, end: &BeamEnd) -> bool {
         held.directions.iter().filter(moves).count()
     };
     model.prescribed_at(node).is_some_and(|held| places(&held) >= 2)
-}
-
-/// Whether a contact is between two beams.
-fn touch(model: &Model, [a, b]: [usize; 2]) -> bool {
-    let both = [a, b].map(MovingPartner::Beam);
-    let is_theirs =
-        |partners: &[MovingPartner; 2]| *partners == both || partners.iter().rev().eq(both.iter());
-    model.contacts().any(|contact| contact.pairs().any(|(partners, _)| is_theirs(&partners)))
 }
 
 fn label(model: &Model, end: &BeamEnd) -> String {

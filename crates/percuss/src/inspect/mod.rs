@@ -98,6 +98,11 @@ impl Model {
         self.contacts.iter().map(|data| ContactView { model: self, data })
     }
 
+    /// The contact of number `index`.
+    pub fn contact(&self, index: usize) -> Option<ContactView<'_>> {
+        self.contacts.get(index).map(|data| ContactView { model: self, data })
+    }
+
     /// Loads, in the order of definition.
     pub fn loads(&self) -> impl ExactSizeIterator<Item = LoadView<'_>> {
         self.loads.iter().map(LoadView)

@@ -1,14 +1,15 @@
 //! Collects definitions and turns them into a frozen [`Model`]; the one place that validates.
 
+use std::collections::HashSet;
+
 use super::centre_line::CentreLine;
 use super::definition::*;
 use super::frozen::*;
 use super::material_points::locate;
 use super::mesh::SpanPlan;
+use super::places::Places;
 use super::section_line::SectionLine;
-use super::{
-    Fault, bodies, check, connect, constrain, fibres, loads, mesh, outline, pairs, places,
-};
+use super::{Fault, bodies, check, connect, constrain, fibres, loads, mesh, outline, pairs};
 use crate::element::beam::{ElementTable, NodeFrame};
 use crate::geometry::axis::{AxisElement, AxisElements};
 use crate::math::hermite;
@@ -162,8 +163,9 @@ impl ModelBuilder {
         connect::supports(self, &mut model);
         bodies::place(self, &mut model);
         loads::place(self, &mut model);
+        let mut labels = HashSet::new();
         for point in self.projectiles.iter().map(|p| &p.strikes).chain(&self.points) {
-            if !model.points.iter().any(|p| p.label == point.label) {
+            if labels.insert(point.label.as_str()) {
                 model.points.push(locate(&model, point));
             }
         }
@@ -197,10 +199,11 @@ impl ModelBuilder {
             points: Vec::new(),
             total_mass: 0.0,
         };
+        let places = Places::new(self);
         for (index, beam) in self.beams.iter().enumerate() {
             let Some(line) = CentreLine::new(beam) else { continue }; // checked before
             let first = (model.spans.len(), model.nodes.len(), model.element_count());
-            let plans = mesh::spans(beam, &line, &places::of_beam(self, index, &line));
+            let plans = mesh::spans(beam, &line, &places.of_beam(index, &line));
             plans.iter().for_each(|plan| self.add_span(&line, plan, &mut model));
             model.beams.push(BeamData {
                 name: beam.name.clone(),
@@ -244,6 +247,8 @@ impl ModelBuilder {
         };
         let (first, element) = (model.nodes.len(), model.element_count());
         let stretch = fibres::Stretch { stations, total, uniform: tables.len() == 1, count: n };
+        // Counting goes back to the last span with fibres, past all that have none.
+        let fibres_before = if make.has_fibres() { model.fibre_count() } else { 0 };
         let span = Span {
             nodes: first..first + n + 1,
             elements: element..element + n,
@@ -256,7 +261,7 @@ impl ModelBuilder {
             strength: material
                 .strength
                 .filter(|_| material.inelasticity.is_none() && make.is_plain()),
-            fibres: fibres::of_span(&make, &stretch, model.fibre_count()),
+            fibres: fibres::of_span(&make, &stretch, fibres_before),
         };
         for k in 0..n {
             let m = &span.table(k).mass;

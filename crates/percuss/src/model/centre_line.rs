@@ -42,6 +42,8 @@ const STEPS: usize = 64;
 pub struct CentreLine {
     /// Its smooth parts, from its start on, shape (pieces).
     pub pieces: Vec<Piece>,
+    /// Arc length at which each ends, shape (pieces) \[m\].
+    ends: Vec<f64>,
 }
 
 impl CentreLine {
@@ -54,18 +56,23 @@ impl CentreLine {
         if points.windows(2).any(|w| w[0] == w[1]) {
             return None;
         }
-        let pieces = match beam.curve {
+        let pieces: Vec<Piece> = match beam.curve {
             Curve::Polyline => points.windows(2).map(|w| straight(w[0], w[1])).collect(),
             Curve::Arc => vec![arc(points)?],
             Curve::Spline if points.len() == 2 => vec![straight(points[0], points[1])],
             Curve::Spline => vec![smooth(points)],
         };
-        Some(Self { pieces })
+        let sum = |total: &mut f64, piece: &Piece| {
+            *total += piece.length();
+            Some(*total)
+        };
+        let ends = pieces.iter().scan(0.0, sum).collect();
+        Some(Self { pieces, ends })
     }
 
     /// Length of the line \[m\].
     pub fn length(&self) -> f64 {
-        self.pieces.iter().map(Piece::length).sum()
+        self.ends.last().copied().unwrap_or(0.0)
     }
 
     /// Arc length of a place \[m\].
@@ -78,28 +85,18 @@ impl CentreLine {
 
     /// Unit tangent at arc length `s` \[m\]; at a corner that of the part before it.
     pub fn tangent(&self, s: f64) -> [f64; 2] {
-        let mut start = 0.0;
-        for (i, piece) in self.pieces.iter().enumerate() {
-            let length = piece.length();
-            if s <= start + length || i + 1 == self.pieces.len() {
-                return piece.at(s - start).1;
-            }
-            start += length;
-        }
-        [f64::NAN; 2]
+        self.at(s).1
     }
 
     /// Position at arc length `s` \[m\].
     pub fn position(&self, s: f64) -> [f64; 2] {
-        let mut start = 0.0;
-        for (i, piece) in self.pieces.iter().enumerate() {
-            let length = piece.length();
-            if s <= start + length || i + 1 == self.pieces.len() {
-                return piece.at(s - start).0;
-            }
-            start += length;
-        }
-        [f64::NAN; 2]
+        self.at(s).0
+    }
+
+    fn at(&self, s: f64) -> ([f64; 2], [f64; 2]) {
+        let piece = self.ends.partition_point(|end| *end < s).min(self.pieces.len() - 1);
+        let start = if piece > 0 { self.ends[piece - 1] } else { 0.0 };
+        self.pieces[piece].at(s - start)
     }
 }
 

@@ -161,7 +161,8 @@ impl Model {
     /// Number of connectors that can yield.
     #[doc(hidden)]
     pub fn memory_count(&self) -> usize {
-        self.yielding().count()
+        let last = self.connectors.iter().rev().find_map(|c| c.yielding.as_ref());
+        last.map_or(0, |own| own.memory + 1)
     }
 
     /// Connectors that can yield, their number and how, in the model's order.

@@ -25,8 +25,10 @@ struct HeldDirection {
 /// A fault for a joint that repeats what supports and earlier joints already hold, and for supports that prescribe different
 /// values of the same.
 pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
+    let held = model.prescribed.iter().enumerate().map(|(k, dofs)| (dofs.node, k)).collect();
     let mut independent = Independent {
         builder,
+        held,
         basis: Vec::new(),
         touching: BTreeMap::new(),
         prescribed: Prescribed::default(),
@@ -128,7 +130,7 @@ fn hold(
     let mut normal = [0.0; 4];
     normal[offset] = held.direction[0];
     normal[offset + 1] = held.direction[1];
-    let index = model.prescribed.iter().position(|h| h.node == node).unwrap_or_else(|| {
+    let index = *independent.held.entry(node).or_insert_with(|| {
         model.prescribed.push(PrescribedDofs::new(node, Some(support)));
         model.prescribed.len() - 1
     });
@@ -273,6 +275,8 @@ struct Independent<'b> {
     /// Basis vectors that touch a component, by its number among all of the nodes, shape (such vectors) \[index in `basis`\].
     touching: BTreeMap<usize, Vec<usize>>,
     prescribed: Prescribed,
+    /// Where the model has what is prescribed at a node, until it is sorted by nodes.
+    held: BTreeMap<usize, usize>,
 }
 
 /// A constraint kept, across those before it.
@@ -363,8 +367,8 @@ impl Independent<'_> {
                 add(&points[1], rot90(points[1].tangent), true, -1.0);
             }
         }
-        for dofs in &model.prescribed {
-            if let Some(entry) = row.get_mut(&dofs.node) {
+        for (node, entry) in &mut row {
+            if let Some(dofs) = model.dofs_at(*node) {
                 let owners = self.prescribed.at_nodes.get(&dofs.node);
                 for (i, n) in dofs.normals.iter().enumerate() {
                     let along: f64 = (0..4).map(|k| n[k] * entry[k]).sum();

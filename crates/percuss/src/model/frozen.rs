@@ -144,6 +144,7 @@ impl Span {
 /// A load and its time function.
 #[derive(Clone, Debug)]
 pub struct LoadData {
+    pub name: String,
     pub kind: LoadAction,
     pub function: PreparedFunction,
     pub from: f64,

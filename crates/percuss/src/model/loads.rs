@@ -26,7 +26,8 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
             }
         };
         let function = PreparedFunction::new(&load.function);
-        model.loads.push(LoadData { kind, function, from: load.from, until: load.until });
+        let (name, from, until) = (load.name.clone(), load.from, load.until);
+        model.loads.push(LoadData { name, kind, function, from, until });
     }
 }
 

@@ -23,7 +23,8 @@ pub(super) fn point_at(model: &Model, beam_index: usize, s: f64) -> MaterialPoin
     let spans = &model.spans[beam.spans.clone()];
     let slack = 1e-12 * beam.length;
     let last = |span: &Span| span.stations[span.stations.len() - 1];
-    let span = spans.iter().find(|span| s <= last(span) + slack).unwrap_or(&spans[spans.len() - 1]);
+    let first = spans.partition_point(|span| s > last(span) + slack);
+    let span = &spans[first.min(spans.len() - 1)];
     let n = span.elements.len();
     let mut element = span.stations.partition_point(|x| *x <= s).clamp(1, n) - 1;
     let share = |element: usize| {

@@ -45,7 +45,7 @@ const SLIVER: f64 = 1e-3;
 /// An element that is longer than asked for by no more than this share is not divided.
 const SLACK: f64 = 1e-6;
 
-/// Spans of a checked beam along its centre line, with nodes at `places`.
+/// Spans of a checked beam along its centre line, with nodes at `places`, which stand in their order along it.
 pub fn spans(beam: &Beam, line: &CentreLine, places: &[BeamPlace]) -> Vec<SpanPlan> {
     let mut plans = parts_of(beam, line);
     divide(&beam.mesh, line, &mut plans);
@@ -80,11 +80,9 @@ fn with_places(mut plan: SpanPlan, grade: &Grade, places: &[BeamPlace]) -> Vec<S
 /// The places inside a divided part at which nodes shall stand, in their order: at nodes of its own where they are that near.
 fn breaks(stations: &[f64], places: &[BeamPlace]) -> Vec<BeamPlace> {
     let (first, last) = (stations[0], stations[stations.len() - 1]);
-    let mut inside: Vec<BeamPlace> =
-        places.iter().copied().filter(|p| p.s > first && p.s < last).collect();
-    inside.sort_by(|a, b| a.s.total_cmp(&b.s));
+    let inside = places.partition_point(|p| p.s <= first)..places.partition_point(|p| p.s < last);
     let mut kept: Vec<BeamPlace> = Vec::new();
-    for mut place in inside {
+    for mut place in places[inside].iter().copied() {
         let next = stations.partition_point(|s| *s <= place.s).clamp(1, stations.len() - 1);
         let (a, b) = (stations[next - 1], stations[next]);
         for station in [a, b] {
@@ -131,26 +129,26 @@ pub fn parts(beam: &Beam, line: &CentreLine) -> usize {
 
 /// Spans with their ends as only stations.
 fn parts_of(beam: &Beam, line: &CentreLine) -> Vec<SpanPlan> {
-    let length = line.length();
+    let slack = SAME_PLACE * line.length();
     let mut plans = Vec::new();
     let mut start = 0.0;
+    // Changes stand in their order along the beam.
+    let mut changes = beam.changes.iter().map(|change| (line.arc(change.at), change)).peekable();
+    let (mut material, mut section) = (beam.material, beam.section);
     for (index, piece) in line.pieces.iter().enumerate() {
         let end = start + piece.length();
-        let slack = SAME_PLACE * length;
-        let inside = beam.changes.iter().map(|c| line.arc(c.at));
-        let mut ends: Vec<f64> =
-            inside.filter(|s| *s > start + slack && *s < end - slack).collect();
-        ends.push(end);
         let mut from = start;
-        for to in ends {
-            let before = beam.changes.iter().filter(|c| line.arc(c.at) <= from + slack);
-            let (mut material, mut section) = (beam.material, beam.section);
-            for change in before {
+        loop {
+            while let Some((_, change)) = changes.next_if(|(s, _)| *s <= from + slack) {
                 material = change.material.unwrap_or(material);
                 section = change.section.unwrap_or(section);
             }
+            let to = changes.peek().map(|(s, _)| *s).filter(|s| *s < end - slack).unwrap_or(end);
             let (offset, stations) = (from - start, vec![from, to]);
             plans.push(SpanPlan { piece: index, offset, stations, material, section });
+            if to == end {
+                break;
+            }
             from = to;
         }
         start = end;
@@ -188,12 +186,12 @@ fn share_out(n: usize, weights: &[f64]) -> Vec<usize> {
     let total: f64 = weights.iter().sum();
     let mut numbers: Vec<usize> =
         weights.iter().map(|w| ((w / total * n as f64 + 1e-9).floor() as usize).max(1)).collect();
-    while numbers.iter().sum::<usize>() < n {
-        let lack = |i: &usize| weights[*i] / total * n as f64 - numbers[*i] as f64;
-        let most = (0..weights.len()).max_by(|a, b| lack(a).total_cmp(&lack(b)));
-        let Some(most) = most else { break };
-        numbers[most] += 1;
-    }
+    // Each lacks less than one, so that none is given two.
+    let left = n.saturating_sub(numbers.iter().sum());
+    let lack = |i: usize| weights[i] / total * n as f64 - numbers[i] as f64;
+    let mut order: Vec<usize> = (0..weights.len()).rev().collect();
+    order.sort_by(|a, b| lack(*b).total_cmp(&lack(*a)));
+    order.into_iter().take(left).for_each(|i| numbers[i] += 1);
     numbers
 }
 

@@ -8,6 +8,7 @@ mod connect;
 mod constrain;
 mod definition;
 mod draw;
+mod extent;
 mod fault;
 mod fibres;
 #[allow(missing_docs)]
@@ -32,6 +33,7 @@ mod time_function;
 
 pub use builder::ModelBuilder;
 pub use definition::*;
+pub use extent::ModelExtent;
 pub use fault::Fault;
 pub use frozen::Model;
 pub use time_function::{Function, TimeFunction};

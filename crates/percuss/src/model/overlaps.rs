@@ -177,13 +177,84 @@ fn beside(element: &AxisElement, placed: &Placed, xi: f64) -> [f64; 2] {
     scale(deviation / norm(tangent), rot90(tangent))
 }
 
-/// Whether two polylines cross.
+/// Whether two polylines cross: halves of both are looked at only where the boxes around them meet.
 fn cross_each_other(one: &[[f64; 2]], other: &[[f64; 2]]) -> bool {
+    let (one, other) = (Boxed::new(one), Boxed::new(other));
+    let mut left = vec![(1, 1)];
+    while let Some((a, b)) = left.pop() {
+        if !meet(&one.boxes[a], &other.boxes[b]) {
+            continue;
+        }
+        match (one.halves(a), other.halves(b)) {
+            (None, None) if segments_cross(one.pieces(a), other.pieces(b)) => return true,
+            (None, None) => {}
+            (None, Some([c, d])) => left.extend([(a, c), (a, d)]),
+            (Some([c, d]), None) => left.extend([(c, b), (d, b)]),
+            (Some(x), Some(y)) => left.extend(x.into_iter().flat_map(|c| y.map(|d| (c, d)))),
+        }
+    }
+    false
+}
+
+/// Whether a piece of one polyline crosses one of another.
+fn segments_cross(one: &[[f64; 2]], other: &[[f64; 2]]) -> bool {
     let apart = |a: [f64; 2], b: [f64; 2], line: &[[f64; 2]]| {
         let side = |p: [f64; 2]| cross(sub(b, a), sub(p, a));
         side(line[0]) * side(line[1]) >= 0.0
     };
     one.windows(2).any(|a| other.windows(2).any(|b| !apart(a[0], a[1], b) && !apart(b[0], b[1], a)))
+}
+
+/// A box: its least and largest coordinates, shape (2, 2) \[m\].
+type Box2 = [[f64; 2]; 2];
+
+/// Pieces of a polyline in a leaf.
+const LEAF: usize = 8;
+
+/// A polyline with the boxes around its halves, their halves, and so on, as a heap: that of number k has those of 2 k and 2 k + 1.
+struct Boxed<'a> {
+    /// Its points, shape (points, 2) \[m\].
+    points: &'a [[f64; 2]],
+    /// Leaves, a power of two.
+    leaves: usize,
+    /// The boxes, from number 1 on, shape (2 leaves) \[m\].
+    boxes: Vec<Box2>,
+}
+
+impl<'a> Boxed<'a> {
+    fn new(points: &'a [[f64; 2]]) -> Self {
+        let leaves = points.len().saturating_sub(1).div_ceil(LEAF).next_power_of_two();
+        let boxes = vec![[[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]]; 2 * leaves];
+        let mut own = Self { points, leaves, boxes };
+        for k in (1..2 * leaves).rev() {
+            own.boxes[k] = match own.halves(k) {
+                Some([a, b]) => around(own.boxes[a], own.boxes[b]),
+                None => own.pieces(k).iter().map(|p| [*p, *p]).fold(own.boxes[k], around),
+            };
+        }
+        own
+    }
+
+    fn halves(&self, k: usize) -> Option<[usize; 2]> {
+        (k < self.leaves).then_some([2 * k, 2 * k + 1])
+    }
+
+    /// Points of a leaf, the first one of the next included.
+    fn pieces(&self, k: usize) -> &'a [[f64; 2]] {
+        let first = (LEAF * (k - self.leaves)).min(self.points.len());
+        &self.points[first..(first + LEAF + 1).min(self.points.len())]
+    }
+}
+
+/// The box around two.
+fn around(a: Box2, b: Box2) -> Box2 {
+    let both = |k: usize, pick: fn(f64, f64) -> f64| [0, 1].map(|i| pick(a[k][i], b[k][i]));
+    [both(0, f64::min), both(1, f64::max)]
+}
+
+/// Whether two boxes have a point in common.
+fn meet(a: &Box2, b: &Box2) -> bool {
+    (0..2).all(|i| a[0][i] <= b[1][i] && b[0][i] <= a[1][i])
 }
 
 /// A length by seven significant digits \[m\].
@@ -205,4 +276,31 @@ fn overlap(contact: &ContactData, touch: &Touch, partner: usize) -> Fault {
         shift[0], shift[1]
     );
     Fault::new(format!("contact.{}.between", contact.name), found, expected)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against every piece of one with every piece of the other; lines of few and of many leaves, that cross, touch boxes only, or lie apart.
+    #[test]
+    fn boxes_hide_no_crossing() {
+        let wave = |count: usize, shift: f64| -> Vec<[f64; 2]> {
+            let place = |i: usize| {
+                let x = i as f64 / count as f64;
+                [x + 0.1 * (37.0 * x).sin(), (9.0 * x + shift).sin() + shift]
+            };
+            (0..=count).map(place).collect()
+        };
+        let mut found = [0; 2];
+        for (n, m) in [(1, 1), (1, 40), (7, 8), (9, 130), (257, 300)] {
+            for k in 0..25 {
+                let (one, other) = (wave(n, 0.0), wave(m, 0.15 * f64::from(k)));
+                let expected = segments_cross(&one, &other);
+                assert_eq!(cross_each_other(&one, &other), expected, "{n} {m} {k}");
+                found[usize::from(expected)] += 1;
+            }
+        }
+        assert!(found.iter().all(|count| *count > 20), "{found:?}");
+    }
 }

@@ -21,46 +21,96 @@ pub struct BeamPlace {
 /// Forces across a beam to this share are across it.
 const ACROSS: f64 = 1e-9;
 
-/// Places of the beam of number `index`, in no order.
-pub fn of_beam(builder: &ModelBuilder, index: usize, line: &CentreLine) -> Vec<BeamPlace> {
-    let mut found = Vec::new();
-    let mut add = |at: &PointRef, ends_span: &dyn Fn([f64; 2]) -> bool| {
-        if at.beam.0 as usize == index {
-            let s = line.arc(at.along);
-            found.push(BeamPlace { s, ends_span: ends_span(line.tangent(s)) });
+/// What acts at a place of a beam, as far as it decides whether the axial force jumps there.
+enum Acts<'b> {
+    /// It jumps.
+    Along,
+    /// It does not.
+    Across,
+    /// A support, by what it holds.
+    Support(&'b SupportKind),
+    /// A force, shape (2) \[N\], in the axes of the plane or, of a follower, along and across the beam.
+    Force { force: [f64; 2], follower: bool },
+}
+
+impl Acts<'_> {
+    /// Whether the axial force jumps where the beam has this tangent.
+    fn ends_span(&self, tangent: [f64; 2]) -> bool {
+        match self {
+            Self::Along => true,
+            Self::Across => false,
+            Self::Support(kind) => holds_along(kind, tangent),
+            Self::Force { force, follower: true } => force[0] != 0.0,
+            Self::Force { force, follower: false } => acts_along(*force, tangent),
         }
-    };
-    for support in &builder.supports {
-        add(&support.at, &|tangent| holds_along(&support.kind, tangent));
     }
-    for joint in &builder.joints {
-        joint.between.iter().for_each(|at| add(at, &|_| true));
-    }
-    for spring in &builder.springs {
-        for anchor in &spring.between {
-            if let Anchor::Point(at) = anchor {
-                add(at, &|_| true);
-            }
+}
+
+/// What acts at places of each beam: found once, since every definition names its beams.
+pub struct Places<'b> {
+    builder: &'b ModelBuilder,
+    /// By beam, in the order of the definitions, shape (beams, places of a beam).
+    of: Vec<Vec<(Along, Acts<'b>)>>,
+}
+
+impl<'b> Places<'b> {
+    /// Goes through all definitions.
+    pub fn new(builder: &'b ModelBuilder) -> Self {
+        let of = std::iter::repeat_with(Vec::new).take(builder.beams.len()).collect();
+        let mut places = Self { builder, of };
+        for support in &builder.supports {
+            places.add(&support.at, Acts::Support(&support.kind));
         }
-    }
-    for mass in &builder.masses {
-        add(&mass.at, &|_| true);
-    }
-    for load in &builder.loads {
-        match &load.kind {
-            LoadKind::Gravity { .. } => {}
-            LoadKind::Point { at, force, follower, .. } => {
-                add(at, &|t| if *follower { force[0] != 0.0 } else { acts_along(*force, t) });
-            }
-            LoadKind::Distributed { beam, stretch, .. } => {
-                for along in stretch {
-                    add(&PointRef { label: String::new(), beam: *beam, along: *along }, &|_| false);
+        for joint in &builder.joints {
+            joint.between.iter().for_each(|at| places.add(at, Acts::Along));
+        }
+        for spring in &builder.springs {
+            for anchor in &spring.between {
+                if let Anchor::Point(at) = anchor {
+                    places.add(at, Acts::Along);
                 }
             }
         }
+        for mass in &builder.masses {
+            places.add(&mass.at, Acts::Along);
+        }
+        builder.loads.iter().for_each(|load| places.add_load(&load.kind));
+        places
     }
-    found.extend(stations(builder, index, line));
-    found
+
+    fn add(&mut self, at: &PointRef, acts: Acts<'b>) {
+        self.add_at(at.beam, at.along, acts);
+    }
+
+    fn add_at(&mut self, beam: BeamId, along: Along, acts: Acts<'b>) {
+        if let Some(own) = self.of.get_mut(beam.0 as usize) {
+            own.push((along, acts));
+        }
+    }
+
+    fn add_load(&mut self, load: &LoadKind) {
+        match load {
+            LoadKind::Gravity { .. } => {}
+            LoadKind::Point { at, force, follower, .. } => {
+                self.add(at, Acts::Force { force: *force, follower: *follower });
+            }
+            LoadKind::Distributed { beam, stretch, .. } => {
+                stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Across));
+            }
+        }
+    }
+
+    /// Places of the beam of number `index`, in their order along it.
+    pub fn of_beam(&self, index: usize, line: &CentreLine) -> Vec<BeamPlace> {
+        let place = |(along, acts): &(Along, Acts<'_>)| {
+            let s = line.arc(*along);
+            BeamPlace { s, ends_span: acts.ends_span(line.tangent(s)) }
+        };
+        let mut found: Vec<BeamPlace> = self.of[index].iter().map(place).collect();
+        found.extend(stations(self.builder, index, line));
+        found.sort_by(|a, b| a.s.total_cmp(&b.s));
+        found
+    }
 }
 
 /// Stations of tapered sections on the parts of the beam that have them.

@@ -92,6 +92,14 @@ impl PreparedFunction {
         matches!(self.function, TimeFunction::Constant)
     }
 
+    /// Periods in a second of what swings for ever; zero of anything else \[Hz\].
+    pub fn frequency(&self) -> f64 {
+        match self.function {
+            TimeFunction::Harmonic { frequency, .. } => frequency.abs(),
+            _ => 0.0,
+        }
+    }
+
     /// Prepares a function.
     pub fn new(function: &TimeFunction) -> Self {
         use TimeFunction::*;

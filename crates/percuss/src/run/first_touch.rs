@@ -1,5 +1,7 @@
 //! Where a contact is likely to close first, and what can be said of it there: effective mass, rates of closing.
 
+use std::borrow::Cow;
+
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::touch::{Reach, Touch};
@@ -15,6 +17,10 @@ pub struct FirstTouches<'m> {
     model: &'m Model,
     /// The mass matrix of the reference configuration, factored when it is first needed.
     mass: Option<Result<Tangent, Singular>>,
+    /// No displacement of any node, shape (nodes, 4) \[m, 1, rad\].
+    rest: Vec<[f64; 4]>,
+    /// Velocity of all nodes at the start, shape (nodes, 4) \[m/s, 1/s, rad/s\].
+    velocity: Vec<[f64; 4]>,
 }
 
 /// A pair that is likely to close first, with the displacements in which it does, and whether it approaches.
@@ -22,14 +28,15 @@ struct FirstTouch<'a> {
     pair: &'a Pair,
     touch: Touch,
     /// Displacements of the nodes, shape (nodes, 4) \[m, 1, rad\].
-    u: Vec<[f64; 4]>,
+    u: Cow<'a, [[f64; 4]]>,
     comes: bool,
 }
 
 impl<'m> FirstTouches<'m> {
-    /// Nothing is computed yet.
+    /// The motion at the start; all else is computed when it is asked for.
     pub fn new(model: &'m Model) -> Self {
-        Self { model, mass: None }
+        let rest = vec![[0.0; 4]; model.node_count()];
+        Self { model, mass: None, rest, velocity: velocities(model) }
     }
 
     /// Effective mass of the beams of the contact of number `contact` under a rigid law where they are likely to touch first;
@@ -42,9 +49,9 @@ impl<'m> FirstTouches<'m> {
         if !matches!(data.law, TouchLaw::Rigid(_)) || !pairs.first().is_some_and(beams) {
             return None;
         }
-        let rest = vec![[0.0; 4]; model.node_count()];
-        let FirstTouch { pair, touch, u, comes } = first_touch(model, pairs)?;
-        let mass = self.mass.get_or_insert_with(|| mass_matrix(model, &rest)).as_mut().ok()?;
+        let (rest, velocity) = (&self.rest, &self.velocity);
+        let FirstTouch { pair, touch, u, comes } = first_touch(model, pairs, [rest, velocity])?;
+        let mass = self.mass.get_or_insert_with(|| mass_matrix(model, rest)).as_mut().ok()?;
         let found = EffectiveMass::of_pair(model, mass, &u, pair, &touch)?;
         // Where nothing approaches, the nearest pair may be one that is held and will never close.
         (comes || found.on_mesh.is_finite()).then_some(found)
@@ -56,7 +63,7 @@ impl<'m> FirstTouches<'m> {
         let model = self.model;
         let data = &model.contacts[contact];
         let FirstTouch { pair, touch, u, .. } =
-            first_touch(model, &model.pairs[data.pairs.clone()])?;
+            first_touch(model, &model.pairs[data.pairs.clone()], [&self.rest, &self.velocity])?;
         let row = pair.normal_row(&touch, &Configuration::of(&u));
         let mut all = vec![[0.0; 4]; model.node_count()];
         let each = motions.iter().map(|motion| {
@@ -70,9 +77,8 @@ impl<'m> FirstTouches<'m> {
     /// gap in the reference configuration is the least one.
     pub fn simultaneous(&self, contact: usize) -> usize {
         let model = self.model;
-        let rest = vec![[0.0; 4]; model.node_count()];
         let gap = |pair: &Pair| {
-            let at = Configuration::of(&rest);
+            let at = Configuration::of(&self.rest);
             let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
             touch.map_or(f64::INFINITY, |touch| touch.gap)
         };
@@ -85,15 +91,18 @@ impl<'m> FirstTouches<'m> {
 }
 
 /// The pair that closes first in the motion that all things start with; where nothing approaches, the nearest one.
-fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<FirstTouch<'a>> {
-    let velocity = velocities(model);
-    let mut u = vec![[0.0; 4]; model.node_count()];
+fn first_touch<'a>(
+    model: &Model,
+    pairs: &'a [Pair],
+    [rest, velocity]: [&'a [[f64; 4]]; 2],
+) -> Option<FirstTouch<'a>> {
+    let mut u = Cow::Borrowed(rest);
     let mut found = None;
     for _ in 0..ESTIMATES {
         let at = Configuration::of(&u);
         let seen = pairs.iter().filter_map(|pair| {
             let touch = pair.touch(model, &at, &Memory::default(), Reach::All)?;
-            let rate = pair.normal_row(&touch, &at).on(&velocity);
+            let rate = pair.normal_row(&touch, &at).on(velocity);
             let time = if rate < 0.0 { touch.gap.max(0.0) / -rate } else { f64::INFINITY };
             touch.gap.is_finite().then_some((pair, touch, time))
         });
@@ -105,7 +114,7 @@ fn first_touch<'a>(model: &Model, pairs: &'a [Pair]) -> Option<FirstTouch<'a>> {
         if !time.is_finite() || time == 0.0 {
             break;
         }
-        for (u, v) in u.iter_mut().zip(&velocity) {
+        for (u, v) in u.to_mut().iter_mut().zip(velocity) {
             (0..4).for_each(|i| u[i] += time * v[i]);
         }
     }

@@ -36,7 +36,8 @@ impl Recorder for Limit {
 }
 
 /// Follows a run until `contact` has opened after its first interval, or has not touched up to the end of the settings, or until
-/// `effort` elements times iterations are spent. None if the run cannot begin.
+/// `effort` elements times iterations are spent; to begin it takes as much as an iteration, and one for each pair of its contacts. None if
+/// the run cannot begin, or not for that.
 pub fn preview(
     model: &Model,
     settings: &Settings,
@@ -44,7 +45,8 @@ pub fn preview(
     effort: usize,
 ) -> Option<Preview> {
     let size = model.element_count().max(model.nodes.len()).max(1);
-    let most = effort / size;
+    let begun = size + model.pairs.len();
+    let most = effort.checked_sub(begun)? / size;
     // A contact that begins within the run may open after its end.
     let endless = Settings { end: settings.step * (2 * most + 10) as f64, ..*settings };
     let mut run = Simulation::new(model, &endless).ok()?;
@@ -61,7 +63,12 @@ pub fn preview(
         }
     }
     let first = run.first_intervals();
-    Some(Preview { step: settings.step, time: run.state().time, effort: spent(&run) * size, first })
+    Some(Preview {
+        step: settings.step,
+        time: run.state().time,
+        effort: begun + spent(&run) * size,
+        first,
+    })
 }
 
 impl Simulation<'_> {

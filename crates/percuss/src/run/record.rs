@@ -1,6 +1,7 @@
 //! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
 
 use super::checkpoint::Checkpoint;
+use super::pace::Pace;
 use crate::error::RecorderError;
 use crate::frame::Frame;
 use crate::state::State;
@@ -66,6 +67,16 @@ pub trait Recorder {
     /// Called before a row whose frame is wanted.
     fn frame(&mut self, frame: &Frame<'_>) {
         let _ = frame;
+    }
+
+    /// Whether the pace of the run is wanted, before the first step and after each; if not, [`Recorder::pace`] is not called.
+    fn wants_pace(&mut self) -> bool {
+        false
+    }
+
+    /// Called with the pace that was wanted.
+    fn pace(&mut self, pace: &Pace<'_>) {
+        let _ = pace;
     }
 
     /// Whether a checkpoint is wanted before the next step, of which `last` says that it is the last one; if not,

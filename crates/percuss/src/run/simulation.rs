@@ -233,6 +233,7 @@ impl<'m> Simulation<'m> {
         {
             return Termination::Failed(error);
         }
+        self.tell_pace(recorder);
         while !self.is_over() {
             let step = self.state.step;
             if let Err(error) = self.offer_checkpoint(recorder, self.is_last_step()) {
@@ -242,6 +243,7 @@ impl<'m> Simulation<'m> {
                 Ok(flow) => flow,
                 Err(error) => return Termination::Failed(error),
             };
+            self.tell_pace(recorder);
             let stops = flow == Flow::Stop && !self.is_over();
             let due = self.state.step.is_multiple_of(self.settings.record_every);
             let mut noted = if due { self.record(recorder) } else { Ok(()) };
@@ -259,6 +261,13 @@ impl<'m> Simulation<'m> {
             }
         }
         Termination::Completed
+    }
+
+    /// Hands the pace to a recorder that wants it.
+    fn tell_pace(&self, recorder: &mut dyn Recorder) {
+        if recorder.wants_pace() {
+            recorder.pace(&self.pace());
+        }
     }
 
     /// Hands a checkpoint to a recorder that wants one.

@@ -6,7 +6,7 @@ use super::{Answered, Asked};
 
 /// A point by the names of its parameters.
 pub fn read(text: &str) -> Result<Asked, String> {
-    let value: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
+    let value = crate::json::read(text)?;
     let table = value.as_object().ok_or("expected names and numbers, such as {\"speed\": 20}")?;
     let number = |(name, value): (&String, &Value)| match value.as_f64() {
         Some(number) => Ok((name.clone(), number)),

@@ -1,9 +1,9 @@
 //! What receives the rows of a run.
 
-use percuss::{Channel, Checkpoint, Flow, Frame, Recorder, RecorderError};
-use percuss_output::HistoryWriter;
+use percuss::{Channel, Checkpoint, Flow, Frame, Pace, Recorder, RecorderError};
 use percuss_output::checkpoint::Rows;
 use percuss_output::fields::FrameStore;
+use percuss_output::{HistoryWriter, PaceWatch};
 
 use super::checkpoints::Checkpoints;
 use crate::progress::Progress;
@@ -38,6 +38,8 @@ pub struct RunRecorder {
     energy: Option<EnergySeries>,
     frames: FrameStore,
     progress: Progress,
+    /// Says how a long run goes; none where nothing is to be said.
+    pace: Option<PaceWatch>,
     checkpoints: Option<Checkpoints>,
     /// Rows up to the checkpoint that the run goes on from.
     earlier: Option<Rows>,
@@ -51,7 +53,14 @@ impl RunRecorder {
         frames: FrameStore,
         progress: Progress,
     ) -> Self {
-        Self { history, energy, frames, progress, checkpoints: None, earlier: None }
+        let (pace, checkpoints, earlier) = (None, None, None);
+        Self { history, energy, frames, progress, pace, checkpoints, earlier }
+    }
+
+    /// Says how a long run goes, if that is wanted.
+    pub fn telling_pace(mut self, wanted: bool) -> Self {
+        self.pace = wanted.then(PaceWatch::default);
+        self
     }
 
     /// Takes checkpoints too; `earlier` are the rows up to the one that the run goes on from.
@@ -95,6 +104,16 @@ impl Recorder for RunRecorder {
             checkpoints.row(values)?;
         }
         self.note(values)
+    }
+
+    fn wants_pace(&mut self) -> bool {
+        self.pace.as_ref().is_some_and(PaceWatch::wants)
+    }
+
+    fn pace(&mut self, pace: &Pace<'_>) {
+        if let Some(text) = self.pace.as_mut().and_then(|watch| watch.look(pace)) {
+            self.progress.tell(&text);
+        }
     }
 
     fn wants_checkpoint(&mut self, last: bool) -> bool {

@@ -35,6 +35,10 @@ pub struct Answer {
 pub enum Kind {
     /// The request.
     Input,
+    /// A request that is too long.
+    Large,
+    /// Whoever asks, or by what name.
+    Forbidden,
     /// The name of the model.
     Name,
     /// Something that is not offered.
@@ -48,6 +52,8 @@ impl Answer {
     pub fn failure(kind: Kind, text: String) -> Self {
         let (status, name) = match kind {
             Kind::Input => (400, "InvalidInput"),
+            Kind::Large => (413, "InvalidInput"),
+            Kind::Forbidden => (403, "InvalidInput"),
             Kind::Name => (400, "ModelNotFound"),
             Kind::Feature => (400, "UnsupportedFeature"),
             Kind::Model => (500, "InvalidOutput"),
@@ -80,7 +86,7 @@ fn told(model: &mut Model<'_>, posted: bool, path: &str, body: &str) -> Result<V
     if !posted {
         return Err((Kind::Input, format!("`{path}` is asked by POST")));
     }
-    let request: Value = serde_json::from_str(body)
+    let request = crate::json::read(body)
         .map_err(|error| (Kind::Input, format!("the request is no JSON: {error}")))?;
     refuse_others(&request)?;
     match path {

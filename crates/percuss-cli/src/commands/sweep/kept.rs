@@ -7,6 +7,7 @@ use percuss_study::{KEPT, Study};
 
 use crate::commands::run;
 use crate::outcome::{Failure, Status};
+use crate::replacing;
 use crate::run_arguments::{History, Run};
 
 /// Runs that the study does not have.
@@ -31,7 +32,7 @@ pub fn keep(study: &Study, out: &Path, runs: &[u64]) -> Result<Status, Failure> 
         })?;
         std::fs::create_dir_all(&place).map_err(|e| Failure::system(&place, "create", &e))?;
         let file = place.join(format!("run-{run}.toml"));
-        std::fs::write(&file, text).map_err(|e| Failure::system(&file, "write", &e))?;
+        replacing::put(&file, text.as_bytes(), &|_| true)?;
         let arguments = Run {
             file,
             out: Some(place.join(format!("run-{run}"))),

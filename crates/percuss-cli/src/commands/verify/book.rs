@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 use std::fs;
-use std::io;
 use std::path::Path;
 
 use percuss_verification::{Check, Tolerance};
@@ -10,6 +9,8 @@ use percuss_verification::{Check, Tolerance};
 use super::figure::{drawn, sketch};
 use super::table::{cells, share_used};
 use super::{Done, verdict};
+use crate::outcome::Failure;
+use crate::replacing;
 
 /// Checks of a case that its figure shows.
 const SHOWN: usize = 40;
@@ -22,23 +23,29 @@ const LEAST: f64 = 1e-8;
 ///
 /// # Errors
 /// A file that cannot be written.
-pub(super) fn write(folder: &Path, all: &[Done]) -> io::Result<()> {
-    fs::create_dir_all(folder)?;
-    fs::write(folder.join("index.md"), index(all))?;
+pub(super) fn write(folder: &Path, all: &[Done]) -> Result<(), Failure> {
+    let made = fs::create_dir_all(folder);
+    made.map_err(|error| Failure::system(folder, "create", &error))?;
+    put(&folder.join("index.md"), index(all))?;
     for done in all {
-        fs::write(folder.join(format!("{}.svg", done.case.id)), bars(&done.checks))?;
+        put(&folder.join(format!("{}.svg", done.case.id)), bars(&done.checks))?;
         for (k, figure) in done.report.figures.iter().enumerate() {
             let name = format!("{}-figure-{}.svg", done.case.id, k + 1);
-            fs::write(folder.join(name), drawn(figure))?;
+            put(&folder.join(name), drawn(figure))?;
         }
         for (name, text) in &done.report.files {
             if let Some(svg) = sketch(text, name) {
-                fs::write(folder.join(sketch_name(done.case.id, name)), svg)?;
+                put(&folder.join(sketch_name(done.case.id, name)), svg)?;
             }
         }
-        fs::write(folder.join(format!("{}.md", done.case.id)), page(folder, done))?;
+        put(&folder.join(format!("{}.md", done.case.id)), page(folder, done))?;
     }
     Ok(())
+}
+
+/// Writes a page or figure in place of an earlier one.
+fn put(file: &Path, text: impl AsRef<[u8]>) -> Result<(), Failure> {
+    replacing::put(file, text.as_ref(), &|_| true)
 }
 
 fn index(all: &[Done]) -> String {

@@ -6,7 +6,7 @@ mod contacts;
 mod supports;
 mod yielding;
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use super::builder::ModelBuilder;
 use super::definition::*;
@@ -151,16 +151,19 @@ fn check_sections(model: &ModelBuilder, out: &mut Faults) {
 
 fn check_initial_motions(model: &ModelBuilder, out: &mut Faults) {
     let all = [(String::new(), model.initial_motion)];
+    let mut parts: HashMap<&str, usize> = HashMap::new();
+    let beams = model.beams.iter().map(|beam| beam.name.as_str());
+    for name in beams.chain(model.masses.iter().map(|mass| mass.name.as_str())) {
+        *parts.entry(name).or_default() += 1;
+    }
     for (name, motion) in all.iter().chain(&model.own_motions) {
         let path = if name.is_empty() { "initial".to_owned() } else { format!("initial.{name}") };
         out.finite(format!("{path}.velocity"), &motion.velocity, "m/s");
         out.finite(format!("{path}.spin"), &[motion.spin], "rad/s");
         out.finite(format!("{path}.about"), &motion.about, "m");
-        let beams = model.beams.iter().filter(|beam| beam.name == *name).count();
-        let masses = model.masses.iter().filter(|mass| mass.name == *name).count();
-        if !name.is_empty() && beams + masses != 1 {
-            let found =
-                if beams + masses == 0 { "no such part" } else { "a beam and a point mass" };
+        let named = parts.get(name.as_str()).copied().unwrap_or_default();
+        if !name.is_empty() && named != 1 {
+            let found = if named == 0 { "no such part" } else { "a beam and a point mass" };
             out.add(path, found, "the name of one beam, or of one point mass");
         }
     }
@@ -187,10 +190,11 @@ fn names(model: &ModelBuilder, out: &mut Faults) {
         kind: &str,
         names: impl Iterator<Item = &'a String>,
         other: &str,
-        taken: impl Iterator<Item = &'a String> + Clone,
+        taken: impl Iterator<Item = &'a String>,
         out: &mut Faults,
     ) {
-        for name in names.filter(|name| taken.clone().any(|t| t == *name)) {
+        let taken: HashSet<&String> = taken.collect();
+        for name in names.filter(|name| taken.contains(name)) {
             let found = format!("the name of a {other}");
             out.add(format!("{kind}.{name}"), found, "a name of its own");
         }

@@ -1,0 +1,47 @@
+//! How a run goes: what a recorder asks for that tells how long it will take, and why.
+
+use super::simulation::Simulation;
+use crate::summary::ContactRecord;
+
+/// How a run goes, between two steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pace<'a> {
+    /// Steps made.
+    pub step: usize,
+    /// Time reached \[s\].
+    pub time: f64,
+    /// Time at which the run ends \[s\].
+    pub end: f64,
+    /// Corrections of Newton's iteration so far.
+    pub iterations: usize,
+    /// Impacts, and closings of contacts under smooth laws, so far.
+    pub impacts: usize,
+    /// The contact that most of them are of, and how many; none before the first one.
+    pub busiest: Option<(&'a str, usize)>,
+}
+
+impl Simulation<'_> {
+    /// How the run goes.
+    pub fn pace(&self) -> Pace<'_> {
+        let counts = self.monitor.contacts.records.iter().map(|record| match record {
+            ContactRecord::Smooth { intervals, .. } => intervals.len(),
+            ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
+        });
+        let named = self.model.contacts.iter().map(|contact| contact.name.as_str()).zip(counts);
+        let (mut impacts, mut busiest) = (0, None);
+        for (name, count) in named.filter(|(_, count)| *count > 0) {
+            impacts += count;
+            if busiest.is_none_or(|(_, most)| count > most) {
+                busiest = Some((name, count));
+            }
+        }
+        Pace {
+            step: self.state.step,
+            time: self.state.time,
+            end: self.settings.end,
+            iterations: self.effort.iterations,
+            impacts,
+            busiest,
+        }
+    }
+}
