@@ -73,7 +73,8 @@ catalogue! {
              --path`), tell what the structure carries.";
         /// A file that was changed while a command worked.
         Changed = "W118", "a file that was changed meanwhile",
-            "A file that the command replaces was changed since it was written, or came to stand there while the command worked. The new one is in its              place, and the changed one is kept beside it as `NAME.changed-1`: nothing of it is lost.";
+            "A file that the command replaces was changed since it was written, or came to stand there while the command worked. The new one is in its \
+             place, and the changed one is kept beside it as `NAME.changed-1`.";
     }
 }
 

@@ -16,7 +16,6 @@ mod files;
 mod history;
 mod impacts;
 mod modes;
-mod pace;
 pub mod paraview;
 mod path;
 mod place;
@@ -24,6 +23,7 @@ pub mod report;
 mod shapes;
 pub mod shock;
 mod summary;
+mod time_estimate;
 mod unfinished;
 
 pub use comparison::{ComparisonSeries, read_comparison, write_comparison};
@@ -38,10 +38,10 @@ pub use history::{
 };
 pub use impacts::write_impacts;
 pub use modes::{ModesInfo, modes_value, write_modes};
-pub use pace::PaceWatch;
 pub use path::{PathInfo, PathShapes, path_value, write_path};
 pub use summary::{
     Picked, RunInfo, SummaryPath, allowances, pick, pick_derivatives, provenance, read_summary,
     summary_paths, summary_value, write_summary,
 };
+pub use time_estimate::TimeEstimate;
 pub use unfinished::{Unfinished, unfinished};

@@ -2,9 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use percuss::{Channel, Flow, Frame, Pace, Recorder, RecorderError};
+use percuss::{Channel, Flow, Frame, Recorder, RecorderError, RunStatus};
 use percuss_output::fields::FrameStore;
-use percuss_output::{HistoryWriter, PaceWatch};
+use percuss_output::{HistoryWriter, TimeEstimate};
 use pyo3::prelude::*;
 
 use crate::given::Given;
@@ -34,7 +34,7 @@ pub struct RunRecorder<'a> {
     /// Why Python wants the run to stop.
     pub raised: Option<PyErr>,
     next_look: Instant,
-    pace: PaceWatch,
+    estimate: TimeEstimate,
     rows: usize,
 }
 
@@ -56,7 +56,7 @@ impl<'a> RunRecorder<'a> {
             given,
             raised: None,
             next_look: Instant::now() + LOOK,
-            pace: PaceWatch::default(),
+            estimate: TimeEstimate::default(),
             rows: rows.min(1 << 16),
         }
     }
@@ -100,13 +100,13 @@ impl Recorder for RunRecorder<'_> {
         self.frames.take(frame);
     }
 
-    fn wants_pace(&mut self) -> bool {
-        self.pace.wants()
+    fn wants_status(&mut self) -> bool {
+        self.estimate.wants()
     }
 
     /// Goes to the logger `percuss`, which says it on standard error unless the user has other plans for it.
-    fn pace(&mut self, pace: &Pace<'_>) {
-        let Some(text) = self.pace.look(pace) else { return };
+    fn status(&mut self, status: &RunStatus<'_>) {
+        let Some(text) = self.estimate.look(status) else { return };
         let logged = Python::attach(|py| {
             let logger = py.import("logging")?.call_method1("getLogger", ("percuss",))?;
             logger.call_method1("warning", (text,)).map(drop)

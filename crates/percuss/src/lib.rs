@@ -47,8 +47,8 @@ pub use ledger::{Ledger, Measures};
 pub use model::*;
 pub use percuss_codes::{AnalysisCode, Caution};
 pub use run::{
-    Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Pace, Preview, Recorder,
-    ResumeError, Simulation, first_step, massless, preview, reference_state, simulate,
+    Channel, Checkpoint, FirstTouches, Flow, MemoryRecorder, NoRecorder, Preview, Recorder,
+    ResumeError, RunStatus, Simulation, first_step, massless, preview, reference_state, simulate,
     yielded_at_rest,
 };
 pub use settings::{

@@ -255,7 +255,7 @@ fn simulate(
     let energy = keeps_energy.then(EnergySeries::default);
     let mut recorder =
         RunRecorder::new(history, energy, frames, progress).with_checkpoints(checkpoints, rows);
-    recorder = recorder.telling_pace(shows_progress(arguments));
+    recorder = recorder.estimating_time(shows_progress(arguments));
     let (begun, started) = (Instant::now(), SystemTime::now());
     let summary = simulation.run(&mut recorder);
     let wall_seconds = before + begun.elapsed().as_secs_f64();

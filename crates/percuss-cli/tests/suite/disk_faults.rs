@@ -10,8 +10,11 @@ use serde_json::Value;
 
 use crate::common::{Desk, ELASTIC, Outcome};
 
+/// ENOSPC.
+const NO_SPACE: i32 = 28;
+
 /// Errors of the system, in turn: no space, input and output, permission, too many files.
-const ERRORS: [i32; 4] = [28, 5, 13, 24];
+const ERRORS: [i32; 4] = [NO_SPACE, 5, 13, 24];
 
 /// The library that makes operations fail; none where there is no C compiler.
 pub fn shim(desk: &Desk) -> Option<PathBuf> {
@@ -153,6 +156,9 @@ impl Case<'_> {
         holds(whole, &format!("neither earlier nor new results ({})", differing(&found, after)))?;
         let told = outcome.status.is_some_and(|s| s != 0);
         holds(error == 0 || found != *before || told, "nothing was done, and nothing said")?;
+        let named =
+            error != NO_SPACE || !told || outcome.stderr.contains("No space left on device");
+        holds(named, "the full disk is not named")?;
         // Whoever comes next puts it in order; an extension that is done is not done again.
         let again = self.run(None);
         let done = found == *after && again.stderr.contains("reaches 0.003 s already");

@@ -217,7 +217,7 @@ struct Boxed<'a> {
     points: &'a [[f64; 2]],
     /// Leaves, a power of two.
     leaves: usize,
-    /// The boxes, from number 1 on, shape (2 leaves) \[m\].
+    /// The boxes, from number 1 on, shape (2 leaves, 2, 2) \[m\].
     boxes: Vec<Box2>,
 }
 

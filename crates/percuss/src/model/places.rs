@@ -29,8 +29,12 @@ enum Acts<'b> {
     Across,
     /// A support, by what it holds.
     Support(&'b SupportKind),
-    /// A force, shape (2) \[N\], in the axes of the plane or, of a follower, along and across the beam.
-    Force { force: [f64; 2], follower: bool },
+    /// A force.
+    Force {
+        /// In the axes of the plane or, of a follower, along and across the beam, shape (2) \[N\].
+        force: [f64; 2],
+        follower: bool,
+    },
 }
 
 impl Acts<'_> {

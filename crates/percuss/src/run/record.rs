@@ -1,7 +1,7 @@
 //! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
 
 use super::checkpoint::Checkpoint;
-use super::pace::Pace;
+use super::status::RunStatus;
 use crate::error::RecorderError;
 use crate::frame::Frame;
 use crate::state::State;
@@ -69,14 +69,14 @@ pub trait Recorder {
         let _ = frame;
     }
 
-    /// Whether the pace of the run is wanted, before the first step and after each; if not, [`Recorder::pace`] is not called.
-    fn wants_pace(&mut self) -> bool {
+    /// Whether the status of the run is wanted, before the first step and after each; if not, [`Recorder::status`] is not called.
+    fn wants_status(&mut self) -> bool {
         false
     }
 
-    /// Called with the pace that was wanted.
-    fn pace(&mut self, pace: &Pace<'_>) {
-        let _ = pace;
+    /// Called with the status that was wanted.
+    fn status(&mut self, status: &RunStatus<'_>) {
+        let _ = status;
     }
 
     /// Whether a checkpoint is wanted before the next step, of which `last` says that it is the last one; if not,

@@ -265,8 +265,8 @@ impl<'m> Simulation<'m> {
 
     /// Hands the pace to a recorder that wants it.
     fn tell_pace(&self, recorder: &mut dyn Recorder) {
-        if recorder.wants_pace() {
-            recorder.pace(&self.pace());
+        if recorder.wants_status() {
+            recorder.status(&self.status());
         }
     }
 

@@ -1,9 +1,9 @@
 //! What receives the rows of a run.
 
-use percuss::{Channel, Checkpoint, Flow, Frame, Pace, Recorder, RecorderError};
+use percuss::{Channel, Checkpoint, Flow, Frame, Recorder, RecorderError, RunStatus};
 use percuss_output::checkpoint::Rows;
 use percuss_output::fields::FrameStore;
-use percuss_output::{HistoryWriter, PaceWatch};
+use percuss_output::{HistoryWriter, TimeEstimate};
 
 use super::checkpoints::Checkpoints;
 use crate::progress::Progress;
@@ -39,7 +39,7 @@ pub struct RunRecorder {
     frames: FrameStore,
     progress: Progress,
     /// Says how a long run goes; none where nothing is to be said.
-    pace: Option<PaceWatch>,
+    estimate: Option<TimeEstimate>,
     checkpoints: Option<Checkpoints>,
     /// Rows up to the checkpoint that the run goes on from.
     earlier: Option<Rows>,
@@ -53,13 +53,13 @@ impl RunRecorder {
         frames: FrameStore,
         progress: Progress,
     ) -> Self {
-        let (pace, checkpoints, earlier) = (None, None, None);
-        Self { history, energy, frames, progress, pace, checkpoints, earlier }
+        let (estimate, checkpoints, earlier) = (None, None, None);
+        Self { history, energy, frames, progress, estimate, checkpoints, earlier }
     }
 
     /// Says how a long run goes, if that is wanted.
-    pub fn telling_pace(mut self, wanted: bool) -> Self {
-        self.pace = wanted.then(PaceWatch::default);
+    pub fn estimating_time(mut self, wanted: bool) -> Self {
+        self.estimate = wanted.then(TimeEstimate::default);
         self
     }
 
@@ -106,12 +106,12 @@ impl Recorder for RunRecorder {
         self.note(values)
     }
 
-    fn wants_pace(&mut self) -> bool {
-        self.pace.as_ref().is_some_and(PaceWatch::wants)
+    fn wants_status(&mut self) -> bool {
+        self.estimate.as_ref().is_some_and(TimeEstimate::wants)
     }
 
-    fn pace(&mut self, pace: &Pace<'_>) {
-        if let Some(text) = self.pace.as_mut().and_then(|watch| watch.look(pace)) {
+    fn status(&mut self, status: &RunStatus<'_>) {
+        if let Some(text) = self.estimate.as_mut().and_then(|watch| watch.look(status)) {
             self.progress.tell(&text);
         }
     }

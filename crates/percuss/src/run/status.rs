@@ -1,11 +1,11 @@
-//! How a run goes: what a recorder asks for that tells how long it will take, and why.
+//! The state of a run between two steps, from which follow how long it will take and why.
 
 use super::simulation::Simulation;
 use crate::summary::ContactRecord;
 
-/// How a run goes, between two steps.
+/// What a run has done so far, between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pace<'a> {
+pub struct RunStatus<'a> {
     /// Steps made.
     pub step: usize,
     /// Time reached \[s\].
@@ -21,8 +21,8 @@ pub struct Pace<'a> {
 }
 
 impl Simulation<'_> {
-    /// How the run goes.
-    pub fn pace(&self) -> Pace<'_> {
+    /// What the run has done so far.
+    pub fn status(&self) -> RunStatus<'_> {
         let counts = self.monitor.contacts.records.iter().map(|record| match record {
             ContactRecord::Smooth { intervals, .. } => intervals.len(),
             ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
@@ -35,7 +35,7 @@ impl Simulation<'_> {
                 busiest = Some((name, count));
             }
         }
-        Pace {
+        RunStatus {
             step: self.state.step,
             time: self.state.time,
             end: self.settings.end,
