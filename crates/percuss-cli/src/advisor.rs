@@ -33,7 +33,7 @@ pub fn tell(advice: &[Advice]) {
     }
     let rest = told.len().saturating_sub(MOST);
     if rest > 0 {
-        told.sort_by(|a, b| b.0.verdict.cmp(&a.0.verdict));
+        told.sort_by_key(|(one, _)| std::cmp::Reverse(one.verdict));
         told.truncate(MOST);
     }
     for (one, all) in told {
