@@ -153,7 +153,7 @@ fn runs(number: u64) -> String {
 fn contents(ready: &Ready) -> String {
     let (content, model) = (ready.scenario.content(), &ready.compiled.model);
     // The model's own count has a node for every projectile and obstacle.
-    let nodes = model.beam_names().filter_map(|name| model.beam_nodes(name)).map(|n| n.len()).sum();
+    let nodes = model.beam_node_count();
     let settings = &ready.compiled.settings;
     let steps = match settings.accuracy {
         Some(accuracy) => format!("steps for an accuracy of {} %", number(100.0 * accuracy)),

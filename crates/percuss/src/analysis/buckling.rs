@@ -161,7 +161,7 @@ fn find(
         return Err(BucklingOutcome::Mechanism);
     }
     let stiffness = layout.tangent_with(&unloaded, 0.0);
-    let factored = layout.factor(&stiffness, true).ok_or(BucklingOutcome::Unstable)?;
+    let factored = layout.factor(stiffness, true).ok_or(BucklingOutcome::Unstable)?;
     if factored.negative > 0 {
         return Err(BucklingOutcome::Unstable);
     }
@@ -187,7 +187,7 @@ impl Buckling<'_> {
 
     /// Number of factors between zero and `factor`; `None` if it is one itself.
     fn below(&self, factor: f64) -> Option<usize> {
-        Some(self.layout.factor(&self.at(factor), true)?.negative)
+        Some(self.layout.factor(self.at(factor), true)?.negative)
     }
 
     /// The lowest factors up to `most`.
@@ -211,7 +211,7 @@ impl Buckling<'_> {
     /// The lowest factors, all of them above `shift`: `(K + shift K_g)^-1 K` has the eigenvalues `factor / (factor - shift)`, of
     /// which those of positive factors alone are above one.
     fn above(&self, shift: f64, count: usize) -> Option<Vec<BucklingMode>> {
-        let factored = self.layout.factor(&self.at(shift), false)?;
+        let factored = self.layout.factor(self.at(shift), false)?;
         let image_of = |x: &Nodal| self.layout.multiply(&self.stiffness, x);
         let solve = |image: &Nodal| factored.solve(image);
         let mut krylov = Krylov::new(self.layout.model.node_count(), &[], image_of, solve);

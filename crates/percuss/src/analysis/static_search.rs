@@ -91,7 +91,7 @@ impl<'m> StaticSearch<'m> {
         // Prescribed motions start from nothing here.
         base.coordinates =
             model.connectors.iter().map(|c| c.value(&base.displacement, 0.0)).collect();
-        let (work, forcing) = (Workspace::new(model), Forcing::new(model));
+        let (work, forcing) = (Workspace::at_rest(model), Forcing::new(model));
         let contacts = StaticContacts::new(model, &base);
         let (withheld, let_go, gaps) = (Vec::new(), 1.0, None);
         let (iterations, motions, stressed) = (0, Motions::Growing, true);

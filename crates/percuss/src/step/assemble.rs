@@ -46,16 +46,21 @@ pub struct EndForces {
 impl EndForces {
     /// Nothing assembled yet.
     pub fn new(model: &Model) -> Self {
+        Self { sweep: Sweep::new(model), ..Self::one_by_one(model) }
+    }
+
+    /// The same for statics, which evaluates elements one by one.
+    pub fn one_by_one(model: &Model) -> Self {
         Self {
             on_nodes: vec![[[0.0; 4]; 2]; model.element_count()],
             inertia: vec![[0.0; 4]; model.beam_node_count()],
-            sweep: Sweep::new(model),
+            sweep: Sweep::default(),
         }
     }
 
     /// Forces of the strains of a state at rest, with gravity.
     pub fn at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> Self {
-        let mut forces = Self::new(model);
+        let mut forces = Self::one_by_one(model);
         let zero = vec![[0.0; 4]; model.node_count()];
         let mut residual = zero.clone();
         let integration = &Integration { h: 1.0, rule: Rule::Static };

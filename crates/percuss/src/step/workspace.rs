@@ -53,8 +53,13 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// Scratch for `model`.
+    /// Scratch for a run of `model`.
     pub fn new(model: &Model) -> Self {
+        Self { beams: EndForces::new(model), ..Self::at_rest(model) }
+    }
+
+    /// Scratch for statics of `model`.
+    pub fn at_rest(model: &Model) -> Self {
         let n = model.node_count();
         Self {
             increment: vec![[0.0; 4]; n],
@@ -66,7 +71,7 @@ impl Workspace {
             turned: 0.0,
             rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
-            beams: EndForces::new(model),
+            beams: EndForces::one_by_one(model),
             correction: vec![[0.0; 4]; n],
             correction_before: Vec::new(),
             modal: MovingModes::default(),

@@ -40,8 +40,8 @@ impl Factored<'_> {
 
 impl Layout<'_> {
     /// Factors a matrix; with its negative eigenvalues beside those of constraints if `count`. `None` if it is singular.
-    pub fn factor(&self, matrix: &Matrix, count: bool) -> Option<Factored<'_>> {
-        let mut values = matrix.values.clone();
+    pub fn factor(&self, matrix: Matrix, count: bool) -> Option<Factored<'_>> {
+        let Matrix { mut values, constrained, .. } = matrix;
         for (h, dofs) in self.model.prescribed.iter().enumerate() {
             let (group, at) = self.home[dofs.node];
             let (start, stride) = self.pattern.place(group, group);
@@ -56,7 +56,7 @@ impl Layout<'_> {
             }
         }
         let factors = Factors::new(&self.pattern, values, count)?;
-        let negative = factors.negative.saturating_sub(matrix.constrained);
+        let negative = factors.negative.saturating_sub(constrained);
         Some(Factored { layout: self, factors, negative })
     }
 }

@@ -30,16 +30,17 @@ pub struct FreeMotions {
 pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     let model = layout.model;
     let length = size(model);
-    let stiffness = layout.kinematic(search, length);
     let metric = metric(model, true);
-    let mut below = stiffness.clone();
-    layout.add_band(&mut below, &metric, -NONE);
-    let count = layout.factor(&below, true).map_or(0, |f| f.negative);
+    // Formed again where it is needed again: few structures have free motions, and it is what takes most memory.
+    let shifted = |shift: f64| {
+        let mut stiffness = layout.kinematic(search, length);
+        layout.add_band(&mut stiffness, &metric, shift);
+        stiffness
+    };
+    let count = layout.factor(shifted(-NONE), true).map_or(0, |f| f.negative);
     let mut motions = Vec::new();
     if count > 0 {
-        let mut shifted = stiffness;
-        layout.add_band(&mut shifted, &metric, 1.0);
-        if let Some(factored) = layout.factor(&shifted, false) {
+        if let Some(factored) = layout.factor(shifted(1.0), false) {
             let image_of = |x: &Nodal| metric.multiply(x);
             let solve = |image: &Nodal| factored.solve(image);
             let mut krylov = Krylov::new(model.node_count(), &[], image_of, solve);

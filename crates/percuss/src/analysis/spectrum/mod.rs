@@ -92,7 +92,7 @@ pub fn stability_about(model: &Model, search: &StaticSearch, held: Vec<Held>) ->
         return Stability { stable, negative: None };
     }
     layout.add_band(&mut tangent, &metric(model, false), NEUTRAL);
-    Stability::counted(layout.factor(&tangent, true).map(|f| f.negative))
+    Stability::counted(layout.factor(tangent, true).map(|f| f.negative))
 }
 
 /// The same by a tangent that was assembled, that of beams that yield as they are loaded on; nothing where it is not symmetric.
@@ -107,5 +107,5 @@ pub fn stability_loaded(
         return None;
     }
     layout.add_band(&mut matrix, &metric(model, false), NEUTRAL);
-    Some(Stability::counted(layout.factor(&matrix, true).map(|f| f.negative)))
+    Some(Stability::counted(layout.factor(matrix, true).map(|f| f.negative)))
 }

@@ -41,7 +41,7 @@ impl Pencil<'_> {
 
     /// Number of eigenvalues below `value`, by the signs of pivots; `None` if it is one itself.
     pub fn below(&self, value: f64) -> Option<usize> {
-        Some(self.layout.factor(&self.shifted(-value), true)?.negative)
+        Some(self.layout.factor(self.shifted(-value), true)?.negative)
     }
 
     /// The `count` lowest eigenvalues above minus `shift`, in ascending order: all there are, by count. `springs` stand in for
@@ -86,7 +86,7 @@ impl Pencil<'_> {
         for (node, component, value) in springs {
             self.layout.add_stiffness(&mut matrix, *node, *component, *value);
         }
-        let factored = self.layout.factor(&matrix, false)?;
+        let factored = self.layout.factor(matrix, false)?;
         let image_of = |x: &Nodal| self.mass.multiply(x);
         let solve = |image: &Nodal| factored.solve(image);
         let mut krylov = Krylov::new(self.layout.model.node_count(), deflated, image_of, solve);
@@ -121,7 +121,7 @@ impl Pencil<'_> {
     /// Eigenvalues nearest to minus `shift` where stiffness is not symmetric; of a complex pair the one with positive imaginary
     /// part.
     pub fn nearest(&self, shift: f64, count: usize) -> Option<Vec<Eigen>> {
-        let factored = self.layout.factor(&self.shifted(shift), false)?;
+        let factored = self.layout.factor(self.shifted(shift), false)?;
         let image_of = |x: &Nodal| self.mass.multiply(x);
         let solve = |image: &Nodal| factored.solve(image);
         let mut krylov = Krylov::new(self.layout.model.node_count(), &[], image_of, solve);

@@ -96,9 +96,11 @@ impl Layout<'_> {
         let add = |c: &Connector, s: &ConnectorStep| {
             self.add_spring(&mut matrix, c, s, StressTerms::Left(length).of_spring(c, s.slope));
         };
-        let mut unused = Tangent::new(self.model);
-        let (base, forcing) = (&search.base, &search.forcing);
-        connectors::apply_turning(self.model, base, &RULE, forcing, &mut unused, add);
+        if !self.model.connectors.is_empty() {
+            let mut unused = Tangent::new(self.model);
+            let (base, forcing) = (&search.base, &search.forcing);
+            connectors::apply_turning(self.model, base, &RULE, forcing, &mut unused, add);
+        }
         self.add_held_kinematic(&mut matrix, length);
         self.add_border(&mut matrix, search);
         matrix
@@ -110,17 +112,26 @@ impl Layout<'_> {
         search: &StaticSearch,
         weigh: impl Fn(&Span, usize, usize) -> (Wide, Stored),
     ) {
+        let u = &search.base.displacement;
+        // Of an element that differs in nothing from the one before the matrix is known.
+        let mut known = None;
         for (span, k, a, e) in self.model.each_element() {
             if is_gap(search, span, k) {
                 continue;
             }
             let (factor, stored) = weigh(span, k, e);
-            let sums = element(span, k, a, &search.base.displacement, &stored);
-            let none = [[Wide::ZERO; 4]; 4];
-            let [aa, ab, ba, bb] = sums.nodal_tangent(&none, Wide::ZERO);
-            for (i, j, block) in [(a, a, aa), (a, a + 1, ab), (a + 1, a, ba), (a + 1, a + 1, bb)] {
-                self.add(matrix, i, j, &block.map(|row| row.map(|x| x * factor)));
-            }
+            let of = (std::ptr::from_ref(span.table(k)), u[a], u[a + 1], stored);
+            let blocks = match known {
+                Some((before, blocks)) if before == of => blocks,
+                _ => {
+                    let none = [[Wide::ZERO; 4]; 4];
+                    let blocks = element(span, k, a, u, &stored).nodal_tangent(&none, Wide::ZERO);
+                    blocks.map(|block| block.map(|row| row.map(|x| x * factor)))
+                }
+            };
+            known = Some((of, blocks));
+            let places = [(a, a), (a, a + 1), (a + 1, a), (a + 1, a + 1)];
+            places.iter().zip(&blocks).for_each(|((i, j), block)| self.add(matrix, *i, *j, block));
         }
     }
 

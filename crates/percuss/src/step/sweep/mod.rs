@@ -90,7 +90,7 @@ impl Sweep {
 
     /// Whether the elements of a span are swept.
     pub fn has(&self, span: usize) -> bool {
-        self.tables[span].is_some() && self.bears[span]
+        self.tables.get(span).is_some_and(Option::is_some) && self.bears[span]
     }
 
     /// Whether the elements of a span are swept, and what acts on them is what the last evaluation found.
