@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use percuss::scene::Scene;
 use percuss::{
     Equilibrium, FailureKind, FollowerStability, LinearBuckling, Model, PlasticSummary,
     SectionForceSummary, SectionPeak, SectionRange, StaticBalance, StaticContact, StaticFailure,
@@ -13,22 +12,8 @@ use serde_json::{Map, Value, json};
 use crate::error::Error;
 use crate::files;
 use crate::report::still;
+pub use crate::report::still::EquilibriumInfo;
 use crate::summary::plastic;
-
-/// An equilibrium and what it belongs to.
-#[derive(Clone, Copy, Debug)]
-pub struct EquilibriumInfo<'a> {
-    /// The scenario's title.
-    pub title: &'a str,
-    /// What stands in the model.
-    pub scene: &'a Scene,
-    /// The equilibrium.
-    pub found: &'a Equilibrium,
-    /// Its linear buckling.
-    pub linear: &'a LinearBuckling,
-    /// The model it is of.
-    pub model: &'a Model,
-}
 
 /// Writes `static.json` and `static.html` into `dir`.
 ///

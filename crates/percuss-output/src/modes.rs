@@ -4,33 +4,19 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use percuss::scene::Scene;
-use percuss::{Frame, Mode, ModeKind, Model};
+use percuss::{Frame, Mode, ModeKind};
 use serde_json::{Value, json};
 
 use crate::csv_text;
 use crate::error::Error;
 use crate::files;
 use crate::report::quantity::number;
+pub use crate::report::still::ModesInfo;
 use crate::report::{pictures, still};
 use crate::shapes::{self, Panel};
 
 /// Modes drawn.
 const DRAWN: usize = 60;
-
-/// Modes and what they belong to.
-#[derive(Clone, Copy, Debug)]
-pub struct ModesInfo<'a> {
-    /// The scenario's title.
-    pub title: &'a str,
-    /// What they are taken about: `reference` or `static`.
-    pub about: &'a str,
-    /// The model.
-    pub model: &'a Model,
-    /// Nodal displacements of the configuration they are taken about, shape (n_node).
-    pub displacement: &'a [[f64; 4]],
-    /// The modes, in ascending order.
-    pub modes: &'a [Mode],
-}
 
 /// The word for what a mode is.
 fn word(kind: ModeKind) -> &'static str {

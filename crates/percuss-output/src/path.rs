@@ -4,50 +4,23 @@ use std::fmt::Write as _;
 use std::path::Path as FilePath;
 
 use percuss::scene::Scene;
-use percuss::{Equilibrium, LinearBuckling, Path, PathPoint, PathRecorder, PathYield};
+use percuss::{Equilibrium, Path, PathPoint, PathRecorder, PathYield};
 use serde_json::{Map, Value, json};
 
 use crate::csv_text;
 use crate::equilibrium::failure;
 use crate::error::Error;
-use crate::fields::{Places, StoredFrame};
+use crate::fields::Places;
 use crate::files;
 use crate::report::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table, largest};
 use crate::report::pictures;
 use crate::report::quantity::Scale;
-use crate::report::still::{PathPage, path_page};
+pub use crate::report::still::PathInfo;
+use crate::report::still::{Along, PathPage, drawn_displacements, path_page};
 
-/// Curves in the picture.
-const DRAWN: usize = 4;
 /// Equilibria kept for drawings: points of the path at most, limit points at most.
 const MOST: usize = 240;
 const MOST_LIMITS: usize = 60;
-
-/// A path and what it belongs to.
-#[derive(Clone, Copy, Debug)]
-pub struct PathInfo<'a> {
-    /// The scenario's title.
-    pub title: &'a str,
-    /// What stands in the model.
-    pub scene: &'a Scene,
-    /// The path.
-    pub path: &'a Path,
-    /// Linear buckling of the equilibrium at its end.
-    pub linear: &'a LinearBuckling,
-}
-
-/// An equilibrium kept along a path.
-#[derive(Clone, Debug)]
-pub(crate) struct Along {
-    /// Number among the points offered.
-    number: usize,
-    pub factor: f64,
-    /// Whether the load turns there.
-    pub limit: bool,
-    /// Of the recorded points.
-    pub displacements: Vec<[f64; 2]>,
-    pub frame: StoredFrame,
-}
 
 /// Keeps equilibria of a path for its page: all while they are few, then every second, every fourth, ..., and the limit points.
 #[derive(Clone, Debug)]
@@ -173,21 +146,6 @@ fn csv(path: &Path) -> String {
         text.push('\n');
     }
     text
-}
-
-/// Recorded points and components that move the most, in their order.
-pub(crate) fn drawn_displacements(path: &Path) -> Vec<(usize, usize)> {
-    let column = |(point, component): (usize, usize)| -> Vec<f64> {
-        path.points.iter().map(|p| p.displacements[point][component]).collect()
-    };
-    let mut all: Vec<(usize, usize)> =
-        (0..path.names.len()).flat_map(|point| [(point, 0), (point, 1)]).collect();
-    all.sort_by(|a, b| largest(&column(*b)).total_cmp(&largest(&column(*a))));
-    let size = all.first().map_or(0.0, |first| largest(&column(*first)));
-    all.retain(|c| largest(&column(*c)) > 1e-9 * size);
-    all.truncate(DRAWN);
-    all.sort_unstable();
-    all
 }
 
 /// The load factor over the largest displacements.

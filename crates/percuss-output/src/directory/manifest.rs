@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
 
-use super::names::files_in;
-use super::{Extent, Results};
+use super::results::{Extent, Results};
 use crate::error::Error;
 use crate::files;
 
@@ -24,24 +23,25 @@ pub(crate) struct Manifest {
 }
 
 impl Manifest {
-    /// Of all files in a directory; some may be described already.
+    /// Of files in a directory, by their paths within it; some may be described already.
     pub fn of(
         dir: &Path,
+        files: &[PathBuf],
         results: Results,
         extent: Extent,
         known: &Map<String, Value>,
     ) -> Result<Self, Error> {
-        let mut files = Map::new();
-        for file in files_in(dir)? {
-            let name = name_of(&file);
+        let mut described_files = Map::new();
+        for file in files {
+            let name = name_of(file);
             let description = match known.get(&name) {
                 Some(description) => description.clone(),
-                None => described(&dir.join(&file))?,
+                None => described(&dir.join(file))?,
             };
-            files.insert(name, description);
+            described_files.insert(name, description);
         }
         let complete = extent == Extent::Complete;
-        Ok(Self { kind: results.kind().to_owned(), complete, files })
+        Ok(Self { kind: results.kind().to_owned(), complete, files: described_files })
     }
 
     /// The manifest of a directory; `None` where there is none, or nothing that could be one.

@@ -11,6 +11,7 @@ mod lock;
 mod manifest;
 mod moves;
 mod names;
+mod results;
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -24,54 +25,7 @@ use exchange::Staging;
 use lock::Lock;
 use manifest::Manifest;
 use moves::Kept;
-
-/// What a directory of results holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Results {
-    /// A run.
-    Run,
-    /// Natural modes.
-    Modes,
-    /// A static equilibrium.
-    Static,
-    /// An equilibrium path.
-    Path,
-    /// Files of a run for another program.
-    Export,
-}
-
-impl Results {
-    /// The word for it in the manifest.
-    fn kind(self) -> &'static str {
-        match self {
-            Self::Run => "run",
-            Self::Modes => "modes",
-            Self::Static => "static",
-            Self::Path => "path",
-            Self::Export => "export",
-        }
-    }
-
-    /// What it looks like, in words.
-    fn words(self) -> &'static str {
-        match self {
-            Self::Run => "a run",
-            Self::Modes => "the modes of a scenario",
-            Self::Static => "a static equilibrium",
-            Self::Path => "an equilibrium path",
-            Self::Export => "files exported for another program",
-        }
-    }
-}
-
-/// Whether results are all that was asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
-    /// They are; earlier results make room for them.
-    Complete,
-    /// They end early, or a part is missing: they never take the place of complete ones.
-    Partial,
-}
+pub use results::{Extent, Results};
 
 /// Where results are, once they are in place.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -187,8 +141,10 @@ impl RunDirectory {
             // What could not be described there is described here, or says why not.
             known.extend(description.join().ok().and_then(Result::ok).map(|found| (name, found)));
         }
-        let manifest = Manifest::of(self.staging.path(), self.results, extent, &known)?;
-        manifest.write(self.staging.path())?;
+        let staged = self.staging.path();
+        let files = names::files_in(staged)?;
+        let manifest = Manifest::of(staged, &files, self.results, extent, &known)?;
+        manifest.write(staged)?;
         let earlier = Manifest::read(&self.target)?;
         let keeps = extent == Extent::Partial && earlier.is_some_and(|m| m.complete);
         let mut kept = std::mem::take(&mut self.kept);

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use super::{CSV_UNITS, Channel};
+use super::channel::{CSV_UNITS, Channel};
 use crate::error::Error;
 use crate::{csv_text, files};
 

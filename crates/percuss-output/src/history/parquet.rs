@@ -16,7 +16,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{Type, TypePtr};
 use serde_json::{Value, json};
 
-use super::Channel;
+use super::channel::Channel;
 use crate::error::Error;
 
 /// Values held in memory before a row group is written (16 MB).

@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{CSV, Channel, History, HistoryFormat, PARQUET, csv, parquet};
+use super::channel::{CSV, Channel, History, PARQUET};
+use super::writer::HistoryFormat;
+use super::{csv, parquet};
 use crate::error::Error;
 
 /// Where a report finds its rows.

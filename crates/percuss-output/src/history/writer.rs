@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use percuss::{Channel, Recorder, RecorderError};
 
+use super::channel::{CSV, PARQUET};
 use super::csv::CsvSink;
 use super::parquet::{self, ParquetSink};
-use super::{CSV, PARQUET};
 use crate::error::Error;
 use crate::files::Growing;
 

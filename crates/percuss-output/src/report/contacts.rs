@@ -2,9 +2,9 @@
 
 use serde_json::Value;
 
+use super::canvas::{Canvas, names};
 use super::draft::{Curve, Draft, Entry, Omit};
 use super::figure::{Section, largest};
-use super::figures::{Canvas, names};
 use super::impact;
 use super::quantity::quantity;
 use crate::history::HistorySource;

@@ -2,8 +2,9 @@
 
 use serde_json::Value;
 
-use super::ReportData;
+use super::canvas::{Canvas, names};
 use super::contacts;
+use super::data::ReportData;
 use super::decimate;
 use super::draft::{self, Curve, Draft, Entry, Omit};
 use super::envelopes;
@@ -57,43 +58,6 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     draft::finish(entries, history, (time, &canvas.time_scale), &bins)
 }
 
-/// What the figures of a page have in common.
-pub(super) struct Canvas<'a> {
-    pub history: &'a HistorySource,
-    /// Some rows of the motion, the first and the last among them; shape (n_channels, n_sampled or 0).
-    pub sample: &'a [Vec<f64>],
-    /// Scale of the time axis.
-    pub time_scale: Scale,
-    /// Bins to which long histories are reduced.
-    pub bins: usize,
-}
-
-impl Canvas<'_> {
-    /// The time axis.
-    pub(super) fn time_axis(&self) -> Axis {
-        Axis { label: "time".to_owned(), unit: self.time_scale.unit.clone() }
-    }
-
-    /// Curves of those channels that exist, with their styles.
-    fn curves(&self, wanted: &[(&str, &str, usize)]) -> Vec<Curve> {
-        let curve = |&(channel, label, style): &(&str, &str, usize)| {
-            Some(Curve::new(label, style, self.history.position(channel)?))
-        };
-        wanted.iter().filter_map(curve).collect()
-    }
-
-    pub(super) fn over_time(
-        &self,
-        (id, title, label): (&str, &str, &str),
-        section: Section,
-        unit: &'static str,
-        curves: Vec<Curve>,
-    ) -> Draft {
-        let figure = Figure::new(section, id, title, self.time_axis(), label);
-        Draft { figure, unit, curves, omit: Omit::Zeros, floor: 0.0, apart: false }
-    }
-}
-
 /// Some rows of the time, the projectiles, the gaps and the points' displacements; the rest stays empty.
 fn sample(history: &HistorySource) -> Result<Vec<Vec<f64>>, Error> {
     let motion = |name: &str| {
@@ -141,14 +105,6 @@ fn rows_to_draw(
         (*from, *to) = (*from - room, *to + room);
     }
     Ok(Bins::finer_within(&times, &windows, bins))
-}
-
-/// Names between `prefix` and `suffix` among the channels, in their order.
-pub(super) fn names(history: &HistorySource, prefix: &str, suffix: &str) -> Vec<String> {
-    let name = |c: &crate::history::Channel| {
-        Some(c.name.strip_prefix(prefix)?.strip_suffix(suffix)?.to_owned())
-    };
-    history.channels().iter().filter_map(name).collect()
 }
 
 /// As many bins as keep the page small whatever the number of figures.

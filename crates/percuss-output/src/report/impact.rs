@@ -2,9 +2,9 @@
 
 use serde_json::Value;
 
+use super::canvas::{Canvas, names};
 use super::draft::{Curve, Draft, Entry, Omit};
 use super::figure::{Figure, Section, Series, Shape, Table, largest};
-use super::figures::{self, Canvas};
 use super::quantity::{Scale, quantity};
 
 /// Impacts and contact intervals drawn at most.
@@ -113,7 +113,7 @@ impl Flight {
             rows.clone().map(|r| sample[self.gap][r] + way(r) - self.standoff).collect();
         let ways: Vec<f64> = rows.clone().map(way).collect();
         let size = largest(struck.iter().chain(&ways));
-        figures::names(canvas.history, "point.", ".displacement_1").into_iter().find(|point| {
+        names(canvas.history, "point.", ".displacement_1").into_iter().find(|point| {
             let Some(channels) = components(canvas, point, "displacement") else { return false };
             // A run from static equilibrium starts with a displacement; the standoff is counted from there.
             let moved = |r: usize| at(channels, r) - at(channels, 0);

@@ -2,14 +2,15 @@
 //! the page.
 
 mod columns;
+mod entry;
 #[cfg(test)]
 mod tests;
 
 use serde_json::{Map, Value, json};
 
 use super::html::{Cell, Row, table_of_rows};
-use super::quantity::quantity;
 use columns::{Column, columns, legend};
+use entry::Entry;
 
 /// Rows shown; all of them are in `impacts.csv`.
 const LISTED: usize = 40;
@@ -17,17 +18,6 @@ const LISTED: usize = 40;
 /// Touches that follow one another within this share of the run are chatter, if there are so many at least.
 const CLOSE: f64 = 1.0 / 250.0;
 const CHATTER: usize = 4;
-
-/// An impact, an interval of closed contact, a time in which a stop pressed, or several of them that follow one another.
-struct Entry {
-    contact: String,
-    between: Value,
-    start: f64,
-    end: f64,
-    value: Value,
-    /// The touches of chatter; empty for one alone.
-    touches: Vec<Entry>,
-}
 
 /// The log with its heading; nothing where nothing touched.
 pub(super) fn render(summary: &Value) -> String {
@@ -177,13 +167,6 @@ fn touches(name: &str, partner: &Value, end: f64) -> Vec<Entry> {
     let impacts = list(partner, "impacts").iter().filter_map(|v| entry(v, "time"));
     let intervals = list(partner, "intervals").iter().filter_map(|v| entry(v, "start"));
     impacts.chain(intervals).collect()
-}
-
-/// A value with its unit, three significant digits.
-fn brief(value: f64, unit: &str) -> String {
-    let power = 10_f64.powf(2.0 - value.abs().log10().floor());
-    let rounded = (value * power).round() / power;
-    quantity(Some(if rounded.is_finite() { rounded } else { value }), unit)
 }
 
 /// Impacts and intervals of a contact, kept in the summary or not.

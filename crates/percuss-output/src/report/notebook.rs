@@ -3,8 +3,8 @@
 use serde_json::Value;
 
 use super::html::{self, escape};
-use super::page::{HEAD, STYLE, fill_holes};
 use super::story::story;
+use super::template::{HEAD, PENS, STYLE, fill_holes};
 use super::{payload, scene};
 use crate::fields::Fields;
 
@@ -48,7 +48,7 @@ fn render(fields: &Fields, summary: &Value) -> String {
         "style" => STYLE.to_owned(),
         "title" => escape(summary["title"].as_str().unwrap_or("")),
         "scene" => scene::section(&text),
-        "script" => [&[scene::PENS][..], &SCRIPTS, &scene::SCRIPTS, &[OPEN]].concat().join("\n"),
+        "script" => [&[PENS][..], &SCRIPTS, &scene::SCRIPTS, &[OPEN]].concat().join("\n"),
         "index" => html::json(&payload.index),
         "data" => payload.data.clone(),
         _ => String::new(),

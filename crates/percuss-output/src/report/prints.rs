@@ -4,7 +4,7 @@ use kuva::backend::svg::SvgBackend;
 use kuva::plot::legend::{LegendEntry, LegendShape};
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
 
-use super::ReportData;
+use super::data::ReportData;
 use super::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table};
 use super::figures;
 use super::pictures::{has_data, layout, plots, span, with_room};

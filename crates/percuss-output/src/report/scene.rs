@@ -1,14 +1,12 @@
 //! The first screen of the page: what happened, in words and in motion.
 
-use super::ReportData;
+use super::data::ReportData;
 use super::html::escape;
-use super::page::{STYLE, fill_holes};
 use super::story::story;
+use super::template::{PENS, STYLE, fill_holes};
 
 const SECTION: &str = include_str!("../../web/scene.html");
 
-/// What scenes and figures are drawn with.
-pub(super) const PENS: &str = include_str!("../../web/pens.js");
 /// The scripts that draw the scene, in the order in which they use each other.
 pub(super) const SCRIPTS: [&str; 6] = [
     include_str!("../../web/scene.js"),

@@ -7,10 +7,11 @@ use kuva::render::render::render_multiple;
 
 use super::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table, largest};
 use super::html::{self, Cell, escape, table, table_of_cells};
-use super::page::{fill_holes, frame, page_parts};
+use super::page::frame;
 use super::payload;
 use super::pictures::{inline_svg, theme};
 use super::quantity::Scale;
+use super::template::{fill_holes, page_parts};
 
 const TEMPLATE: &str = include_str!("../../web/sheet.html");
 /// Size of a map, in the units of the drawing.

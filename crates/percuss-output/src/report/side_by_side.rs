@@ -5,12 +5,13 @@ use std::path::Path;
 
 use serde_json::{Map, Value};
 
-use super::ReportData;
+use super::data::ReportData;
 use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::figures;
 use super::html::{self, escape, table};
-use super::page::{fill_holes, frame, page_parts};
+use super::page::frame;
 use super::quantity::{Scale, number, quantity, without_round_off};
+use super::template::{fill_holes, page_parts};
 use super::{payload, scene, story};
 use crate::error::Error;
 use crate::fields::Fields;

@@ -2,19 +2,14 @@
 //! stress, and how the balance closed. Everything in them stands in `summary.json`.
 
 mod contacts;
+mod words;
+mod yielding;
 
 pub use contacts::told_as_start;
-mod yielding;
 
 use serde_json::Value;
 
-use super::quantity;
-
-/// Four digits: a sentence is no table.
-fn quantity(value: Option<f64>, unit: &str) -> String {
-    let rounded = value.and_then(|v| format!("{v:.3e}").parse().ok());
-    quantity::quantity(rounded, unit)
-}
+use words::{list, quantity};
 
 /// Relative amounts below this are none.
 const NOTHING: f64 = 1e-12;
@@ -125,10 +120,6 @@ fn balance(summary: &Value) -> String {
         );
     }
     out
-}
-
-fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
-    value[key].as_array().map_or(&[], Vec::as_slice)
 }
 
 #[cfg(test)]

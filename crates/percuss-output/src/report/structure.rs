@@ -2,10 +2,10 @@
 
 use serde_json::Value;
 
+use super::canvas::{Canvas, names};
 use super::draft::{Curve, Entry, Omit};
 use super::extremes;
 use super::figure::Section;
-use super::figures::{Canvas, names};
 use crate::history::HistorySource;
 
 /// Curves in a figure; more names get more figures.

@@ -6,7 +6,7 @@ use percuss::{
 };
 use serde_json::{Value, json};
 
-use super::peak;
+use super::peak::peak;
 
 /// What happened between two things that can touch.
 pub(super) fn value(contact: &ContactSummary) -> Value {

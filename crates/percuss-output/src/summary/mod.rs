@@ -5,6 +5,7 @@ mod contact;
 mod derivative;
 mod every_event;
 mod open;
+mod peak;
 mod pick;
 pub(crate) mod plastic;
 mod provenance;
@@ -21,6 +22,7 @@ use serde_json::{Map, Value, json};
 
 use crate::error::Error;
 use crate::files;
+use peak::peak;
 
 pub use advice::allowances;
 pub use derivative::pick_derivatives;
@@ -316,8 +318,4 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
 
 fn place(peak: &SectionPeak) -> Value {
     json!({ "value": peak.value, "s": peak.s, "time": peak.time })
-}
-
-fn peak(peak: &Peak) -> Value {
-    json!({ "value": peak.value, "time": peak.time })
 }

@@ -6,7 +6,7 @@ use percuss::{
 };
 use serde_json::{Value, json};
 
-use super::peak;
+use super::peak::peak;
 
 /// What became of a beam that can yield.
 pub(crate) fn value(beam: &PlasticSummary) -> Value {

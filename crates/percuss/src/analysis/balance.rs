@@ -1,7 +1,6 @@
 //! What acts on a structure at rest from outside: in equilibrium it comes to nothing, which is checked before anything is told of it.
 
 use super::static_search::{StaticSearch, largest};
-use super::statics::Equilibrium;
 use crate::error::Error;
 use crate::math::vec2::norm;
 use crate::model::Model;
@@ -46,18 +45,21 @@ impl StaticBalance {
 }
 
 /// Refuses what is no equilibrium: forces from outside that do not balance, or a node where forces do not.
-pub(super) fn check(search: &StaticSearch, found: &Equilibrium) -> Result<(), Error> {
+pub(super) fn check(
+    search: &StaticSearch,
+    balance: &StaticBalance,
+    element_forces: &[[[f64; 3]; 2]],
+) -> Result<(), Error> {
     let mut free = search.work.residual.clone();
     project(search.model, &mut free);
-    let balance = &found.balance;
-    let floor = LEFT * balance.gross.max(largest_inside(found)) + rounded(search);
+    let floor = LEFT * balance.gross.max(largest_inside(element_forces)) + rounded(search);
     let left = largest(&free).max(norm(balance.unbalanced));
     if left <= floor { Ok(()) } else { Err(Error::unbalanced(left, balance.gross)) }
 }
 
 /// The largest axial or shear force \[N\].
-fn largest_inside(found: &Equilibrium) -> f64 {
-    let ends = found.element_forces.iter().flatten();
+fn largest_inside(element_forces: &[[[f64; 3]; 2]]) -> f64 {
+    let ends = element_forces.iter().flatten();
     ends.map(|[n, v, _]| n.abs().max(v.abs())).fold(0.0, f64::max)
 }
 

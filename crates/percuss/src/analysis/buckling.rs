@@ -2,10 +2,10 @@
 
 use percuss_codes::Caution;
 
+use super::equilibrium::Equilibrium;
 use super::flutter::{FollowerStability, follower_stability};
 use super::spectrum::{Held, Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
-use super::statics::Equilibrium;
 use crate::model::Model;
 use crate::model::frozen::ConnectorLaw;
 use crate::settings::Scheme;

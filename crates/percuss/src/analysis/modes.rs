@@ -2,12 +2,12 @@
 
 use nalgebra::Complex;
 
+use super::equilibrium::Equilibrium;
 use super::spectrum::{
     Eigen, FreeMotions, Held, ImagePair, Layout, Matrix, Nodal, Pencil, subtract,
 };
 use super::spectrum::{free_motions, metric, size, strain_share, stress_share};
 use super::static_search::StaticSearch;
-use super::statics::Equilibrium;
 use crate::linalg::chain::Chain;
 use crate::model::Model;
 use crate::settings::Scheme;

@@ -3,8 +3,9 @@
 
 use super::course::Course;
 use super::failure::{StaticFailure, first_failure, in_words};
+use super::lost::lost;
+use super::stability::stability;
 use super::static_search::{Reached, StaticSearch};
-use super::statics::{lost, stability};
 use crate::error::Error;
 use crate::model::Model;
 

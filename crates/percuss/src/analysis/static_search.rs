@@ -4,16 +4,15 @@ mod failing;
 mod motions;
 mod reached;
 mod relaxed;
+mod search;
 
-pub(super) use motions::Motions;
+pub(super) use search::{Motions, Reached, StaticSearch, largest};
 
 use super::spectrum::{Layout, free_motions};
 use super::static_contacts::{Pressing, StaticContacts};
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
-use crate::element::fibre::FibreState;
 use crate::element::membrane::green_or_engineering;
-use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
@@ -46,44 +45,6 @@ const INVERSE_ITERATIONS: usize = 40;
 const BALANCED: f64 = 1e-6;
 /// Statics has no step size; this one keeps quotients finite.
 pub(super) const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
-
-/// A structure between its reference and an equilibrium.
-pub(super) struct StaticSearch<'m> {
-    pub model: &'m Model,
-    /// The configuration increments count from; its stored strains are those foreseen for the next correction.
-    pub base: State,
-    pub work: Workspace,
-    pub forcing: Forcing,
-    pub contacts: StaticContacts,
-    pub iterations: usize,
-    /// Forces that what has failed gave, shape (nodes, 4) \[N, N m\]; empty where none are held. The share that is let go.
-    withheld: Vec<[f64; 4]>,
-    pub let_go: f64,
-    /// Whether springs are stressed as their lengths say.
-    pub stressed: bool,
-    /// What prescribed motions do.
-    pub motions: Motions,
-    /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
-    gaps: Option<Chain>,
-}
-
-/// A place on the way to an equilibrium.
-#[derive(Clone)]
-pub(super) struct Reached {
-    /// Increment of the nodal displacements from the base, shape (nodes, 4) \[m, 1\].
-    pub increment: Vec<[f64; 4]>,
-    /// Multipliers of the constraints, shape (constraints) \[N, N m\].
-    multiplier: Vec<f64>,
-    contacts: StaticContacts,
-    /// What fibres remember, shape (fibres).
-    fibres: Vec<FibreState>,
-    /// What connectors that yield remember, shape (connectors that yield).
-    pub memories: Vec<FibreState>,
-    /// Which joints of a given strength have parted, shape (such joints).
-    joints_parted: Vec<bool>,
-    /// Which elements have, as in [`State`], shape (beam nodes); empty while no beam has.
-    parted: Vec<bool>,
-}
 
 impl<'m> StaticSearch<'m> {
     pub fn new(model: &'m Model) -> Self {
@@ -371,11 +332,6 @@ fn weigh_masses(model: &Model, forcing: &Forcing, residual: &mut [[f64; 4]]) {
     for mass in &model.masses {
         mass.point.spread(scale(-mass.mass, forcing.gravity), residual);
     }
-}
-
-/// Largest magnitude of nodal values; NaN if any is.
-pub(super) fn largest(nodal: &[[f64; 4]]) -> f64 {
-    nodal.as_flattened().iter().fold(0.0, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) })
 }
 
 /// The tangent of a structure about a state, assembled and not yet factored, with the search that made it.

@@ -1,22 +1,20 @@
 //! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
 
 use super::balance::{self, StaticBalance};
-use super::course::StaticFirstYield;
-use super::failure::StaticFailure;
-use super::spectrum::{Held, Layout, Stability, free_motions, stability_about, stability_loaded};
-use super::static_contacts::{StaticContact, takes_part};
+use super::equilibrium::Equilibrium;
+use super::lost::{loose, moves};
+use super::spectrum::{Layout, free_motions};
+use super::stability::stability;
+use super::static_contacts::takes_part;
 use super::static_loading::Loading;
-use super::static_search::{StaticSearch, largest};
-use super::yields::{StaticYielding, at_rest};
+use super::static_search::StaticSearch;
+use super::yields::at_rest;
 use crate::error::Error;
-use crate::frame::{Frame, FrameForce};
-use crate::geometry::row::Row;
 use crate::inspect::loose_ends;
 use crate::model::frozen::BeamData;
-use crate::model::{Fault, Model, StrainMeasure, TouchLaw};
+use crate::model::{Fault, Model};
 use crate::state::State;
 use crate::step::tangent::inner;
-use crate::summary::SectionForceSummary;
 
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
 /// equilibria (a roll of one turn more or less).
@@ -24,65 +22,6 @@ const FIRST_STEP: f64 = 0.1;
 /// A mechanism whose stops are open and that has moved by more than this share of its size is one that the loads have turned round, like a
 /// weathervane, and no structure that stops hold.
 const CARRIED_AWAY: f64 = 0.1;
-
-/// A static equilibrium.
-#[derive(Clone, Debug)]
-pub struct Equilibrium {
-    /// The state of equilibrium, at rest.
-    pub state: State,
-    /// Displacements of the recorded points, with their names, shape (points, 2) \[m\].
-    pub points: Vec<(String, [f64; 2])>,
-    /// Section forces of largest magnitude, one entry a beam, shape (beams).
-    pub section_forces: Vec<SectionForceSummary>,
-    /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
-    pub element_forces: Vec<[[f64; 3]; 2]>,
-    /// Forces of everything that presses, on the second of its partners, shape (places where something presses).
-    pub contact_forces: Vec<FrameForce>,
-    /// Factors of the loads, in the model's order, shape (loads) \[-\].
-    pub load_factors: Vec<f64>,
-    /// Forces (1, 2) and moment of each support on the structure, with their names, shape (supports, 3) \[N, N m\].
-    pub reactions: Vec<(String, [f64; 3])>,
-    /// Contacts that take part, in the model's order, shape (contacts).
-    pub contacts: Vec<StaticContact>,
-    /// Contacts that press, with their forces, shape (pairs that press) \[N\].
-    pub(crate) pressed: Vec<(Row, f64)>,
-    /// Contacts of beams that press, as they stay closed in small motions, shape (pairs that press).
-    pub(crate) held: Vec<Held>,
-    /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).
-    pub yielding: Vec<StaticYielding>,
-    /// What has failed for good on the way, in its order, shape (such failures).
-    pub failures: Vec<StaticFailure>,
-    /// What all that acts from outside comes to.
-    pub balance: StaticBalance,
-    /// Where and under which share of the loads beams first yielded on the way to it, shape (beams); empty at the end of a path.
-    pub first_yields: Vec<Option<StaticFirstYield>>,
-    /// How many times faster with the loads than in the first load step nodes went where they went fastest: about one of a structure that
-    /// stays elastic, and many of one that passes a plastic mechanism; not a number at the end of a path \[1\].
-    pub softening: f64,
-    /// Whether the structure returns to it: no motion about it grows.
-    pub stable: bool,
-    /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here, shape (such beams).
-    pub sliding: Vec<String>,
-    /// Load steps taken.
-    pub load_steps: usize,
-    /// Newton iterations.
-    pub newton_iterations: usize,
-}
-
-impl Equilibrium {
-    /// The equilibrium as a frame, for drawings.
-    pub fn frame(&self) -> Frame<'_> {
-        Frame {
-            time: 0.0,
-            displacement: &self.state.displacement,
-            velocity: &self.state.velocity,
-            spin: &self.state.spin,
-            section_forces: &self.element_forces,
-            contact_forces: &self.contact_forces,
-            load_factors: &self.load_factors,
-        }
-    }
-}
 
 /// Static equilibrium of `model` under the loads that act at time zero, with the contacts a transient knows.
 ///
@@ -119,7 +58,7 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     }
     found.failures = failures;
     (found.softening, found.first_yields) = (course.softening(), course.first_yields);
-    balance::check(&search, &found)?;
+    balance::check(&search, &found.balance, &found.element_forces)?;
     found.stable =
         (stable && !search.contacts.press()) || stability(&structure, &mut search).stable;
     if search.contacts.holds_beams() {
@@ -138,38 +77,10 @@ fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
     structure.beams.iter().filter(slides).map(|beam| beam.name.clone()).collect()
 }
 
-/// Whether a beam takes part in any of the motions.
-pub(super) fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
-    motions.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
-}
-
 /// Refuses what is inside something else before any load acts.
 pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
     let overlaps = search.model.overlaps(&search.base.displacement, |_| true);
     overlaps.first().map_or(Ok(()), |fault| Err(Error::overlap(fault.to_string())))
-}
-
-/// Whether the equilibrium reached is stable, by the tangent with which it is loaded on, what presses held closed; `structure` is the
-/// beams alone.
-pub(super) fn stability(structure: &Model, search: &mut StaticSearch) -> Stability {
-    let told = |stable: bool| Stability { stable, negative: None };
-    search.foresee(true);
-    let press = search.contacts.press();
-    if press && search.contacts.has_discs() {
-        return told(search.is_stable_touching());
-    }
-    search.assemble::<true>();
-    let state = search.state();
-    let held = if press { search.contacts.held(search.model, &state) } else { Vec::new() };
-    let alone = search.of_structure(structure, &state);
-    if !search.model.is_inelastic() {
-        return stability_about(structure, &alone, held);
-    }
-    if press {
-        return told(search.is_stable_touching());
-    }
-    stability_loaded(structure, &alone, &search.work.tangent)
-        .unwrap_or_else(|| told(search.is_stable_touching()))
 }
 
 /// The result at the increment reached.
@@ -214,42 +125,6 @@ pub(super) fn leans_on_stops(model: &Model) -> bool {
     let layout = Layout::new(&structure);
     structure.connectors.iter().any(|c| c.law.is_one_sided())
         && !free_motions(&layout, &StaticSearch::at(&structure, &rest)).motions.is_empty()
-}
-
-/// A beam that can move without being strained where the search stands, what is closed there closed; nothing
-/// where contacts may hold it, or where there are no stops.
-fn loose(search: &StaticSearch, state: &State) -> Option<String> {
-    let structure = search.model.structure();
-    let alone = search.of_structure(&structure, state);
-    let free = free_motions(&Layout::new(&structure), &alone).motions;
-    let stopped = structure.connectors.iter().any(|c| c.law.is_one_sided());
-    let beam = structure.beams.iter().find(|beam| moves(&free, beam));
-    beam.filter(|_| stopped && search.contacts.is_empty()).map(|beam| beam.name.clone())
-}
-
-/// Why no equilibrium follows the last one found.
-pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
-    let state = search.state();
-    if let Some(name) = loose(search, &state) {
-        return Error::nothing_holds(name);
-    }
-    let (forces, _) = search.section_forces(&state);
-    for (beam, found) in search.model.beams.iter().zip(&forces) {
-        for span in &search.model.spans[beam.spans.clone()] {
-            let law = &span.table(0).rows[1].section;
-            // M = EI k (1 - 2 (I/A) k^2) is largest at k = 1 / sqrt(6 I/A).
-            let most = law.bending * (2.0 / 3.0) / (6.0 * law.bending / law.axial).sqrt();
-            let near = found.moment.largest().value.abs() > 0.9 * most;
-            if span.measure == StrainMeasure::Green && near {
-                return Error::moment_beyond_law(share, beam.name.clone(), most);
-            }
-        }
-    }
-    let mut laws = search.model.contacts.iter().map(|contact| &contact.law);
-    match laws.any(|law| matches!(law, TouchLaw::Rigid(_))) {
-        true => Error::unsettled_contacts(share),
-        false => Error::no_equilibrium(share),
-    }
 }
 
 /// A fault for each beam that supports and joints leave free to move without strain and that nothing can be held by: what the rank

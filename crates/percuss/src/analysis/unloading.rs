@@ -1,8 +1,8 @@
 //! What stays when a structure that has yielded is unloaded.
 
+use super::lost::moves;
 use super::spectrum::{Layout, free_motions};
 use super::static_search::StaticSearch;
-use super::statics::moves;
 use crate::element::fibre::{FibreState, StressLaw};
 use crate::math::vec2::sub;
 use crate::model::Model;

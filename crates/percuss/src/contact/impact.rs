@@ -8,51 +8,10 @@
 //! themselves.
 
 mod direct;
+mod problem;
 mod statuses;
 
-use direct::Direct;
-use statuses::Newton;
-
-/// A contact of the problem.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conditions {
-    /// Least rate of the gap \[m/s\].
-    pub bound: f64,
-    /// Coefficient of friction.
-    pub friction: f64,
-    /// Sliding rate of a contact that sticks \[m/s\].
-    pub target: f64,
-    /// Impulses along normal and tangent that it has carried already, shape (2) \[N s\]: signs and limits of friction are those of the sums.
-    pub carried: [f64; 2],
-}
-
-impl Conditions {
-    /// Least and largest impulse along the tangent for one along the normal; none but what takes back what was carried if the
-    /// contact does not press.
-    fn friction_limits(&self, normal: f64) -> [f64; 2] {
-        let most = (self.friction * (normal + self.carried[0])).max(0.0);
-        [-most - self.carried[1], most - self.carried[1]]
-    }
-}
-
-/// The problem: rows 2 i and 2 i + 1 belong to normal and tangent of contact i.
-#[derive(Clone, Debug, Default)]
-pub struct ImpactProblem {
-    /// Contacts, shape (contacts).
-    pub contacts: Vec<Conditions>,
-    /// Delassus operator, shape (2 contacts, 2 contacts), column by column \[1/kg\]; without friction those of the tangent are not looked at.
-    pub delassus: Vec<f64>,
-    /// Rates without impulses, shape (2 contacts) \[m/s\].
-    pub free: Vec<f64>,
-    /// Rates with the impulses at hand, shape (2 contacts) \[m/s\].
-    rates: Vec<f64>,
-    newton: Newton,
-    direct: Direct,
-}
-
-/// The iteration stalled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Stalled;
+pub use problem::{Conditions, ImpactProblem, Stalled};
 
 impl ImpactProblem {
     /// Sweeps in a round, and how many of them are made before their progress is judged.

@@ -6,6 +6,7 @@
 //!
 //! `s = sigma0 + De int Et (1 - t) dt`, `ds/de1 = int Et t dt`, `sigma1 = sigma0 + De int Et dt`.
 
+mod law;
 mod mapped;
 mod path;
 mod plastic;
@@ -13,10 +14,12 @@ mod plastic;
 mod tests;
 mod viscous;
 
-use serde::{Deserialize, Serialize};
-
 use crate::scalar::{Mask, Number};
 
+pub use law::{
+    FibreState, FibreStep, Hardening, Inelasticity, Overstress, PlasticLaw, Plasticity, Slack,
+    StressLaw,
+};
 pub use mapped::LawShape;
 use path::StressPath;
 use viscous::Viscous;
@@ -30,132 +33,6 @@ pub struct Fibre<S = f64> {
     pub area: S,
     /// Number of its law among those of the span.
     pub law: usize,
-}
-
-/// What a fibre remembers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FibreState<S = f64> {
-    /// Plastic strain \[1\].
-    pub plastic: S,
-    /// Accumulated plastic strain, the sum of the magnitudes of its increments \[1\].
-    pub accumulated: S,
-    /// Energy dissipated so far, per volume \[J/m^3\].
-    pub dissipated: S,
-    /// Whether it has failed: it bears nothing any more.
-    pub failed: bool,
-}
-
-/// A straight part of a hardening curve: from here on the yield stress grows by `modulus` per accumulated plastic strain.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hardening<S = f64> {
-    /// Accumulated plastic strain at which it begins \[1\].
-    pub from: S,
-    /// Yield stress there \[Pa\].
-    pub stress: S,
-    /// Isotropic plastic modulus, d(yield stress)/d(accumulated plastic strain) \[Pa\].
-    pub modulus: S,
-}
-
-/// Viscous overstress after Cowper and Symonds: accumulated plastic strain grows at the rate `C (|xi|/Y - 1)^q`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Overstress<S = f64> {
-    /// C \[1/s\].
-    pub rate: S,
-    /// q.
-    pub exponent: S,
-}
-
-/// Which sign of stress a fibre cannot bear.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Slack {
-    /// Tension.
-    Tension,
-    /// Compression.
-    Compression,
-}
-
-impl Slack {
-    /// Whether an elastic strain is one without stress.
-    #[inline]
-    fn frees<S: Number>(self, elastic: S) -> S::Mask {
-        let none = elastic.constant(0.0);
-        match self {
-            Self::Tension => none.less(elastic),
-            Self::Compression => elastic.less(none),
-        }
-    }
-}
-
-/// How stress follows strain.
-#[derive(Clone, Debug, PartialEq)]
-pub enum StressLaw<S = f64> {
-    /// In proportion.
-    Elastic {
-        /// Young's modulus \[Pa\].
-        young: S,
-    },
-    /// In proportion on one side, nothing on the other.
-    OneSided {
-        /// Young's modulus \[Pa\].
-        young: S,
-        /// The side without stress.
-        slack: Slack,
-    },
-    /// Elastic, then plastic.
-    Plastic(PlasticLaw<S>),
-}
-
-/// Yielding with isotropic and kinematic hardening, rate and failure.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Plasticity<S = f64> {
-    /// Parts of the curve of the yield stress over accumulated plastic strain, the first from zero on, shape (parts); the last goes on for
-    /// ever.
-    pub curve: Vec<Hardening<S>>,
-    /// Kinematic plastic modulus, d(back stress)/d(plastic strain) \[Pa\].
-    pub kinematic: S,
-    /// Viscous overstress; without it stress does not depend on rates.
-    pub overstress: Option<Overstress<S>>,
-    /// Magnitude of strain at which a fibre fails \[1\].
-    pub failure_strain: Option<S>,
-}
-
-/// What a material does beyond Hooke's law.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Inelasticity {
-    /// It bears no stress of one sign.
-    OneSided(Slack),
-    /// It yields.
-    Plastic(Plasticity),
-    /// It bears no stress of one sign, and yields under the other.
-    OneSidedPlastic(Slack, Plasticity),
-}
-
-/// A linearly elastic material that yields.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlasticLaw<S = f64> {
-    /// Young's modulus \[Pa\].
-    pub young: S,
-    /// How it yields.
-    pub plasticity: Plasticity<S>,
-    /// The side without stress, if there is one: beyond the plastic strain on that side a fibre gapes.
-    pub slack: Option<Slack>,
-}
-
-/// A fibre over a step.
-#[derive(Clone, Copy, Debug)]
-pub struct FibreStep<S = f64> {
-    /// Mean stress over the path \[Pa\].
-    pub mean: S,
-    /// Its derivative with respect to the strain at the end \[Pa\].
-    pub slope: S,
-    /// Stress at the end \[Pa\].
-    pub stress: S,
-    /// Its derivative with respect to the strain at the end \[Pa\].
-    pub tangent: S,
-    /// What it remembers at the end, failure apart.
-    pub state: FibreState<S>,
-    /// Energy dissipated per volume \[J/m^3\].
-    pub dissipated: S,
 }
 
 impl StressLaw {

@@ -5,8 +5,8 @@
 //! and interpolated between, it leaves as many constraints as bending can afford (minimally constrained strains: Meier,
 //! Popp, Wall 2014, a locking-free finite element formulation for Kirchhoff beams).
 
-use super::beam::{ElementSums, ElementValues, GaussRow};
-use super::strain::StrainMeasure;
+use super::gauss::{ElementSums, ElementValues, GaussRow};
+use super::point::StrainMeasure;
 use crate::math::hermite::{self, GAUSS};
 use crate::math::vec2::{add, dot, norm, scale};
 use crate::scalar::{Real, array};

@@ -1,7 +1,7 @@
 //! The beam element: pure functions on stack arrays.
 //!
 //! The schemes ([`energy_momentum`], [`strain_rate`], [`collocation`]) turn the two ends of a step into generalised forces at a
-//! Gauss point, [`beam`] integrates them over an element, [`membrane`] adds the membrane strains of slender ones.
+//! Gauss point, [`gauss`] adds them over an element, [`beam`] holds its constants, [`membrane`] adds the membrane strains of slender ones.
 
 // Without a word to all that `internals` alone reaches.
 #[allow(missing_docs)]
@@ -13,6 +13,8 @@ pub mod elastic;
 #[allow(missing_docs)]
 pub mod energy_momentum;
 pub mod fibre;
+#[allow(missing_docs)]
+pub mod gauss;
 #[allow(missing_docs)]
 pub mod mapped;
 #[allow(missing_docs)]

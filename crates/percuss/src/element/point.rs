@@ -3,7 +3,6 @@
 //! Generalised forces are conjugate to the tangent `g = x'` and to `p = x''`: the virtual work per length of any
 //! scheme is `force_g . dg + force_p . dp`.
 
-use super::strain::StrainMeasure;
 use crate::math::vec2::{add, cross, dot, rot90};
 use crate::scalar::Real;
 
@@ -256,4 +255,14 @@ impl<S: Real> Stress<S> {
 #[inline(always)]
 pub fn b_of<S: Real>(g: [S; 2], p: [S; 2]) -> S {
     cross(g, p)
+}
+
+/// Which strains the strain energy `EA eps^2 / 2 + EI kappa^2 / 2` is written in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StrainMeasure {
+    /// The paper's: `eps = (|x'|^2 - 1) / 2`, `kappa = n'.x' - N'.X'` (Green-type).
+    #[default]
+    Green,
+    /// Reissner's: `eps = |x'| - 1`, `kappa = -(theta' - theta0')`; what most other codes use.
+    Engineering,
 }

@@ -1,18 +1,9 @@
 //! Strains of a configuration, and their gradient coefficients.
 
+pub use super::point::StrainMeasure;
 use super::point::{Reference, Strains, b_of};
 use crate::math::vec2::{add, cross, dot};
 use crate::scalar::Real;
-
-/// Which strains the strain energy `EA eps^2 / 2 + EI kappa^2 / 2` is written in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum StrainMeasure {
-    /// The paper's: `eps = (|x'|^2 - 1) / 2`, `kappa = n'.x' - N'.X'` (Green-type).
-    #[default]
-    Green,
-    /// Reissner's: `eps = |x'| - 1`, `kappa = -(theta' - theta0')`; what most other codes use.
-    Engineering,
-}
 
 /// Strains of the configuration with displacement gradient `slope` = u' and second derivative `bend` = u''.
 ///

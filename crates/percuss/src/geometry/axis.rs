@@ -6,6 +6,7 @@ mod tests;
 use serde::{Deserialize, Serialize};
 
 use super::configuration::Configuration;
+pub use super::placed::AxisElement;
 use super::placed::{ElementEnds, Placed};
 use crate::element::beam::NodeFrame;
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
@@ -19,43 +20,6 @@ pub const LONGEST_CAP: f64 = 0.499;
 const AT_NODE: f64 = 1e-9;
 /// Taper beyond which an end is taken to lean no more.
 const STEEPEST: f64 = 0.9;
-
-/// An element of a beam's axis.
-#[derive(Clone, Copy, Debug)]
-pub struct AxisElement {
-    /// Node `a`; node `b` is the next one.
-    pub node: usize,
-    /// Length \[m\].
-    pub length: f64,
-    /// Arc length from the start of the beam \[m\].
-    pub s: f64,
-    /// Distance of either face from the axis at both ends, linear between, shape (2) \[m\].
-    pub half_depths: [f64; 2],
-    /// How far the curve that the element stands for lies to its left at its quarter points, shape (3) \[m\]: a cubic is no arc.
-    pub deviations: [f64; 3],
-}
-
-impl AxisElement {
-    /// How far the curve that the element stands for lies to its left at a share of it \[m\]; both meet at its ends with one tangent.
-    pub fn deviation(&self, xi: f64) -> f64 {
-        let bubble = |xi: f64| (xi * (1.0 - xi)).powi(2);
-        let [a, b, c] = [0, 1, 2].map(|k| self.deviations[k] / bubble(0.25 * (k + 1) as f64));
-        // The parabola through the three shares of the bubble.
-        let t = 4.0 * xi - 2.0;
-        (b + 0.5 * t * (c - a) + 0.5 * t * t * (a - 2.0 * b + c)) * bubble(xi)
-    }
-
-    /// The largest of the deviations \[m\].
-    pub fn largest_deviation(&self) -> f64 {
-        self.deviations.iter().fold(0.0, |most, x| x.abs().max(most))
-    }
-
-    /// Distance of either face from the axis at a share of the element \[m\].
-    pub fn half_depth(&self, xi: f64) -> f64 {
-        let [a, b] = self.half_depths;
-        a + xi * (b - a)
-    }
-}
 
 /// The elements of a beam's axis.
 #[derive(Clone, Debug)]

@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::Axes;
 use super::axis::{AxisEnd, AxisPoint};
 use super::configuration::Configuration;
-use super::row::Row;
-use super::turning::Turning;
+use super::row::{Row, Turning};
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 
 /// A point that follows one node, or the two of an element.

@@ -80,3 +80,12 @@ impl Row {
 fn product(a: &[f64; 4], b: &[f64; 4]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]
 }
+
+/// Second derivative of a gap, or a part of it: the sum of `weights[i][j] forms[i] (x) forms[j]`.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    /// Forms on the nodes of the pair, shape (2).
+    pub forms: [Row; 2],
+    /// Symmetric, shape (2, 2) \[1/m between forms of motions, 1 where one is a turn, m where both are\].
+    pub weights: [[f64; 2]; 2],
+}

@@ -3,17 +3,9 @@
 use super::configuration::Configuration;
 use super::pair::Pair;
 use super::row::Row;
+pub use super::row::Turning;
 use super::touch::{Bend, COINCIDENT, Touch};
 use crate::math::vec2::{dot, rot90, scale};
-
-/// Second derivative of a gap, or a part of it: the sum of `weights[i][j] forms[i] (x) forms[j]`.
-#[derive(Clone, Copy, Debug)]
-pub struct Turning {
-    /// Forms on the nodes of the pair, shape (2).
-    pub forms: [Row; 2],
-    /// Symmetric, shape (2, 2) \[1/m between forms of motions, 1 where one is a turn, m where both are\].
-    pub weights: [[f64; 2]; 2],
-}
 
 impl Pair {
     /// How the gradient of the gap turns with its nodes; `None` where it does not. What points off an axis add to it, stands in

@@ -1,7 +1,9 @@
 //! Nodes tied to each other by constraints: a joint. Its unknowns are reduced to those the constraints leave free.
 
-use super::condensed::BorderVector;
 use super::dense::DenseLu;
+
+/// A row or column of the border: its coefficients at nodes.
+pub type BorderVector = Vec<(usize, [f64; 4])>;
 
 /// A cluster of interface nodes with all constraints among them.
 ///

@@ -1,33 +1,11 @@
 //! Sparse systems of fixed pattern: ordering and symbolic factorisation are done once.
 
 mod factors;
+mod pattern;
 
 use self::factors::{LuFactors, SparseMatrix};
+use self::pattern::ColumnPattern;
 use super::ordering::{least_degree_of_unknowns, neighbours};
-
-/// Columns of ascending rows.
-#[derive(Clone, Debug, Default)]
-struct ColumnPattern {
-    /// Where each column begins in `rows`, and where the last one ends, shape (columns + 1) \[number of entries\].
-    starts: Vec<usize>,
-    /// Rows of the entries, column by column, shape (entries) \[index of a row\].
-    rows: Vec<usize>,
-}
-
-impl ColumnPattern {
-    fn of(columns: &[Vec<usize>]) -> Self {
-        let (mut starts, mut rows) = (vec![0], Vec::new());
-        for column in columns {
-            rows.extend_from_slice(column);
-            starts.push(rows.len());
-        }
-        Self { starts, rows }
-    }
-
-    fn range(&self, column: usize) -> std::ops::Range<usize> {
-        self.starts[column]..self.starts[column + 1]
-    }
-}
 
 /// A sparse matrix of fixed pattern and, after [`SparseLu::factor`], its factors.
 ///

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::definition::{InitialMotion, StrainMeasure, Strength};
+pub use super::acting::*;
+use super::definition::{InitialMotion, StrainMeasure, Strength, TouchLaw};
 pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;
 pub use super::striking::*;
@@ -139,87 +140,6 @@ impl Span {
     pub fn is_damped(&self) -> bool {
         self.retardation > 0.0 || self.mass_damping > 0.0
     }
-}
-
-/// A load and its time function.
-#[derive(Clone, Debug)]
-pub struct LoadData {
-    pub name: String,
-    pub kind: LoadAction,
-    pub function: PreparedFunction,
-    pub from: f64,
-    pub until: f64,
-}
-
-/// What a load applies, for a factor of one.
-#[derive(Clone, Debug)]
-pub enum LoadAction {
-    /// Acceleration of everything that has mass.
-    Gravity {
-        /// The acceleration, shape (2) \[m/s^2\].
-        acceleration: [f64; 2],
-    },
-    /// A force, dead or along (tangent, normal), and a moment.
-    Point {
-        point: MaterialPoint,
-        /// The force, shape (2) \[N\].
-        force: [f64; 2],
-        moment: f64,
-        follower: bool,
-    },
-    /// Nodal forces of a dead distributed load, and each element's share of them, by its node a.
-    Dead {
-        /// Forces on values and slopes of nodes, shape (nodes of the load, 4) \[index of a node, N, N m\].
-        nodal: Vec<(usize, [f64; 4])>,
-        /// Share of each element, by its node a, shape (elements of the load, 2, 4) \[index of a node, N, N m\].
-        shares: Vec<(usize, [[f64; 4]; 2])>,
-    },
-    /// Forces per length along (tangent, normal) at quadrature points.
-    Follower {
-        /// The points, shape (points).
-        points: Vec<FollowerPoint>,
-    },
-}
-
-/// A quadrature point of a follower load.
-#[derive(Clone, Debug)]
-pub struct FollowerPoint {
-    pub point: MaterialPoint,
-    /// Force per length times the weight of the point, along (tangent, normal), shape (2) \[N\].
-    pub force: [f64; 2],
-}
-
-impl LoadData {
-    /// Whether it acts throughout, as it is.
-    pub fn is_steady(&self) -> bool {
-        self.function.is_constant() && self.from <= 0.0 && self.until == f64::INFINITY
-    }
-
-    /// Mean factor over the step `[start, start + h]`: its impulse is exact.
-    pub fn factor(&self, start: f64, h: f64) -> f64 {
-        let share = share(self.from, self.until, start, h);
-        if share == 0.0 {
-            return 0.0;
-        }
-        let (lo, hi) = (self.from.max(start), self.until.min(start + h));
-        let (lo, length) = if share == 1.0 { (start, h) } else { (lo, hi - lo) };
-        share * self.function.mean(lo - self.from, length)
-    }
-
-    /// Factor at the start of a run, from the right.
-    pub fn factor_at_start(&self) -> f64 {
-        if self.from > 0.0 || self.until <= 0.0 { 0.0 } else { self.function.value(-self.from) }
-    }
-}
-
-/// Share of the step `[start, start + h]` in which a load that acts in `[from, until]` acts.
-pub fn share(from: f64, until: f64, start: f64, h: f64) -> f64 {
-    // Ends of steps are sums of steps: a difference of some ulps is the same instant.
-    let slack = 1e-9 * h;
-    let lo = from.max(start);
-    let hi = until.min(start + h);
-    let share = (hi - lo) / h;
-    if from <= start + slack && until >= start + h - slack { 1.0 } else { share.clamp(0.0, 1.0) }
 }
 
 impl Axes for Model {
@@ -411,5 +331,55 @@ impl Model {
         let beams = self.beam_node_count();
         let held = self.prescribed.iter().filter(move |h| h.node < beams).flat_map(|h| &h.drives);
         held.chain(self.constraints.iter().map(|c| &c.drive))
+    }
+}
+
+impl Model {
+    /// Number of nodes that belong to beams; those of bodies follow.
+    #[doc(hidden)]
+    pub fn beam_node_count(&self) -> usize {
+        self.nodes.len() - self.bodies.len()
+    }
+
+    /// Node of a body.
+    #[doc(hidden)]
+    pub fn body_node(&self, body: usize) -> usize {
+        self.beam_node_count() + body
+    }
+
+    /// Nodes of something that moves: beams first, then bodies.
+    pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
+        match self.beams.get(mover) {
+            Some(beam) => beam.nodes.clone(),
+            None => {
+                let node = self.body_node(mover - self.beams.len());
+                node..node + 1
+            }
+        }
+    }
+
+    /// Names of the projectiles, guided ones first, then discs, and whether each is a disc.
+    pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
+        self.striking_bodies().map(|i| {
+            let body = &self.bodies[i];
+            (body.name.as_str(), matches!(body.kind, BodyKind::Disc { .. }))
+        })
+    }
+
+    /// Bodies that strike: those of guided projectiles, then discs.
+    pub(crate) fn striking_bodies(&self) -> impl Iterator<Item = usize> {
+        let strikes = |b: &Body| matches!(b.kind, BodyKind::Guided | BodyKind::Disc { .. });
+        (0..self.bodies.len()).filter(move |i| strikes(&self.bodies[*i]))
+    }
+
+    /// Names of the contacts, those of guided projectiles first, and whether each is set-valued.
+    pub fn contact_names(&self) -> impl Iterator<Item = (&str, bool)> {
+        let rigid = |c: &ContactData| matches!(c.law, TouchLaw::Rigid(_));
+        self.contacts.iter().map(move |c| (c.name.as_str(), rigid(c)))
+    }
+
+    /// Whether any contact is set-valued, so that impacts with impulses can occur.
+    pub fn has_rigid_contact(&self) -> bool {
+        self.contact_names().any(|(_, rigid)| rigid)
     }
 }

@@ -7,7 +7,15 @@
 
 use super::centre_line::{CentreLine, Piece};
 use super::definition::{Beam, ElementSize, MaterialId, Mesh, SectionId};
-use super::places::BeamPlace;
+
+/// A place along a beam.
+#[derive(Clone, Copy, Debug)]
+pub struct BeamPlace {
+    /// Arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Whether the axial force may jump there.
+    pub ends_span: bool,
+}
 
 /// A span to be meshed.
 #[derive(Clone, Debug)]

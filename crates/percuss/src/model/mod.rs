@@ -1,6 +1,9 @@
 //! From definitions to the frozen [`Model`].
 
+#[allow(missing_docs)]
+pub(crate) mod acting;
 mod bodies;
+mod build;
 mod builder;
 mod centre_line;
 mod check;

@@ -5,9 +5,8 @@
 use super::Fault;
 use super::builder::ModelBuilder;
 use super::definition::Ends;
-use super::frozen::Model;
+use super::frozen::{MaterialPoint, Model};
 use super::material_points::point_at;
-use super::pairs::beam_centre;
 use crate::geometry::axis::{AxisEnd, LONGEST_CAP};
 use crate::geometry::pair::{Carrier, Centre, Target, carried};
 use crate::math::vec2::add;
@@ -140,4 +139,10 @@ impl<'a> BeamOutline<'a> {
             out.push(Source { centre, radius, s, at_end });
         }
     }
+}
+
+pub(super) fn beam_centre(point: &MaterialPoint) -> Centre {
+    let MaterialPoint { shape, slope, tangent, .. } = *point;
+    let carrier = Carrier::Beam { shape, slope, tangent, offset: [0.0; 2] };
+    Centre { position: point.position, node: point.node, carrier }
 }

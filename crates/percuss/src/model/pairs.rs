@@ -5,7 +5,7 @@ use super::definition::*;
 use super::fault::Fault;
 use super::frozen::*;
 use super::material_points::locate;
-use super::outline::BeamOutline;
+use super::outline::{BeamOutline, beam_centre};
 use crate::geometry::pair::{Carrier, Centre, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};
 
@@ -87,12 +87,6 @@ fn body_centre(model: &Model, body: usize) -> Centre {
     let node = model.body_node(body);
     let carrier = Carrier::Body { offset: [0.0; 2] };
     Centre { position: model.nodes[node].position, node, carrier }
-}
-
-pub(super) fn beam_centre(point: &MaterialPoint) -> Centre {
-    let MaterialPoint { shape, slope, tangent, .. } = *point;
-    let carrier = Carrier::Beam { shape, slope, tangent, offset: [0.0; 2] };
-    Centre { position: point.position, node: point.node, carrier }
 }
 
 /// A shape that does not bend: its body, and what of it can be touched.

@@ -7,16 +7,8 @@
 use super::builder::ModelBuilder;
 use super::centre_line::CentreLine;
 use super::definition::*;
+use super::mesh::BeamPlace;
 use crate::math::vec2::{dot, norm, rot90};
-
-/// A place along a beam.
-#[derive(Clone, Copy, Debug)]
-pub struct BeamPlace {
-    /// Arc length from the start of the beam \[m\].
-    pub s: f64,
-    /// Whether the axial force may jump there.
-    pub ends_span: bool,
-}
 
 /// Forces across a beam to this share are across it.
 const ACROSS: f64 = 1e-9;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::definition::TouchLaw;
-use super::frozen::{MaterialPoint, Model};
+use super::ties::MaterialPoint;
 
 /// A rigid body.
 #[derive(Clone, Debug)]
@@ -76,54 +76,4 @@ pub struct ContactData {
     pub law: TouchLaw,
     /// Its pairs.
     pub pairs: Range<usize>,
-}
-
-impl Model {
-    /// Number of nodes that belong to beams; those of bodies follow.
-    #[doc(hidden)]
-    pub fn beam_node_count(&self) -> usize {
-        self.nodes.len() - self.bodies.len()
-    }
-
-    /// Node of a body.
-    #[doc(hidden)]
-    pub fn body_node(&self, body: usize) -> usize {
-        self.beam_node_count() + body
-    }
-
-    /// Nodes of something that moves: beams first, then bodies.
-    pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
-        match self.beams.get(mover) {
-            Some(beam) => beam.nodes.clone(),
-            None => {
-                let node = self.body_node(mover - self.beams.len());
-                node..node + 1
-            }
-        }
-    }
-
-    /// Names of the projectiles, guided ones first, then discs, and whether each is a disc.
-    pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
-        self.striking_bodies().map(|i| {
-            let body = &self.bodies[i];
-            (body.name.as_str(), matches!(body.kind, BodyKind::Disc { .. }))
-        })
-    }
-
-    /// Bodies that strike: those of guided projectiles, then discs.
-    pub(crate) fn striking_bodies(&self) -> impl Iterator<Item = usize> {
-        let strikes = |b: &Body| matches!(b.kind, BodyKind::Guided | BodyKind::Disc { .. });
-        (0..self.bodies.len()).filter(move |i| strikes(&self.bodies[*i]))
-    }
-
-    /// Names of the contacts, those of guided projectiles first, and whether each is set-valued.
-    pub fn contact_names(&self) -> impl Iterator<Item = (&str, bool)> {
-        let rigid = |c: &ContactData| matches!(c.law, TouchLaw::Rigid(_));
-        self.contacts.iter().map(move |c| (c.name.as_str(), rigid(c)))
-    }
-
-    /// Whether any contact is set-valued, so that impacts with impulses can occur.
-    pub fn has_rigid_contact(&self) -> bool {
-        self.contact_names().any(|(_, rigid)| rigid)
-    }
 }

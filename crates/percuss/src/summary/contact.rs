@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Peak;
+use super::peak::Peak;
 use crate::geometry::dents::CarriedCrush;
 use crate::geometry::pair::Target;
 use crate::model::{Model, TouchLaw};
@@ -351,17 +351,5 @@ impl ContactSummary {
     pub fn closed_since(&self) -> Option<f64> {
         let open_ended = self.record.intervals().iter().rev().find(|one| one.end.is_nan());
         open_ended.map(|one| one.start)
-    }
-}
-
-impl super::RunSummary {
-    /// Names of the contacts of something that are still closed at the end of the run: those that carry its name, and those that it takes
-    /// part in.
-    pub fn still_touches<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a str> {
-        let of = move |contact: &&ContactSummary| {
-            contact.name == name || contact.between.iter().any(|one| one == name)
-        };
-        let closed = self.contacts.iter().filter(|contact| contact.closed_since().is_some());
-        closed.filter(of).map(|contact| contact.name.as_str())
     }
 }

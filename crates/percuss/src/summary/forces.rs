@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Peak;
+use super::peak::Peak;
 
 /// Extremes of a recorded point.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Peak;
+use super::peak::Peak;
 
 /// A joint that parted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

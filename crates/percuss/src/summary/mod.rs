@@ -3,14 +3,15 @@
 mod contact;
 mod forces;
 mod joints;
+mod peak;
 mod plastic;
 mod step_control;
 
 pub use contact::*;
 pub use forces::*;
 pub use joints::*;
+pub use peak::Peak;
 pub use plastic::*;
-use serde::{Deserialize, Serialize};
 pub use step_control::*;
 
 use crate::error::Error;
@@ -30,21 +31,6 @@ pub enum Termination {
     },
     /// Gave up; everything up to the last accepted step is recorded.
     Failed(Error),
-}
-
-/// A largest value and when it occurred.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Peak {
-    /// The value of largest magnitude, signed.
-    pub value: f64,
-    /// Its time \[s\].
-    pub time: f64,
-}
-
-impl Default for Peak {
-    fn default() -> Self {
-        Self { value: f64::NAN, time: f64::NAN }
-    }
 }
 
 /// Energies of a run \[J\].
@@ -183,5 +169,17 @@ impl RunSummary {
             ContactRecord::Nonsmooth { .. } => None,
         });
         smooth.flatten().map(|interval| interval.energy.lost).sum()
+    }
+}
+
+impl RunSummary {
+    /// Names of the contacts of something that are still closed at the end of the run: those that carry its name, and those that it takes
+    /// part in.
+    pub fn still_touches<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a str> {
+        let of = move |contact: &&ContactSummary| {
+            contact.name == name || contact.between.iter().any(|one| one == name)
+        };
+        let closed = self.contacts.iter().filter(|contact| contact.closed_since().is_some());
+        closed.filter(of).map(|contact| contact.name.as_str())
     }
 }

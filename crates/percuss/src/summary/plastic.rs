@@ -4,7 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Peak, SectionPeak};
+use super::forces::SectionPeak;
+use super::peak::Peak;
 
 /// A stretch of a beam that has bent plastically to one side.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
-use super::{Entry, brief};
+use super::entry::{Entry, brief};
 use crate::report::figure::largest;
 use crate::report::html::{Cell, escape};
 use crate::report::quantity::{Scale, fine_number, number, without_round_off};

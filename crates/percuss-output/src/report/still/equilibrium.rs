@@ -1,18 +1,33 @@
 //! The page of a static equilibrium.
 
+use percuss::scene::Scene;
 use percuss::{
-    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, SectionRange, StaticContact,
-    StaticYielding,
+    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Model, SectionRange,
+    StaticContact, StaticYielding,
 };
 use serde_json::json;
 
 use super::{Page, largest_displacement, swinging};
-use crate::equilibrium::EquilibriumInfo;
 use crate::fields::{Fields, Places, scene_value};
 use crate::report::figure::largest;
 use crate::report::html::{escape, table};
 use crate::report::quantity::{number, quantity, without_round_off};
 use crate::report::scene;
+
+/// An equilibrium and what it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub struct EquilibriumInfo<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// What stands in the model.
+    pub scene: &'a Scene,
+    /// The equilibrium.
+    pub found: &'a Equilibrium,
+    /// Its linear buckling.
+    pub linear: &'a LinearBuckling,
+    /// The model it is of.
+    pub model: &'a Model,
+}
 
 /// The page of an equilibrium.
 pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {

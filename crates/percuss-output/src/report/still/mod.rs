@@ -4,14 +4,17 @@ mod equilibrium;
 mod modes;
 mod path;
 
+pub use equilibrium::EquilibriumInfo;
 pub(crate) use equilibrium::render as equilibrium_page;
+pub use modes::ModesInfo;
 pub(crate) use modes::render as modes_page;
-pub(crate) use path::{PathPage, render as path_page};
+pub use path::PathInfo;
+pub(crate) use path::{Along, PathPage, drawn_displacements, render as path_page};
 
 use serde_json::{Value, json};
 
 use super::html::{self, escape};
-use super::page::{STYLE, fill_holes, page_parts};
+use super::template::{PENS, STYLE, fill_holes, page_parts};
 use super::{payload, scene};
 use crate::fields::{Fields, StoredFrame};
 
@@ -61,9 +64,9 @@ impl Page<'_> {
             "version" => env!("CARGO_PKG_VERSION").to_owned(),
             "index" => html::json(&payload.index),
             "data" => payload.data.clone(),
-            "script" => [&[scene::PENS][..], &SCRIPTS[..3], &scene::SCRIPTS, &SCRIPTS[3..]]
-                .concat()
-                .join("\n"),
+            "script" => {
+                [&[PENS][..], &SCRIPTS[..3], &scene::SCRIPTS, &SCRIPTS[3..]].concat().join("\n")
+            }
             other => page_parts(other),
         })
     }

@@ -1,14 +1,28 @@
 //! The page of natural modes.
 
 use percuss::scene::Scene;
-use percuss::{Frame, ModeKind};
+use percuss::{Frame, Mode, ModeKind, Model};
 use serde_json::json;
 
 use super::{Page, swinging};
 use crate::fields::{Fields, Places, scene_value};
-use crate::modes::ModesInfo;
 use crate::report::html::{escape, table};
 use crate::report::quantity::quantity;
+
+/// Modes and what they belong to.
+#[derive(Clone, Copy, Debug)]
+pub struct ModesInfo<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// What they are taken about: `reference` or `static`.
+    pub about: &'a str,
+    /// The model.
+    pub model: &'a Model,
+    /// Nodal displacements of the configuration they are taken about, shape (n_node).
+    pub displacement: &'a [[f64; 4]],
+    /// The modes, in ascending order.
+    pub modes: &'a [Mode],
+}
 
 /// The page of modes, the first so many of them drawn with their titles about a configuration; `svg` is shown without scripts.
 pub(crate) fn render(

@@ -1,16 +1,42 @@
 //! The page of an equilibrium path: the load over the displacements, beside the structure as it moves along.
 
-use percuss::{Path, PathPoint, PathYield};
+use percuss::scene::Scene;
+use percuss::{LinearBuckling, Path, PathPoint, PathYield};
 use serde_json::{Value, json};
 
 use super::equilibrium::{buckling_title, tables};
 use super::{Page, swinging};
-use crate::fields::{Fields, Places, scene_value};
-use crate::path::{Along, PathInfo, drawn_displacements};
+use crate::fields::{Fields, Places, StoredFrame, scene_value};
 use crate::report::figure::largest;
 use crate::report::html::{escape, table};
 use crate::report::quantity::{Scale, number, quantity, without_round_off};
 use crate::report::scene;
+
+/// A path and what it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub struct PathInfo<'a> {
+    /// The scenario's title.
+    pub title: &'a str,
+    /// What stands in the model.
+    pub scene: &'a Scene,
+    /// The path.
+    pub path: &'a Path,
+    /// Linear buckling of the equilibrium at its end.
+    pub linear: &'a LinearBuckling,
+}
+
+/// An equilibrium kept along a path.
+#[derive(Clone, Debug)]
+pub(crate) struct Along {
+    /// Number among the points offered.
+    pub number: usize,
+    pub factor: f64,
+    /// Whether the load turns there.
+    pub limit: bool,
+    /// Of the recorded points.
+    pub displacements: Vec<[f64; 2]>,
+    pub frame: StoredFrame,
+}
 
 /// Limit points drawn as pictures and listed.
 const DRAWN: usize = 24;
@@ -165,4 +191,22 @@ fn turns(path: &Path, what: &str, points: &[PathPoint]) -> String {
         _ => what.to_owned(),
     };
     table(&shown, &header, &rows)
+}
+
+/// Curves in the picture.
+const CURVES: usize = 4;
+
+/// Recorded points and components that move the most, in their order.
+pub(crate) fn drawn_displacements(path: &Path) -> Vec<(usize, usize)> {
+    let column = |(point, component): (usize, usize)| -> Vec<f64> {
+        path.points.iter().map(|p| p.displacements[point][component]).collect()
+    };
+    let mut all: Vec<(usize, usize)> =
+        (0..path.names.len()).flat_map(|point| [(point, 0), (point, 1)]).collect();
+    all.sort_by(|a, b| largest(&column(*b)).total_cmp(&largest(&column(*a))));
+    let size = all.first().map_or(0.0, |first| largest(&column(*first)));
+    all.retain(|c| largest(&column(*c)) > 1e-9 * size);
+    all.truncate(CURVES);
+    all.sort_unstable();
+    all
 }

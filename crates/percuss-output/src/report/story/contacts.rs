@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value};
 
-use super::{list, quantity};
+use super::words::{list, quantity};
 
 /// Beside those of the run, smaller velocities are none.
 const ROUND_OFF: f64 = 1e-9;

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::quantity;
+use super::words::quantity;
 
 /// What the beams that can yield did: which one began, how far it went, what stays. Each is told of the beam that it is largest of.
 pub(super) fn beams(summary: &Value) -> Option<String> {

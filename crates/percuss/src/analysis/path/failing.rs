@@ -1,7 +1,7 @@
 //! What fails along an equilibrium path: the arc ends where it bears its whole strength, and what it gave is let go there, the load
 //! factor held or the displacement that the path goes to.
 
-use super::Goal;
+use super::goal::Goal;
 use super::tracer::{Mark, Tracer};
 use crate::analysis::failure::{StaticFailure, first_failure};
 

@@ -2,17 +2,22 @@
 
 mod advance;
 mod failing;
+mod goal;
+mod point;
 mod tracer;
 mod yielding;
 
 use super::balance;
+use super::equilibrium::Equilibrium;
 use super::failure::StaticFailure;
 use super::static_search::StaticSearch;
-use super::statics::{Equilibrium, finish, refuse_overlaps};
+use super::statics::{finish, refuse_overlaps};
 use super::yields::PathYield;
 use crate::error::Error;
 use crate::model::Model;
-use crate::settings::{PathEnd, PathSettings};
+use crate::settings::PathSettings;
+use goal::Goal;
+pub use point::{PathPoint, PathRecorder};
 use tracer::{Mark, Tracer};
 use yielding::Yielded;
 
@@ -25,17 +30,6 @@ const SMALLEST_ARC: f64 = 1e-6;
 /// The longest arc unless the first is longer, in the measure of [`Tracer::inner`]: moves of a twentieth of the structure, turns of a
 /// twentieth of a radian.
 const LONGEST_ARC: f64 = 0.05;
-
-/// A point of an equilibrium path.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PathPoint {
-    /// Factor on the loads that act at time zero.
-    pub factor: f64,
-    /// Displacements of the recorded points, in their order, shape (points, 2) \[m\].
-    pub displacements: Vec<[f64; 2]>,
-    /// Whether the structure returns to it under its loads: no motion about it grows.
-    pub stable: bool,
-}
 
 /// An equilibrium path.
 #[derive(Clone, Debug)]
@@ -59,16 +53,6 @@ pub struct Path {
     pub reached: bool,
     /// What fails at the end of the path and leaves no equilibrium: `joint.knee`, `spring.brace`, `beam.girder`.
     pub torn: Option<String>,
-}
-
-/// Receives equilibria along a path, for drawings.
-pub trait PathRecorder {
-    /// Whether the equilibrium at a point reached is wanted; `limit` where the load factor turns there. Limit points come between
-    /// the points before and after them.
-    fn wants(&mut self, limit: bool) -> bool;
-
-    /// Called with an equilibrium that is wanted, and the factor on its loads.
-    fn equilibrium(&mut self, factor: f64, limit: bool, found: &Equilibrium);
 }
 
 /// Wants nothing.
@@ -131,7 +115,7 @@ pub fn equilibrium_path_recorded(
     tracer.search.set_share(tracer.factor);
     tracer.search.reached();
     path.end = finish(&mut tracer.search, steps);
-    balance::check(&tracer.search, &path.end)?;
+    balance::check(&tracer.search, &path.end.balance, &path.end.element_forces)?;
     path.end.failures.clone_from(&path.failures);
     path.end.stable = path.points.last().is_some_and(|point| point.stable);
     Ok(path)
@@ -282,24 +266,7 @@ impl Path {
     }
 }
 
-/// What ends a path.
-enum Goal {
-    Factor(f64),
-    Displacement { point: usize, component: usize, value: f64 },
-}
-
 impl Goal {
-    fn new(model: &Model, end: &PathEnd) -> Option<Self> {
-        Some(match end {
-            PathEnd::Factor(factor) => Self::Factor(*factor),
-            PathEnd::Displacement { point, component, value } => Self::Displacement {
-                point: model.points.iter().position(|p| p.label == *point)?,
-                component: component.checked_sub(1).filter(|c| *c < 2)?,
-                value: *value,
-            },
-        })
-    }
-
     /// The same where the path stands now: what is held there.
     fn here(&self, tracer: &Tracer) -> Self {
         match self {

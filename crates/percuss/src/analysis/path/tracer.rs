@@ -1,10 +1,12 @@
 //! A place on an equilibrium path: its corrections, and the response to the loads there.
 
-use super::{Goal, PathPoint, PathRecorder};
-use crate::analysis::spectrum::Stability;
+use super::goal::Goal;
+use super::point::{PathPoint, PathRecorder};
+use crate::analysis::lost::lost as lost_at;
+use crate::analysis::stability::{Stability, stability};
 use crate::analysis::static_contacts::{Pressing, Programme, Response};
 use crate::analysis::static_search::{Motions, Reached, StaticSearch, largest};
-use crate::analysis::statics::{finish, leans_on_stops, lost as lost_at, stability};
+use crate::analysis::statics::{finish, leans_on_stops};
 use crate::error::Error;
 use crate::model::Model;
 

@@ -1,8 +1,8 @@
 //! Extremes of section forces and stresses between the places at which every element is looked at.
 
+use super::element::{ElementForces, FLAT, PLACES, station};
 use super::fibres::Fibres;
 use super::line::{Rise, SectionForces};
-use super::{ElementForces, FLAT, PLACES, station};
 use crate::summary::{SectionForceSummary, SectionRange};
 
 /// Pieces in which extremes between two places are looked for.

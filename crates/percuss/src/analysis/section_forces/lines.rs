@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::lanes::SpanLines;
 use super::line::{ElementShape, Inner, Line, NUMBERS, OnNodes, place_of, resultant};
+use super::span_lines::SpanLines;
 use crate::geometry::row::Row;
 use crate::math::vec2::{add, dot, scale};
 use crate::model::Model;

@@ -5,30 +5,26 @@
 //! Of a step they are those of its middle, where the scheme has its balance, as reactions are means over the step.
 
 mod between;
+mod element;
 mod fibres;
 mod lanes;
 mod line;
 mod lines;
+mod span_lines;
 
 use crate::element::beam::ElementValues;
 use crate::element::yielding::gauss_strains;
-use crate::math::hermite::{self, GAUSS};
+use crate::math::hermite::GAUSS;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span};
 use crate::scalar::in_lanes;
 use crate::state::State;
-use crate::summary::{Envelope, SectionForceSummary, SectionPeak, SectionRange};
+use crate::summary::{Envelope, SectionForceSummary, SectionRange};
+use element::{ElementForces, PLACES, station};
 use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
-use line::{Inner, Line, SectionForces};
 
 pub use lines::{Acting, Lines};
-
-/// Places of an element that the envelope knows: both ends and the middle.
-const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
-
-/// What changes by less than this share of itself along half an element does not change.
-const FLAT: f64 = 1e-12;
 
 /// Nothing seen yet, one entry a beam.
 pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
@@ -68,11 +64,6 @@ pub fn fit(a: &[SectionForceSummary], b: &[SectionForceSummary]) -> bool {
         all.iter().map(of).collect()
     };
     places(a) == places(b)
-}
-
-/// Arc length at a share of the way.
-fn station(a: f64, b: f64, xi: f64) -> f64 {
-    if xi == 1.0 { b } else { a + xi * (b - a) }
 }
 
 /// Takes section forces into the extremes so far; `state` is that at the end of the step.
@@ -125,106 +116,6 @@ fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
         }
         out
     }))
-}
-
-/// An element with its section forces.
-struct ElementForces<'a> {
-    span: &'a Span,
-    k: usize,
-    line: Line,
-    /// Forces inside the element, by place, shape (such forces).
-    inner: &'a [Inner],
-    /// Strains at both nodes, where they do not follow from the forces, shape (2).
-    strained: Option<[Strained; 2]>,
-    /// Extreme fibres at the Gauss points of an element that can yield, shape (Gauss points).
-    yielded: Option<[Fibres; GAUSS]>,
-}
-
-impl ElementForces<'_> {
-    /// Arc length at a share of the way.
-    fn s(&self, xi: f64) -> f64 {
-        station(self.span.stations[self.k], self.span.stations[self.k + 1], xi)
-    }
-
-    /// Extreme fibres; nothing without a depth.
-    fn fibres(&self, xi: f64, forces: &SectionForces) -> Option<Fibres> {
-        if !self.span.has_depth() || self.yielded.is_some() {
-            return None;
-        }
-        let section = self.span.section_at(self.k, xi);
-        let gauss = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
-        let curvature = self.span.table(self.k).rows[gauss].reference.curvature;
-        let strained = self.strained.map(|[a, b]| {
-            let mix = |a: f64, b: f64| (1.0 - xi) * a + xi * b;
-            Strained { stretch: mix(a.stretch, b.stretch), turn: mix(a.turn, b.turn) }
-        });
-        Some(fibres::fibres(&section, curvature, forces, strained))
-    }
-
-    /// Takes the element into the extremes of its beam, its places into the envelope from `index` on.
-    fn take(&self, out: &mut SectionForceSummary, index: usize, time: f64) {
-        let places = PLACES.map(|xi| self.line.at(xi, self.inner, false));
-        for (j, forces) in places.iter().enumerate() {
-            let fibres = self.take_at(out, PLACES[j], forces, time);
-            let e = &mut out.envelope;
-            widen(&mut e.axial, index + j, forces.axial, forces.axial);
-            widen(&mut e.shear, index + j, forces.shear, forces.shear);
-            widen(&mut e.moment, index + j, forces.moment, forces.moment);
-            if let Some(Fibres { stress: [least, most], .. }) = fibres {
-                widen(&mut e.stress, index + j, least, most);
-            }
-        }
-        for (j, fibres) in self.yielded.iter().flatten().enumerate() {
-            self.take_fibres(out, hermite::gauss_points()[j], fibres, time);
-            let [least, most] = fibres.stress;
-            widen(&mut out.envelope.stress, index + j, least, most);
-        }
-        if !self.inner.is_empty() {
-            self.take_between_forces(out, time);
-        } else {
-            self.take_between_places(out, &places, time);
-        }
-    }
-
-    fn take_at(
-        &self,
-        out: &mut SectionForceSummary,
-        xi: f64,
-        forces: &SectionForces,
-        time: f64,
-    ) -> Option<Fibres> {
-        let s = self.s(xi);
-        out.axial.take(forces.axial, s, time);
-        out.shear.take(forces.shear, s, time);
-        out.moment.take(forces.moment, s, time);
-        let fibres = self.fibres(xi, forces)?;
-        self.take_fibres(out, xi, &fibres, time);
-        Some(fibres)
-    }
-
-    fn take_fibres(&self, out: &mut SectionForceSummary, xi: f64, fibres: &Fibres, time: f64) {
-        let s = self.s(xi);
-        for side in 0..2 {
-            out.stress.take(fibres.stress[side], s, time);
-            out.strain.take(fibres.strain[side], s, time);
-            let (stress, strength) = (fibres.stress[side], self.span.strength);
-            // At the first instant, where it is largest.
-            let first = out.beyond.is_none_or(|b| b.time == time && stress.abs() > b.value.abs());
-            if first && strength.is_some_and(|strength| strength.is_passed(stress)) {
-                out.beyond = Some(SectionPeak { value: stress, s, time });
-            }
-        }
-    }
-}
-
-fn widen([min, max]: &mut [Vec<f64>; 2], i: usize, least: f64, most: f64) {
-    // The first value replaces NaN.
-    if least < min[i] || min[i].is_nan() {
-        min[i] = least;
-    }
-    if most > max[i] || max[i].is_nan() {
-        max[i] = most;
-    }
 }
 
 /// Section forces at a point, and the stress of larger magnitude. Where they jump, axial force, shear and moment are those just

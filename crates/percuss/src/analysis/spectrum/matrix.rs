@@ -4,6 +4,7 @@
 //! numbers, motions of a rigid body stay without strain against any number of elements.
 
 use super::held::Held;
+use crate::geometry::row::Row;
 use crate::linalg::chain::Chain;
 use crate::linalg::elimination::Pattern;
 use crate::model::Model;
@@ -268,4 +269,40 @@ fn projection(dofs: &PrescribedDofs) -> WideBlock {
 /// `x^T B`.
 pub(super) fn times(x: &[Wide; 4], block: &WideBlock) -> [Wide; 4] {
     std::array::from_fn(|c| (0..4).fold(Wide::ZERO, |sum, r| sum + x[r] * block[r][c]))
+}
+
+impl Layout<'_> {
+    /// Adds contacts held closed, with what the turning of the given share of their forces does.
+    pub fn add_held(&self, matrix: &mut Matrix, share: f64) {
+        for held in &self.held {
+            self.add_product(matrix, [&held.row; 2], held.stiffness);
+            for turning in &held.turnings {
+                for (a, weights) in turning.forms.iter().zip(&turning.weights) {
+                    for (b, weight) in turning.forms.iter().zip(weights) {
+                        self.add_product(matrix, [a, b], -share * held.force * weight);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The same with springs as stiff as beams of a length and of unit bending stiffness.
+    pub(super) fn add_held_kinematic(&self, matrix: &mut Matrix, length: f64) {
+        for held in &self.held {
+            self.add_product(matrix, [&held.row; 2], length.powi(-3));
+        }
+    }
+
+    /// Adds `factor a (x) b`, products in Wide numbers.
+    fn add_product(&self, matrix: &mut Matrix, [a, b]: [&Row; 2], factor: f64) {
+        if factor == 0.0 {
+            return;
+        }
+        for (i, left) in a.iter() {
+            for (j, right) in b.iter() {
+                let block = left.map(|l| right.map(|r| Wide::from(l) * r * factor));
+                self.add(matrix, i, j, &block);
+            }
+        }
+    }
 }

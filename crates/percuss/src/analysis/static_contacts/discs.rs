@@ -1,6 +1,7 @@
 //! What has no stiffness of its own, discs and beams without supports: weak springs hold it to where the iteration stands, to no
 //! place.
 
+use super::place::RestingDisc;
 use super::{STRIDE, StaticContacts, WEAK};
 use crate::geometry::pair::{Pair, Target};
 use crate::linalg::block::ZERO;
@@ -15,15 +16,6 @@ use crate::step::tangent::Tangent;
 const LOST: f64 = 1e2;
 /// A disc is pushed no deeper into a compliant contact than where it presses with so many times its weight.
 const DEEP: f64 = 4.0;
-
-/// A disc at rest.
-#[derive(Clone, Copy, Debug)]
-pub struct RestingDisc {
-    pub body: usize,
-    pub node: usize,
-    /// Weak spring \[N/m\].
-    pub spring: f64,
-}
 
 impl StaticContacts {
     /// Discs move cautiously at first: on a beam that has not yet given way their tangent tells little of where they roll to.

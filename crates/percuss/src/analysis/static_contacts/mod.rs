@@ -25,11 +25,9 @@ use crate::model::{Model, TouchLaw};
 use crate::state::State;
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
-use discs::RestingDisc;
-use place::CandidatePair;
+pub(super) use place::Pressing;
+use place::{CandidatePair, ROUND_OFF, RestingDisc};
 
-/// Gaps and moves below this share of the largest coordinate are round-off.
-const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 /// Gaps below this share of the largest coordinate are closed: a tenth of what a transient holds to be none.
 const CLOSED: f64 = 1e-13;
 /// A rigid contact begins as stiff as a foundation that lets its beam sink in over this share of its length: whole stretches come and go
@@ -51,18 +49,6 @@ const SETTLED: f64 = 1e-10;
 const SETTLED_EXACTLY: f64 = 1e-9;
 /// A disc moves by no more than this share of the structure in a correction, once it touches.
 const STRIDE: f64 = 0.05;
-
-/// How the rigid contacts of a structure press that are not those of discs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) enum Pressing {
-    /// As those of discs.
-    #[default]
-    Following,
-    /// With multipliers that corrections find.
-    Exactly,
-    /// With their multipliers; what is closed resists any move.
-    Held,
-}
 
 /// Contacts and discs that take part in statics.
 #[derive(Clone, Debug, Default)]

@@ -1,6 +1,5 @@
 //! A pair of a contact at rest: its gap, its force, its part in the tangent.
 
-use super::{Pressing, ROUND_OFF};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::row::Row;
@@ -132,4 +131,28 @@ pub fn moving(model: &Model, row: &Row) -> Row {
         }
     }
     out
+}
+
+/// A disc at rest.
+#[derive(Clone, Copy, Debug)]
+pub struct RestingDisc {
+    pub body: usize,
+    pub node: usize,
+    /// Weak spring \[N/m\].
+    pub spring: f64,
+}
+
+/// Gaps and moves below this share of the largest coordinate are round-off.
+pub(super) const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+
+/// How the rigid contacts of a structure press that are not those of discs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::analysis) enum Pressing {
+    /// As those of discs.
+    #[default]
+    Following,
+    /// With multipliers that corrections find.
+    Exactly,
+    /// With their multipliers; what is closed resists any move.
+    Held,
 }

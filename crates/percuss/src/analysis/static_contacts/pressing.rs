@@ -10,8 +10,6 @@
 
 mod closed;
 
-pub use closed::Response;
-
 use super::super::static_search::{StaticSearch, largest};
 use super::StaticContacts;
 use super::place::{CandidatePair, moving};
@@ -324,5 +322,23 @@ impl Balanced {
             gaps: each(&self.gaps, &other.gaps),
             constraints: each(&self.constraints, &other.constraints),
         }
+    }
+}
+
+/// How a structure answers to a load while what is closed stays closed.
+#[derive(Clone, Debug, Default)]
+pub struct Response {
+    /// Displacements, shape (nodes, 4) \[m, 1\].
+    pub nodal: Vec<[f64; 4]>,
+    /// Forces of constraints, shape (constraints) \[N, N m\].
+    pub constraints: Vec<f64>,
+    /// Forces of rigid contacts, by place, shape (rigid contacts near) \[index of a place, N\].
+    pub(super) contacts: Vec<(usize, f64)>,
+}
+
+impl Response {
+    /// The response of a structure without rigid contacts that corrections find.
+    pub fn free(nodal: Vec<[f64; 4]>, constraints: Vec<f64>) -> Self {
+        Self { nodal, constraints, contacts: Vec::new() }
     }
 }

@@ -1,23 +1,8 @@
 //! Prescribed motions and supports that hold for a time, in a search and as a run has left them.
 
-use super::StaticSearch;
+use super::search::{Motions, StaticSearch};
 use crate::model::Model;
-use crate::state::{Followed, State};
-
-/// What prescribed motions do in a search.
-pub enum Motions {
-    /// They grow with the loads to what they are at time zero.
-    Growing,
-    /// They are left out.
-    LeftOut,
-    /// They stand as a run has left them, and what was to hold until an earlier time holds no more.
-    Left {
-        /// The time \[s\].
-        time: f64,
-        /// How far they were followed, shape (motions).
-        followed: Vec<Followed>,
-    },
-}
+use crate::state::State;
 
 impl<'m> StaticSearch<'m> {
     /// A structure as a run has left it, without loads: what has let go by then holds it no more, and supports stand where they are.

@@ -7,37 +7,7 @@
 //! contacts that wedge each other ask for nothing impossible. Impulses are measured such that the operator has ones on its diagonal,
 //! rates such that the largest is of order one.
 
-use super::ImpactProblem;
-use crate::linalg::complementarity::Lemke;
-
-/// Room for the direct solution.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Direct {
-    lemke: Lemke,
-    /// The matrix of the complementarity problem, row by row, shape (unknowns, unknowns) \[-\].
-    matrix: Vec<f64>,
-    /// What is complementary to the unknowns where all of them vanish, shape (unknowns) \[kg^(1/2)\].
-    right: Vec<f64>,
-    /// The unknowns found, shape (unknowns) \[kg^(1/2)\].
-    values: Vec<f64>,
-    /// What each unknown is, shape (unknowns).
-    unknowns: Vec<Unknown>,
-    /// `1 / sqrt(W)` of each row's diagonal, shape (2 contacts) \[kg^(1/2)\]; none for what cannot move or has no friction.
-    units: Vec<f64>,
-    /// Impulses along normal and tangent, shape (2 contacts) \[N s\].
-    impulses: Vec<f64>,
-}
-
-/// An unknown of the complementarity problem, and what is complementary to it.
-#[derive(Clone, Copy, Debug)]
-enum Unknown {
-    /// Impulse along the normal of a contact; rate of the gap above its bound.
-    Normal(usize),
-    /// Impulse along the tangent forwards (1) or backwards (-1); sliding rate that way above the least one.
-    Tangent(usize, f64),
-    /// Sliding speed; impulse that friction could still give.
-    Speed(usize),
-}
+use super::problem::{Direct, ImpactProblem, Unknown};
 
 impl ImpactProblem {
     /// Replaces impulses with those of Lemke's method, if these meet the conditions better; returns the residual.

@@ -1,35 +1,7 @@
 //! Newton's iteration on what the contacts do: open, sticking or sliding. It needs a few small linear systems where it converges,
 //! which it mostly does from where sweeps have come to; redundant contacts with friction can keep it from that.
 
-use super::ImpactProblem;
-use crate::linalg::dense::DenseLu;
-
-/// Room for Newton's iteration.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Newton {
-    lu: DenseLu,
-    /// Impulses along normal and tangent, shape (2 contacts) \[N s\].
-    impulses: Vec<f64>,
-    /// Rates with these impulses, shape (2 contacts) \[m/s\].
-    rates: Vec<f64>,
-    /// Rates by impulses sought, row by row, shape (sought, sought) \[1/kg\].
-    matrix: Vec<f64>,
-    /// Rates that are missing, then the changes of the impulses sought, shape (sought) \[m/s, then N s\].
-    right: Vec<f64>,
-    /// What each contact does, shape (contacts).
-    statuses: Vec<Status>,
-    /// Rows of the impulses sought, shape (sought) \[index of a row\].
-    sought: Vec<usize>,
-}
-
-/// What a contact does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Status {
-    Open,
-    Sticks,
-    /// Its tangential impulse is at its limit, the upper one for 1, the lower one for -1.
-    Slides(f64),
-}
+use super::problem::{ImpactProblem, Newton, Status};
 
 /// Shift of the diagonal that makes redundant contacts solvable, relative to it.
 const REDUNDANT: f64 = 1e-13;

@@ -1,7 +1,7 @@
 //! Forces and tangents of every scheme at a Gauss point, against derivatives in dual numbers.
 
 use super::*;
-use crate::element::point::{Reference, SectionLaw, Strains};
+use crate::element::point::{PointResponse, Reference, SectionLaw, StepPoint, Strains};
 use crate::element::strain::StrainMeasure;
 use crate::element::{collocation, energy_momentum, rotary, strain, strain_rate};
 use crate::math::vec2::{add, cross, dot};

@@ -1,6 +1,7 @@
 //! Laws of fibres in other numbers: the same of several runs side by side, or with derivatives.
 
-use super::{Fibre, Hardening, Overstress, PlasticLaw, Plasticity, StressLaw};
+use super::Fibre;
+use super::law::{Hardening, Overstress, PlasticLaw, Plasticity, StressLaw};
 
 impl<S: Copy> Fibre<S> {
     /// The same with every number replaced.

@@ -1,6 +1,7 @@
 //! Plastic flow of a fibre, independent of rate.
 
-use super::{FibreState, FibreStep, PlasticLaw, Plasticity, StressPath};
+use super::law::{FibreState, FibreStep, PlasticLaw, Plasticity};
+use super::path::StressPath;
 use crate::scalar::{Mask, Number};
 
 impl Plasticity {

@@ -1,6 +1,6 @@
 //! Plastic flow of a fibre with viscous overstress.
 
-use super::{FibreState, FibreStep, Hardening, Overstress, PlasticLaw};
+use super::law::{FibreState, FibreStep, Hardening, Overstress, PlasticLaw};
 use crate::scalar::{Mask, Number, Task};
 
 /// Corrections of the root that viscous flow follows from, which converges in some five, and the last of them, relative; the balance

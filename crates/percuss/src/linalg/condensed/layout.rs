@@ -2,7 +2,7 @@
 
 use super::super::block::ZERO;
 use super::super::cluster::Cluster;
-use super::{BorderPattern, Condensed, LARGEST_CLUSTER, NodeRun};
+use super::{BorderPattern, Condensed, LARGEST_CLUSTER};
 
 impl Condensed {
     /// Pairs of slots that share a block in the interface system.
@@ -98,26 +98,4 @@ impl Condensed {
         }
         entries
     }
-}
-
-/// Runs of nodes between interface nodes, cut where the band is not linked.
-pub(super) fn runs(n: usize, links: &impl Fn(usize) -> bool, interface: &[usize]) -> Vec<NodeRun> {
-    let slot = |node: usize| interface.binary_search(&node).ok();
-    let mut runs = Vec::new();
-    let mut i = 0;
-    while i < n {
-        if slot(i).is_some() {
-            i += 1;
-            continue;
-        }
-        let start = i;
-        while links(i) && i + 1 < n && slot(i + 1).is_none() {
-            i += 1;
-        }
-        let left = if start > 0 && links(start - 1) { slot(start - 1) } else { None };
-        let right = if i + 1 < n && links(i) { slot(i + 1) } else { None };
-        runs.push(NodeRun { start, end: i + 1, left, right });
-        i += 1;
-    }
-    runs
 }

@@ -6,31 +6,20 @@
 //! Without interface nodes this is the chain alone.
 
 mod layout;
+mod runs;
 mod solve;
 #[cfg(test)]
 mod tests;
 
 use super::block::{self, Block, ZERO};
 use super::chain::{Chain, SingularPivot};
+pub use super::cluster::BorderVector;
 use super::cluster::Cluster;
 use super::schur::SchurComplement;
-use layout::runs;
-
-/// A row or column of the border: its coefficients at nodes.
-pub type BorderVector = Vec<(usize, [f64; 4])>;
+use runs::{NodeRun, runs};
 
 /// Joints of up to so many components are reduced to what their constraints leave free.
 const LARGEST_CLUSTER: usize = 64;
-
-/// A run of nodes that touch nothing beyond the band.
-#[derive(Clone, Debug)]
-struct NodeRun {
-    start: usize,
-    end: usize,
-    /// Interface nodes (their slots) before and after it.
-    left: Option<usize>,
-    right: Option<usize>,
-}
 
 /// The matrix, and after [`Condensed::factor`] its factors.
 #[derive(Clone, Debug)]

@@ -1,7 +1,8 @@
 //! Solutions of a factored system.
 
 use super::super::block;
-use super::{Condensed, NodeRun, Scratch, take};
+use super::runs::NodeRun;
+use super::{Condensed, Scratch, take};
 
 impl Condensed {
     /// Solves in place with the factors: nodal values in `x`, border values in `border`.

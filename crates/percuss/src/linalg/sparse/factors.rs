@@ -1,6 +1,6 @@
 //! Triangular factors of a sparse matrix, column by column.
 
-use super::ColumnPattern;
+use super::pattern::ColumnPattern;
 
 /// A pivot on the diagonal is good if it is at least this share of the largest entry of its column, so that no entry of the lower factor is
 /// larger than a hundred.

@@ -2,34 +2,11 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::super::time_function::TimeFunction;
 use super::beams::{arc, check_along, check_point};
 use super::contacts::check_smooth;
-use super::{Faults, quantity};
+use super::faults::{Faults, quantity};
+use super::functions::check_function;
 use crate::math::vec2::{cross, dot, norm};
-
-pub(super) fn check_function(function: &TimeFunction, path: String, out: &mut Faults) {
-    use TimeFunction::*;
-    match function {
-        Constant | Function(_) => {}
-        Step { at } => out.finite(path, &[*at], "s"),
-        Ramp { duration } | HalfSine { duration } | Triangle { duration } => {
-            out.positive(path, *duration, "a duration", "s");
-        }
-        Harmonic { frequency, phase } => out.finite(path, &[*frequency, *phase], ""),
-        Table { times, values, .. } => {
-            if times.len() != values.len() || times.len() < 2 {
-                let found = format!("{} times and {} values", times.len(), values.len());
-                out.add(path, found, "at least two times, and as many values");
-            } else if times.iter().chain(values).any(|x| !x.is_finite()) {
-                out.add(path, "numbers that are not finite", "finite numbers");
-            } else if let Some(i) = times.windows(2).position(|w| w[1] <= w[0]) {
-                let found = format!("{} s after {} s", times[i + 1], times[i]);
-                out.add(path, found, "times that increase");
-            }
-        }
-    }
-}
 
 /// Line of flight of a projectile, not normalised; `None` if neither velocity nor direction gives one.
 pub(in crate::model) fn line_of_flight(projectile: &Projectile) -> Option<[f64; 2]> {

@@ -4,7 +4,7 @@ use super::super::builder::ModelBuilder;
 use super::super::centre_line::CentreLine;
 use super::super::definition::*;
 use super::super::mesh;
-use super::{Faults, quantity};
+use super::faults::{Faults, quantity};
 use crate::math::vec2::{cross, dot, norm, sub};
 
 pub(super) fn check_stations(s: &Section, out: &mut Faults) {

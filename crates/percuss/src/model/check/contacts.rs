@@ -3,9 +3,9 @@
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
 use super::super::fault::Fault;
-use super::actions::check_function;
 use super::beams::check_point;
-use super::{Faults, quantity};
+use super::faults::{Faults, quantity};
+use super::functions::check_function;
 use crate::math::vec2::{cross, dot, norm, scale, sub};
 use crate::model::TimeFunction;
 

@@ -3,6 +3,8 @@
 mod actions;
 mod beams;
 mod contacts;
+mod faults;
+mod functions;
 mod supports;
 mod yielding;
 
@@ -14,42 +16,11 @@ use super::fault::Fault;
 use actions::{check_load, check_projectile};
 use beams::{check_beam, check_point, check_stations};
 use contacts::{check_contact, check_disc, check_obstacle};
+use faults::{Faults, quantity};
 use supports::{check_joint, check_spring, check_support};
 use yielding::{check_fibres, check_given_fibres, check_one_sided, check_plasticity};
 
 pub(super) use actions::line_of_flight;
-
-/// Collects faults, shape (faults); each check says what was found and what would be right.
-#[derive(Default)]
-struct Faults(Vec<Fault>);
-
-impl Faults {
-    fn add(&mut self, path: String, found: impl Into<String>, expected: &str) {
-        self.0.push(Fault::new(path, found, expected));
-    }
-
-    fn positive(&mut self, path: String, value: f64, what: &str, unit: &str) {
-        if !(value > 0.0 && value.is_finite()) {
-            self.add(path, quantity(value, unit), &format!("{what} above zero"));
-        }
-    }
-
-    fn not_negative(&mut self, path: String, value: f64, what: &str, unit: &str) {
-        if !(value >= 0.0 && value.is_finite()) {
-            self.add(path, quantity(value, unit), &format!("{what} of zero or above"));
-        }
-    }
-
-    fn finite(&mut self, path: String, values: &[f64], unit: &str) {
-        if let Some(bad) = values.iter().find(|v| !v.is_finite()) {
-            self.add(path, quantity(*bad, unit), "finite numbers");
-        }
-    }
-}
-
-fn quantity(value: f64, unit: &str) -> String {
-    if unit.is_empty() { format!("{value}") } else { format!("{value} {unit}") }
-}
 
 /// All faults of the definitions, in the order of the definitions.
 pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {

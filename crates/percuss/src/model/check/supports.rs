@@ -2,10 +2,10 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::actions::check_function;
 use super::beams::{arc, check_point, length, position};
+use super::faults::{Faults, quantity};
+use super::functions::check_function;
 use super::yielding::{check_yielding_joint, check_yielding_length, check_yielding_spring};
-use super::{Faults, quantity};
 use crate::math::vec2::{norm, sub};
 
 pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut Faults) {

@@ -3,7 +3,7 @@
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
 use super::super::fibres::{Make, Weighed};
-use super::{Faults, quantity};
+use super::faults::{Faults, quantity};
 
 /// A force that falls by less, relative, stays the same.
 const LEVEL: f64 = 1e-6;

@@ -2,25 +2,7 @@
 
 use super::super::place::CandidatePair;
 use super::super::{CLOSED, StaticContacts};
-use super::{Programme, TOUCHING};
-
-/// How a structure answers to a load while what is closed stays closed.
-#[derive(Clone, Debug, Default)]
-pub struct Response {
-    /// Displacements, shape (nodes, 4) \[m, 1\].
-    pub nodal: Vec<[f64; 4]>,
-    /// Forces of constraints, shape (constraints) \[N, N m\].
-    pub constraints: Vec<f64>,
-    /// Forces of rigid contacts, by place, shape (rigid contacts near) \[index of a place, N\].
-    pub(super) contacts: Vec<(usize, f64)>,
-}
-
-impl Response {
-    /// The response of a structure without rigid contacts that corrections find.
-    pub fn free(nodal: Vec<[f64; 4]>, constraints: Vec<f64>) -> Self {
-        Self { nodal, constraints, contacts: Vec::new() }
-    }
-}
+use super::{Programme, Response, TOUCHING};
 
 impl StaticContacts {
     /// Changes of forces that a programme has found.

@@ -1,0 +1,49 @@
+//! What a directory can hold, and how much of it.
+
+/// What a directory of results holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Results {
+    /// A run.
+    Run,
+    /// Natural modes.
+    Modes,
+    /// A static equilibrium.
+    Static,
+    /// An equilibrium path.
+    Path,
+    /// Files of a run for another program.
+    Export,
+}
+
+impl Results {
+    /// The word for it in the manifest.
+    pub(super) fn kind(self) -> &'static str {
+        match self {
+            Self::Run => "run",
+            Self::Modes => "modes",
+            Self::Static => "static",
+            Self::Path => "path",
+            Self::Export => "export",
+        }
+    }
+
+    /// What it looks like, in words.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Self::Run => "a run",
+            Self::Modes => "the modes of a scenario",
+            Self::Static => "a static equilibrium",
+            Self::Path => "an equilibrium path",
+            Self::Export => "files exported for another program",
+        }
+    }
+}
+
+/// Whether results are all that was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// They are; earlier results make room for them.
+    Complete,
+    /// They end early, or a part is missing: they never take the place of complete ones.
+    Partial,
+}

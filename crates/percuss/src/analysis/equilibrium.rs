@@ -1,0 +1,71 @@
+//! What statics finds.
+
+use super::balance::StaticBalance;
+use super::course::StaticFirstYield;
+use super::failure::StaticFailure;
+use super::spectrum::Held;
+use super::static_contacts::StaticContact;
+use super::yields::StaticYielding;
+use crate::frame::{Frame, FrameForce};
+use crate::geometry::row::Row;
+use crate::state::State;
+use crate::summary::SectionForceSummary;
+
+/// A static equilibrium.
+#[derive(Clone, Debug)]
+pub struct Equilibrium {
+    /// The state of equilibrium, at rest.
+    pub state: State,
+    /// Displacements of the recorded points, with their names, shape (points, 2) \[m\].
+    pub points: Vec<(String, [f64; 2])>,
+    /// Section forces of largest magnitude, one entry a beam, shape (beams).
+    pub section_forces: Vec<SectionForceSummary>,
+    /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
+    pub element_forces: Vec<[[f64; 3]; 2]>,
+    /// Forces of everything that presses, on the second of its partners, shape (places where something presses).
+    pub contact_forces: Vec<FrameForce>,
+    /// Factors of the loads, in the model's order, shape (loads) \[-\].
+    pub load_factors: Vec<f64>,
+    /// Forces (1, 2) and moment of each support on the structure, with their names, shape (supports, 3) \[N, N m\].
+    pub reactions: Vec<(String, [f64; 3])>,
+    /// Contacts that take part, in the model's order, shape (contacts).
+    pub contacts: Vec<StaticContact>,
+    /// Contacts that press, with their forces, shape (pairs that press) \[N\].
+    pub(crate) pressed: Vec<(Row, f64)>,
+    /// Contacts of beams that press, as they stay closed in small motions, shape (pairs that press).
+    pub(crate) held: Vec<Held>,
+    /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).
+    pub yielding: Vec<StaticYielding>,
+    /// What has failed for good on the way, in its order, shape (such failures).
+    pub failures: Vec<StaticFailure>,
+    /// What all that acts from outside comes to.
+    pub balance: StaticBalance,
+    /// Where and under which share of the loads beams first yielded on the way to it, shape (beams); empty at the end of a path.
+    pub first_yields: Vec<Option<StaticFirstYield>>,
+    /// How many times faster with the loads than in the first load step nodes went where they went fastest: about one of a structure that
+    /// stays elastic, and many of one that passes a plastic mechanism; not a number at the end of a path \[1\].
+    pub softening: f64,
+    /// Whether the structure returns to it: no motion about it grows.
+    pub stable: bool,
+    /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here, shape (such beams).
+    pub sliding: Vec<String>,
+    /// Load steps taken.
+    pub load_steps: usize,
+    /// Newton iterations.
+    pub newton_iterations: usize,
+}
+
+impl Equilibrium {
+    /// The equilibrium as a frame, for drawings.
+    pub fn frame(&self) -> Frame<'_> {
+        Frame {
+            time: 0.0,
+            displacement: &self.state.displacement,
+            velocity: &self.state.velocity,
+            spin: &self.state.spin,
+            section_forces: &self.element_forces,
+            contact_forces: &self.contact_forces,
+            load_factors: &self.load_factors,
+        }
+    }
+}

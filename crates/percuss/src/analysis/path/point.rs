@@ -1,0 +1,24 @@
+//! A point of a path of equilibria, and who is told of it.
+
+use crate::analysis::equilibrium::Equilibrium;
+
+/// A point of an equilibrium path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathPoint {
+    /// Factor on the loads that act at time zero.
+    pub factor: f64,
+    /// Displacements of the recorded points, in their order, shape (points, 2) \[m\].
+    pub displacements: Vec<[f64; 2]>,
+    /// Whether the structure returns to it under its loads: no motion about it grows.
+    pub stable: bool,
+}
+
+/// Receives equilibria along a path, for drawings.
+pub trait PathRecorder {
+    /// Whether the equilibrium at a point reached is wanted; `limit` where the load factor turns there. Limit points come between
+    /// the points before and after them.
+    fn wants(&mut self, limit: bool) -> bool;
+
+    /// Called with an equilibrium that is wanted, and the factor on its loads.
+    fn equilibrium(&mut self, factor: f64, limit: bool, found: &Equilibrium);
+}

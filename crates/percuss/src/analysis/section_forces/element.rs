@@ -1,0 +1,124 @@
+//! Section forces of an element, and what they add to the largest of its beam.
+
+use super::fibres::{self, Fibres, Strained};
+use super::line::{Inner, Line, SectionForces};
+use crate::math::hermite::{self, GAUSS};
+use crate::model::frozen::Span;
+use crate::summary::{SectionForceSummary, SectionPeak};
+
+/// Places of an element that the envelope knows: both ends and the middle.
+pub(super) const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+
+/// What changes by less than this share of itself along half an element does not change.
+pub(super) const FLAT: f64 = 1e-12;
+
+/// Arc length at a share of the way.
+pub(super) fn station(a: f64, b: f64, xi: f64) -> f64 {
+    if xi == 1.0 { b } else { a + xi * (b - a) }
+}
+
+/// An element with its section forces.
+pub(super) struct ElementForces<'a> {
+    pub(super) span: &'a Span,
+    pub(super) k: usize,
+    pub(super) line: Line,
+    /// Forces inside the element, by place, shape (such forces).
+    pub(super) inner: &'a [Inner],
+    /// Strains at both nodes, where they do not follow from the forces, shape (2).
+    pub(super) strained: Option<[Strained; 2]>,
+    /// Extreme fibres at the Gauss points of an element that can yield, shape (Gauss points).
+    pub(super) yielded: Option<[Fibres; GAUSS]>,
+}
+
+impl ElementForces<'_> {
+    /// Arc length at a share of the way.
+    pub(super) fn s(&self, xi: f64) -> f64 {
+        station(self.span.stations[self.k], self.span.stations[self.k + 1], xi)
+    }
+
+    /// Extreme fibres; nothing without a depth.
+    pub(super) fn fibres(&self, xi: f64, forces: &SectionForces) -> Option<Fibres> {
+        if !self.span.has_depth() || self.yielded.is_some() {
+            return None;
+        }
+        let section = self.span.section_at(self.k, xi);
+        let gauss = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
+        let curvature = self.span.table(self.k).rows[gauss].reference.curvature;
+        let strained = self.strained.map(|[a, b]| {
+            let mix = |a: f64, b: f64| (1.0 - xi) * a + xi * b;
+            Strained { stretch: mix(a.stretch, b.stretch), turn: mix(a.turn, b.turn) }
+        });
+        Some(fibres::fibres(&section, curvature, forces, strained))
+    }
+
+    /// Takes the element into the extremes of its beam, its places into the envelope from `index` on.
+    pub(super) fn take(&self, out: &mut SectionForceSummary, index: usize, time: f64) {
+        let places = PLACES.map(|xi| self.line.at(xi, self.inner, false));
+        for (j, forces) in places.iter().enumerate() {
+            let fibres = self.take_at(out, PLACES[j], forces, time);
+            let e = &mut out.envelope;
+            widen(&mut e.axial, index + j, forces.axial, forces.axial);
+            widen(&mut e.shear, index + j, forces.shear, forces.shear);
+            widen(&mut e.moment, index + j, forces.moment, forces.moment);
+            if let Some(Fibres { stress: [least, most], .. }) = fibres {
+                widen(&mut e.stress, index + j, least, most);
+            }
+        }
+        for (j, fibres) in self.yielded.iter().flatten().enumerate() {
+            self.take_fibres(out, hermite::gauss_points()[j], fibres, time);
+            let [least, most] = fibres.stress;
+            widen(&mut out.envelope.stress, index + j, least, most);
+        }
+        if !self.inner.is_empty() {
+            self.take_between_forces(out, time);
+        } else {
+            self.take_between_places(out, &places, time);
+        }
+    }
+
+    pub(super) fn take_at(
+        &self,
+        out: &mut SectionForceSummary,
+        xi: f64,
+        forces: &SectionForces,
+        time: f64,
+    ) -> Option<Fibres> {
+        let s = self.s(xi);
+        out.axial.take(forces.axial, s, time);
+        out.shear.take(forces.shear, s, time);
+        out.moment.take(forces.moment, s, time);
+        let fibres = self.fibres(xi, forces)?;
+        self.take_fibres(out, xi, &fibres, time);
+        Some(fibres)
+    }
+
+    pub(super) fn take_fibres(
+        &self,
+        out: &mut SectionForceSummary,
+        xi: f64,
+        fibres: &Fibres,
+        time: f64,
+    ) {
+        let s = self.s(xi);
+        for side in 0..2 {
+            out.stress.take(fibres.stress[side], s, time);
+            out.strain.take(fibres.strain[side], s, time);
+            let (stress, strength) = (fibres.stress[side], self.span.strength);
+            // At the first instant, where it is largest.
+            let first = out.beyond.is_none_or(|b| b.time == time && stress.abs() > b.value.abs());
+            if first && strength.is_some_and(|strength| strength.is_passed(stress)) {
+                out.beyond = Some(SectionPeak { value: stress, s, time });
+            }
+        }
+    }
+}
+
+pub(super) fn widen([min, max]: &mut [Vec<f64>; 2], i: usize, least: f64, most: f64) {
+    // The first value replaces NaN.
+    if least < min[i] || min[i].is_nan() {
+        min[i] = least;
+    }
+    if most > max[i] || max[i].is_nan() {
+        max[i] = most;
+    }
+}

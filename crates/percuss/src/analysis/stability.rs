@@ -1,0 +1,87 @@
+//! Whether an equilibrium is stable.
+
+use super::modes;
+use super::spectrum::{Held, Layout, metric};
+use super::static_search::StaticSearch;
+use crate::model::Model;
+use crate::step::tangent::Tangent;
+
+/// Stiffness below this share of that of bending counts as none.
+pub(super) const NEUTRAL: f64 = 1e-6;
+
+/// Whether an equilibrium is stable.
+#[derive(Clone, Copy, Debug)]
+pub struct Stability {
+    /// Whether no motion about it grows.
+    pub stable: bool,
+    /// Motions against which there is no stiffness but the opposite, if they were counted.
+    pub negative: Option<usize>,
+}
+
+impl Stability {
+    fn counted(negative: Option<usize>) -> Self {
+        Self { stable: negative == Some(0), negative }
+    }
+}
+
+/// Whether no motion of a structure about an equilibrium, where `search` stands, grows; contacts are left out but for those held
+/// closed.
+///
+/// Stiffness decides where forces have a potential: no pivot is negative, but for those of round-off beside the bending
+/// stiffness. Density has no part in it. Where a force follows the beams, motions may grow that stiffness knows nothing of
+/// (flutter), and frequencies decide.
+pub fn stability_about(model: &Model, search: &StaticSearch, held: Vec<Held>) -> Stability {
+    /// Eigenvalues below this share of the largest one looked at count as none.
+    const ROUND_OFF: f64 = 1e-9;
+    /// Modes looked at where frequencies decide.
+    const MODES: usize = 8;
+    let layout = Layout::holding(model, held.clone());
+    let mut tangent = layout.tangent(search);
+    if !layout.is_symmetric(&tangent) {
+        let modes = modes::lowest(model, &search.base, held, MODES);
+        let most = modes.iter().fold(0.0_f64, |most, m| most.max(m.eigenvalue.abs()));
+        let floor = ROUND_OFF * most;
+        let stable = modes.iter().all(|m| m.imaginary == 0.0 && m.eigenvalue >= -floor);
+        return Stability { stable, negative: None };
+    }
+    layout.add_band(&mut tangent, &metric(model, false), NEUTRAL);
+    Stability::counted(layout.factor(tangent, true).map(|f| f.negative))
+}
+
+/// The same by a tangent that was assembled, that of beams that yield as they are loaded on; nothing where it is not symmetric.
+pub fn stability_loaded(
+    model: &Model,
+    search: &StaticSearch,
+    tangent: &Tangent,
+) -> Option<Stability> {
+    let layout = Layout::new(model);
+    let mut matrix = layout.assembled(search, tangent);
+    if !layout.is_symmetric(&matrix) {
+        return None;
+    }
+    layout.add_band(&mut matrix, &metric(model, false), NEUTRAL);
+    Some(Stability::counted(layout.factor(matrix, true).map(|f| f.negative)))
+}
+
+/// Whether the equilibrium reached is stable, by the tangent with which it is loaded on, what presses held closed; `structure` is the
+/// beams alone.
+pub(super) fn stability(structure: &Model, search: &mut StaticSearch) -> Stability {
+    let told = |stable: bool| Stability { stable, negative: None };
+    search.foresee(true);
+    let press = search.contacts.press();
+    if press && search.contacts.has_discs() {
+        return told(search.is_stable_touching());
+    }
+    search.assemble::<true>();
+    let state = search.state();
+    let held = if press { search.contacts.held(search.model, &state) } else { Vec::new() };
+    let alone = search.of_structure(structure, &state);
+    if !search.model.is_inelastic() {
+        return stability_about(structure, &alone, held);
+    }
+    if press {
+        return told(search.is_stable_touching());
+    }
+    stability_loaded(structure, &alone, &search.work.tangent)
+        .unwrap_or_else(|| told(search.is_stable_touching()))
+}

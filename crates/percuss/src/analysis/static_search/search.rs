@@ -1,0 +1,67 @@
+//! A structure between its reference and an equilibrium, and a place on the way: what the search works on, without its rules.
+
+use crate::analysis::static_contacts::StaticContacts;
+use crate::element::fibre::FibreState;
+use crate::linalg::chain::Chain;
+use crate::model::Model;
+use crate::state::{Followed, State};
+use crate::step::forcing::Forcing;
+use crate::step::workspace::Workspace;
+
+/// A structure between its reference and an equilibrium.
+pub(in crate::analysis) struct StaticSearch<'m> {
+    pub model: &'m Model,
+    /// The configuration increments count from; its stored strains are those foreseen for the next correction.
+    pub base: State,
+    pub work: Workspace,
+    pub forcing: Forcing,
+    pub contacts: StaticContacts,
+    pub iterations: usize,
+    /// Forces that what has failed gave, shape (nodes, 4) \[N, N m\]; empty where none are held. The share that is let go.
+    pub(super) withheld: Vec<[f64; 4]>,
+    pub let_go: f64,
+    /// Whether springs are stressed as their lengths say.
+    pub stressed: bool,
+    /// What prescribed motions do.
+    pub motions: Motions,
+    /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
+    pub(super) gaps: Option<Chain>,
+}
+
+/// A place on the way to an equilibrium.
+#[derive(Clone)]
+pub(in crate::analysis) struct Reached {
+    /// Increment of the nodal displacements from the base, shape (nodes, 4) \[m, 1\].
+    pub increment: Vec<[f64; 4]>,
+    /// Multipliers of the constraints, shape (constraints) \[N, N m\].
+    pub(super) multiplier: Vec<f64>,
+    pub(super) contacts: StaticContacts,
+    /// What fibres remember, shape (fibres).
+    pub(super) fibres: Vec<FibreState>,
+    /// What connectors that yield remember, shape (connectors that yield).
+    pub memories: Vec<FibreState>,
+    /// Which joints of a given strength have parted, shape (such joints).
+    pub(super) joints_parted: Vec<bool>,
+    /// Which elements have, as in [`State`], shape (beam nodes); empty while no beam has.
+    pub(super) parted: Vec<bool>,
+}
+
+/// Largest magnitude of nodal values; NaN if any is.
+pub(in crate::analysis) fn largest(nodal: &[[f64; 4]]) -> f64 {
+    nodal.as_flattened().iter().fold(0.0, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) })
+}
+
+/// What prescribed motions do in a search.
+pub enum Motions {
+    /// They grow with the loads to what they are at time zero.
+    Growing,
+    /// They are left out.
+    LeftOut,
+    /// They stand as a run has left them, and what was to hold until an earlier time holds no more.
+    Left {
+        /// The time \[s\].
+        time: f64,
+        /// How far they were followed, shape (motions).
+        followed: Vec<Followed>,
+    },
+}
