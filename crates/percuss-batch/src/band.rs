@@ -3,6 +3,7 @@
 //! Lanes cannot search for pivots each on its own. In a step of a transient the blocks are dominated by masses, so there is no need;
 //! where a pivot fails all the same, the run's residual tells and it is left to the solver that searches.
 
+use percuss::internals::linalg::gauss_jordan;
 use percuss::internals::scalar::Number;
 use percuss::math::vec2::dot4;
 
@@ -49,7 +50,8 @@ impl<S: Number> Band<S> {
     pub fn factor(&mut self) {
         let n = self.diag.len();
         for i in 0..n {
-            let inverse = inverse(&self.diag[i]);
+            let mut inverse = self.diag[i];
+            gauss_jordan::invert(inverse.as_flattened_mut(), 4);
             self.diag[i] = inverse;
             if i + 1 < n {
                 let gain = product(&self.lower[i], &inverse);
@@ -93,29 +95,6 @@ impl<S: Number> Band<S> {
             }
         }
     }
-}
-
-/// Inverse by Gauss-Jordan elimination, pivots on the diagonal.
-#[inline(always)]
-fn inverse<S: Number>(a: &LaneBlock<S>) -> LaneBlock<S> {
-    let mut m = *a;
-    for k in 0..4 {
-        let [pivot] = S::ordinary_recips([m[k][k]]);
-        m[k][k] = pivot.constant(1.0);
-        for j in 0..4 {
-            m[k][j] = m[k][j] * pivot;
-        }
-        for i in 0..4 {
-            if i != k {
-                let factor = m[i][k];
-                m[i][k] = factor.constant(0.0);
-                for j in 0..4 {
-                    m[i][j] = m[i][j].sub_product(factor, m[k][j]);
-                }
-            }
-        }
-    }
-    m
 }
 
 #[inline(always)]

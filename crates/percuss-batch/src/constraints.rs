@@ -8,6 +8,7 @@ mod numbers;
 
 use super::engine::Engine;
 use super::ledger::LaneLedger;
+use percuss::internals::linalg::gauss_jordan;
 use percuss::internals::scalar::{Number, array};
 use percuss::internals::step::convergence::ROUND_OFF;
 use percuss::math::vec2::cross;
@@ -213,7 +214,7 @@ impl<S: Number> Engine<S> {
                 self.constraints.inverse[i * n + j] = applied(c, &each[i].row, &each[j].column);
             }
         }
-        invert(&mut self.constraints.inverse, n);
+        gauss_jordan::invert(&mut self.constraints.inverse, n);
     }
 
     /// Solves for the corrections with the factors in use and the constraints, which close what they miss or, if not `closing`, stay as
@@ -323,24 +324,5 @@ fn add_to<S: Number>(
 fn choose_all<S: Number>(mine: &mut [[S; 4]], other: &[[S; 4]], which: S::Mask) {
     for (mine, other) in mine.iter_mut().zip(other) {
         *mine = array(|i| S::choose(which, other[i], mine[i]));
-    }
-}
-
-/// Inverse of a matrix of `n` rows by Gauss-Jordan elimination, pivots on the diagonal.
-#[inline(always)]
-fn invert<S: Number>(m: &mut [S], n: usize) {
-    for k in 0..n {
-        let pivot = m[k * n + k].recip();
-        m[k * n + k] = pivot.constant(1.0);
-        for j in 0..n {
-            m[k * n + j] = m[k * n + j] * pivot;
-        }
-        for i in (0..n).filter(|i| *i != k) {
-            let factor = m[i * n + k];
-            m[i * n + k] = factor.constant(0.0);
-            for j in 0..n {
-                m[i * n + j] = m[i * n + j].sub_product(factor, m[k * n + j]);
-            }
-        }
     }
 }

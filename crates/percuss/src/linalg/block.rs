@@ -1,5 +1,7 @@
 //! 4 x 4 blocks on the stack.
 
+use super::gauss_jordan;
+
 /// A 4 x 4 matrix, row by row.
 pub type Block = [[f64; 4]; 4];
 
@@ -58,57 +60,23 @@ pub fn apply(a: &Block, x: &[f64; 4]) -> [f64; 4] {
     y
 }
 
-/// Inverse by Gauss-Jordan elimination with partial pivoting; `None` if a pivot vanishes or is not finite.
+/// Inverse; `None` if a pivot vanishes or is not finite.
 #[inline(always)]
 pub fn inverse(a: &Block) -> Option<Block> {
-    let (mut m, mut perm) = (*a, [0; 4]);
+    let (mut m, mut exchanged) = (*a, [0; 4]);
     // Column by column, each known when this is compiled: rows stay in registers.
-    perm[0] = eliminate::<0>(&mut m)?;
-    perm[1] = eliminate::<1>(&mut m)?;
-    perm[2] = eliminate::<2>(&mut m)?;
-    perm[3] = eliminate::<3>(&mut m)?;
-    for k in (0..4).rev() {
-        if perm[k] != k {
-            for row in &mut m {
-                row.swap(k, perm[k]);
-            }
-        }
-    }
+    exchanged[0] = eliminate::<0>(&mut m)?;
+    exchanged[1] = eliminate::<1>(&mut m)?;
+    exchanged[2] = eliminate::<2>(&mut m)?;
+    exchanged[3] = eliminate::<3>(&mut m)?;
+    gauss_jordan::restore(m.as_flattened_mut(), 4, &exchanged);
     Some(m)
 }
 
 /// Eliminates column `K`; returns the row of the pivot.
 #[inline(always)]
 fn eliminate<const K: usize>(m: &mut Block) -> Option<usize> {
-    let mut p = K;
-    for i in K + 1..4 {
-        if m[i][K].abs() > m[p][K].abs() {
-            p = i;
-        }
-    }
-    if p != K {
-        m.swap(K, p);
-    }
-    let pivot = m[K][K];
-    if pivot == 0.0 || !pivot.is_finite() {
-        return None;
-    }
-    let inv = 1.0 / pivot;
-    m[K][K] = 1.0;
-    for j in 0..4 {
-        m[K][j] *= inv;
-    }
-    let row = m[K];
-    for i in 0..4 {
-        if i != K {
-            let factor = m[i][K];
-            m[i][K] = 0.0;
-            for j in 0..4 {
-                m[i][j] -= factor * row[j];
-            }
-        }
-    }
-    Some(p)
+    gauss_jordan::eliminate_largest(m.as_flattened_mut(), 4, K, |x| x, |_| false)
 }
 
 /// The inverse of the block of a node on its own, which as a rule is diagonal.
