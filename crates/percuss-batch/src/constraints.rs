@@ -7,11 +7,11 @@
 mod numbers;
 
 use super::engine::Engine;
-use super::ledger::LaneLedger;
+use percuss::internals::ledger::Ledger;
 use percuss::internals::linalg::gauss_jordan;
 use percuss::internals::scalar::{Number, array};
 use percuss::internals::step::convergence::ROUND_OFF;
-use percuss::math::vec2::cross;
+use percuss::math::vec2::{cross, scale};
 
 pub use numbers::{Constrained, ConstraintNumbers};
 
@@ -262,26 +262,24 @@ impl<S: Number> Engine<S> {
             }
         }
     }
-}
 
-impl<S: Number> LaneLedger<S> {
     /// Enters the impulses of supports between nodes over the step.
     #[inline(always)]
-    pub fn enter_constraints(&mut self, engine: &Engine<S>) {
-        let h = engine.h;
-        let (u, d) = (&engine.displacement, &engine.increment);
-        for (c, state) in engine.numbers.constraints.iter().zip(&engine.constraints.each) {
+    pub fn enter_constraints(&self, ledger: &mut Ledger<S>) {
+        let (h, zero) = (self.h, self.h.constant(0.0));
+        let (u, d) = (&self.displacement, &self.increment);
+        for (c, state) in self.numbers.constraints.iter().zip(&self.constraints.each) {
             let Constrained::Held { gradient } = c.kept else { continue };
-            let (point, along) = (&c.points[0], -state.multiplier * h);
-            let impulse: [S; 2] = array(|i| c.direction[i] * along);
+            let (point, force) = (&c.points[0], scale(-state.multiplier, c.direction));
             let functions = c.functions(point);
             let [start, change] =
                 [u, d].map(|nodal| super::engine::interpolate(functions, point.node, nodal));
             let from = if gradient { point.tangent } else { point.position };
             let arm: [S; 2] = array(|i| from[i] + start[i] + change[i] * 0.5);
-            self.angular_impulse += cross(arm, impulse);
-            if !gradient {
-                self.impulse = array(|i| self.impulse[i] + impulse[i]);
+            if gradient {
+                ledger.react(h, [zero; 2], [zero; 2], cross(arm, force));
+            } else {
+                ledger.react(h, arm, force, zero);
             }
         }
     }

@@ -4,11 +4,11 @@
 
 use super::engine::{Engine, interpolate};
 use super::law::difference_quotient;
-use super::ledger::LaneLedger;
 use super::numbers::GuideLaw;
+use percuss::internals::ledger::Ledger;
 use percuss::internals::model::frozen::{Connector, ConnectorLaw, Coordinate};
 use percuss::internals::scalar::{Number, array};
-use percuss::math::vec2::{cross, dot};
+use percuss::math::vec2::{dot, scale};
 
 /// A spring and damper from a point of a beam to the ground.
 #[derive(Clone, Debug)]
@@ -182,22 +182,18 @@ impl<S: Number> Engine<S> {
         let each = self.numbers.springs.iter();
         each.fold(zero, |sum, s| sum + s.energy(s.along(&self.displacement)))
     }
-}
 
-impl<S: Number> LaneLedger<S> {
     /// Enters the impulses of the ground and the losses of the dampers over the step.
     #[inline(always)]
-    pub fn enter_springs(&mut self, engine: &Engine<S>) {
-        let h = engine.h;
-        let (u, d) = (&engine.displacement, &engine.increment);
-        for (k, spring) in engine.numbers.springs.iter().enumerate() {
-            let state = engine.see_spring(k);
-            self.loss_damping += spring.damping / h * state.change * state.change;
-            let impulse: [S; 2] = array(|i| -(spring.direction[i] * state.force * h));
+    pub fn enter_springs(&self, ledger: &mut Ledger<S>) {
+        let (u, d) = (&self.displacement, &self.increment);
+        for (k, spring) in self.numbers.springs.iter().enumerate() {
+            let state = self.see_spring(k);
+            ledger.loss_damping += spring.damping / self.h * state.change * state.change;
             let [start, step] = [u, d].map(|nodal| interpolate(&spring.shape, spring.node, nodal));
             let x: [S; 2] = array(|i| spring.position[i] + start[i] + step[i] * 0.5);
-            self.impulse = array(|i| self.impulse[i] + impulse[i]);
-            self.angular_impulse += cross(x, impulse);
+            let force = scale(-state.force, spring.direction);
+            ledger.react(self.h, x, force, self.h.constant(0.0));
         }
     }
 }

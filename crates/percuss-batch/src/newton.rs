@@ -109,13 +109,13 @@ impl<S: Number> Engine<S> {
 
     #[inline(always)]
     fn iterate(&mut self, ledger: &LaneLedger<S>, search: &mut LaneNewton<S>) {
-        let before = search.begin(ledger.energy_scale, self.h);
+        let before = search.begin(ledger.sums.energy_scale, self.h);
         self.settled = self.h.less(self.h);
         self.predict(before, search.ahead, search.trusted);
         let reach = largest(&self.displacement, self.numbers.size);
         let momentum = {
-            let play = (self.numbers.total_mass * ledger.energy_scale * 2.0).sqrt();
-            play.max(ledger.linear_scale)
+            let play = (self.numbers.total_mass * ledger.sums.energy_scale * 2.0).sqrt();
+            play.max(ledger.sums.linear_scale)
         };
         let (mut assemble, mut seen) = (search.renew.any(), false);
         let mut corrections = 0;

@@ -4,6 +4,7 @@ use super::constraints::ConstraintNumbers;
 use super::ground_springs::GroundSpringNumbers;
 use percuss::StrainMeasure;
 use percuss::internals::element::beam::ElementTable;
+use percuss::internals::ledger::RoundOff;
 use percuss::internals::model::frozen::SpanFibres;
 
 /// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
@@ -27,16 +28,12 @@ pub struct Numbers<S> {
     pub loads: Vec<LoadNumbers<S>>,
     /// Recorded points, shape (recorded points).
     pub points: Vec<PointNumbers<S>>,
-    /// Energy, linear and angular momentum that are round-off, shape (3) \[J, kg m/s, kg m^2/s\].
-    pub round_off: [S; 3],
-    /// The same below which no residual counts, shape (3) \[J, kg m/s, kg m^2/s\].
-    pub negligible: [S; 3],
+    /// What is nothing beside the structure.
+    pub round_off: RoundOff<S>,
     /// Mass of all there is \[kg\].
     pub total_mass: S,
     /// Size of the structure \[m\].
     pub size: S,
-    /// What positions are as large as \[m\].
-    pub positions: S,
 }
 
 /// A part of a beam.
@@ -141,11 +138,9 @@ impl<S: Copy> Numbers<S> {
             points: (self.points.iter())
                 .map(|p| PointNumbers { node: p.node, shape: p.shape.map(&mut *f) })
                 .collect(),
-            round_off: self.round_off.map(&mut *f),
-            negligible: self.negligible.map(&mut *f),
+            round_off: self.round_off.map(f),
             total_mass: f(self.total_mass),
             size: f(self.size),
-            positions: f(self.positions),
         }
     }
 

@@ -98,7 +98,6 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
     let guides = guides.collect::<Result<Vec<_>, _>>()?;
     let loads = model.loads.iter().map(|load| dead_load(model, &load.kind));
     let loads = loads.collect::<Result<Vec<_>, _>>()?;
-    let round_off = RoundOff::new(model, settings.step);
     let beams = &model.nodes[..model.beam_node_count()];
     Ok(Numbers {
         step: settings.step,
@@ -132,11 +131,9 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         points: (model.points.iter())
             .map(|p| PointNumbers { node: p.node, shape: p.shape })
             .collect(),
-        round_off: [round_off.energy, round_off.momentum, round_off.momentum * round_off.size],
+        round_off: RoundOff::new(model, settings.step),
         total_mass: model.total_mass,
-        negligible: round_off.negligible,
         size: model.extent(),
-        positions: round_off.size,
     })
 }
 

@@ -96,10 +96,10 @@ impl<S: Number> Engine<S> {
             force += guide.force + guide.impulse;
         }
         if first {
-            let scale = ledger.energy_scale;
+            let scale = ledger.sums.energy_scale;
             search.convergence.play(zero.if_less(scale, scale, work));
         }
-        let places = zero.if_less(force, self.numbers.positions, zero);
+        let places = zero.if_less(force, self.numbers.round_off.size, zero);
         search.convergence.corrected(size, reach, step, work, places);
         search.iterations += S::choose(seeking, zero.constant(1.0), zero);
         if self.fibres.is_empty() {

@@ -164,6 +164,11 @@ pub trait Number: Real + Debug {
     fn max(self, other: Self) -> Self {
         self.if_less(other, other, self)
     }
+    /// Length of the vector of two numbers; of a vanishing one, without derivatives.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        (self * self + other * other).sqrt()
+    }
     /// To a power; the base is positive.
     fn powf(self, exponent: Self) -> Self;
     /// Whether any lane is less than that of another number.
@@ -233,6 +238,10 @@ impl Number for f64 {
     #[inline(always)]
     fn choose(mask: bool, a: Self, b: Self) -> Self {
         if mask { a } else { b }
+    }
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        f64::hypot(self, other)
     }
     #[inline(always)]
     fn powf(self, exponent: Self) -> Self {
