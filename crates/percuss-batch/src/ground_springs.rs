@@ -3,8 +3,6 @@
 //! The same forces as those of single runs ([`step::connectors`](percuss::internals::step::connectors)): the difference quotient of the potential.
 
 use super::engine::{Engine, interpolate};
-use super::law::difference_quotient;
-use super::numbers::GuideLaw;
 use percuss::internals::ledger::Ledger;
 use percuss::internals::model::frozen::{Connector, ConnectorLaw, Coordinate};
 use percuss::internals::scalar::{Number, array};
@@ -15,20 +13,16 @@ use percuss::math::vec2::{dot, scale};
 pub struct GroundSpringNumbers<S> {
     /// Node `a` of the element it acts on.
     pub node: usize,
-    /// Whether it presses only from its free length on.
-    pub one_sided: bool,
     /// Shape functions of its point, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
     pub shape: [S; 4],
     /// Reference position of its point, shape (2) \[m\].
     pub position: [S; 2],
     /// Line it acts along, unit vector, shape (2) \[1\].
     pub direction: [S; 2],
-    /// Stiffness \[N/m\].
-    pub stiffness: S,
+    /// Its force over the displacement along the line.
+    pub law: ConnectorLaw<S>,
     /// Force per rate \[N s/m\].
     pub damping: S,
-    /// Displacement without force \[m\].
-    pub free: S,
 }
 
 /// A spring in the step at hand.
@@ -55,19 +49,13 @@ impl GroundSpringNumbers<f64> {
         if !drive.is_empty() {
             return Err("supports that move");
         }
-        let (one_sided, stiffness, free) = match c.law {
-            ConnectorLaw::Linear { stiffness, rest } => (false, stiffness, rest),
-            ConnectorLaw::OneSided { stiffness, gap } => (true, stiffness, gap),
-        };
         Ok(Self {
             node: point.node,
-            one_sided,
             shape: point.shape,
             position: point.position,
             direction: *direction,
-            stiffness,
+            law: c.law,
             damping: c.damping,
-            free,
         })
     }
 }
@@ -77,13 +65,11 @@ impl<S: Copy> GroundSpringNumbers<S> {
     pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> GroundSpringNumbers<T> {
         GroundSpringNumbers {
             node: self.node,
-            one_sided: self.one_sided,
             shape: self.shape.map(&mut *f),
             position: self.position.map(&mut *f),
             direction: self.direction.map(&mut *f),
-            stiffness: f(self.stiffness),
+            law: self.law.map(f),
             damping: f(self.damping),
-            free: f(self.free),
         }
     }
 }
@@ -93,25 +79,6 @@ impl<S: Number> GroundSpringNumbers<S> {
     #[inline(always)]
     fn along(&self, nodal: &[[S; 4]]) -> S {
         dot(self.direction, interpolate(&self.shape, self.node, nodal))
-    }
-
-    /// Potential at a displacement \[J\].
-    #[inline(always)]
-    fn energy(&self, q: S) -> S {
-        let zero = q.constant(0.0);
-        let p = q - self.free;
-        let p = if self.one_sided { p.max(zero) } else { p };
-        self.stiffness * p * p * 0.5
-    }
-
-    /// Force of the spring over a step from `q0` by `change`, and its slope by the end of the step.
-    #[inline(always)]
-    fn force(&self, q0: S, change: S) -> [S; 2] {
-        let p0 = q0 - self.free;
-        if self.one_sided {
-            return difference_quotient(GuideLaw::Linear, self.stiffness, p0, p0 + change);
-        }
-        [self.stiffness * (p0 + change * 0.5), self.stiffness * 0.5]
     }
 }
 
@@ -128,7 +95,7 @@ impl<S: Number> Engine<S> {
     fn see_spring(&self, k: usize) -> GroundSpringState<S> {
         let spring = &self.numbers.springs[k];
         let change = spring.along(&self.increment);
-        let [elastic, slope] = spring.force(spring.along(&self.displacement), change);
+        let [elastic, slope] = spring.law.quotient(spring.along(&self.displacement), change);
         let lag = spring.damping / self.h;
         let (force, slope) = (elastic + lag * change, slope + lag);
         GroundSpringState { force, slope, change, factored: self.springs[k].factored }
@@ -166,7 +133,7 @@ impl<S: Number> Engine<S> {
     pub fn springs_foreseen(&self, small: S) -> S::Mask {
         let mut all = !small.less(small);
         for (k, before) in self.springs.iter().enumerate() {
-            if self.numbers.springs[k].one_sided {
+            if self.numbers.springs[k].law.is_one_sided() {
                 let now = self.see_spring(k);
                 let foreseen = before.force + before.factored * (now.change - before.change);
                 all = all & ((now.force - foreseen) * self.h).abs().at_most(small);
@@ -180,7 +147,7 @@ impl<S: Number> Engine<S> {
     pub fn spring_energy(&self) -> S {
         let zero = self.h.constant(0.0);
         let each = self.numbers.springs.iter();
-        each.fold(zero, |sum, s| sum + s.energy(s.along(&self.displacement)))
+        each.fold(zero, |sum, s| sum + s.law.energy(s.along(&self.displacement)))
     }
 
     /// Enters the impulses of the ground and the losses of the dampers over the step.

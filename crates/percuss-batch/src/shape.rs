@@ -58,7 +58,7 @@ impl BatchShape {
                 .map(|h| (h.node, h.normals.len(), h.components))
                 .collect(),
             constraints: numbers.constraints.iter().map(ConstraintNumbers::shape).collect(),
-            springs: numbers.springs.iter().map(|s| (s.node, s.one_sided)).collect(),
+            springs: numbers.springs.iter().map(|s| (s.node, s.law.is_one_sided())).collect(),
             guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
             loads: numbers.loads.iter().map(|l| l.nodes.clone()).collect(),
             points: numbers.points.iter().map(|p| p.node).collect(),

@@ -5,28 +5,26 @@ use crate::linalg::block::{Block, IDENTITY};
 
 /// Components of a node's displacement that are held, or moved as prescribed.
 #[derive(Clone, Debug)]
-pub struct PrescribedDofs {
+pub struct PrescribedDofs<S = f64> {
     pub node: usize,
     /// The support that holds them, the first one where several do; `None` for the guide of a projectile
     /// and for obstacles, whose reactions are those of their contacts.
     pub support: Option<usize>,
     /// Held directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
-    pub normals: Vec<[f64; 4]>,
+    pub normals: Vec<[S; 4]>,
     /// Motion along each of them, shape (directions held, motions that take part) \[index of a motion, m\].
     pub drives: Vec<Drive>,
-    /// What they leave free: `I - N N^T` with the held directions as columns of N, shape (4, 4) \[-\].
-    pub free: Block,
+    /// What they leave free: `P = I - N N^T` with the held directions as columns of N, shape (4, 4) \[-\].
+    pub free: Block<S>,
+    /// Which components are held, where the directions are those of components, or all are, shape (4).
+    pub components: Option<[bool; 4]>,
 }
 
 impl PrescribedDofs {
     /// Nothing held yet.
     pub fn new(node: usize, support: Option<usize>) -> Self {
-        Self { node, support, normals: Vec::new(), drives: Vec::new(), free: IDENTITY }
-    }
-
-    /// Whether nothing is left free.
-    pub fn is_whole(&self) -> bool {
-        self.normals.len() == 4
+        let (normals, drives) = (Vec::new(), Vec::new());
+        Self { node, support, normals, drives, free: IDENTITY, components: Some([false; 4]) }
     }
 
     /// Holds one more direction, of unit length and across those held already.
@@ -38,6 +36,32 @@ impl PrescribedDofs {
         }
         self.normals.push(normal);
         self.drives.push(drive);
+        let own = normal.map(|c| c.abs() == 1.0);
+        let is_component = own.contains(&true) && (0..4).all(|k| own[k] || normal[k] == 0.0);
+        self.components = match self.components {
+            _ if self.is_whole() => Some([true; 4]),
+            Some(held) if is_component => Some(std::array::from_fn(|k| held[k] || own[k])),
+            _ => None,
+        };
+    }
+}
+
+impl<S: Copy> PrescribedDofs<S> {
+    /// Whether nothing is left free.
+    pub fn is_whole(&self) -> bool {
+        self.normals.len() == 4
+    }
+
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> PrescribedDofs<T> {
+        PrescribedDofs {
+            node: self.node,
+            support: self.support,
+            normals: self.normals.iter().map(|n| n.map(&mut *f)).collect(),
+            drives: self.drives.clone(),
+            free: self.free.map(|row| row.map(&mut *f)),
+            components: self.components,
+        }
     }
 }
 
@@ -288,42 +312,57 @@ pub enum ConnectorEnd {
 
 /// Potential of a connector.
 #[derive(Clone, Copy, Debug)]
-pub enum ConnectorLaw {
+pub enum ConnectorLaw<S = f64> {
     /// `k (q - rest)^2 / 2`.
     Linear {
         /// Stiffness k, force per unit of the coordinate.
-        stiffness: f64,
+        stiffness: S,
         /// Coordinate without force.
-        rest: f64,
+        rest: S,
     },
     /// `k <q - gap>^2 / 2`: no force before the gap is closed.
     OneSided {
         /// Stiffness k, force per unit of the coordinate.
-        stiffness: f64,
+        stiffness: S,
         /// Coordinate from which on it presses.
-        gap: f64,
+        gap: S,
     },
 }
 
-impl ConnectorLaw {
+impl<S: Copy> ConnectorLaw<S> {
+    /// The same with every number replaced, in a fixed order.
+    #[inline(always)]
+    pub fn map<T>(self, f: &mut impl FnMut(S) -> T) -> ConnectorLaw<T> {
+        match self {
+            Self::Linear { stiffness, rest } => {
+                ConnectorLaw::Linear { stiffness: f(stiffness), rest: f(rest) }
+            }
+            Self::OneSided { stiffness, gap } => {
+                ConnectorLaw::OneSided { stiffness: f(stiffness), gap: f(gap) }
+            }
+        }
+    }
+
     /// Whether it presses only while its gap is closed.
     pub fn is_one_sided(self) -> bool {
         matches!(self, Self::OneSided { .. })
     }
 
+    /// A value of the coordinate without force and energy.
+    pub fn free(self) -> S {
+        match self {
+            Self::Linear { rest, .. } => rest,
+            Self::OneSided { gap, .. } => gap,
+        }
+    }
+}
+
+impl ConnectorLaw {
     /// Whether it acts at a value of the coordinate: what is not closed there has neither force nor stiffness.
     pub fn acts_at(self, q: f64) -> bool {
         match self {
             Self::Linear { .. } => true,
             Self::OneSided { gap, .. } => q > gap,
-        }
-    }
-
-    /// A value of the coordinate without force and energy.
-    pub fn free(self) -> f64 {
-        match self {
-            Self::Linear { rest, .. } => rest,
-            Self::OneSided { gap, .. } => gap,
         }
     }
 }
