@@ -5,7 +5,7 @@ use super::ground_springs::GroundSpringNumbers;
 use percuss::StrainMeasure;
 use percuss::internals::element::beam::ElementTable;
 use percuss::internals::ledger::RoundOff;
-use percuss::internals::model::frozen::SpanFibres;
+use percuss::internals::model::frozen::{PrescribedDofs, SpanFibres};
 
 /// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub struct Numbers<S> {
     /// Reference position and tangent of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
     pub nodes: Vec<[S; 4]>,
     /// Components held at nodes, shape (nodes held).
-    pub prescribed: Vec<PrescribedNumbers<S>>,
+    pub prescribed: Vec<PrescribedDofs<S>>,
     /// Joints, and supports between nodes, shape (constraints).
     pub constraints: Vec<ConstraintNumbers<S>>,
     /// Elastic supports and stops, one a direction, shape (springs to the ground).
@@ -54,17 +54,6 @@ pub struct SpanNumbers<S> {
     pub tables: Vec<ElementTable<S>>,
     /// Its fibres, if it has any.
     pub fibres: Option<SpanFibres<S>>,
-}
-
-/// Held directions of a node, orthonormal.
-#[derive(Clone, Debug)]
-pub struct PrescribedNumbers<S> {
-    /// Node.
-    pub node: usize,
-    /// Components held, where the directions are those of components, shape (4).
-    pub components: Option<[bool; 4]>,
-    /// Directions in (u1, u2, u1', u2'), of unit length, shape (directions, 4) \[-\].
-    pub normals: Vec<[S; 4]>,
 }
 
 /// How a guided projectile touches.
@@ -171,13 +160,6 @@ impl<S: Copy> SpanNumbers<S> {
     #[inline(always)]
     pub fn table(&self, k: usize) -> &ElementTable<S> {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
-    }
-}
-
-impl<S: Copy> PrescribedNumbers<S> {
-    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> PrescribedNumbers<T> {
-        let normals = self.normals.iter().map(|n| n.map(&mut *f)).collect();
-        PrescribedNumbers { node: self.node, components: self.components, normals }
     }
 }
 

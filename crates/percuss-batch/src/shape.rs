@@ -4,9 +4,7 @@ use super::constraints::{Constrained, ConstraintNumbers};
 
 use super::ground_springs::GroundSpringNumbers;
 use super::loads::dead_load;
-use super::numbers::{
-    GuideLaw, GuideNumbers, Numbers, PointNumbers, PrescribedNumbers, SpanNumbers,
-};
+use super::numbers::{GuideLaw, GuideNumbers, Numbers, PointNumbers, SpanNumbers};
 use percuss::internals::element::beam::ElementTable;
 use percuss::internals::ledger::RoundOff;
 use percuss::internals::model::frozen::{BodyKind, FibreShape, ProjectileData, SpanFibres};
@@ -116,14 +114,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         nodes: (beams.iter())
             .map(|n| [n.position[0], n.position[1], n.tangent[0], n.tangent[1]])
             .collect(),
-        prescribed: (model.prescribed.iter())
-            .filter(|h| h.node < beams.len())
-            .map(|h| PrescribedNumbers {
-                node: h.node,
-                components: components(&h.normals),
-                normals: h.normals.clone(),
-            })
-            .collect(),
+        prescribed: (model.prescribed.iter()).filter(|h| h.node < beams.len()).cloned().collect(),
         constraints,
         springs,
         guides,
@@ -187,14 +178,4 @@ fn guide(
         speed: dot(projectile.direction, body.velocity),
         stiffness,
     })
-}
-
-/// The components that directions are, if all are components.
-fn components(normals: &[[f64; 4]]) -> Option<[bool; 4]> {
-    let mut held = [false; 4];
-    for normal in normals {
-        let k = normal.iter().position(|x| x.abs() == 1.0)?;
-        held[k] = true;
-    }
-    Some(held)
 }

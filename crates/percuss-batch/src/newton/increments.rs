@@ -4,6 +4,7 @@ use super::LaneNewton;
 use crate::engine::Engine;
 use crate::ledger::LaneLedger;
 use percuss::internals::scalar::Number;
+use percuss::internals::step::projection::project_held;
 
 /// What an increment leaves unbalanced.
 pub(super) struct Unbalanced<S> {
@@ -28,7 +29,7 @@ impl<S: Number> Engine<S> {
                 self.increment[n][i] = self.h * v + S::choose(told, change, zero);
             }
         }
-        Self::project(&self.numbers.prescribed, &mut self.increment);
+        project_held(&self.numbers.prescribed, &mut self.increment);
         self.predict_multipliers();
         for guide in &mut self.guides {
             let v = guide.velocity;
