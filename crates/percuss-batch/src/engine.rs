@@ -11,10 +11,10 @@ use super::impact::{Press, Strike};
 use super::numbers::Numbers;
 use percuss::internals::element::energy_momentum::End;
 use percuss::internals::linalg::block::Block;
-use percuss::internals::scalar::{Number, Real, Task};
+use percuss::internals::scalar::{Number, Task};
 use percuss::internals::step::projection::project_held;
 use percuss::math::hermite::GAUSS;
-use percuss::math::vec2::{dot, dot4};
+use percuss::math::vec2::dot;
 
 pub use guide::GuideState;
 
@@ -286,13 +286,6 @@ impl<S: Number> Task for Correct<'_, S> {
     fn run(self) {
         self.0.solve_for_correction();
     }
-}
-
-/// Interpolates nodal values with shape functions.
-#[inline(always)]
-pub fn interpolate<S: Real>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
-    let (a, b) = (&nodal[node], &nodal[node + 1]);
-    [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
 }
 
 fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {

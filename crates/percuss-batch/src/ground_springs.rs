@@ -2,21 +2,17 @@
 //!
 //! The same forces as those of single runs ([`step::connectors`](percuss::internals::step::connectors)): the difference quotient of the potential.
 
-use super::engine::{Engine, interpolate};
+use super::engine::Engine;
 use percuss::internals::ledger::Ledger;
-use percuss::internals::model::frozen::{Connector, ConnectorLaw, Coordinate};
-use percuss::internals::scalar::{Number, array};
+use percuss::internals::model::frozen::{Connector, ConnectorLaw, Coordinate, MaterialPoint};
+use percuss::internals::scalar::Number;
 use percuss::math::vec2::{dot, scale};
 
 /// A spring and damper from a point of a beam to the ground.
 #[derive(Clone, Debug)]
 pub struct GroundSpringNumbers<S> {
-    /// Node `a` of the element it acts on.
-    pub node: usize,
-    /// Shape functions of its point, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
-    pub shape: [S; 4],
-    /// Reference position of its point, shape (2) \[m\].
-    pub position: [S; 2],
+    /// The point it acts on.
+    pub point: MaterialPoint<S>,
     /// Line it acts along, unit vector, shape (2) \[1\].
     pub direction: [S; 2],
     /// Its force over the displacement along the line.
@@ -49,14 +45,7 @@ impl GroundSpringNumbers<f64> {
         if !drive.is_empty() {
             return Err("supports that move");
         }
-        Ok(Self {
-            node: point.node,
-            shape: point.shape,
-            position: point.position,
-            direction: *direction,
-            law: c.law,
-            damping: c.damping,
-        })
+        Ok(Self { point: point.clone(), direction: *direction, law: c.law, damping: c.damping })
     }
 }
 
@@ -64,9 +53,7 @@ impl<S: Copy> GroundSpringNumbers<S> {
     /// The same with every number replaced, in a fixed order.
     pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> GroundSpringNumbers<T> {
         GroundSpringNumbers {
-            node: self.node,
-            shape: self.shape.map(&mut *f),
-            position: self.position.map(&mut *f),
+            point: self.point.map(f),
             direction: self.direction.map(&mut *f),
             law: self.law.map(f),
             damping: f(self.damping),
@@ -78,7 +65,7 @@ impl<S: Number> GroundSpringNumbers<S> {
     /// Displacement of its point along its line.
     #[inline(always)]
     fn along(&self, nodal: &[[S; 4]]) -> S {
-        dot(self.direction, interpolate(&self.shape, self.node, nodal))
+        dot(self.direction, self.point.value(nodal))
     }
 }
 
@@ -108,13 +95,11 @@ impl<S: Number> Engine<S> {
             let state = self.see_spring(k);
             self.springs[k] = state;
             let spring = &self.numbers.springs[k];
-            let row = row(&spring.shape, &spring.direction);
-            for (i, c) in row.iter().enumerate() {
-                let target = &mut self.residual[spring.node + i / 4][i % 4];
-                *target = target.add_product(state.force, *c);
-            }
+            let point = &spring.point;
+            point.spread(scale(state.force, spring.direction), &mut self.residual);
             if TANGENT {
-                self.tangent.add_square(spring.node, &row, state.slope);
+                let row = row(&point.shape, &spring.direction);
+                self.tangent.add_square(point.node, &row, state.slope);
             }
         }
     }
@@ -157,8 +142,7 @@ impl<S: Number> Engine<S> {
         for (k, spring) in self.numbers.springs.iter().enumerate() {
             let state = self.see_spring(k);
             ledger.loss_damping += spring.damping / self.h * state.change * state.change;
-            let [start, step] = [u, d].map(|nodal| interpolate(&spring.shape, spring.node, nodal));
-            let x: [S; 2] = array(|i| spring.position[i] + start[i] + step[i] * 0.5);
+            let [x, _] = spring.point.middle(u, d);
             let force = scale(-state.force, spring.direction);
             ledger.react(self.h, x, force, self.h.constant(0.0));
         }

@@ -1,6 +1,6 @@
 //! Energies and momenta of the runs of an ensemble, and what entered and left them.
 
-use super::engine::{Engine, interpolate};
+use super::engine::Engine;
 use super::numbers::SpanNumbers;
 use percuss::internals::element::beam::ElementValues;
 use percuss::internals::element::energy_momentum::End;
@@ -194,9 +194,6 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn point(&self, k: usize) -> [[S; 2]; 2] {
         let p = &self.numbers.points[k];
-        [
-            interpolate(&p.shape, p.node, &self.displacement),
-            interpolate(&p.shape, p.node, &self.velocity),
-        ]
+        [p.value(&self.displacement), p.value(&self.velocity)]
     }
 }

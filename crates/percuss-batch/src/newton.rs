@@ -3,9 +3,10 @@
 mod increments;
 
 use self::increments::largest;
-use super::constraints::{Constrained, FOLLOWING};
+use super::constraints::FOLLOWING;
 use super::engine::Engine;
 use super::ledger::LaneLedger;
+use percuss::internals::model::frozen::ConstraintKind;
 use percuss::internals::scalar::{Mask, Number, Task};
 use percuss::internals::step::convergence::{ConvergenceMonitor, WORK_TOLERANCE};
 use percuss::internals::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
@@ -221,7 +222,8 @@ impl<S: Number> Engine<S> {
         self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
         let all = !self.settled;
         self.factor_constraints(all);
-        let turns = self.numbers.constraints.iter().any(|c| c.kept == Constrained::Angle);
+        let turns =
+            self.numbers.constraints.iter().any(|c| matches!(c.kind, ConstraintKind::Angle { .. }));
         for _ in 0..if turns { FOLLOWING } else { 1 } {
             self.correct_and_strike();
             for (d, c) in self.increment.iter_mut().zip(&self.correction) {

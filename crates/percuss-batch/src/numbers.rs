@@ -1,11 +1,10 @@
 //! The numbers of a run, apart from its shape: what differs between the lanes of an ensemble.
 
-use super::constraints::ConstraintNumbers;
 use super::ground_springs::GroundSpringNumbers;
 use percuss::StrainMeasure;
 use percuss::internals::element::beam::ElementTable;
 use percuss::internals::ledger::RoundOff;
-use percuss::internals::model::frozen::{PrescribedDofs, SpanFibres};
+use percuss::internals::model::frozen::{Constraint, MaterialPoint, PrescribedDofs, SpanFibres};
 
 /// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
 #[derive(Clone, Debug)]
@@ -19,7 +18,7 @@ pub struct Numbers<S> {
     /// Components held at nodes, shape (nodes held).
     pub prescribed: Vec<PrescribedDofs<S>>,
     /// Joints, and supports between nodes, shape (constraints).
-    pub constraints: Vec<ConstraintNumbers<S>>,
+    pub constraints: Vec<Constraint<S>>,
     /// Elastic supports and stops, one a direction, shape (springs to the ground).
     pub springs: Vec<GroundSpringNumbers<S>>,
     /// Guided projectiles, shape (guided projectiles).
@@ -27,7 +26,7 @@ pub struct Numbers<S> {
     /// Dead loads, shape (loads).
     pub loads: Vec<LoadNumbers<S>>,
     /// Recorded points, shape (recorded points).
-    pub points: Vec<PointNumbers<S>>,
+    pub points: Vec<MaterialPoint<S>>,
     /// What is nothing beside the structure.
     pub round_off: RoundOff<S>,
     /// Mass of all there is \[kg\].
@@ -103,15 +102,6 @@ pub struct LoadNumbers<S> {
     pub on_guides: Vec<[S; 2]>,
 }
 
-/// A recorded point.
-#[derive(Clone, Debug)]
-pub struct PointNumbers<S> {
-    /// Node `a` of its element.
-    pub node: usize,
-    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
-    pub shape: [S; 4],
-}
-
 impl<S: Copy> Numbers<S> {
     /// The same with every number replaced, in a fixed order.
     pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> Numbers<T> {
@@ -124,9 +114,7 @@ impl<S: Copy> Numbers<S> {
             springs: self.springs.iter().map(|s| s.map(f)).collect(),
             guides: self.guides.iter().map(|g| g.map(f)).collect(),
             loads: self.loads.iter().map(|l| l.map(f)).collect(),
-            points: (self.points.iter())
-                .map(|p| PointNumbers { node: p.node, shape: p.shape.map(&mut *f) })
-                .collect(),
+            points: self.points.iter().map(|p| p.map(f)).collect(),
             round_off: self.round_off.map(f),
             total_mass: f(self.total_mass),
             size: f(self.size),

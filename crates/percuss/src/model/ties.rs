@@ -2,6 +2,8 @@
 
 use crate::element::fibre::StressLaw;
 use crate::linalg::block::{Block, IDENTITY};
+use crate::math::vec2::{add, dot4, middle};
+use crate::scalar::Real;
 
 /// Components of a node's displacement that are held, or moved as prescribed.
 #[derive(Clone, Debug)]
@@ -84,75 +86,98 @@ pub struct SupportData {
 
 /// A material point: where it lies in the mesh and how it follows the nodes.
 #[derive(Clone, Debug)]
-pub struct MaterialPoint {
+pub struct MaterialPoint<S = f64> {
     pub label: String,
     pub beam: usize,
     /// Node `a` of the element; node `b` is the next one.
     pub node: usize,
     /// Arc length from the start of the beam \[m\].
-    pub s: f64,
+    pub s: S,
     /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
-    pub shape: [f64; 4],
+    pub shape: [S; 4],
     /// Derivatives of the shape functions, shape (4) \[1/m, 1, 1/m, 1\].
-    pub slope: [f64; 4],
+    pub slope: [S; 4],
     /// Reference position, shape (2) \[m\].
-    pub position: [f64; 2],
+    pub position: [S; 2],
     /// Reference tangent, shape (2) \[1\].
-    pub tangent: [f64; 2],
+    pub tangent: [S; 2],
 }
 
-impl MaterialPoint {
+impl<S: Real> MaterialPoint<S> {
     /// Interpolates nodal values with the shape functions.
-    #[inline]
-    pub fn value(&self, nodal: &[[f64; 4]]) -> [f64; 2] {
-        self.combine(nodal, &self.shape)
+    #[inline(always)]
+    pub fn value(&self, nodal: &[[S; 4]]) -> [S; 2] {
+        combine(nodal, self.node, &self.shape)
     }
 
     /// Interpolates nodal values with the derivatives of the shape functions.
-    #[inline]
-    pub fn gradient(&self, nodal: &[[f64; 4]]) -> [f64; 2] {
-        self.combine(nodal, &self.slope)
+    #[inline(always)]
+    pub fn gradient(&self, nodal: &[[S; 4]]) -> [S; 2] {
+        combine(nodal, self.node, &self.slope)
     }
 
-    #[inline]
-    fn combine(&self, nodal: &[[f64; 4]], n: &[f64; 4]) -> [f64; 2] {
-        let (a, b) = (&nodal[self.node], &nodal[self.node + 1]);
+    /// Position and tangent in the middle of a step from displacements `u` by `d`.
+    #[inline(always)]
+    pub fn middle(&self, u: &[[S; 4]], d: &[[S; 4]]) -> [[S; 2]; 2] {
         [
-            n[0] * a[0] + n[1] * a[2] + n[2] * b[0] + n[3] * b[2],
-            n[0] * a[1] + n[1] * a[3] + n[2] * b[1] + n[3] * b[3],
+            add(self.position, middle(self.value(u), self.value(d))),
+            add(self.tangent, middle(self.gradient(u), self.gradient(d))),
         ]
     }
 
     /// Adds `shape^T f` to nodal forces.
-    #[inline]
-    pub fn spread(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
+    #[inline(always)]
+    pub fn spread(&self, force: [S; 2], nodal: &mut [[S; 4]]) {
         spread(&self.shape, self.node, force, nodal);
     }
 
     /// Adds `shape^T f` to the forces on the two nodes of its element.
-    pub fn spread_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+    pub fn spread_over(&self, force: [S; 2], nodes: &mut [[S; 4]; 2]) {
         spread(&self.shape, 0, force, nodes);
     }
 
     /// Adds `slope^T f` to the forces on the two nodes of its element.
-    pub fn spread_gradient_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
+    pub fn spread_gradient_over(&self, force: [S; 2], nodes: &mut [[S; 4]; 2]) {
         spread(&self.slope, 0, force, nodes);
     }
 
     /// Adds `slope^T f` to nodal forces.
-    #[inline]
-    pub fn spread_gradient(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
+    #[inline(always)]
+    pub fn spread_gradient(&self, force: [S; 2], nodal: &mut [[S; 4]]) {
         spread(&self.slope, self.node, force, nodal);
     }
 }
 
-#[inline]
-fn spread(n: &[f64; 4], node: usize, force: [f64; 2], nodal: &mut [[f64; 4]]) {
+impl<S: Copy> MaterialPoint<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> MaterialPoint<T> {
+        MaterialPoint {
+            label: self.label.clone(),
+            beam: self.beam,
+            node: self.node,
+            s: f(self.s),
+            shape: self.shape.map(&mut *f),
+            slope: self.slope.map(&mut *f),
+            position: self.position.map(&mut *f),
+            tangent: self.tangent.map(&mut *f),
+        }
+    }
+}
+
+/// Interpolates nodal values with shape functions, or their derivatives, of the element of a node.
+#[inline(always)]
+pub fn combine<S: Real>(nodal: &[[S; 4]], node: usize, n: &[S; 4]) -> [S; 2] {
+    let (a, b) = (&nodal[node], &nodal[node + 1]);
+    [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
+}
+
+#[inline(always)]
+fn spread<S: Real>(n: &[S; 4], node: usize, force: [S; 2], nodal: &mut [[S; 4]]) {
     for i in 0..2 {
-        nodal[node][i] += n[0] * force[i];
-        nodal[node][2 + i] += n[1] * force[i];
-        nodal[node + 1][i] += n[2] * force[i];
-        nodal[node + 1][2 + i] += n[3] * force[i];
+        nodal[node][i] = nodal[node][i].add_product(n[0], force[i]);
+        nodal[node][2 + i] = nodal[node][2 + i].add_product(n[1], force[i]);
+        nodal[node + 1][i] = nodal[node + 1][i].add_product(n[2], force[i]);
+        nodal[node + 1][2 + i] = nodal[node + 1][2 + i].add_product(n[3], force[i]);
     }
 }
 
@@ -187,8 +212,8 @@ impl JointData {
 
 /// A scalar constraint on material points, kept by a multiplier.
 #[derive(Clone, Debug)]
-pub struct Constraint {
-    pub kind: ConstraintKind,
+pub struct Constraint<S = f64> {
+    pub kind: ConstraintKind<S>,
     /// The support it belongs to; a joint's belong to none.
     pub support: Option<usize>,
     /// The joint of a given strength that it belongs to, among `Model::joints`.
@@ -201,33 +226,33 @@ pub struct Constraint {
 
 /// What is constrained.
 #[derive(Clone, Debug)]
-pub enum ConstraintKind {
+pub enum ConstraintKind<S = f64> {
     /// `direction . u(point) = value`, or of its gradient: a support between nodes.
     Held {
-        point: MaterialPoint,
+        point: MaterialPoint<S>,
         /// The direction, of unit length, shape (2) \[-\].
-        direction: [f64; 2],
+        direction: [S; 2],
         gradient: bool,
     },
     /// `J t . g(point) = 0` with t the reference tangent turned by the prescribed angle.
-    Turned { point: MaterialPoint },
+    Turned { point: MaterialPoint<S> },
     /// `direction . (u(a) - u(b)) = 0`: positions shared.
     Shared {
         /// The points a and b, shape (2).
-        points: Box<[MaterialPoint; 2]>,
+        points: Box<[MaterialPoint<S>; 2]>,
         /// The direction, of unit length, shape (2) \[-\].
-        direction: [f64; 2],
+        direction: [S; 2],
     },
     /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is kept.
     Angle {
         /// The points a and b, shape (2).
-        points: Box<[MaterialPoint; 2]>,
-        cosine: f64,
-        sine: f64,
+        points: Box<[MaterialPoint<S>; 2]>,
+        cosine: S,
+        sine: S,
     },
 }
 
-impl ConstraintKind {
+impl<S: Copy> ConstraintKind<S> {
     /// Whether it is of slopes and not of places.
     pub fn is_of_slopes(&self) -> bool {
         match self {
@@ -236,11 +261,45 @@ impl ConstraintKind {
             Self::Shared { .. } => false,
         }
     }
+
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> ConstraintKind<T> {
+        match self {
+            Self::Held { point, direction, gradient } => ConstraintKind::Held {
+                point: point.map(f),
+                direction: direction.map(f),
+                gradient: *gradient,
+            },
+            Self::Turned { point } => ConstraintKind::Turned { point: point.map(f) },
+            Self::Shared { points, direction } => ConstraintKind::Shared {
+                points: Box::new(points.each_ref().map(|p| p.map(f))),
+                direction: direction.map(f),
+            },
+            Self::Angle { points, cosine, sine } => ConstraintKind::Angle {
+                points: Box::new(points.each_ref().map(|p| p.map(f))),
+                cosine: f(*cosine),
+                sine: f(*sine),
+            },
+        }
+    }
 }
 
-impl Constraint {
+impl<S: Copy> Constraint<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> Constraint<T> {
+        Constraint {
+            kind: self.kind.map(f),
+            support: self.support,
+            joint: self.joint,
+            drive: self.drive.clone(),
+            until: self.until,
+        }
+    }
+}
+
+impl<S> Constraint<S> {
     /// The points it ties.
-    pub fn points(&self) -> &[MaterialPoint] {
+    pub fn points(&self) -> &[MaterialPoint<S>] {
         match &self.kind {
             ConstraintKind::Held { point, .. } | ConstraintKind::Turned { point } => {
                 std::slice::from_ref(point)

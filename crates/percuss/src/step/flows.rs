@@ -19,7 +19,7 @@ use crate::element::strain::strains;
 use crate::element::strain_rate;
 use crate::geometry::row::Row;
 use crate::ledger::StepWork;
-use crate::math::vec2::{add, cross, dot, scale};
+use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
 use crate::model::frozen::{ConnectorEnd, Coordinate, MaterialPoint, Span};
 use crate::scalar::array;
@@ -74,13 +74,8 @@ struct Entry<'a> {
 
 impl Entry<'_> {
     /// Position and tangent of a point in the middle of the step.
-    fn middle(&self, p: &MaterialPoint) -> ([f64; 2], [f64; 2]) {
-        let (u, d) = (&self.state.displacement, &self.work.increment);
-        let half = |a: [f64; 2], b: [f64; 2]| add(a, scale(0.5, b));
-        (
-            add(p.position, half(p.value(u), p.value(d))),
-            add(p.tangent, half(p.gradient(u), p.gradient(d))),
-        )
+    fn middle(&self, p: &MaterialPoint) -> [[f64; 2]; 2] {
+        p.middle(&self.state.displacement, &self.work.increment)
     }
 
     /// Enters a force and a couple of a support, a guide or the ground on a point; supports have reactions of their own.
@@ -123,20 +118,11 @@ impl Entry<'_> {
             if c.support.is_none() {
                 continue;
             }
-            let support = c.support;
-            let point = &c.points()[0];
-            let (x, g) = self.middle(point);
             let start = &self.state.displacement;
             let step = ConstraintStep { start, increment: &work.increment, forcing, share: 0.5 };
-            let (form, gradient) = step.support_form(c);
-            let force = scale(-multiplier, form);
-            if gradient {
-                self.state.ledger.work_supports += dot(force, point.gradient(&work.increment));
-                self.reaction(support, x, [0.0; 2], cross(g, force));
-            } else {
-                self.state.ledger.work_supports += dot(force, point.value(&work.increment));
-                self.reaction(support, x, force, 0.0);
-            }
+            let r = step.reaction(c, *multiplier);
+            self.state.ledger.work_supports += r.work;
+            self.reaction(c.support, r.at, r.force, r.moment);
         }
     }
 
@@ -156,11 +142,11 @@ impl Entry<'_> {
             match &c.coordinate {
                 Coordinate::Displacement { point, drive, .. } => {
                     self.state.ledger.work_supports -= step.force * forcing.increment(drive);
-                    let (x, _) = self.middle(point);
+                    let [x, _] = self.middle(point);
                     self.reaction(c.support, x, force(0), 0.0);
                 }
                 Coordinate::Angle { a, b: None, .. } => {
-                    let (x, g) = self.middle(a);
+                    let [x, g] = self.middle(a);
                     self.reaction(c.support, x, [0.0; 2], cross(g, force(0)));
                 }
                 Coordinate::Angle { .. } => {}
@@ -169,7 +155,7 @@ impl Entry<'_> {
                         [(&ends[0], &ends[1]), (&ends[1], &ends[0])].iter().enumerate()
                     {
                         if let (ConnectorEnd::Point(p), ConnectorEnd::Ground(_)) = (end, other) {
-                            let (x, _) = self.middle(p);
+                            let [x, _] = self.middle(p);
                             self.reaction(None, x, force(k), 0.0);
                         }
                     }
