@@ -3,7 +3,7 @@
 use super::Engine;
 use percuss::StrainMeasure;
 use percuss::internals::element::beam::ElementValues;
-use percuss::internals::element::elastic::ElasticStep;
+use percuss::internals::element::invariant::ElasticStep;
 use percuss::internals::element::yielding::{ElementFibres, ElementStep, ElementTurn};
 use percuss::internals::scalar::{Number, array};
 

@@ -4,7 +4,7 @@ use pulp::{Simd, WithSimd};
 
 use super::{Alike, Sweep, values};
 use crate::element::beam::ElementValues;
-use crate::element::elastic::ElasticStep;
+use crate::element::invariant::ElasticStep;
 use crate::element::yielding::{ElementStep, ElementTurn};
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
