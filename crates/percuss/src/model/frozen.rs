@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::definition::{InitialMotion, StrainMeasure, Strength};
+pub use super::point::*;
 pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;
 pub use super::striking::*;
