@@ -195,7 +195,8 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Force of a guided projectile at the increment as it stands, and its own balance; with its impulse it is what it pushes with.
+    /// Force of a guided projectile at the increment as it stands, and its own balance (the paper's eqs. 3 and 13); with its impulse it is
+    /// what it pushes the beam with (F of eq. 4, Lambda of eq. 12).
     #[inline(always)]
     pub fn push(&mut self, k: usize, rate: S) -> S {
         let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);

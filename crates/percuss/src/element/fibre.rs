@@ -6,6 +6,7 @@
 //!
 //! `s = sigma0 + De int Et (1 - t) dt`, `ds/de1 = int Et t dt`, `sigma1 = sigma0 + De int Et dt`.
 
+mod flow;
 mod mapped;
 mod path;
 mod plastic;
@@ -13,6 +14,7 @@ mod plastic;
 mod tests;
 mod viscous;
 
+pub use flow::FibreFlow;
 use serde::{Deserialize, Serialize};
 
 use crate::scalar::{Mask, Number};
